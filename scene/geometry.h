@@ -1,0 +1,51 @@
+#ifndef RAYCHECK_SCENE_GEOMETRY_H_
+#define RAYCHECK_SCENE_GEOMETRY_H_
+
+namespace raycheck::scene {
+
+/// A displacement. Plain doubles, taken exactly as given.
+struct Vector3 {
+  double x = 0;
+  double y = 0;
+  double z = 0;
+  bool operator==(const Vector3&) const = default;
+};
+
+/// A position in world coordinates. Points have no sum.
+struct Point3 {
+  double x = 0;
+  double y = 0;
+  double z = 0;
+  bool operator==(const Point3&) const = default;
+};
+
+/// A vector that is meant to have length 1; rounding makes it nearly so.
+struct UnitVector3 {
+  double x = 0;
+  double y = 0;
+  double z = 0;
+  bool operator==(const UnitVector3&) const = default;
+};
+
+/// The displacement from `from` to `to`, each coordinate rounded once.
+inline Vector3 operator-(const Point3& to, const Point3& from) {
+  return {to.x - from.x, to.y - from.y, to.z - from.z};
+}
+
+/// A ray origin + s direction, s >= 0; the direction need not be unit.
+struct Ray {
+  Point3 origin;
+  Vector3 direction;
+  bool operator==(const Ray&) const = default;
+};
+
+/// A sphere; radius 0 is a point.
+struct Sphere {
+  Point3 centre;
+  double radius = 0;
+  bool operator==(const Sphere&) const = default;
+};
+
+}  // namespace raycheck::scene
+
+#endif  // RAYCHECK_SCENE_GEOMETRY_H_

@@ -1,0 +1,26 @@
+#ifndef RAYCHECK_SCENE_NUMBER_H_
+#define RAYCHECK_SCENE_NUMBER_H_
+
+#include <optional>
+#include <string>
+#include <string_view>
+
+namespace raycheck::scene {
+
+/// Reads all of `text` as one double, rounded to nearest: decimals (`-1`, `.75`, `+2.5e-3`) and
+/// hexfloats (`0x1.8p+3`). Empty when `text` is anything else; an overflow reads as infinity, which
+/// validation refuses by name; `inf` and `nan` read as themselves, for the same reason.
+std::optional<double> parse_number(std::string_view text);
+
+/// The shortest decimal that reads back as the same double.
+std::string shortest(double value);
+
+/// C99 hexfloat, e.g. "0x1.8p+3"; reads back as the same double.
+std::string hexfloat(double value);
+
+/// 17 significant digits and the hexfloat: "0.10000000000000001 (0x1.999999999999ap-4)".
+std::string digits_and_hexfloat(double value);
+
+}  // namespace raycheck::scene
+
+#endif  // RAYCHECK_SCENE_NUMBER_H_

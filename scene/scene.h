@@ -1,0 +1,25 @@
+#ifndef RAYCHECK_SCENE_SCENE_H_
+#define RAYCHECK_SCENE_SCENE_H_
+
+#include <optional>
+#include <vector>
+
+#include "scene/camera.h"
+#include "scene/conventions.h"
+#include "scene/geometry.h"
+
+namespace raycheck::scene {
+
+/// What is looked at: rays that come from a camera's pixels or are given one by one (exactly one of
+/// the two), the spheres they may meet, and the conventions under which answers are judged.
+struct Scene {
+  std::optional<Camera> camera;
+  std::vector<Ray> rays;
+  std::vector<Sphere> spheres;
+  Conventions conventions;
+  bool operator==(const Scene&) const = default;
+};
+
+}  // namespace raycheck::scene
+
+#endif  // RAYCHECK_SCENE_SCENE_H_
