@@ -1,0 +1,33 @@
+#ifndef RAYCHECK_REFERENCE_CAMERA_IMPL_H_
+#define RAYCHECK_REFERENCE_CAMERA_IMPL_H_
+
+// What an ExactCamera holds. Internal to reference/.
+
+#include "reference/exact_camera.h"
+#include "reference/formulas.h"
+#include "reference/rounding.h"
+
+namespace raycheck::reference {
+
+/// The precision of the ladder's middle rung, between intervals and the exact field.
+inline constexpr int kMiddleBits = 256;
+
+struct ExactCamera::Impl {
+  Impl(const scene::Camera& its_camera, const scene::Conventions& its_conventions);
+
+  /// Axes at any precision: stored for the two usual ones, computed for the others.
+  Axes<EnclosureKernel> enclosed_axes(int bits, double relative_change = 0) const;
+
+  scene::Camera camera;
+  scene::Conventions conventions;
+  Axes<EnclosureKernel> axes_first_bits;
+  Axes<EnclosureKernel> axes_middle_bits;
+  Axes<IntervalKernel> axes_interval;
+  Axes<ExactKernel> axes_exact;
+};
+
+inline Enclosure3 coordinates(const EnclosureKernel::Vector_3& v) { return {v.x(), v.y(), v.z()}; }
+
+}  // namespace raycheck::reference
+
+#endif  // RAYCHECK_REFERENCE_CAMERA_IMPL_H_

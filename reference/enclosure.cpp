@@ -1,0 +1,171 @@
+#include "reference/enclosure.h"
+
+#include <algorithm>
+#include <limits>
+
+namespace raycheck::reference {
+namespace {
+
+constexpr int kDoubleBits = std::numeric_limits<double>::digits;
+/// The smallest subnormal is 2^kSmallestExponent.
+constexpr int kSmallestExponent = -1074;
+/// Finite doubles are below 2^kOverflowExponent.
+constexpr int kOverflowExponent = 1024;
+
+/// One arf that clears itself.
+class Float {
+ public:
+  Float() { arf_init(value_); }
+  Float(const Float&) = delete;
+  Float& operator=(const Float&) = delete;
+  ~Float() { arf_clear(value_); }
+  arf_struct* get() { return value_; }
+
+ private:
+  arf_t value_;
+};
+
+/// x rounded once to a double in direction `rounding`, over- and underflow as IEEE-754 has them.
+/// (Rounding to 53 bits first and to a subnormal afterwards would round twice.)
+double to_double(arf_srcptr x, arf_rnd_t rounding) {
+  if (arf_is_zero(x)) return 0.0;
+  if (!arf_is_finite(x)) return arf_get_d(x, ARF_RND_DOWN);
+  const bool negative = arf_sgn(x) < 0;
+  const bool to_nearest = rounding == ARF_RND_NEAR;
+  const bool toward_zero = !to_nearest && (rounding == ARF_RND_FLOOR) != negative;
+  const auto signed_double = [&](double magnitude) { return negative ? -magnitude : magnitude; };
+  const double too_large = toward_zero ? std::numeric_limits<double>::max()
+                                       : std::numeric_limits<double>::infinity();
+
+  Float power;
+  arf_set_si_2exp_si(power.get(), 1, kSmallestExponent - 1);
+  const bool at_most_half_smallest = arf_cmpabs(x, power.get()) <= 0;
+  arf_set_si_2exp_si(power.get(), 1, kSmallestExponent);
+  if (arf_cmpabs(x, power.get()) < 0) {
+    const bool vanishes = toward_zero || (to_nearest && at_most_half_smallest);
+    return signed_double(vanishes ? 0.0 : std::numeric_limits<double>::denorm_min());
+  }
+  arf_set_si_2exp_si(power.get(), 1, kOverflowExponent);
+  if (arf_cmpabs(x, power.get()) >= 0) return signed_double(too_large);
+
+  const slong available = arf_abs_bound_lt_2exp_si(x) - kSmallestExponent;
+  Float rounded;
+  arf_set_round(rounded.get(), x, std::min<slong>(available, kDoubleBits), rounding);
+  if (arf_cmpabs(rounded.get(), power.get()) >= 0) return signed_double(too_large);
+  return arf_get_d(rounded.get(), ARF_RND_DOWN);
+}
+
+}  // namespace
+
+Enclosure::Enclosure(double value, int bits) : Enclosure() {
+  arb_set_d(ball_, value);
+  bits_ = bits;
+}
+
+Enclosure Enclosure::within(double value, double relative_change, int bits) {
+  Enclosure result(value, bits);
+  if (relative_change > 0 && value != 0) {
+    Enclosure radius(relative_change, bits);
+    radius *= abs(result);
+    arb_add_error(result.ball_, radius.ball_);
+  }
+  return result;
+}
+
+Enclosure& Enclosure::operator=(const Enclosure& other) {
+  arb_set(ball_, other.ball_);
+  bits_ = other.bits_;
+  return *this;
+}
+
+Enclosure& Enclosure::operator+=(const Enclosure& other) {
+  adopt_bits(other);
+  arb_add(ball_, ball_, other.ball_, bits_);
+  return *this;
+}
+Enclosure& Enclosure::operator-=(const Enclosure& other) {
+  adopt_bits(other);
+  arb_sub(ball_, ball_, other.ball_, bits_);
+  return *this;
+}
+Enclosure& Enclosure::operator*=(const Enclosure& other) {
+  adopt_bits(other);
+  arb_mul(ball_, ball_, other.ball_, bits_);
+  return *this;
+}
+Enclosure& Enclosure::operator/=(const Enclosure& other) {
+  adopt_bits(other);
+  arb_div(ball_, ball_, other.ball_, bits_);
+  return *this;
+}
+Enclosure Enclosure::operator-() const {
+  Enclosure result;
+  result.bits_ = bits_;
+  arb_neg(result.ball_, ball_);
+  return result;
+}
+
+std::optional<int> Enclosure::certain_sign() const {
+  if (arb_is_positive(ball_)) return 1;
+  if (arb_is_negative(ball_)) return -1;
+  if (arb_is_zero(ball_)) return 0;
+  return std::nullopt;
+}
+
+double Enclosure::lower() const {
+  Float bound;
+  arb_get_lbound_arf(bound.get(), ball_, bits_);
+  return to_double(bound.get(), ARF_RND_FLOOR);
+}
+double Enclosure::upper() const {
+  Float bound;
+  arb_get_ubound_arf(bound.get(), ball_, bits_);
+  return to_double(bound.get(), ARF_RND_CEIL);
+}
+double Enclosure::lower_rounded() const {
+  Float bound;
+  arb_get_lbound_arf(bound.get(), ball_, bits_);
+  return to_double(bound.get(), ARF_RND_NEAR);
+}
+double Enclosure::upper_rounded() const {
+  Float bound;
+  arb_get_ubound_arf(bound.get(), ball_, bits_);
+  return to_double(bound.get(), ARF_RND_NEAR);
+}
+
+bool Enclosure::is_within(int relative_bits) const {
+  if (arb_is_exact(ball_)) return true;
+  return arb_is_finite(ball_) && arb_rel_accuracy_bits(ball_) >= relative_bits;
+}
+
+double Enclosure::relative_radius() const {
+  if (arb_is_exact(ball_)) return 0;
+  if (!arb_is_finite(ball_) || contains_zero()) return std::numeric_limits<double>::infinity();
+  Enclosure radius;
+  arb_get_rad_arb(radius.ball_, ball_);
+  radius.bits_ = bits_;
+  return (radius / abs(*this)).upper();
+}
+
+Enclosure sqrt(const Enclosure& value) {
+  Enclosure result = value;
+  arb_sqrtpos(result.ball(), value.ball(), value.bits());
+  return result;
+}
+
+Enclosure abs(const Enclosure& value) {
+  Enclosure result = value;
+  arb_abs(result.ball(), value.ball());
+  return result;
+}
+
+Enclosure3 operator-(const Enclosure3& a, const Enclosure3& b) {
+  return {a.x - b.x, a.y - b.y, a.z - b.z};
+}
+Enclosure dot(const Enclosure3& a, const Enclosure3& b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
+Enclosure3 cross(const Enclosure3& a, const Enclosure3& b) {
+  return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
+}
+Enclosure norm(const Enclosure3& a) { return sqrt(dot(a, a)); }
+
+}  // namespace raycheck::reference

@@ -1,0 +1,92 @@
+#ifndef RAYCHECK_REFERENCE_ENCLOSURE_H_
+#define RAYCHECK_REFERENCE_ENCLOSURE_H_
+
+#include <arb.h>
+
+#include <optional>
+
+namespace raycheck::reference {
+
+/// A closed interval that certainly holds one real number: an Arb ball (midpoint and radius with
+/// unlimited exponents) that carries its working precision. Arithmetic encloses the exact result;
+/// precision is the larger of the operands'. One object per thread; different objects are independent.
+class Enclosure {
+ public:
+  Enclosure() { arb_init(ball_); }
+  explicit Enclosure(int value) : Enclosure() { arb_set_si(ball_, value); }
+  /// The double itself, exactly; `bits` is the precision of what is computed from it.
+  Enclosure(double value, int bits);
+  /// Everything within |value| * relative_change of value.
+  static Enclosure within(double value, double relative_change, int bits);
+
+  Enclosure(const Enclosure& other) : Enclosure() { *this = other; }
+  Enclosure(Enclosure&& other) noexcept : Enclosure() { swap(other); }
+  Enclosure& operator=(const Enclosure& other);
+  Enclosure& operator=(Enclosure&& other) noexcept {
+    swap(other);
+    return *this;
+  }
+  ~Enclosure() { arb_clear(ball_); }
+
+  Enclosure& operator+=(const Enclosure& other);
+  Enclosure& operator-=(const Enclosure& other);
+  Enclosure& operator*=(const Enclosure& other);
+  Enclosure& operator/=(const Enclosure& other);
+  Enclosure operator-() const;
+
+  int bits() const { return bits_; }
+  bool contains_zero() const { return arb_contains_zero(ball_) != 0; }
+  /// The sign of every number in the ball; empty when they differ.
+  std::optional<int> certain_sign() const;
+  /// Doubles below and above every number in the ball (infinite past the double range).
+  double lower() const;
+  double upper() const;
+  /// The doubles nearest to the ball's two ends, ties to even: equal when the ball alone determines
+  /// the correctly rounded value.
+  double lower_rounded() const;
+  double upper_rounded() const;
+  /// True when radius <= 2^-relative_bits |midpoint|.
+  bool is_within(int relative_bits) const;
+  /// An upper bound of radius / |every number in the ball|; infinite when the ball holds 0.
+  double relative_radius() const;
+
+  const arb_struct* ball() const { return ball_; }
+  arb_struct* ball() { return ball_; }
+
+ private:
+  void swap(Enclosure& other) noexcept {
+    arb_swap(ball_, other.ball_);
+    const int bits = bits_;
+    bits_ = other.bits_;
+    other.bits_ = bits;
+  }
+  void adopt_bits(const Enclosure& other) {
+    if (other.bits_ > bits_) bits_ = other.bits_;
+  }
+
+  arb_t ball_;
+  int bits_ = 64;
+};
+
+inline Enclosure operator+(Enclosure a, const Enclosure& b) { return a += b; }
+inline Enclosure operator-(Enclosure a, const Enclosure& b) { return a -= b; }
+inline Enclosure operator*(Enclosure a, const Enclosure& b) { return a *= b; }
+inline Enclosure operator/(Enclosure a, const Enclosure& b) { return a /= b; }
+/// The square root of a number known not to be negative; what of the ball is negative is cut off.
+Enclosure sqrt(const Enclosure& value);
+Enclosure abs(const Enclosure& value);
+
+/// A point or vector by coordinates.
+struct Enclosure3 {
+  Enclosure x;
+  Enclosure y;
+  Enclosure z;
+};
+Enclosure3 operator-(const Enclosure3& a, const Enclosure3& b);
+Enclosure dot(const Enclosure3& a, const Enclosure3& b);
+Enclosure3 cross(const Enclosure3& a, const Enclosure3& b);
+Enclosure norm(const Enclosure3& a);
+
+}  // namespace raycheck::reference
+
+#endif  // RAYCHECK_REFERENCE_ENCLOSURE_H_

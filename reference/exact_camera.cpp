@@ -1,0 +1,99 @@
+#include "reference/exact_camera.h"
+
+#include "reference/camera_impl.h"
+#include "scene/scene.h"
+#include "scene/validate.h"
+
+namespace raycheck::reference {
+namespace {
+
+const scene::Camera& validated(const scene::Camera& camera, const scene::Conventions& conventions) {
+  scene::Scene scene;
+  scene.camera = camera;
+  scene.conventions = conventions;
+  scene::require_valid(scene);
+  return camera;
+}
+
+IntervalKernel::Vector_3 outward(const EnclosureKernel::Vector_3& v) {
+  const auto bounds = [](const Enclosure& x) { return Interval(x.lower(), x.upper()); };
+  return {bounds(v.x()), bounds(v.y()), bounds(v.z())};
+}
+
+}  // namespace
+
+ExactCamera::Impl::Impl(const scene::Camera& its_camera, const scene::Conventions& its_conventions)
+    : camera(validated(its_camera, its_conventions)),
+      conventions(its_conventions),
+      axes_first_bits(camera_axes<EnclosureKernel>(EnclosureLift{kFirstBits}, camera)),
+      axes_middle_bits(camera_axes<EnclosureKernel>(EnclosureLift{kMiddleBits}, camera)),
+      axes_interval{outward(axes_middle_bits.U), outward(axes_middle_bits.V),
+                    outward(axes_middle_bits.W)},
+      axes_exact(camera_axes<ExactKernel>(ExactLift{}, camera)) {}
+
+Axes<EnclosureKernel> ExactCamera::Impl::enclosed_axes(int bits, double relative_change) const {
+  if (relative_change == 0 && bits == kFirstBits) return axes_first_bits;
+  if (relative_change == 0 && bits == kMiddleBits) return axes_middle_bits;
+  return camera_axes<EnclosureKernel>(EnclosureLift{bits, relative_change}, camera);
+}
+
+ExactCamera::ExactCamera(const scene::Camera& camera, const scene::Conventions& conventions)
+    : impl_(std::make_shared<Impl>(camera, conventions)) {}
+
+const scene::Camera& ExactCamera::camera() const { return impl_->camera; }
+const scene::Conventions& ExactCamera::conventions() const { return impl_->conventions; }
+
+namespace {
+
+using AxisOf = EnclosureKernel::Vector_3 Axes<EnclosureKernel>::*;
+using ExactAxisOf = ExactKernel::Vector_3 Axes<ExactKernel>::*;
+
+/// Applies narrow() or round_to_nearest() to one coordinate of one axis.
+template <class Result, class Finish>
+Result finish_axis(const ExactCamera::Impl& impl, AxisOf axis, ExactAxisOf exact_axis,
+                   Finish finish) {
+  const auto coordinate = [&](int k) {
+    return finish((impl.axes_first_bits.*axis)[k],
+                  [&, k](int bits) { return (impl.enclosed_axes(bits).*axis)[k]; },
+                  [&, k](const Rational& m) {
+                    return *certain_sign((impl.axes_exact.*exact_axis)[k] -
+                                         ExactNumber(FirstExtension(m)));
+                  });
+  };
+  return {coordinate(0), coordinate(1), coordinate(2)};
+}
+
+}  // namespace
+
+EnclosedFrame ExactCamera::frame(int relative_bits) const {
+  const auto finish = [relative_bits](Enclosure first, auto enclose, auto compare) {
+    return narrow(std::move(first), relative_bits, enclose, compare);
+  };
+  return {finish_axis<Enclosure3>(*impl_, &Axes<EnclosureKernel>::U, &Axes<ExactKernel>::U, finish),
+          finish_axis<Enclosure3>(*impl_, &Axes<EnclosureKernel>::V, &Axes<ExactKernel>::V, finish),
+          finish_axis<Enclosure3>(*impl_, &Axes<EnclosureKernel>::W, &Axes<ExactKernel>::W, finish)};
+}
+
+RoundedFrame ExactCamera::rounded_frame() const {
+  const auto finish = [](Enclosure first, auto enclose, auto compare) {
+    return round_to_nearest(std::move(first), enclose, compare);
+  };
+  using Unit = scene::UnitVector3;
+  return {finish_axis<Unit>(*impl_, &Axes<EnclosureKernel>::U, &Axes<ExactKernel>::U, finish),
+          finish_axis<Unit>(*impl_, &Axes<EnclosureKernel>::V, &Axes<ExactKernel>::V, finish),
+          finish_axis<Unit>(*impl_, &Axes<EnclosureKernel>::W, &Axes<ExactKernel>::W, finish)};
+}
+
+EnclosedFrame ExactCamera::frame_within(double relative_change, int bits) const {
+  const auto axes = impl_->enclosed_axes(bits, relative_change);
+  return {coordinates(axes.U), coordinates(axes.V), coordinates(axes.W)};
+}
+
+Enclosure3 ExactCamera::plane_position(const scene::Pixel& pixel, int bits) const {
+  const EnclosureLift lift{bits};
+  auto position =
+      reference::plane_position<EnclosureKernel>(lift, impl_->camera, impl_->conventions, pixel);
+  return {std::move(position.alpha), std::move(position.beta), lift(impl_->camera.near)};
+}
+
+}  // namespace raycheck::reference

@@ -1,0 +1,51 @@
+#ifndef RAYCHECK_REFERENCE_EXACT_CAMERA_H_
+#define RAYCHECK_REFERENCE_EXACT_CAMERA_H_
+
+#include <memory>
+
+#include "reference/enclosure.h"
+#include "scene/camera.h"
+#include "scene/conventions.h"
+#include "scene/geometry.h"
+
+namespace raycheck::reference {
+
+/// Enclosures of the camera axes.
+struct EnclosedFrame {
+  Enclosure3 U, V, W;
+};
+
+/// The camera axes, correctly rounded.
+struct RoundedFrame {
+  scene::UnitVector3 U, V, W;
+};
+
+/// A camera, known exactly; made once per scene, then read from any thread.
+/// Domain: a camera with no problems under `conventions` (scene/validate.h); otherwise throws
+///         std::invalid_argument naming the field.
+/// Error:  as ExactRay.
+class ExactCamera {
+ public:
+  struct Impl;
+  ExactCamera(const scene::Camera& camera, const scene::Conventions& conventions);
+
+  const scene::Camera& camera() const;
+  const scene::Conventions& conventions() const;
+
+  /// Axes of relative width 2^-relative_bits a coordinate; exact where a coordinate is 0.
+  EnclosedFrame frame(int relative_bits = 70) const;
+  RoundedFrame rounded_frame() const;
+  /// Axes when every input is known to within a relative change, at one working precision.
+  EnclosedFrame frame_within(double relative_change, int bits = 256) const;
+  /// alpha(i) and beta(j) of a pixel, in the third coordinate near.
+  Enclosure3 plane_position(const scene::Pixel& pixel, int bits = 256) const;
+
+  const std::shared_ptr<const Impl>& impl() const { return impl_; }
+
+ private:
+  std::shared_ptr<const Impl> impl_;
+};
+
+}  // namespace raycheck::reference
+
+#endif  // RAYCHECK_REFERENCE_EXACT_CAMERA_H_

@@ -1,0 +1,124 @@
+#ifndef RAYCHECK_REFERENCE_EXACT_RAY_H_
+#define RAYCHECK_REFERENCE_EXACT_RAY_H_
+
+#include <array>
+#include <cstddef>
+#include <memory>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "reference/enclosure.h"
+#include "reference/exact_camera.h"
+#include "scene/conventions.h"
+#include "scene/geometry.h"
+
+namespace raycheck::reference {
+
+enum class HitClass { kMiss, kHit, kTangent };
+enum class WhichRoot { kSmaller, kLarger };  ///< v - d, v + d
+
+/// How a ray meets a sphere; `root` speaks only of hits and tangents.
+struct Intersection {
+  HitClass hit_class = HitClass::kMiss;
+  WhichRoot root = WhichRoot::kSmaller;
+  bool operator==(const Intersection&) const = default;
+};
+
+/// Whether a class is a hit under a `tangent` convention (kEither counts it, and is not judged).
+constexpr bool counts_as_hit(HitClass hit_class, scene::Tangent tangent) {
+  return hit_class == HitClass::kHit ||
+         (hit_class == HitClass::kTangent && tangent != scene::Tangent::kMiss);
+}
+
+/// Which arithmetic decides: intervals, then balls, then the exact field; or the field alone, which
+/// is how tests hold the filter to account.
+enum class Engine { kFiltered, kFieldOnly };
+
+/// The sphere that a ray meets first.
+struct NearestSphere {
+  std::size_t index = 0;          ///< The first in the file among equals.
+  Intersection intersection;
+  std::vector<std::size_t> ties;  ///< All spheres met at exactly the same parameter, index included.
+};
+
+/// Enclosures of one ray's values at one working precision; they may be wide.
+class EnclosedRay {
+ public:
+  struct Impl;
+  explicit EnclosedRay(std::shared_ptr<const Impl> impl) : impl_(std::move(impl)) {}
+  Enclosure3 origin() const;       ///< P, or E, or a given ray's own origin.
+  Enclosure3 pixel_point() const;  ///< P; only of a camera's ray.
+  Enclosure3 direction() const;    ///< The unit direction D.
+  Enclosure length() const;        ///< l = |P - E|; of a given ray |direction|.
+  Enclosure parameter(const scene::Sphere& sphere, const Intersection& intersection) const;
+  Enclosure3 point(const scene::Sphere& sphere, const Intersection& intersection) const;
+  Enclosure discriminant(const scene::Sphere& sphere) const;  ///< d^2 = r^2 - (|T|^2 - v^2)
+  Enclosure axial_distance(const scene::Sphere& sphere) const;  ///< v = T.D
+
+ private:
+  std::shared_ptr<const Impl> impl_;
+};
+
+/// One ray, known exactly: through a camera's pixel, or given by doubles.
+/// Units:  scene lengths; the parameter s of a camera's ray is a length (its direction is unit), of
+///         a given ray it counts multiples of the given direction.
+/// Domain: every valid input (scene/validate.h) over the whole double range; otherwise constructors
+///         and functions that take a sphere throw std::invalid_argument naming the field.
+/// Error:  decisions are exact; enclosures hold the true value; rounded_* are correctly rounded
+///         (to nearest, ties to even; overflow to infinity as IEEE-754).
+/// Thread safety: const functions may be called from several threads; the rounding mode is left as
+///         it was found.
+/// Source: SPEC of this project (docs/problem.md); the filter ladder as in CGAL's Filtered_predicate.
+class ExactRay {
+ public:
+  ExactRay(const ExactCamera& camera, const scene::Pixel& pixel);
+  explicit ExactRay(const scene::Ray& ray);
+
+  /// Hit, miss or tangent, and at which root, under a `root` convention.
+  Intersection intersect(const scene::Sphere& sphere, scene::Root root = scene::Root::kNearest,
+                         Engine engine = Engine::kFiltered) const;
+  /// The sign of s(first) - s(second), both of which must be hits.
+  int compare(const scene::Sphere& first, const Intersection& at_first, const scene::Sphere& second,
+              const Intersection& at_second, Engine engine = Engine::kFiltered) const;
+  /// The sphere met first, ties included; empty when none is.
+  std::optional<NearestSphere> nearest(std::span<const scene::Sphere> spheres,
+                                       const scene::Conventions& conventions) const;
+  /// False when no relative change of every input by at most `relative_change` changes the
+  /// intersection; true when it might (intervals overestimate, so not every true is realised).
+  bool may_flip_within(const scene::Sphere& sphere, scene::Root root, double relative_change) const;
+
+  /// Enclosures of relative width 2^-relative_bits a coordinate; exact where the value is 0.
+  Enclosure3 pixel_point(int relative_bits = kValueBits) const;
+  Enclosure3 origin(int relative_bits = kValueBits) const;
+  Enclosure3 direction(int relative_bits = kValueBits) const;
+  Enclosure parameter(const scene::Sphere& sphere, const Intersection& intersection,
+                      int relative_bits = kValueBits) const;
+  Enclosure3 point(const scene::Sphere& sphere, const Intersection& intersection,
+                   int relative_bits = kValueBits) const;
+
+  scene::Point3 rounded_pixel_point() const;
+  scene::Point3 rounded_origin() const;
+  scene::UnitVector3 rounded_direction() const;
+  double rounded_parameter(const scene::Sphere& sphere, const Intersection& intersection) const;
+  scene::Point3 rounded_point(const scene::Sphere& sphere, const Intersection& intersection) const;
+
+  /// Values at one working precision, when every input is known to within a relative change.
+  EnclosedRay enclose(int bits, double relative_change = 0) const;
+
+  /// What the filter tells apart from a true value: 70 bits leave 5 digits of an ulp error.
+  static constexpr int kValueBits = 70;
+
+ private:
+  template <class F>
+  int decide(const scene::Sphere& first, const scene::Sphere& second, Engine engine, F sign) const;
+
+  std::shared_ptr<const ExactCamera::Impl> camera_;  ///< Null for a given ray.
+  scene::Pixel pixel_;
+  scene::Ray given_;
+  std::array<double, 8> bounds_;  ///< Lower and upper bounds of g and |g|^2: the filter's line.
+};
+
+}  // namespace raycheck::reference
+
+#endif  // RAYCHECK_REFERENCE_EXACT_RAY_H_
