@@ -1,0 +1,33 @@
+#ifndef RAYCHECK_FAST_CAMERA_FRAME_H_
+#define RAYCHECK_FAST_CAMERA_FRAME_H_
+
+#include "scene/camera.h"
+#include "scene/geometry.h"
+
+namespace raycheck::fast {
+
+/// The largest relative error of an axis, in units of u = 2^-53, while the axes' condition number is
+/// at most kModerateCondition (properties/verdict.h), growing in proportion beyond.
+inline constexpr double kFrameMaxUlp = 16;
+
+struct CameraFrame {
+  scene::UnitVector3 U, V, W;
+};
+
+/// The camera axes.
+/// Shape:  one camera -> three unit vectors, orthonormal and right-handed but for rounding.
+/// Units:  none.
+/// Domain: a valid camera (scene/validate.h), otherwise throws std::invalid_argument naming the
+///         field; lengths between kSmallestLength and kLargestLength, otherwise squares over- or
+///         underflow silently.
+/// Error:  at most kFrameMaxUlp u in each axis.
+/// Source: the lecture: W = (E - A)/|E - A|, U = (up x W)/|up x W|, V = W x U.
+CameraFrame camera_frame(const scene::Camera& camera);
+
+/// Lengths whose squares, and the products of two such squares, stay in the double range.
+inline constexpr double kSmallestLength = 0x1p-200;
+inline constexpr double kLargestLength = 0x1p200;
+
+}  // namespace raycheck::fast
+
+#endif  // RAYCHECK_FAST_CAMERA_FRAME_H_

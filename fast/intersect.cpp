@@ -1,0 +1,69 @@
+#include "fast/intersect.h"
+
+#include <stdexcept>
+#include <string>
+
+#include "fast/intersect_batch.h"
+#include "scene/validate.h"
+
+namespace raycheck::fast {
+namespace {
+
+constexpr const IntersectMethod* kMethods[] = {&kQuadratic, &kLecture, &kStableQuadratic,
+                                               &kPerpendicular, &kCross};
+
+bool all_finite(const Vectors& vectors) {
+  // x - x is 0 for a finite x and NaN otherwise; the sums stay free of branches.
+  double sum = 0;
+  for (const double x : vectors.x) sum += x - x;
+  for (const double y : vectors.y) sum += y - y;
+  for (const double z : vectors.z) sum += z - z;
+  return sum == 0;
+}
+
+bool all_nonzero(const Vectors& vectors) {
+  bool nonzero = true;
+  for (std::size_t k = 0; k < vectors.size(); ++k) {
+    nonzero &= (vectors.x[k] != 0) | (vectors.y[k] != 0) | (vectors.z[k] != 0);
+  }
+  return nonzero;
+}
+
+}  // namespace
+
+std::span<const IntersectMethod* const> intersect_methods() { return kMethods; }
+
+void require_valid(const Rays& rays, const scene::Sphere& sphere) {
+  scene::require_valid(sphere);
+  if (all_finite(rays.origin) && all_finite(rays.direction) && all_nonzero(rays.direction)) return;
+  for (std::size_t k = 0; k < rays.size(); ++k) {
+    try {
+      scene::require_valid(scene::Ray{
+          {rays.origin.x[k], rays.origin.y[k], rays.origin.z[k]},
+          {rays.direction.x[k], rays.direction.y[k], rays.direction.z[k]}});
+    } catch (const std::invalid_argument& error) {
+      throw std::invalid_argument("ray " + std::to_string(k) + " of the batch: " + error.what());
+    }
+  }
+}
+
+std::vector<std::optional<std::size_t>> nearest_spheres(const IntersectMethod& method,
+                                                        const Rays& rays,
+                                                        std::span<const scene::Sphere> spheres,
+                                                        scene::Root root, scene::Tangent tangent) {
+  std::vector<std::optional<std::size_t>> nearest(rays.size());
+  std::vector<double> parameter(rays.size());
+  Hits hits;
+  for (std::size_t index = 0; index < spheres.size(); ++index) {
+    method.intersect(rays, spheres[index], root, tangent, hits);
+    for (std::size_t k = 0; k < rays.size(); ++k) {
+      if (!hits.hit[k]) continue;
+      if (nearest[k] && parameter[k] <= hits.parameter[k]) continue;
+      nearest[k] = index;
+      parameter[k] = hits.parameter[k];
+    }
+  }
+  return nearest;
+}
+
+}  // namespace raycheck::fast

@@ -1,0 +1,72 @@
+#ifndef RAYCHECK_FAST_INTERSECT_H_
+#define RAYCHECK_FAST_INTERSECT_H_
+
+#include <cstddef>
+#include <optional>
+#include <span>
+#include <string_view>
+#include <vector>
+
+#include "fast/batch.h"
+#include "scene/conventions.h"
+#include "scene/geometry.h"
+
+namespace raycheck::fast {
+
+/// What a method knows of one ray and one sphere before a root is chosen.
+struct Roots {
+  double axial_distance;  ///< v = T.D, a length
+  double half_chord_sq;   ///< d^2; the ray's line meets the sphere where it is >= 0.
+  double smaller;         ///< Both roots in multiples of the direction; they mean something
+  double larger;          ///< only where half_chord_sq >= 0.
+};
+
+/// A way to intersect rays with a sphere. All methods share one contract:
+/// Shape:  N rays, one sphere -> N hits; the output is resized to N.
+/// Units:  scene lengths; s in multiples of the ray's direction, which need not be unit.
+/// Domain: finite rays with direction != 0, a finite sphere with radius >= 0, otherwise throws
+///         std::invalid_argument naming the field; lengths between kSmallestLength and
+///         kLargestLength (fast/camera_frame.h), otherwise squares over- or underflow silently.
+/// Error:  at most max_ulp in s while its condition number is at most kModerateCondition
+///         (properties/verdict.h), growing in proportion beyond; the class is exact but for inputs
+///         within kExcusedChange of tangency. `quadratic`, `lecture` and `stable-quadratic` keep
+///         neither promise on far spheres; a test pins that.
+struct IntersectMethod {
+  std::string_view name;
+  std::string_view sentence;
+  void (*intersect)(const Rays&, const scene::Sphere&, scene::Root, scene::Tangent, Hits&);
+  Roots (*roots)(const scene::Ray&, const scene::Sphere&);  ///< The same, one ray, no check.
+  double max_ulp;
+};
+
+// The bounds; audited by the campaigns of `raycheck properties`.
+inline constexpr double kQuadraticMaxUlp = 64;
+inline constexpr double kLectureMaxUlp = 64;
+inline constexpr double kStableQuadraticMaxUlp = 64;
+inline constexpr double kPerpendicularMaxUlp = 64;
+inline constexpr double kCrossMaxUlp = 64;
+
+/// `quadratic`: the general parametric approach as textbooks print it, b^2 - 4ac.
+extern const IntersectMethod kQuadratic;
+/// `lecture`: the lecture's faster method: v = T.D, d^2 = r^2 - (|T|^2 - v^2), s = v - d.
+extern const IntersectMethod kLecture;
+/// `stable-quadratic`: the same coefficients, roots by q = b + sign(b) sqrt(disc).
+extern const IntersectMethod kStableQuadratic;
+/// `perpendicular`: disc from |T - (T.D) D|^2, which does not cancel; roots by q.
+extern const IntersectMethod kPerpendicular;
+/// `cross`: disc = |d|^2 r^2 - |T x d|^2 with Kahan's products; roots by q.
+extern const IntersectMethod kCross;
+
+/// Every method, in the order of reports.
+std::span<const IntersectMethod* const> intersect_methods();
+
+/// The first sphere that each ray meets; the earlier in the file among equals.
+/// Shape: N rays, M spheres -> N indices, empty where every sphere is missed.
+std::vector<std::optional<std::size_t>> nearest_spheres(const IntersectMethod& method,
+                                                        const Rays& rays,
+                                                        std::span<const scene::Sphere> spheres,
+                                                        scene::Root root, scene::Tangent tangent);
+
+}  // namespace raycheck::fast
+
+#endif  // RAYCHECK_FAST_INTERSECT_H_

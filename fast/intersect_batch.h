@@ -1,0 +1,61 @@
+#ifndef RAYCHECK_FAST_INTERSECT_BATCH_H_
+#define RAYCHECK_FAST_INTERSECT_BATCH_H_
+
+// The loop that turns a method's roots of one ray and one sphere into hits. Internal to fast/.
+
+#include <cmath>
+
+#include "fast/eigen.h"
+#include "fast/intersect.h"
+
+namespace raycheck::fast {
+
+using Eigen::Vector3d;
+
+/// Throws std::invalid_argument naming the first field that keeps the input from having an answer.
+void require_valid(const Rays& rays, const scene::Sphere& sphere);
+
+/// The roots of a t^2 - 2 b t + c = 0 from its discriminant: q = b + sign(b) sqrt(disc) does not
+/// cancel, the roots are q/a and c/q (Numerical Recipes 5.6). q = 0 only for a double root 0.
+inline Roots roots_by_q(double a, double b, double c, double discriminant) {
+  const double q = b + std::copysign(std::sqrt(discriminant), b);
+  const double one = q / a;
+  const double other = q == 0 ? 0.0 : c / q;
+  const bool forward = b >= 0;
+  return {b / std::sqrt(a), discriminant / a, forward ? other : one, forward ? one : other};
+}
+
+template <class Method>
+void intersect_batch(const Rays& rays, const scene::Sphere& sphere, scene::Root root,
+                     scene::Tangent tangent, Hits& hits) {
+  require_valid(rays, sphere);
+  const std::size_t count = rays.size();
+  hits.resize(count);
+  const Vector3d centre = eigen(sphere.centre);
+  const bool tangent_counts = tangent != scene::Tangent::kMiss;
+  const bool larger_counts = root == scene::Root::kNearest;
+  for (std::size_t k = 0; k < count; ++k) {
+    const Vector3d origin(rays.origin.x[k], rays.origin.y[k], rays.origin.z[k]);
+    const Vector3d direction(rays.direction.x[k], rays.direction.y[k], rays.direction.z[k]);
+    const Roots found = Method::roots(origin, direction, centre, sphere.radius);
+    const bool meets =
+        tangent_counts ? found.half_chord_sq >= 0 : found.half_chord_sq > 0;
+    const bool take_larger = larger_counts && !(found.smaller >= 0);
+    const double s = take_larger ? found.larger : found.smaller;
+    hits.hit[k] = meets && s >= 0;
+    hits.parameter[k] = s;
+    hits.point.x[k] = origin.x() + s * direction.x();
+    hits.point.y[k] = origin.y() + s * direction.y();
+    hits.point.z[k] = origin.z() + s * direction.z();
+  }
+}
+
+template <class Method>
+Roots roots_of(const scene::Ray& ray, const scene::Sphere& sphere) {
+  return Method::roots(eigen(ray.origin), eigen(ray.direction), eigen(sphere.centre),
+                       sphere.radius);
+}
+
+}  // namespace raycheck::fast
+
+#endif  // RAYCHECK_FAST_INTERSECT_BATCH_H_

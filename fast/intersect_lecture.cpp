@@ -1,0 +1,24 @@
+#include "fast/intersect_batch.h"
+
+namespace raycheck::fast {
+namespace {
+
+struct Lecture {
+  static Roots roots(const Vector3d& origin, const Vector3d& direction, const Vector3d& centre,
+                     double radius) {
+    const double length = direction.norm();
+    const Vector3d U = direction / length;
+    const Vector3d T = centre - origin;
+    const double v = T.dot(U);
+    const double half_chord_sq = radius * radius - (T.dot(T) - v * v);
+    const double half_chord = std::sqrt(half_chord_sq);
+    return {v, half_chord_sq, (v - half_chord) / length, (v + half_chord) / length};
+  }
+};
+
+}  // namespace
+
+const IntersectMethod kLecture = {"lecture", "v = T.D, d^2 = r^2 - (|T|^2 - v^2), s = v - d",
+                                  intersect_batch<Lecture>, roots_of<Lecture>, kLectureMaxUlp};
+
+}  // namespace raycheck::fast

@@ -1,0 +1,26 @@
+#include "fast/intersect_batch.h"
+
+namespace raycheck::fast {
+namespace {
+
+struct Quadratic {
+  static Roots roots(const Vector3d& origin, const Vector3d& direction, const Vector3d& centre,
+                     double radius) {
+    const Vector3d from_centre = origin - centre;
+    const double a = direction.dot(direction);
+    const double b = 2 * direction.dot(from_centre);
+    const double c = from_centre.dot(from_centre) - radius * radius;
+    const double discriminant = b * b - 4 * a * c;
+    const double root = std::sqrt(discriminant);
+    return {-b / (2 * std::sqrt(a)), discriminant / (4 * a), (-b - root) / (2 * a),
+            (-b + root) / (2 * a)};
+  }
+};
+
+}  // namespace
+
+const IntersectMethod kQuadratic = {
+    "quadratic", "t = (-b -+ sqrt(b^2 - 4ac)) / 2a, the textbook's general parametric approach",
+    intersect_batch<Quadratic>, roots_of<Quadratic>, kQuadraticMaxUlp};
+
+}  // namespace raycheck::fast

@@ -1,0 +1,23 @@
+#include "fast/intersect_batch.h"
+
+namespace raycheck::fast {
+namespace {
+
+struct StableQuadratic {
+  static Roots roots(const Vector3d& origin, const Vector3d& direction, const Vector3d& centre,
+                     double radius) {
+    const Vector3d T = centre - origin;
+    const double a = direction.dot(direction);
+    const double b = T.dot(direction);
+    const double c = T.dot(T) - radius * radius;
+    return roots_by_q(a, b, c, b * b - a * c);
+  }
+};
+
+}  // namespace
+
+const IntersectMethod kStableQuadratic = {
+    "stable-quadratic", "disc = b^2 - ac, q = b + sign(b) sqrt(disc), roots q/a and c/q",
+    intersect_batch<StableQuadratic>, roots_of<StableQuadratic>, kStableQuadraticMaxUlp};
+
+}  // namespace raycheck::fast

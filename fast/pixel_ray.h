@@ -1,0 +1,58 @@
+#ifndef RAYCHECK_FAST_PIXEL_RAY_H_
+#define RAYCHECK_FAST_PIXEL_RAY_H_
+
+#include <span>
+#include <string_view>
+
+#include "fast/batch.h"
+#include "scene/camera.h"
+#include "scene/conventions.h"
+
+namespace raycheck::fast {
+
+/// A way to make the rays of a camera's pixels. All methods share one contract:
+/// Shape:  one camera, N pixels -> N points, or N rays; outputs are resized to N.
+/// Units:  scene lengths; directions are unit.
+/// Domain: a valid camera (under the rows and samples of `conventions`, otherwise
+///         std::invalid_argument naming the field), pixels inside the image; lengths as
+///         camera_frame().
+/// Error:  at most max_point_ulp in a point and max_direction_ulp in a direction (relative error and
+///         angle, in units of u) while their condition numbers are at most kModerateCondition,
+///         growing in proportion beyond. |D| differs from 1 by at most max_unit_defect_ulp u.
+/// A function that a method does not have is null.
+struct PixelRayMethod {
+  using MakePoints = void (*)(const scene::Camera&, const scene::Conventions&,
+                              std::span<const scene::Pixel>, Vectors&);
+  using MakeRays = void (*)(const scene::Camera&, const scene::Conventions&,
+                            std::span<const scene::Pixel>, Rays&);
+
+  std::string_view name;
+  std::string_view sentence;
+  MakePoints pixel_points;  ///< P
+  MakeRays pixel_rays;      ///< from P along D
+  MakeRays focal_rays;      ///< from E along D
+  double max_point_ulp;
+  double max_direction_ulp;
+  double max_unit_defect_ulp;
+};
+
+// The bounds of all methods; audited by the campaigns of `raycheck properties`.
+inline constexpr double kPixelPointMaxUlp = 16;
+inline constexpr double kLectureDirectionMaxUlp = 32;  ///< P - E cancels where |E| is large.
+inline constexpr double kDirectDirectionMaxUlp = 16;
+inline constexpr double kUnitDefectMaxUlp = 4;
+inline constexpr double kFocalUnitDefectMaxUlp = 16;  ///< It takes the axes for orthonormal.
+
+/// `lecture`: literally P = E + n W + alpha U + beta V, then D = (P - E)/|P - E|.
+extern const PixelRayMethod kLectureRays;
+/// `direct`: D from g = n W + alpha U + beta V, so that E's size does not touch it; P = E + g.
+extern const PixelRayMethod kDirectRays;
+/// `focal`: rays from E only, with all that the pixels share computed once per scene.
+extern const PixelRayMethod kFocalRays;
+
+/// Every method, in the order of reports.
+std::span<const PixelRayMethod* const> pixel_ray_methods();
+
+}  // namespace raycheck::fast
+
+#endif  // RAYCHECK_FAST_PIXEL_RAY_H_

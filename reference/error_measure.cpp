@@ -1,0 +1,80 @@
+#include "reference/error_measure.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace raycheck::reference {
+namespace {
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+constexpr int kBits = 192;
+
+template <class Triple>
+Enclosure3 lifted(const Triple& value) {
+  return {Enclosure(value.x, kBits), Enclosure(value.y, kBits), Enclosure(value.z, kBits)};
+}
+
+template <class Triple>
+bool is_finite(const Triple& value) {
+  return std::isfinite(value.x) && std::isfinite(value.y) && std::isfinite(value.z);
+}
+
+template <class Triple>
+double relative_error_of(const Triple& given, const Enclosure3& exact) {
+  if (!is_finite(given)) return kInfinity;
+  const Enclosure size = norm(exact);
+  const Enclosure error = norm(lifted(given) - exact);
+  if (error.certain_sign() == 0) return 0;
+  return size.contains_zero() ? kInfinity : in_units_of_u(error / size);
+}
+
+}  // namespace
+
+double ulp_error(double given, const Enclosure& exact) {
+  if (!std::isfinite(given)) return kInfinity;
+  Enclosure error = abs(Enclosure(given, kBits) - exact);
+  if (exact.certain_sign() == 0) return given == 0 ? 0 : kInfinity;
+  arf_t magnitude;
+  arf_init(magnitude);
+  arb_get_abs_lbound_arf(magnitude, exact.ball(), kBits);
+  // 2^(exponent-1) <= |exact| < 2^exponent, so that the gap is 2^(exponent-53).
+  const slong exponent = arf_is_zero(magnitude) ? -1074 : arf_abs_bound_lt_2exp_si(magnitude);
+  arf_clear(magnitude);
+  const slong ulp_exponent = std::max<slong>(exponent - 53, -1074);
+  arb_mul_2exp_si(error.ball(), error.ball(), -ulp_exponent);
+  return error.upper();
+}
+
+double relative_error(const scene::Point3& given, const Enclosure3& exact) {
+  return relative_error_of(given, exact);
+}
+double relative_error(const scene::UnitVector3& given, const Enclosure3& exact) {
+  return relative_error_of(given, exact);
+}
+
+double angle_error(const scene::UnitVector3& given, const Enclosure3& exact) {
+  if (!is_finite(given)) return kInfinity;
+  const Enclosure3 direction = lifted(given);
+  const Enclosure cosine = dot(direction, exact);
+  if (cosine.certain_sign() != 1) return kInfinity;
+  return in_units_of_u(norm(cross(direction, exact)) / cosine);
+}
+
+double unit_defect(const scene::UnitVector3& given) {
+  if (!is_finite(given)) return kInfinity;
+  return in_units_of_u(norm(lifted(given)) - Enclosure(1));
+}
+
+Enclosure3 enclose_exactly(const scene::Point3& given) { return lifted(given); }
+Enclosure3 enclose_exactly(const scene::Vector3& given) { return lifted(given); }
+Enclosure3 enclose_exactly(const scene::UnitVector3& given) { return lifted(given); }
+
+double in_units_of_u(const Enclosure& x) {
+  Enclosure scaled = abs(x);
+  arb_mul_2exp_si(scaled.ball(), scaled.ball(), std::numeric_limits<double>::digits);
+  const double bound = scaled.upper();
+  return bound == std::numeric_limits<double>::max() ? kInfinity : bound;
+}
+
+}  // namespace raycheck::reference

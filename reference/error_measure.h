@@ -1,0 +1,37 @@
+#ifndef RAYCHECK_REFERENCE_ERROR_MEASURE_H_
+#define RAYCHECK_REFERENCE_ERROR_MEASURE_H_
+
+#include "reference/enclosure.h"
+#include "scene/geometry.h"
+
+namespace raycheck::reference {
+
+// How far given doubles are from an enclosed truth. Every result is an upper bound, as sharp as the
+// enclosure is narrow; infinite for a given value that is not finite, and for a value other than the
+// exact one where the exact one is 0.
+
+/// |given - exact| / ulp(exact), ulp(x) the gap between the doubles around x.
+double ulp_error(double given, const Enclosure& exact);
+
+/// |given - exact| / |exact| in units of u = 2^-53.
+double relative_error(const scene::Point3& given, const Enclosure3& exact);
+double relative_error(const scene::UnitVector3& given, const Enclosure3& exact);
+
+/// The angle between two directions in units of u (its tangent, which is no smaller; infinite from a
+/// right angle on).
+double angle_error(const scene::UnitVector3& given, const Enclosure3& exact);
+
+/// | |given| - 1 | in units of u.
+double unit_defect(const scene::UnitVector3& given);
+
+/// An enclosure of the given doubles themselves, at a precision that keeps short products exact.
+Enclosure3 enclose_exactly(const scene::Point3& given);
+Enclosure3 enclose_exactly(const scene::Vector3& given);
+Enclosure3 enclose_exactly(const scene::UnitVector3& given);
+
+/// An upper bound of |x| in units of u = 2^-53; infinite when it is not finite.
+double in_units_of_u(const Enclosure& x);
+
+}  // namespace raycheck::reference
+
+#endif  // RAYCHECK_REFERENCE_ERROR_MEASURE_H_
