@@ -1,0 +1,80 @@
+#ifndef RAYCHECK_PROPERTIES_CANDIDATE_H_
+#define RAYCHECK_PROPERTIES_CANDIDATE_H_
+
+#include <array>
+#include <cstddef>
+#include <functional>
+#include <limits>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "properties/quantity.h"
+#include "scene/scene.h"
+
+namespace raycheck::properties {
+
+/// The camera axes that a candidate answers with.
+struct FrameAnswer {
+  scene::UnitVector3 U, V, W;
+};
+
+/// Where a candidate finds that a ray meets a sphere.
+struct HitAnswer {
+  double parameter = 0;  ///< s, in multiples of the ray's direction.
+  scene::Point3 point;   ///< Q
+};
+
+/// The conventions that an implementation fixes; the others it takes from the scene.
+struct DeclaredConventions {
+  std::optional<scene::Rows> rows;
+  std::optional<scene::Samples> samples;
+  std::optional<scene::Origin> origin;
+  std::optional<scene::Root> root;
+  std::optional<scene::Tangent> tangent;
+
+  /// The scene's conventions, with what is declared in their place.
+  scene::Conventions over(scene::Conventions conventions) const;
+};
+
+/// An implementation under judgement: what it can be asked (an empty function: it has no such thing),
+/// under which conventions, and what it promises. A function may be asked from one thread at a time.
+/// Functions refuse input that is not a problem with std::invalid_argument. Answers come in the
+/// order of the questions; an absent hit is a miss.
+struct Candidate {
+  using Pixels = std::span<const scene::Pixel>;
+  using Rays = std::span<const scene::Ray>;
+  using Spheres = std::span<const scene::Sphere>;
+
+  std::string name;
+
+  std::function<FrameAnswer(const scene::Camera&)> frame;
+  std::function<std::vector<scene::Point3>(const scene::Camera&, const scene::Conventions&, Pixels)>
+      pixel_points;
+  /// From P along the unit direction D.
+  std::function<std::vector<scene::Ray>(const scene::Camera&, const scene::Conventions&, Pixels)>
+      pixel_rays;
+  /// From E along the unit direction D.
+  std::function<std::vector<scene::Ray>(const scene::Camera&, const scene::Conventions&, Pixels)>
+      focal_rays;
+  std::function<std::vector<std::optional<HitAnswer>>(Rays, const scene::Sphere&,
+                                                      const scene::Conventions&)>
+      intersect;
+  std::function<std::vector<std::optional<std::size_t>>(Rays, Spheres, const scene::Conventions&)>
+      nearest;
+
+  DeclaredConventions declared;
+  /// Its documented bound on the error of a quantity, in that quantity's unit; empty: none.
+  std::array<std::optional<double>, kQuantityCount> max_error = {};
+  /// Its stated domain: nonzero lengths between these.
+  double smallest_length = 0;
+  double largest_length = std::numeric_limits<double>::infinity();
+};
+
+/// The bound on a quantity: the candidate's own, or kDefaultMaxError where it has none.
+double max_error(const Candidate& candidate, Quantity quantity);
+
+}  // namespace raycheck::properties
+
+#endif  // RAYCHECK_PROPERTIES_CANDIDATE_H_

@@ -1,0 +1,71 @@
+#ifndef RAYCHECK_PROPERTIES_QUANTITY_H_
+#define RAYCHECK_PROPERTIES_QUANTITY_H_
+
+#include <array>
+#include <cstddef>
+#include <string_view>
+
+namespace raycheck::properties {
+
+/// What is judged.
+enum class Quantity {
+  kFrame,         ///< an axis against the exact one
+  kOrthonormality,  ///< the axes among themselves
+  kPixelPoint,
+  kDirection,
+  kUnitDefect,
+  kRayOrigin,
+  kClass,         ///< hit or miss
+  kRoot,          ///< which root
+  kParameter,
+  kHitPoint,
+  kSphereResidual,  ///< distance of a hit point from the sphere, over r
+  kRayResidual,     ///< distance of a hit point from the ray, over s |D|
+  kNearestSphere,
+  kInvariance,    ///< two answers of the candidate that should agree
+  kRefusal,       ///< input that is not a problem, and input that is
+};
+inline constexpr std::size_t kQuantityCount = 15;
+
+/// A quantity's name in reports, and the unit of its errors: ulp of the exact value, u = 2^-53 of
+/// its size, or none for what is right or wrong.
+struct QuantityInfo {
+  std::string_view name;
+  std::string_view unit;
+};
+
+inline constexpr std::array<QuantityInfo, kQuantityCount> kQuantities = {{
+    {"frame", "u"},
+    {"orthonormality", "u"},
+    {"pixel point", "u"},
+    {"direction", "u"},
+    {"unit defect", "u"},
+    {"ray origin", "u"},
+    {"class", ""},
+    {"root", ""},
+    {"parameter", "ulp"},
+    {"hit point", "u"},
+    {"sphere residual", "u"},
+    {"ray residual", "u"},
+    {"nearest sphere", ""},
+    {"invariance", "u"},
+    {"refusal", ""},
+}};
+
+constexpr const QuantityInfo& info(Quantity quantity) {
+  return kQuantities[static_cast<std::size_t>(quantity)];
+}
+
+/// The bound on an error where a candidate documents none.
+inline constexpr double kDefaultMaxError = 16;
+
+/// Up to this condition number documented bounds hold as they stand; beyond, in proportion to it.
+inline constexpr double kModerateCondition = 100;
+
+/// A class error is excused when a relative change of the inputs by this much may flip the exact
+/// class: what the roundings of a handful of operations amount to.
+inline constexpr double kExcusedChange = 16 * 0x1p-53;
+
+}  // namespace raycheck::properties
+
+#endif  // RAYCHECK_PROPERTIES_QUANTITY_H_

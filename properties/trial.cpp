@@ -1,0 +1,232 @@
+#include "properties/trial.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+#include <utility>
+
+#include "scene/validate.h"
+
+namespace raycheck::properties {
+namespace {
+
+template <class Answers>
+const Answers& require_count(const Answers& answers, std::size_t expected, const char* what) {
+  if (answers.size() != expected) {
+    throw std::runtime_error("candidate gave " + std::to_string(answers.size()) + " " + what +
+                             " to " + std::to_string(expected) + " questions");
+  }
+  return answers;
+}
+
+template <class Triple>
+double length(const Triple& v) {
+  return std::hypot(v.x, v.y, v.z);
+}
+
+}  // namespace
+
+scene::Conventions DeclaredConventions::over(scene::Conventions conventions) const {
+  conventions.rows = rows.value_or(conventions.rows);
+  conventions.samples = samples.value_or(conventions.samples);
+  conventions.origin = origin.value_or(conventions.origin);
+  conventions.root = root.value_or(conventions.root);
+  conventions.tangent = tangent.value_or(conventions.tangent);
+  return conventions;
+}
+
+double max_error(const Candidate& candidate, Quantity quantity) {
+  return candidate.max_error[static_cast<std::size_t>(quantity)].value_or(kDefaultMaxError);
+}
+
+std::vector<scene::Pixel> all_pixels(const scene::Camera& camera) {
+  std::vector<scene::Pixel> pixels;
+  pixels.reserve(static_cast<std::size_t>(camera.width) * static_cast<std::size_t>(camera.height));
+  for (std::int64_t j = 0; j < camera.height; ++j) {
+    for (std::int64_t i = 0; i < camera.width; ++i) pixels.push_back({i, j});
+  }
+  return pixels;
+}
+
+bool lengths_are_within(const scene::Scene& scene, double smallest, double largest) {
+  const auto within = [&](double size) {
+    return size == 0 || (std::abs(size) >= smallest && std::abs(size) <= largest);
+  };
+  bool inside = true;
+  const auto require = [&](double size) { inside = inside && within(size); };
+  if (scene.camera) {
+    const scene::Camera& camera = *scene.camera;
+    require(length(camera.eye - camera.look_at));
+    require(length(camera.up));
+    require(camera.near);
+    require(camera.right - camera.left);
+    require(camera.top - camera.bottom);
+    for (const double size : {length(camera.eye), length(camera.look_at), camera.left, camera.right,
+                              camera.bottom, camera.top}) {
+      inside = inside && std::abs(size) <= largest;
+    }
+  }
+  for (const scene::Ray& ray : scene.rays) {
+    require(length(ray.direction));
+    inside = inside && length(ray.origin) <= largest;
+  }
+  for (const scene::Sphere& sphere : scene.spheres) {
+    require(sphere.radius);
+    inside = inside && length(sphere.centre) <= largest;
+  }
+  return inside;
+}
+
+Trial::Trial(const Case& the_case, const Candidate& candidate, std::optional<double> max_error)
+    : case_(the_case),
+      candidate_(candidate),
+      conventions_(candidate.declared.over(the_case.scene.conventions)),
+      max_error_(max_error),
+      inside_domain_(lengths_are_within(the_case.scene, candidate.smallest_length,
+                                        candidate.largest_length)),
+      hits_(the_case.scene.spheres.size()) {
+  scene::require_valid(case_.scene);
+  exact_rays_.resize(ray_count());
+  intersections_.resize(ray_count() * case_.scene.spheres.size());
+}
+
+std::size_t Trial::ray_count() const {
+  return case_.scene.camera ? case_.pixels.size() : case_.scene.rays.size();
+}
+
+Place Trial::place(std::size_t ray, std::optional<std::size_t> sphere) const {
+  Place place{ray, std::nullopt, sphere};
+  if (case_.scene.camera) place.pixel = case_.pixels[ray];
+  return place;
+}
+
+const reference::ExactCamera& Trial::exact_camera() {
+  if (!exact_camera_) exact_camera_.emplace(case_.scene.camera.value(), conventions_);
+  return *exact_camera_;
+}
+
+const reference::ExactRay& Trial::exact_ray(std::size_t ray) {
+  auto& kept = exact_rays_[ray];
+  if (!kept) {
+    if (case_.scene.camera) {
+      kept.emplace(exact_camera(), case_.pixels[ray]);
+    } else {
+      kept.emplace(case_.scene.rays[ray]);
+    }
+  }
+  return *kept;
+}
+
+const reference::Intersection& Trial::exact_intersection(std::size_t ray, std::size_t sphere) {
+  auto& kept = intersections_[ray * case_.scene.spheres.size() + sphere];
+  if (!kept) kept = exact_ray(ray).intersect(case_.scene.spheres[sphere], conventions_.root);
+  return *kept;
+}
+
+bool Trial::exact_hit(std::size_t ray, std::size_t sphere) {
+  return reference::counts_as_hit(exact_intersection(ray, sphere).hit_class, conventions_.tangent);
+}
+
+bool Trial::is_unjudged(std::size_t ray, std::size_t sphere) {
+  return conventions_.tangent == scene::Tangent::kEither &&
+         exact_intersection(ray, sphere).hit_class == reference::HitClass::kTangent;
+}
+
+const FrameAnswer& Trial::frame() {
+  if (!frame_) frame_ = candidate_.frame(case_.scene.camera.value());
+  return *frame_;
+}
+
+const std::vector<scene::Point3>& Trial::pixel_points() {
+  if (!pixel_points_) {
+    pixel_points_ =
+        candidate_.pixel_points(case_.scene.camera.value(), conventions_, case_.pixels);
+    require_count(*pixel_points_, ray_count(), "pixel points");
+  }
+  return *pixel_points_;
+}
+
+bool Trial::has_rays() const {
+  if (!case_.scene.camera) return true;
+  return conventions_.origin == scene::Origin::kPixel ? static_cast<bool>(candidate_.pixel_rays)
+                                                      : static_cast<bool>(candidate_.focal_rays);
+}
+
+const std::vector<scene::Ray>& Trial::rays() {
+  if (!case_.scene.camera) return case_.scene.rays;
+  if (!rays_) {
+    const auto& make = conventions_.origin == scene::Origin::kPixel ? candidate_.pixel_rays
+                                                                    : candidate_.focal_rays;
+    rays_ = make(*case_.scene.camera, conventions_, case_.pixels);
+    require_count(*rays_, ray_count(), "rays");
+  }
+  return *rays_;
+}
+
+const std::vector<std::optional<HitAnswer>>& Trial::hits(std::size_t sphere) {
+  auto& kept = hits_[sphere];
+  if (!kept) {
+    kept = candidate_.intersect(rays(), case_.scene.spheres[sphere], conventions_);
+    require_count(*kept, ray_count(), "hits");
+  }
+  return *kept;
+}
+
+const std::vector<std::optional<std::size_t>>& Trial::nearest() {
+  if (!nearest_) {
+    nearest_ = candidate_.nearest(rays(), case_.scene.spheres, conventions_);
+    require_count(*nearest_, ray_count(), "nearest spheres");
+  }
+  return *nearest_;
+}
+
+double Trial::bound(Quantity quantity) const {
+  return max_error_.value_or(max_error(candidate_, quantity));
+}
+
+void Trial::measure(Verdict& verdict, std::string_view law, Quantity quantity, const Place& place,
+                    double error, double bound, const std::function<double()>& condition,
+                    const std::function<void(Discrepancy&)>& describe) const {
+  verdict.measured(quantity, place, error);
+  if (error <= bound) return;
+  Discrepancy discrepancy;
+  discrepancy.law = law;
+  discrepancy.quantity = quantity;
+  discrepancy.place = place;
+  discrepancy.error = error;
+  discrepancy.condition = condition();
+  const double allowed = bound * std::max(1.0, *discrepancy.condition / kModerateCondition);
+  if (!inside_domain_) {
+    discrepancy.excuse = Excuse::kOutsideDomain;
+  } else if (std::isfinite(error) ? error <= allowed : std::isinf(*discrepancy.condition)) {
+    discrepancy.excuse = Excuse::kIllConditioned;
+  }
+  describe(discrepancy);
+  verdict.add(std::move(discrepancy));
+}
+
+void Trial::judge(Verdict& verdict, std::string_view law, Quantity quantity, const Place& place,
+                  Wrong wrong, const std::function<bool()>& may_flip,
+                  const std::function<void(Discrepancy&)>& describe) const {
+  if (wrong == Wrong::kNot) {
+    verdict.judged(quantity, place, wrong, false);
+    return;
+  }
+  Discrepancy discrepancy;
+  discrepancy.law = law;
+  discrepancy.quantity = quantity;
+  discrepancy.place = place;
+  discrepancy.error = std::numeric_limits<double>::infinity();
+  discrepancy.wrong = wrong;
+  if (!inside_domain_) {
+    discrepancy.excuse = Excuse::kOutsideDomain;
+  } else if (may_flip()) {
+    discrepancy.excuse = Excuse::kSmallChangeFlips;
+  }
+  verdict.judged(quantity, place, wrong, discrepancy.excuse != Excuse::kNone);
+  describe(discrepancy);
+  verdict.add(std::move(discrepancy));
+}
+
+}  // namespace raycheck::properties

@@ -1,0 +1,103 @@
+#ifndef RAYCHECK_PROPERTIES_TRIAL_H_
+#define RAYCHECK_PROPERTIES_TRIAL_H_
+
+#include <cstddef>
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "properties/candidate.h"
+#include "properties/verdict.h"
+#include "reference/exact_camera.h"
+#include "reference/exact_ray.h"
+#include "scene/scene.h"
+
+namespace raycheck::properties {
+
+/// What a law is asked about: a scene, and the pixels that are looked at when it has a camera (its
+/// given rays are all looked at). Where cases come from is no business of a law's.
+struct Case {
+  scene::Scene scene;
+  std::vector<scene::Pixel> pixels;
+};
+
+/// All pixels of a camera, row by row.
+std::vector<scene::Pixel> all_pixels(const scene::Camera& camera);
+
+/// A case, the truth about it and a candidate's answers to it, each worked out when a law first asks
+/// and kept for the next law. The truth never sees the candidate.
+/// Domain: a valid scene (scene/validate.h), pixels inside its image; otherwise the constructor
+///         throws std::invalid_argument. What a candidate throws passes through.
+class Trial {
+ public:
+  Trial(const Case& the_case, const Candidate& candidate, std::optional<double> max_error = {});
+
+  const scene::Scene& scene() const { return case_.scene; }
+  const std::vector<scene::Pixel>& pixels() const { return case_.pixels; }
+  const Candidate& candidate() const { return candidate_; }
+  /// The scene's conventions with the candidate's declared ones in their place.
+  const scene::Conventions& conventions() const { return conventions_; }
+  std::size_t ray_count() const;
+  Place place(std::size_t ray, std::optional<std::size_t> sphere = {}) const;
+
+  // The truth.
+  const reference::ExactCamera& exact_camera();
+  const reference::ExactRay& exact_ray(std::size_t ray);
+  const reference::Intersection& exact_intersection(std::size_t ray, std::size_t sphere);
+  bool exact_hit(std::size_t ray, std::size_t sphere);
+  /// A tangent that the convention leaves open.
+  bool is_unjudged(std::size_t ray, std::size_t sphere);
+
+  // The candidate's answers; empty where it has no such thing.
+  const FrameAnswer& frame();
+  const std::vector<scene::Point3>& pixel_points();
+  /// The rays of the case: the candidate's own under the origin convention, or the given ones.
+  const std::vector<scene::Ray>& rays();
+  bool has_rays() const;
+  const std::vector<std::optional<HitAnswer>>& hits(std::size_t sphere);
+  const std::vector<std::optional<std::size_t>>& nearest();
+
+  /// The bound on a quantity: the one asked for, or the candidate's, or the default.
+  double bound(Quantity quantity) const;
+  bool inside_domain() const { return inside_domain_; }
+
+  /// Counts an error, and adds a discrepancy when it is above `bound`. `condition` and `describe` are
+  /// called only then; `describe` fills in what, got and exact.
+  void measure(Verdict& verdict, std::string_view law, Quantity quantity, const Place& place,
+               double error, double bound, const std::function<double()>& condition,
+               const std::function<void(Discrepancy&)>& describe) const;
+  void measure(Verdict& verdict, std::string_view law, Quantity quantity, const Place& place,
+               double error, const std::function<double()>& condition,
+               const std::function<void(Discrepancy&)>& describe) const {
+    measure(verdict, law, quantity, place, error, bound(quantity), condition, describe);
+  }
+  /// Counts a right or wrong answer, and adds a discrepancy when it is wrong. `may_flip` says whether
+  /// a change of the inputs within kExcusedChange may make it right.
+  void judge(Verdict& verdict, std::string_view law, Quantity quantity, const Place& place,
+             Wrong wrong, const std::function<bool()>& may_flip,
+             const std::function<void(Discrepancy&)>& describe) const;
+
+ private:
+  const Case& case_;
+  const Candidate& candidate_;
+  scene::Conventions conventions_;
+  std::optional<double> max_error_;
+  bool inside_domain_;
+
+  std::optional<reference::ExactCamera> exact_camera_;
+  std::vector<std::optional<reference::ExactRay>> exact_rays_;
+  std::vector<std::optional<reference::Intersection>> intersections_;
+  std::optional<FrameAnswer> frame_;
+  std::optional<std::vector<scene::Point3>> pixel_points_;
+  std::optional<std::vector<scene::Ray>> rays_;
+  std::vector<std::optional<std::vector<std::optional<HitAnswer>>>> hits_;
+  std::optional<std::vector<std::optional<std::size_t>>> nearest_;
+};
+
+/// True when every nonzero length of the scene lies in [smallest, largest].
+bool lengths_are_within(const scene::Scene& scene, double smallest, double largest);
+
+}  // namespace raycheck::properties
+
+#endif  // RAYCHECK_PROPERTIES_TRIAL_H_

@@ -1,0 +1,115 @@
+#include "properties/verdict.h"
+
+#include <algorithm>
+#include <cstddef>
+#include <iterator>
+#include <tuple>
+#include <utility>
+
+namespace raycheck::properties {
+namespace {
+
+/// Without an excuse first, then the larger error, then the earlier place.
+bool is_worse(const Discrepancy& a, const Discrepancy& b) {
+  const auto key = [](const Discrepancy& d) {
+    return std::tuple(d.excuse != Excuse::kNone, -d.error, static_cast<int>(d.quantity),
+                      d.place.ray, d.place.sphere.value_or(0));
+  };
+  return key(a) < key(b);
+}
+
+}  // namespace
+
+std::uint64_t Tally::class_errors() const {
+  std::uint64_t sum = 0;
+  for (const auto& [kind, count] : wrong) sum += count;
+  return sum;
+}
+
+std::optional<double> Tally::median() const {
+  if (errors.empty()) return std::nullopt;
+  std::vector<double> sorted = errors;
+  const auto middle = sorted.begin() + static_cast<std::ptrdiff_t>((sorted.size() - 1) / 2);
+  std::nth_element(sorted.begin(), middle, sorted.end());
+  return *middle;
+}
+
+std::optional<double> Tally::max() const {
+  return errors.empty() ? std::nullopt : std::optional(worst);
+}
+
+Verdict Verdict::left_out(std::string reason) {
+  Verdict verdict;
+  verdict.left_out_ = std::move(reason);
+  return verdict;
+}
+
+void Verdict::measured(Quantity quantity, const Place& place, double error) {
+  Tally& tally = tallies_[quantity];
+  ++tally.cases;
+  tally.errors.push_back(error);
+  if (error > tally.worst) {
+    tally.worst = error;
+    tally.worst_place = place;
+  }
+}
+
+void Verdict::judged(Quantity quantity, const Place& place, Wrong wrong, bool excused) {
+  Tally& tally = tallies_[quantity];
+  ++tally.cases;
+  if (wrong == Wrong::kNot) return;
+  ++tally.wrong[wrong];
+  if (excused) ++tally.wrong_excused;
+  // The first defect, or for want of one the first error.
+  const double badness = excused ? 1 : 2;
+  if (badness > tally.worst) {
+    tally.worst = badness;
+    tally.worst_place = place;
+  }
+}
+
+void Verdict::add(Discrepancy discrepancy) {
+  ++discrepancies_;
+  if (discrepancy.excuse != Excuse::kNone) ++excused_;
+  kept_.push_back(std::move(discrepancy));
+  if (kept_.size() >= 2 * kKept) prune();
+}
+
+void Verdict::merge(Verdict other) {
+  if (!other.left_out_.empty()) left_out_ = std::move(other.left_out_);
+  for (auto& [quantity, tally] : other.tallies_) {
+    Tally& mine = tallies_[quantity];
+    mine.cases += tally.cases;
+    mine.wrong_excused += tally.wrong_excused;
+    for (const auto& [kind, count] : tally.wrong) mine.wrong[kind] += count;
+    mine.errors.insert(mine.errors.end(), tally.errors.begin(), tally.errors.end());
+    if (tally.worst > mine.worst) {
+      mine.worst = tally.worst;
+      mine.worst_place = tally.worst_place;
+    }
+  }
+  discrepancies_ += other.discrepancies_;
+  excused_ += other.excused_;
+  std::move(other.kept_.begin(), other.kept_.end(), std::back_inserter(kept_));
+  if (kept_.size() >= 2 * kKept) prune();
+}
+
+void Verdict::prune() {
+  std::sort(kept_.begin(), kept_.end(), is_worse);
+  kept_.resize(std::min(kept_.size(), kKept));
+}
+
+std::vector<Discrepancy> Verdict::worst(std::size_t count) const {
+  std::vector<Discrepancy> result = kept_;
+  std::sort(result.begin(), result.end(), is_worse);
+  result.resize(std::min(result.size(), count));
+  return result;
+}
+
+std::uint64_t Verdict::compared() const {
+  std::uint64_t sum = 0;
+  for (const auto& [quantity, tally] : tallies_) sum += tally.cases;
+  return sum;
+}
+
+}  // namespace raycheck::properties

@@ -1,0 +1,107 @@
+#ifndef RAYCHECK_PROPERTIES_VERDICT_H_
+#define RAYCHECK_PROPERTIES_VERDICT_H_
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "properties/quantity.h"
+#include "scene/camera.h"
+
+namespace raycheck::properties {
+
+/// How an answer that is right or wrong was wrong.
+enum class Wrong { kNot, kMissed, kFalseHit, kWrongSphere, kWrongRoot, kRefused, kAnswered };
+inline constexpr std::array<std::string_view, 7> kWrongNames = {
+    "",           "missed", "false hit", "wrong sphere",
+    "wrong root", "refused", "answered what is not a problem"};
+constexpr std::string_view name(Wrong wrong) { return kWrongNames[static_cast<std::size_t>(wrong)]; }
+
+/// Why a discrepancy is not held against the method.
+enum class Excuse { kNone, kSmallChangeFlips, kIllConditioned, kOutsideDomain };
+inline constexpr std::array<std::string_view, 4> kExcuseNames = {
+    "", "a change of the inputs by 16 u may flip it", "ill-conditioned",
+    "outside the method's stated domain"};
+constexpr std::string_view name(Excuse excuse) {
+  return kExcuseNames[static_cast<std::size_t>(excuse)];
+}
+
+/// Where in a case an answer was asked: a ray (a camera's pixel, or a given ray by its index), and a
+/// sphere where the quantity has one.
+struct Place {
+  std::size_t ray = 0;
+  std::optional<scene::Pixel> pixel;
+  std::optional<std::size_t> sphere;
+};
+
+/// One answer that differs from the truth by more than it may.
+struct Discrepancy {
+  std::string_view law;
+  Quantity quantity = Quantity::kFrame;
+  Place place;
+  std::string what;                  ///< Which part: "U", "corner (0, 0)", "scaled by 2^40".
+  std::vector<double> got;           ///< Empty: a miss, or no number.
+  std::vector<double> exact;         ///< Correctly rounded; empty as for got.
+  double error = 0;                  ///< In the quantity's unit; infinite where right or wrong.
+  Wrong wrong = Wrong::kNot;
+  std::optional<double> condition;   ///< An upper estimate of the condition number.
+  Excuse excuse = Excuse::kNone;
+};
+
+/// What was compared for one quantity.
+struct Tally {
+  std::uint64_t cases = 0;
+  std::map<Wrong, std::uint64_t> wrong;
+  std::uint64_t wrong_excused = 0;  ///< Of those, how many have an excuse.
+  std::vector<double> errors;       ///< Empty for what is right or wrong.
+  double worst = -1;
+  Place worst_place;
+
+  std::uint64_t class_errors() const;
+  /// Both empty when no error was measured.
+  std::optional<double> median() const;
+  std::optional<double> max() const;
+};
+
+/// The answer of a law on a case, or of several merged: left out with a reason, or what was compared
+/// and the discrepancies found; it holds when there are none without an excuse.
+class Verdict {
+ public:
+  static Verdict left_out(std::string reason);
+
+  /// Counts a measured error.
+  void measured(Quantity quantity, const Place& place, double error);
+  /// Counts an answer that is right or wrong.
+  void judged(Quantity quantity, const Place& place, Wrong wrong, bool excused);
+  void add(Discrepancy discrepancy);
+  void merge(Verdict other);
+
+  const std::map<Quantity, Tally>& tallies() const { return tallies_; }
+  /// The worst ones kept, worst first: without an excuse before excused, then by error.
+  std::vector<Discrepancy> worst(std::size_t count) const;
+  std::uint64_t discrepancies() const { return discrepancies_; }
+  std::uint64_t excused() const { return excused_; }
+  std::uint64_t compared() const;
+  bool holds() const { return discrepancies_ == excused_; }
+  const std::string& reason_left_out() const { return left_out_; }
+
+ private:
+  /// Kept of each sort; a bad candidate has one in every pixel.
+  static constexpr std::size_t kKept = 200;
+  void prune();
+
+  std::string left_out_;
+  std::map<Quantity, Tally> tallies_;
+  std::vector<Discrepancy> kept_;
+  std::uint64_t discrepancies_ = 0;
+  std::uint64_t excused_ = 0;
+};
+
+}  // namespace raycheck::properties
+
+#endif  // RAYCHECK_PROPERTIES_VERDICT_H_
