@@ -2,6 +2,7 @@
 #define RAYCHECK_SCENE_CONVENTIONS_H_
 
 #include <array>
+#include <cstddef>
 #include <string_view>
 
 namespace raycheck::scene {
@@ -34,11 +35,17 @@ inline constexpr std::array<std::string_view, 2> kOriginNames = {"pixel", "focal
 inline constexpr std::array<std::string_view, 2> kRootNames = {"nearest", "smaller"};
 inline constexpr std::array<std::string_view, 3> kTangentNames = {"hit", "miss", "either"};
 
-constexpr std::string_view name(Rows value) { return kRowsNames[static_cast<int>(value)]; }
-constexpr std::string_view name(Samples value) { return kSamplesNames[static_cast<int>(value)]; }
-constexpr std::string_view name(Origin value) { return kOriginNames[static_cast<int>(value)]; }
-constexpr std::string_view name(Root value) { return kRootNames[static_cast<int>(value)]; }
-constexpr std::string_view name(Tangent value) { return kTangentNames[static_cast<int>(value)]; }
+constexpr std::string_view name(Rows value) { return kRowsNames[static_cast<std::size_t>(value)]; }
+constexpr std::string_view name(Samples value) {
+  return kSamplesNames[static_cast<std::size_t>(value)];
+}
+constexpr std::string_view name(Origin value) {
+  return kOriginNames[static_cast<std::size_t>(value)];
+}
+constexpr std::string_view name(Root value) { return kRootNames[static_cast<std::size_t>(value)]; }
+constexpr std::string_view name(Tangent value) {
+  return kTangentNames[static_cast<std::size_t>(value)];
+}
 
 }  // namespace raycheck::scene
 

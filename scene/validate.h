@@ -10,7 +10,7 @@ namespace raycheck::scene {
 
 /// One reason why an input is not a problem that has an answer.
 struct Problem {
-  std::string field;  ///< As scene files spell it: "camera.up", "sphere[2].radius" (counted from 0).
+  std::string field;  ///< As scene files spell it: "camera.up", "sphere[2].radius" (from 0).
   std::string value;  ///< The offending value, as it was read.
   std::string what;   ///< What is wrong with it, in words.
 };

@@ -1,0 +1,168 @@
+#include "scene/validate.h"
+
+#include <gmpxx.h>
+
+#include <cmath>
+#include <stdexcept>
+
+#include "scene/number.h"
+
+namespace raycheck::scene {
+namespace {
+
+template <typename Triple>
+bool is_finite(const Triple& triple) {
+  return std::isfinite(triple.x) && std::isfinite(triple.y) && std::isfinite(triple.z);
+}
+
+bool is_zero(const Vector3& vector) { return vector == Vector3{}; }
+
+bool is_exactly_parallel(const Vector3& vector, const Point3& from, const Point3& to) {
+  const mpq_class x = mpq_class(to.x) - mpq_class(from.x);
+  const mpq_class y = mpq_class(to.y) - mpq_class(from.y);
+  const mpq_class z = mpq_class(to.z) - mpq_class(from.z);
+  const mpq_class vector_x(vector.x);
+  const mpq_class vector_y(vector.y);
+  const mpq_class vector_z(vector.z);
+  return vector_y * z == vector_z * y && vector_z * x == vector_x * z &&
+         vector_x * y == vector_y * x;
+}
+
+// Collects the problems of one input under the name `input_`, e.g. "sphere[2]".
+class Collector {
+ public:
+  Collector(std::string input, std::vector<Problem>& found)
+      : input_(std::move(input)), found_(found) {}
+
+  void check(const Camera& camera) {
+    const bool has_finite_eye = check_finite("eye", camera.eye);
+    const bool has_finite_look_at = check_finite("look_at", camera.look_at);
+    const bool has_finite_points = has_finite_eye && has_finite_look_at;
+    const bool has_finite_up = check_finite("up", camera.up);
+    if (has_finite_points && camera.eye == camera.look_at) {
+      add("look_at", spelled(camera.look_at), "is the same point as eye");
+    } else if (has_finite_up && is_zero(camera.up)) {
+      add("up", spelled(camera.up), "is the zero vector");
+    } else if (has_finite_points && has_finite_up &&
+               is_exactly_parallel(camera.up, camera.look_at, camera.eye)) {
+      add("up", spelled(camera.up), "is exactly parallel to eye - look_at");
+    }
+    if (check_finite("near", camera.near) && camera.near == 0) {
+      add("near", shortest(camera.near), "is zero, so the image plane passes through the eye");
+    }
+    if (camera.far) check_finite("far", *camera.far);
+    check_finite("left", camera.left);
+    check_finite("right", camera.right);
+    if (std::isfinite(camera.left) && camera.left == camera.right) {
+      add("right", shortest(camera.right), "equals left, so the image has no width");
+    }
+    check_finite("bottom", camera.bottom);
+    check_finite("top", camera.top);
+    if (std::isfinite(camera.bottom) && camera.bottom == camera.top) {
+      add("top", shortest(camera.top), "equals bottom, so the image has no height");
+    }
+    if (camera.width < 1) add("width", std::to_string(camera.width), "is below 1 pixel");
+    if (camera.height < 1) add("height", std::to_string(camera.height), "is below 1 pixel");
+  }
+
+  void check_edges(const Camera& camera) {
+    const char* const what = "leaves one sample between two edges; samples = edges needs 2 or more";
+    if (camera.width == 1) add("width", "1", what);
+    if (camera.height == 1) add("height", "1", what);
+  }
+
+  void check(const Ray& ray) {
+    check_finite("origin", ray.origin);
+    if (check_finite("direction", ray.direction) && is_zero(ray.direction)) {
+      add("direction", spelled(ray.direction), "is the zero vector");
+    }
+  }
+
+  void check(const Sphere& sphere) {
+    check_finite("centre", sphere.centre);
+    if (check_finite("radius", sphere.radius) && sphere.radius < 0) {
+      add("radius", shortest(sphere.radius), "is negative");
+    }
+  }
+
+ private:
+  template <typename Triple>
+  static std::string spelled(const Triple& triple) {
+    return "[" + shortest(triple.x) + ", " + shortest(triple.y) + ", " + shortest(triple.z) + "]";
+  }
+
+  template <typename Triple>
+  bool check_finite(const char* field, const Triple& triple) {
+    if (!is_finite(triple)) add(field, spelled(triple), "is not finite");
+    return is_finite(triple);
+  }
+
+  bool check_finite(const char* field, double value) {
+    if (!std::isfinite(value)) add(field, shortest(value), "is not finite");
+    return std::isfinite(value);
+  }
+
+  void add(const char* field, std::string value, const char* what) {
+    found_.push_back({input_ + "." + field, std::move(value), what});
+  }
+
+  std::string input_;
+  std::vector<Problem>& found_;
+};
+
+template <typename Input>
+std::vector<Problem> problems_of(const char* name, const Input& input) {
+  std::vector<Problem> found;
+  Collector(name, found).check(input);
+  return found;
+}
+
+template <typename Input>
+void check_each(const char* name, const std::vector<Input>& inputs, std::vector<Problem>& found) {
+  for (std::size_t i = 0; i < inputs.size(); ++i) {
+    Collector(name + ("[" + std::to_string(i) + "]"), found).check(inputs[i]);
+  }
+}
+
+void require_none(const std::vector<Problem>& found) {
+  if (found.empty()) return;
+  std::string message;
+  for (const Problem& problem : found) {
+    if (!message.empty()) message += '\n';
+    message += problem.field + " = " + problem.value + ": " + problem.what;
+  }
+  throw std::invalid_argument(message);
+}
+
+}  // namespace
+
+std::vector<Problem> problems(const Camera& camera) { return problems_of("camera", camera); }
+std::vector<Problem> problems(const Ray& ray) { return problems_of("ray", ray); }
+std::vector<Problem> problems(const Sphere& sphere) { return problems_of("sphere", sphere); }
+
+std::vector<Problem> problems(const Scene& scene) {
+  std::vector<Problem> found;
+  if (!scene.camera && scene.rays.empty()) {
+    found.push_back({"scene", "no camera and no rays", "needs one of the two"});
+  }
+  if (scene.camera && !scene.rays.empty()) {
+    const std::string rays = std::to_string(scene.rays.size());
+    found.push_back({"scene", "a camera and " + rays + (rays == "1" ? " ray" : " rays"),
+                     "needs one of the two, not both"});
+  }
+  if (scene.camera) {
+    Collector collector("camera", found);
+    collector.check(*scene.camera);
+    if (scene.conventions.samples == Samples::kEdges) collector.check_edges(*scene.camera);
+  }
+  check_each("ray", scene.rays, found);
+  check_each("sphere", scene.spheres, found);
+  return found;
+}
+
+void require_valid(const Camera& camera) { require_none(problems(camera)); }
+void require_valid(const Ray& ray) { require_none(problems(ray)); }
+void require_valid(const Sphere& sphere) { require_none(problems(sphere)); }
+void require_valid(const Scene& scene) { require_none(problems(scene)); }
+
+}  // namespace raycheck::scene

@@ -1,0 +1,161 @@
+#include "scene/number.h"
+
+#include <gtest/gtest.h>
+
+#include <bit>
+#include <cmath>
+#include <cstdint>
+#include <cstdlib>
+#include <limits>
+#include <random>
+#include <string>
+#include <vector>
+
+namespace raycheck::scene {
+namespace {
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+constexpr double kSmallest = std::numeric_limits<double>::denorm_min();
+constexpr double kLargest = std::numeric_limits<double>::max();
+
+std::uint64_t bits(double value) { return std::bit_cast<std::uint64_t>(value); }
+
+void expect_reads(std::string_view text, double expected) {
+  const std::optional<double> value = parse_number(text);
+  ASSERT_TRUE(value) << text;
+  EXPECT_EQ(bits(*value), bits(expected)) << text << " read as " << hexfloat(*value);
+}
+
+TEST(ParseNumber, ReadsDecimals) {
+  expect_reads("-1", -1);
+  expect_reads("+2.5e-3", 0.0025);
+  expect_reads(".75", 0.75);
+  expect_reads("-.75", -0.75);
+  expect_reads("5.", 5);
+  expect_reads("1E3", 1000);
+  expect_reads("0", 0.0);
+  expect_reads("-0.0", -0.0);
+  expect_reads("9007199254740993", 9007199254740992.0);
+  expect_reads("1.7976931348623157e308", kLargest);
+  expect_reads("5e-324", kSmallest);
+  expect_reads("3e-324", kSmallest);
+  expect_reads("-2.2250738585072011e-308", -0x0.fffffffffffffp-1022);
+}
+
+TEST(ParseNumber, ReadsHexfloats) {
+  expect_reads("0x1.8p+3", 12);
+  expect_reads("-0X1.8P3", -12);
+  expect_reads("+0x.8p1", 1);
+  expect_reads("0x1.p-1", 0.5);
+  expect_reads("0x10", 16);
+  expect_reads("-0x0p+0", -0.0);
+  expect_reads("0x1p-1074", kSmallest);
+  expect_reads("0x0.0000000000001p-1022", kSmallest);
+  expect_reads("0x1.fffffffffffffp+1023", kLargest);
+}
+
+TEST(ParseNumber, RoundsToNearestEven) {
+  expect_reads("0x1.00000000000008p0", 1);
+  expect_reads("0x1.00000000000018p0", 0x1.0000000000002p0);
+  expect_reads("0x1.000000000000080000000000000001p0", 0x1.0000000000001p0);
+  expect_reads("1.00000000000000011102230246251565404236316680908203125", 1);
+  expect_reads("1.00000000000000011102230246251565404236316680908203126", 0x1.0000000000001p0);
+}
+
+TEST(ParseNumber, OverflowIsInfiniteAndUnderflowIsZero) {
+  expect_reads("1e400", kInfinity);
+  expect_reads("-1e400", -kInfinity);
+  expect_reads("1e99999999999999999999", kInfinity);
+  expect_reads("1e-400", 0.0);
+  expect_reads("-1e-400", -0.0);
+  expect_reads("1e-99999999999999999999", 0.0);
+  expect_reads("2e-324", 0.0);
+  expect_reads("0e400", 0.0);
+  expect_reads("0e99999999999999999999", 0.0);
+  expect_reads("1" + std::string(400, '0'), kInfinity);
+  expect_reads("1" + std::string(400, '0') + "e-400", 1);
+  expect_reads("0." + std::string(400, '0') + "1", 0.0);
+  expect_reads("0." + std::string(399, '0') + "1e400", 1);
+  expect_reads("0x1p1024", kInfinity);
+  expect_reads("-0x1p99999999999999999999", -kInfinity);
+  expect_reads("0x1" + std::string(400, '0') + "p-500", kInfinity);
+  expect_reads("0x0." + std::string(400, '0') + "1p+500", 0.0);
+  expect_reads("0x1p-1076", 0.0);
+  expect_reads("0x0p99999", 0.0);
+  expect_reads("0x1p-99999999999999999999", 0.0);
+}
+
+TEST(ParseNumber, ReadsInfinityAndNan) {
+  expect_reads("inf", kInfinity);
+  expect_reads("-inf", -kInfinity);
+  ASSERT_TRUE(parse_number("nan"));
+  EXPECT_TRUE(std::isnan(*parse_number("nan")));
+}
+
+TEST(ParseNumber, RefusesEverythingElse) {
+  for (const char* const text :
+       {"",     "-",       "+",   ".",     "+-1",   "--1",  "-+1",   "1e",   "1e+",
+        "1 ",   " 1",      "1,5", "1.2.3", "0x",    "0xp1", "0x.p1", "0x-1", "0xinf",
+        "0x1p", "0x1.8p+", "abc", "1f",    "1_000", "0b1",  "e5"}) {
+    EXPECT_FALSE(parse_number(text)) << "'" << text << "'";
+  }
+  EXPECT_FALSE(parse_number(std::string_view("1\0", 2)));
+}
+
+TEST(ParseNumber, AgreesWithStrtodOnRandomDigits) {
+  std::mt19937_64 random(1);
+  for (int i = 0; i < 20000; ++i) {
+    const bool is_hex = i % 2 == 0;
+    std::string text = is_hex ? "0x" : "";
+    const std::string_view digits = is_hex ? "0123456789abcdef" : "0123456789";
+    const std::size_t count = 1 + random() % 30;
+    for (std::size_t k = 0; k < count; ++k) {
+      if (k == count / 2) text += '.';
+      text += digits[random() % digits.size()];
+    }
+    const int range = is_hex ? 1200 : 380;
+    text += (is_hex ? "p" : "e") +
+            std::to_string(static_cast<int>(random() % static_cast<unsigned>(2 * range)) - range);
+    expect_reads(text, std::strtod(text.c_str(), nullptr));
+  }
+}
+
+TEST(Number, EveryDoubleReadsBackFromEachSpelling) {
+  std::mt19937_64 random(2);
+  std::vector<double> values = {0.0, -0.0, kSmallest, -kSmallest, kLargest, 1e300, 0.1, -12};
+  while (values.size() < 20000) {
+    const double value = std::bit_cast<double>(random() >> (values.size() % 3 == 0 ? 12 : 0));
+    if (std::isfinite(value)) values.push_back(value);
+  }
+  for (const double value : values) {
+    expect_reads(shortest(value), value);
+    expect_reads(hexfloat(value), value);
+    const std::string both = digits_and_hexfloat(value);
+    const std::size_t space = both.find(' ');
+    expect_reads(both.substr(0, space), value);
+    expect_reads(both.substr(space + 2, both.size() - space - 3), value);
+    EXPECT_EQ(bits(std::strtod(hexfloat(value).c_str(), nullptr)), bits(value));
+  }
+}
+
+TEST(Number, IsSpelledAsDocumented) {
+  EXPECT_EQ(shortest(0.1), "0.1");
+  EXPECT_EQ(shortest(-0.0), "-0");
+  EXPECT_EQ(shortest(1e300), "1e+300");
+  EXPECT_EQ(hexfloat(12), "0x1.8p+3");
+  EXPECT_EQ(hexfloat(-1), "-0x1p+0");
+  EXPECT_EQ(hexfloat(0.0), "0x0p+0");
+  EXPECT_EQ(hexfloat(-0.0), "-0x0p+0");
+  EXPECT_EQ(hexfloat(kSmallest), "0x0.0000000000001p-1022");
+  EXPECT_EQ(hexfloat(0.1), "0x1.999999999999ap-4");
+  EXPECT_EQ(digits_and_hexfloat(0.1), "0.10000000000000001 (0x1.999999999999ap-4)");
+  for (const auto& spell : {shortest, hexfloat, digits_and_hexfloat}) {
+    EXPECT_EQ(spell(kInfinity), "inf");
+    EXPECT_EQ(spell(-kInfinity), "-inf");
+    EXPECT_EQ(spell(std::nan("")), "nan");
+    EXPECT_EQ(spell(-std::nan("")), "nan");
+  }
+}
+
+}  // namespace
+}  // namespace raycheck::scene

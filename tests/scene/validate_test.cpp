@@ -1,0 +1,201 @@
+#include "scene/validate.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <functional>
+#include <limits>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+namespace raycheck::scene {
+namespace {
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+constexpr double kSmallest = std::numeric_limits<double>::denorm_min();
+
+Camera lecture_camera() {
+  return {{8, 8, 100}, {8, 8, 54}, {0, 1, 0}, -30, -75, -30, 30, -20, 20, 2, 2};
+}
+
+Scene lecture_scene() { return {lecture_camera(), {}, {{{5, 5, 5}, 3}}, {}}; }
+
+std::string spelled(const std::vector<Problem>& found) {
+  std::string text;
+  for (const Problem& problem : found) {
+    text += problem.field + " = " + problem.value + ": " + problem.what + "\n";
+  }
+  return text;
+}
+
+template <typename Input>
+void expect_one(const Input& input, const std::string& field, const std::string& value) {
+  const std::vector<Problem> found = problems(input);
+  ASSERT_EQ(found.size(), 1u) << spelled(found);
+  EXPECT_EQ(found[0].field, field);
+  EXPECT_EQ(found[0].value, value);
+  EXPECT_FALSE(found[0].what.empty());
+  try {
+    require_valid(input);
+    ADD_FAILURE() << "nothing thrown";
+  } catch (const std::invalid_argument& error) {
+    EXPECT_EQ(error.what() + std::string("\n"), spelled(found));
+  }
+}
+
+template <typename Input>
+void expect_none(const Input& input) {
+  EXPECT_EQ(spelled(problems(input)), "");
+  EXPECT_NO_THROW(require_valid(input));
+}
+
+Camera changed(const std::function<void(Camera&)>& change) {
+  Camera camera = lecture_camera();
+  change(camera);
+  return camera;
+}
+
+TEST(Validate, AcceptsTheLecture) {
+  expect_none(lecture_camera());
+  expect_none(lecture_scene());
+  expect_none(Ray{{1, 1, 3}, {4, 3, 0}});
+  expect_none(Sphere{{5, 5, 5}, 3});
+}
+
+TEST(Validate, AcceptsWhatIsOddButHasAnAnswer) {
+  expect_none(changed([](Camera& c) { std::swap(c.left, c.right); }));
+  expect_none(changed([](Camera& c) { std::swap(c.bottom, c.top); }));
+  expect_none(changed([](Camera& c) { c.near = 30; }));
+  expect_none(changed([](Camera& c) { c.far.reset(); }));
+  expect_none(changed([](Camera& c) { c.width = c.height = 1; }));
+  expect_none(Sphere{{0, 0, 0}, 0});
+  expect_none(Sphere{{0, 0, 0}, -0.0});
+  expect_none(Ray{{0, 0, 0}, {0, kSmallest, 0}});
+  Scene centres = lecture_scene();
+  centres.camera->width = 1;
+  centres.conventions.samples = Samples::kCentres;
+  expect_none(centres);
+}
+
+TEST(Validate, NamesADegenerateFrame) {
+  expect_one(changed([](Camera& c) { c.look_at = c.eye; }), "camera.look_at", "[8, 8, 100]");
+  expect_one(changed([](Camera& c) {
+               c.eye = {0, 0, 0};
+               c.look_at = {-0.0, 0, 0};
+             }),
+             "camera.look_at", "[-0, 0, 0]");
+  expect_one(changed([](Camera& c) { c.up = {0, 0, -0.0}; }), "camera.up", "[0, 0, -0]");
+  expect_one(changed([](Camera& c) { c.up = {0, 0, -3}; }), "camera.up", "[0, 0, -3]");
+}
+
+// eye - look_at here has no exact double: 1e300 - 2^-1074 rounds to 1e300.
+TEST(Validate, DecidesParallelUpExactly) {
+  const auto with = [](Point3 eye, Point3 look_at, Vector3 up) {
+    return changed([&](Camera& c) {
+      c.eye = eye;
+      c.look_at = look_at;
+      c.up = up;
+    });
+  };
+  expect_none(with({1e300, 1e300, 0}, {kSmallest, 0, 0}, {1, 1, 0}));
+  expect_one(with({1e300, 1e300, 0}, {kSmallest, kSmallest, 0}, {kSmallest, kSmallest, 0}),
+             "camera.up", "[5e-324, 5e-324, 0]");
+  expect_none(with({0.1, 0.3, 0}, {0, 0, 0}, {1, 3, 0}));
+  expect_none(with({0.1, 0.1, 0.1}, {0, 0, 0}, {1, 1, std::nextafter(1.0, 2.0)}));
+  expect_one(with({0.1, 0.1, 0.1}, {0, 0, 0}, {-7, -7, -7}), "camera.up", "[-7, -7, -7]");
+  constexpr double kFar = 0x1p1000;
+  expect_one(with({3 * kFar, -6 * kFar, 9 * kFar}, {kFar, -2 * kFar, 3 * kFar}, {1, -2, 3}),
+             "camera.up", "[1, -2, 3]");
+  expect_none(with({3 * kFar, -6 * kFar, 9 * kFar}, {kFar, -2 * kFar, 3 * kFar},
+                   {1, -2, std::nextafter(3.0, 4.0)}));
+  expect_none(with({kSmallest, 0, 0}, {0, 0, 0}, {0, kSmallest, 0}));
+  expect_none(with({1, 0, 0}, {0, 0, 0}, {1e300, kSmallest, 0}));
+  const std::vector<Vector3> axes = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+  for (const Vector3& a : axes) {
+    for (const Vector3& b : axes) {
+      if (a != b) expect_none(with({a.x + b.x, a.y + b.y, a.z + b.z}, {0, 0, 0}, a));
+    }
+  }
+}
+
+TEST(Validate, NamesADegenerateImagePlane) {
+  expect_one(changed([](Camera& c) { c.near = -0.0; }), "camera.near", "-0");
+  expect_one(changed([](Camera& c) { c.left = c.right = 0.1; }), "camera.right", "0.1");
+  expect_one(changed([](Camera& c) { c.bottom = c.top = 7; }), "camera.top", "7");
+  expect_one(changed([](Camera& c) { c.width = 0; }), "camera.width", "0");
+  expect_one(changed([](Camera& c) { c.height = -5; }), "camera.height", "-5");
+}
+
+TEST(Validate, NeedsTwoSamplesBetweenEdges) {
+  Scene scene = lecture_scene();
+  scene.camera->width = 1;
+  expect_one(scene, "camera.width", "1");
+  scene = lecture_scene();
+  scene.camera->height = 1;
+  expect_one(scene, "camera.height", "1");
+}
+
+TEST(Validate, RefusesEveryNonFiniteNumber) {
+  struct Named {
+    const char* field;
+    std::function<double*(Scene&)> number;
+  };
+  const std::vector<Named> numbers = {
+      {"camera.eye", [](Scene& s) { return &s.camera->eye.x; }},
+      {"camera.look_at", [](Scene& s) { return &s.camera->look_at.y; }},
+      {"camera.up", [](Scene& s) { return &s.camera->up.z; }},
+      {"camera.near", [](Scene& s) { return &s.camera->near; }},
+      {"camera.far", [](Scene& s) { return &*s.camera->far; }},
+      {"camera.left", [](Scene& s) { return &s.camera->left; }},
+      {"camera.right", [](Scene& s) { return &s.camera->right; }},
+      {"camera.bottom", [](Scene& s) { return &s.camera->bottom; }},
+      {"camera.top", [](Scene& s) { return &s.camera->top; }},
+      {"sphere[0].centre", [](Scene& s) { return &s.spheres[0].centre.z; }},
+      {"sphere[0].radius", [](Scene& s) { return &s.spheres[0].radius; }}};
+  for (const Named& named : numbers) {
+    for (const double value : {kInfinity, -kInfinity, std::nan("")}) {
+      Scene scene = lecture_scene();
+      *named.number(scene) = value;
+      const std::vector<Problem> found = problems(scene);
+      ASSERT_EQ(found.size(), 1u) << named.field << "\n" << spelled(found);
+      EXPECT_EQ(found[0].field, named.field);
+      EXPECT_EQ(found[0].what, "is not finite");
+    }
+  }
+  expect_one(Ray{{0, kInfinity, 0}, {1, 0, 0}}, "ray.origin", "[0, inf, 0]");
+  expect_one(Ray{{0, 0, 0}, {1, std::nan(""), 0}}, "ray.direction", "[1, nan, 0]");
+}
+
+TEST(Validate, NamesDegenerateRaysAndSpheresByIndex) {
+  expect_one(Ray{{1, 2, 3}, {0, -0.0, 0}}, "ray.direction", "[0, -0, 0]");
+  expect_one(Sphere{{0, 0, 0}, -kSmallest}, "sphere.radius", "-5e-324");
+  Scene scene;
+  scene.rays = {{{0, 0, 0}, {1, 0, 0}}, {{0, 0, 0}, {0, 0, 0}}};
+  scene.spheres = {{{0, 0, 0}, 1}, {{0, 0, 0}, 1}, {{0, 0, 0}, -2}};
+  EXPECT_EQ(spelled(problems(scene)),
+            "ray[1].direction = [0, 0, 0]: is the zero vector\n"
+            "sphere[2].radius = -2: is negative\n");
+}
+
+TEST(Validate, NeedsACameraOrRaysButNotBoth) {
+  expect_one(Scene{}, "scene", "no camera and no rays");
+  Scene both = lecture_scene();
+  both.rays.push_back({{0, 0, 0}, {1, 0, 0}});
+  expect_one(both, "scene", "a camera and 1 ray");
+}
+
+TEST(Validate, ReportsAllProblemsAtOnce) {
+  const std::vector<Problem> found = problems(changed([](Camera& c) {
+    c.look_at = c.eye;
+    c.near = 0;
+    c.left = c.right;
+    c.top = c.bottom;
+    c.width = c.height = 0;
+    c.far = kInfinity;
+  }));
+  EXPECT_EQ(found.size(), 7u) << spelled(found);
+}
+
+}  // namespace
+}  // namespace raycheck::scene
