@@ -74,7 +74,8 @@ double in_units_of_u(const Enclosure& x) {
   Enclosure scaled = abs(x);
   arb_mul_2exp_si(scaled.ball(), scaled.ball(), std::numeric_limits<double>::digits);
   const double bound = scaled.upper();
-  return bound == std::numeric_limits<double>::max() ? kInfinity : bound;
+  // A ball of no finite upper bound, or of none at all, bounds nothing.
+  return bound < std::numeric_limits<double>::max() ? bound : kInfinity;
 }
 
 }  // namespace raycheck::reference

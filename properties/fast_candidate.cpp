@@ -1,0 +1,101 @@
+#include "properties/fast_candidate.h"
+
+#include <string>
+
+#include "fast/camera_frame.h"
+
+namespace raycheck::properties {
+namespace {
+
+fast::Rays batch_of(Candidate::Rays rays) {
+  fast::Rays batch;
+  batch.resize(rays.size());
+  for (std::size_t k = 0; k < rays.size(); ++k) {
+    batch.origin.x[k] = rays[k].origin.x;
+    batch.origin.y[k] = rays[k].origin.y;
+    batch.origin.z[k] = rays[k].origin.z;
+    batch.direction.x[k] = rays[k].direction.x;
+    batch.direction.y[k] = rays[k].direction.y;
+    batch.direction.z[k] = rays[k].direction.z;
+  }
+  return batch;
+}
+
+template <class Triple>
+Triple at(const fast::Vectors& vectors, std::size_t k) {
+  return {vectors.x[k], vectors.y[k], vectors.z[k]};
+}
+
+auto make_rays(fast::PixelRayMethod::MakeRays make) {
+  return [make](const scene::Camera& camera, const scene::Conventions& conventions,
+                Candidate::Pixels pixels) {
+    fast::Rays batch;
+    make(camera, conventions, pixels, batch);
+    std::vector<scene::Ray> rays(pixels.size());
+    for (std::size_t k = 0; k < rays.size(); ++k) {
+      rays[k] = {at<scene::Point3>(batch.origin, k), at<scene::Vector3>(batch.direction, k)};
+    }
+    return rays;
+  };
+}
+
+}  // namespace
+
+Candidate fast_candidate(const fast::PixelRayMethod& rays, const fast::IntersectMethod& intersect) {
+  Candidate candidate;
+  candidate.name = std::string(rays.name) + "/" + std::string(intersect.name);
+  candidate.frame = [](const scene::Camera& camera) {
+    const fast::CameraFrame frame = fast::camera_frame(camera);
+    return FrameAnswer{frame.U, frame.V, frame.W};
+  };
+  if (rays.pixel_points != nullptr) {
+    candidate.pixel_points = [make = rays.pixel_points](const scene::Camera& camera,
+                                                        const scene::Conventions& conventions,
+                                                        Candidate::Pixels pixels) {
+      fast::Vectors batch;
+      make(camera, conventions, pixels, batch);
+      std::vector<scene::Point3> points(pixels.size());
+      for (std::size_t k = 0; k < points.size(); ++k) points[k] = at<scene::Point3>(batch, k);
+      return points;
+    };
+  }
+  if (rays.pixel_rays != nullptr) {
+    candidate.pixel_rays = make_rays(rays.pixel_rays);
+  } else {
+    candidate.declared.origin = scene::Origin::kFocal;
+  }
+  candidate.focal_rays = make_rays(rays.focal_rays);
+  candidate.intersect = [&intersect](Candidate::Rays given, const scene::Sphere& sphere,
+                                     const scene::Conventions& conventions) {
+    fast::Hits hits;
+    intersect.intersect(batch_of(given), sphere, conventions.root, conventions.tangent, hits);
+    std::vector<std::optional<HitAnswer>> answers(given.size());
+    for (std::size_t k = 0; k < answers.size(); ++k) {
+      if (hits.hit[k]) answers[k] = HitAnswer{hits.parameter[k], at<scene::Point3>(hits.point, k)};
+    }
+    return answers;
+  };
+  candidate.nearest = [&intersect](Candidate::Rays given, Candidate::Spheres spheres,
+                                   const scene::Conventions& conventions) {
+    return fast::nearest_spheres(intersect, batch_of(given), spheres, conventions.root,
+                                 conventions.tangent);
+  };
+  const auto promise = [&candidate](Quantity quantity, double bound) {
+    candidate.max_error[static_cast<std::size_t>(quantity)] = bound;
+  };
+  promise(Quantity::kFrame, fast::kFrameMaxUlp);
+  promise(Quantity::kOrthonormality, fast::kFrameMaxUlp);
+  promise(Quantity::kPixelPoint, rays.max_point_ulp);
+  promise(Quantity::kRayOrigin, rays.max_point_ulp);
+  promise(Quantity::kDirection, rays.max_direction_ulp);
+  promise(Quantity::kUnitDefect, rays.max_unit_defect_ulp);
+  promise(Quantity::kParameter, intersect.max_ulp);
+  promise(Quantity::kHitPoint, intersect.max_ulp);
+  promise(Quantity::kSphereResidual, intersect.max_ulp);
+  promise(Quantity::kRayResidual, intersect.max_ulp);
+  candidate.smallest_length = fast::kSmallestLength;
+  candidate.largest_length = fast::kLargestLength;
+  return candidate;
+}
+
+}  // namespace raycheck::properties

@@ -1,0 +1,44 @@
+#include "properties/law.h"
+
+#include <array>
+#include <exception>
+#include <limits>
+#include <string>
+
+#include "properties/law_list.h"
+
+namespace raycheck::properties {
+namespace {
+
+const std::array<Law, 23> kLaws = {
+    kFrameLaw,        kPixelPointLaw,  kBoundsLaw,        kImagePlaneLaw,    kCentrePixelLaw,
+    kPixelZeroZeroLaw, kDensityLaw,    kSquarePixelsLaw,  kUnitDirectionLaw, kDirectionLaw,
+    kRayOriginLaw,    kClassLaw,       kRootLaw,          kParameterLaw,     kHitPointLaw,
+    kFocalAndPixelLaw, kNearestSphereLaw, kScalingLaw,    kAxesLaw,          kLookAtLaw,
+    kUpLaw,           kGrowingRadiusLaw, kRefusalLaw};
+
+}  // namespace
+
+std::span<const Law> laws() { return kLaws; }
+
+const Law* find_law(std::string_view name) {
+  for (const Law& law : laws()) {
+    if (law.name == name) return &law;
+  }
+  return nullptr;
+}
+
+Verdict apply(const Law& law, Trial& trial) {
+  try {
+    return law.judge(trial);
+  } catch (const std::exception& error) {
+    Verdict verdict;
+    const std::string message = error.what();
+    trial.judge(verdict, law.name, Quantity::kRefusal, Place{}, Wrong::kRefused,
+                [] { return false; },
+                [&](Discrepancy& discrepancy) { discrepancy.what = message; });
+    return verdict;
+  }
+}
+
+}  // namespace raycheck::properties

@@ -1,0 +1,51 @@
+#ifndef RAYCHECK_PROPERTIES_LAW_LIST_H_
+#define RAYCHECK_PROPERTIES_LAW_LIST_H_
+
+// The laws by subject, each defined in the file of that name. Internal to properties/.
+
+#include "properties/law.h"
+
+namespace raycheck::properties {
+
+extern const Law kFrameLaw;  // camera_frame.cpp
+
+extern const Law kPixelPointLaw;  // pixel_plane.cpp
+extern const Law kBoundsLaw;
+extern const Law kImagePlaneLaw;
+extern const Law kCentrePixelLaw;
+extern const Law kPixelZeroZeroLaw;
+extern const Law kDensityLaw;
+extern const Law kSquarePixelsLaw;
+
+extern const Law kUnitDirectionLaw;  // pixel_ray.cpp
+extern const Law kDirectionLaw;
+extern const Law kRayOriginLaw;
+
+extern const Law kClassLaw;  // intersect.cpp
+extern const Law kRootLaw;
+extern const Law kParameterLaw;
+extern const Law kHitPointLaw;
+extern const Law kFocalAndPixelLaw;
+
+extern const Law kNearestSphereLaw;  // nearest_sphere.cpp
+
+extern const Law kScalingLaw;  // invariance.cpp
+extern const Law kAxesLaw;
+extern const Law kLookAtLaw;
+extern const Law kUpLaw;
+extern const Law kGrowingRadiusLaw;
+
+extern const Law kRefusalLaw;  // refusal.cpp
+
+/// The coordinates as a list, for reports.
+template <class Triple>
+std::vector<double> numbers(const Triple& value) {
+  return {value.x, value.y, value.z};
+}
+
+/// A condition number for what has none: the answer is a plain function of the inputs.
+inline double well_conditioned() { return 1; }
+
+}  // namespace raycheck::properties
+
+#endif  // RAYCHECK_PROPERTIES_LAW_LIST_H_
