@@ -74,13 +74,20 @@ double relative(const Enclosure& error, const Enclosure& size) {
   return size.contains_zero() ? kInfinity : reference::in_units_of_u(error / size);
 }
 
-/// Measures an error at a pixel of `answers`, with the pixel point's condition number.
+/// Measures an error at a pixel of `answers`, with the condition number of all its pixel points: a
+/// relation is no better determined than the points that it relates.
 void measure_at(Trial& trial, Verdict& verdict, const Law& law, const PlaneAnswers& answers,
                 std::size_t k, double error, double bound, const std::string& what) {
   Place place;
   place.pixel = answers.pixel(k);
   trial.measure(verdict, law.name, Quantity::kPixelPoint, place, error, bound,
-                [&] { return answers.condition(k); },
+                [&] {
+                  double worst = 0;
+                  for (std::size_t at = 0; at < answers.size(); ++at) {
+                    worst = std::max(worst, answers.condition(at));
+                  }
+                  return worst;
+                },
                 [&](Discrepancy& d) {
                   d.what = what;
                   d.got = numbers(answers.point(k));

@@ -94,6 +94,11 @@ void Verdict::merge(Verdict other) {
   if (kept_.size() >= 2 * kKept) prune();
 }
 
+void Verdict::shift_rays(std::size_t first) {
+  for (auto& [quantity, tally] : tallies_) tally.worst_place.ray += first;
+  for (Discrepancy& discrepancy : kept_) discrepancy.place.ray += first;
+}
+
 void Verdict::prune() {
   std::sort(kept_.begin(), kept_.end(), is_worse);
   kept_.resize(std::min(kept_.size(), kKept));

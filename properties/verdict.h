@@ -80,6 +80,8 @@ class Verdict {
   void judged(Quantity quantity, const Place& place, Wrong wrong, bool excused);
   void add(Discrepancy discrepancy);
   void merge(Verdict other);
+  /// Adds to every ray index: this verdict's case was a part, from that ray on, of a larger one.
+  void shift_rays(std::size_t first);
 
   const std::map<Quantity, Tally>& tallies() const { return tallies_; }
   /// The worst ones kept, worst first: without an excuse before excused, then by error.

@@ -1,0 +1,69 @@
+#ifndef RAYCHECK_TOOLS_CHECK_H_
+#define RAYCHECK_TOOLS_CHECK_H_
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "properties/verdict.h"
+#include "scene/scene_file.h"
+#include "tools/methods.h"
+
+namespace raycheck::tools {
+
+struct CheckOptions {
+  std::string path;
+  std::optional<scene::Dialect> dialect;
+  std::vector<MethodPair> methods;
+  std::optional<std::int64_t> pixels;  ///< How many, spread evenly; empty: all.
+  std::size_t top = 10;
+  std::optional<double> max_error;
+};
+
+/// Nanoseconds per ray, the best of several repetitions on batches of the scene's rays.
+struct Timing {
+  std::optional<double> make;       ///< To make a camera's ray.
+  std::optional<double> intersect;  ///< To intersect it with every sphere of the scene.
+};
+
+/// A law that had nothing to say, and why.
+struct LeftOut {
+  std::string law;
+  std::string reason;
+};
+
+struct CandidateReport {
+  std::string name;
+  MethodPair methods;
+  scene::Conventions conventions;  ///< Under which it was judged.
+  std::vector<double> bounds;      ///< By quantity.
+  properties::Verdict verdict;
+  std::vector<LeftOut> left_out;
+  Timing timing;
+};
+
+struct CheckReport {
+  std::string path;
+  scene::Scene scene;
+  std::vector<std::string> warnings;
+  std::uint64_t rays_in_scene = 0;
+  std::uint64_t rays_judged = 0;  ///< By every candidate listed.
+  std::vector<CandidateReport> candidates;
+  std::vector<std::string> left_out;  ///< What the scene has no use for, one line each.
+  std::size_t top = 0;
+  bool interrupted = false;
+
+  std::uint64_t discrepancies() const;
+  std::uint64_t compared() const;
+};
+
+/// Judges the candidates on a scene file. Throws what the reader throws.
+CheckReport check(const CheckOptions& options);
+
+std::string check_text(const CheckReport& report, bool colours);
+std::string check_json(const CheckReport& report);
+
+}  // namespace raycheck::tools
+
+#endif  // RAYCHECK_TOOLS_CHECK_H_

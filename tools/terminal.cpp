@@ -1,0 +1,53 @@
+#include "tools/terminal.h"
+
+#include <fmt/color.h>
+#include <fmt/core.h>
+#include <unistd.h>
+
+#include <atomic>
+#include <csignal>
+#include <cstdio>
+#include <cstdlib>
+
+namespace raycheck::tools {
+namespace {
+
+std::atomic<bool> interrupt_flag = false;
+static_assert(std::atomic<bool>::is_always_lock_free, "set from a signal handler");
+
+extern "C" void on_interrupt(int) {
+  interrupt_flag = true;
+  std::signal(SIGINT, SIG_DFL);
+}
+
+}  // namespace
+
+void catch_interrupts() { std::signal(SIGINT, on_interrupt); }
+bool interrupted() { return interrupt_flag; }
+
+bool stdout_takes_colours() {
+  const char* no_color = std::getenv("NO_COLOR");
+  return isatty(STDOUT_FILENO) != 0 && (no_color == nullptr || *no_color == '\0');
+}
+
+std::string red(std::string_view text, bool colours) {
+  return colours ? fmt::format(fmt::fg(fmt::terminal_color::red), "{}", text) : std::string(text);
+}
+
+Progress::Progress(std::string what)
+    : what_(std::move(what)), next_(std::chrono::steady_clock::now() + std::chrono::seconds(1)) {}
+
+Progress::~Progress() {
+  if (shown_) fmt::print(stderr, "\r\033[K");
+}
+
+void Progress::show(std::string_view state) {
+  const auto now = std::chrono::steady_clock::now();
+  if (now < next_ || isatty(STDERR_FILENO) == 0) return;
+  fmt::print(stderr, "\r\033[K{}: {}", what_, state);
+  std::fflush(stderr);
+  shown_ = true;
+  next_ = now + std::chrono::milliseconds(200);
+}
+
+}  // namespace raycheck::tools
