@@ -6,8 +6,8 @@
 
 namespace raycheck::fast {
 
-/// The largest relative error of an axis, in units of u = 2^-53, while the axes' condition number is
-/// at most kModerateCondition (properties/verdict.h), growing in proportion beyond.
+/// The largest relative error of an axis, in units of u = 2^-53, while the axes' condition number
+/// is at most kModerateCondition (properties/verdict.h), growing in proportion beyond.
 inline constexpr double kFrameMaxUlp = 16;
 
 struct CameraFrame {

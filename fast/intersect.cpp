@@ -38,9 +38,9 @@ void require_valid(const Rays& rays, const scene::Sphere& sphere) {
   if (all_finite(rays.origin) && all_finite(rays.direction) && all_nonzero(rays.direction)) return;
   for (std::size_t k = 0; k < rays.size(); ++k) {
     try {
-      scene::require_valid(scene::Ray{
-          {rays.origin.x[k], rays.origin.y[k], rays.origin.z[k]},
-          {rays.direction.x[k], rays.direction.y[k], rays.direction.z[k]}});
+      scene::require_valid(
+          scene::Ray{{rays.origin.x[k], rays.origin.y[k], rays.origin.z[k]},
+                     {rays.direction.x[k], rays.direction.y[k], rays.direction.z[k]}});
     } catch (const std::invalid_argument& error) {
       throw std::invalid_argument("ray " + std::to_string(k) + " of the batch: " + error.what());
     }

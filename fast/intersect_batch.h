@@ -16,12 +16,14 @@ using Eigen::Vector3d;
 void require_valid(const Rays& rays, const scene::Sphere& sphere);
 
 /// The roots of a t^2 - 2 b t + c = 0 from its discriminant: q = b + sign(b) sqrt(disc) does not
-/// cancel, the roots are q/a and c/q (Numerical Recipes 5.6). q = 0 only for a double root 0.
+/// cancel, the roots are q/a and c/q (Numerical Recipes 5.6). q = 0 only for a double root 0. A
+/// comparison chooses the sign, not the sign bit, which would exchange the roots at b = -0.
 inline Roots roots_by_q(double a, double b, double c, double discriminant) {
-  const double q = b + std::copysign(std::sqrt(discriminant), b);
+  const bool forward = b >= 0;
+  const double root = std::sqrt(discriminant);
+  const double q = forward ? b + root : b - root;
   const double one = q / a;
   const double other = q == 0 ? 0.0 : c / q;
-  const bool forward = b >= 0;
   return {b / std::sqrt(a), discriminant / a, forward ? other : one, forward ? one : other};
 }
 
@@ -38,8 +40,7 @@ void intersect_batch(const Rays& rays, const scene::Sphere& sphere, scene::Root 
     const Vector3d origin(rays.origin.x[k], rays.origin.y[k], rays.origin.z[k]);
     const Vector3d direction(rays.direction.x[k], rays.direction.y[k], rays.direction.z[k]);
     const Roots found = Method::roots(origin, direction, centre, sphere.radius);
-    const bool meets =
-        tangent_counts ? found.half_chord_sq >= 0 : found.half_chord_sq > 0;
+    const bool meets = tangent_counts ? found.half_chord_sq >= 0 : found.half_chord_sq > 0;
     const bool take_larger = larger_counts && !(found.smaller >= 0);
     const double s = take_larger ? found.larger : found.smaller;
     hits.hit[k] = meets && s >= 0;

@@ -20,10 +20,9 @@ struct Cross {
     const double a = direction.dot(direction);
     const double b = T.dot(direction);
     const double c = T.dot(T) - radius * radius;
-    const Vector3d moment(
-        difference_of_products(T.y(), direction.z(), T.z(), direction.y()),
-        difference_of_products(T.z(), direction.x(), T.x(), direction.z()),
-        difference_of_products(T.x(), direction.y(), T.y(), direction.x()));
+    const Vector3d moment(difference_of_products(T.y(), direction.z(), T.z(), direction.y()),
+                          difference_of_products(T.z(), direction.x(), T.x(), direction.z()),
+                          difference_of_products(T.x(), direction.y(), T.y(), direction.x()));
     return roots_by_q(a, b, c, a * (radius * radius) - moment.dot(moment));
   }
 };

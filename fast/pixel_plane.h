@@ -46,10 +46,9 @@ struct PixelPlane {
 
  private:
   double coordinate(std::int64_t index, std::int64_t count, double first, double last) const {
-    const double position =
-        conventions.samples == scene::Samples::kEdges
-            ? static_cast<double>(index) / static_cast<double>(count - 1)
-            : (static_cast<double>(index) + 0.5) / static_cast<double>(count);
+    const double position = conventions.samples == scene::Samples::kEdges
+                                ? static_cast<double>(index) / static_cast<double>(count - 1)
+                                : (static_cast<double>(index) + 0.5) / static_cast<double>(count);
     return first + position * (last - first);
   }
 };

@@ -16,7 +16,8 @@ namespace raycheck::fast {
 /// Domain: a valid camera (under the rows and samples of `conventions`, otherwise
 ///         std::invalid_argument naming the field), pixels inside the image; lengths as
 ///         camera_frame().
-/// Error:  at most max_point_ulp in a point and max_direction_ulp in a direction (relative error and
+/// Error:  at most max_point_ulp in a point and max_direction_ulp in a direction (relative error
+/// and
 ///         angle, in units of u) while their condition numbers are at most kModerateCondition,
 ///         growing in proportion beyond. |D| differs from 1 by at most max_unit_defect_ulp u.
 /// A function that a method does not have is null.

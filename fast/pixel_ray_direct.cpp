@@ -24,8 +24,7 @@ void rays(const scene::Camera& camera, const scene::Conventions& conventions,
   out.resize(pixels.size());
   for (std::size_t k = 0; k < pixels.size(); ++k) {
     const Eigen::Vector3d g = eye_to_pixel(plane, pixels[k]);
-    store(out.origin, k,
-          kOrigin == scene::Origin::kPixel ? Eigen::Vector3d(plane.E + g) : plane.E);
+    store(out.origin, k, kOrigin == scene::Origin::kPixel ? Eigen::Vector3d(plane.E + g) : plane.E);
     store(out.direction, k, g / g.norm());
   }
 }

@@ -24,14 +24,15 @@ void focal_rays(const scene::Camera& camera, const scene::Conventions& conventio
 
 }  // namespace
 
-const PixelRayMethod kFocalRays = {"focal",
-                                   "rays from E; nW and n^2 once per scene, |g| from n, alpha, beta",
-                                   nullptr,
-                                   nullptr,
-                                   focal_rays,
-                                   kPixelPointMaxUlp,
-                                   kDirectDirectionMaxUlp,
-                                   kFocalUnitDefectMaxUlp};
+const PixelRayMethod kFocalRays = {
+    "focal",
+    "rays from E; nW and n^2 once per scene, |g| from n, alpha, beta",
+    nullptr,
+    nullptr,
+    focal_rays,
+    kPixelPointMaxUlp,
+    kDirectDirectionMaxUlp,
+    kFocalUnitDefectMaxUlp};
 
 namespace {
 constexpr const PixelRayMethod* kMethods[] = {&kLectureRays, &kDirectRays, &kFocalRays};

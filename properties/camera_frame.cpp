@@ -55,7 +55,8 @@ Verdict judge_frame(Trial& trial) {
 
 }  // namespace
 
-constinit const Law kFrameLaw = {"frame", "the frame is orthonormal, right-handed, and the camera's",
+constinit const Law kFrameLaw = {"frame",
+                                 "the frame is orthonormal, right-handed, and the camera's",
                                  Law::Subject::kCamera, true, judge_frame};
 
 }  // namespace raycheck::properties

@@ -6,6 +6,8 @@
 #include <charconv>
 #include <ostream>
 #include <stdexcept>
+#include <string>
+#include <unordered_map>
 #include <utility>
 
 #include "properties/shrink.h"
@@ -73,7 +75,10 @@ CampaignResult run(const Law& law, const Candidate& candidate, const CampaignOpt
   rc::detail::TestMetadata metadata;
   metadata.id = std::string(law.name);
   rc::detail::TestListenerAdapter silent;
-  const auto outcome = rc::detail::checkTestable(property, metadata, params, silent);
+  // With a map of its own RapidCheck neither reads the environment nor prints its configuration.
+  const std::unordered_map<std::string, rc::detail::Reproduce> nothing_to_reproduce;
+  const auto outcome =
+      rc::detail::checkTestable(property, metadata, params, silent, nothing_to_reproduce);
   rc::detail::Error error;
   if (outcome.match(error)) throw std::runtime_error("RapidCheck: " + error.description);
   return result;

@@ -32,10 +32,10 @@ struct CampaignOptions {
 };
 
 struct CampaignResult {
-  int cases = 0;             ///< Cases judged before the campaign ended or failed.
-  int left_out = 0;          ///< Of those, the ones that the law had nothing to say about.
-  std::string reason;        ///< Why the last of them was left out.
-  Verdict verdict;           ///< All cases together, shrinking aside.
+  int cases = 0;       ///< Cases judged before the campaign ended or failed.
+  int left_out = 0;    ///< Of those, the ones that the law had nothing to say about.
+  std::string reason;  ///< Why the last of them was left out.
+  Verdict verdict;     ///< All cases together, shrinking aside.
   std::optional<Failure> failure;
 };
 
@@ -57,8 +57,8 @@ Replay parse_replay(std::string_view text);
 CampaignResult run_replay(const Replay& replay, const Candidate& candidate,
                           std::optional<double> max_error = {});
 
-/// A case as a TOML scene that `raycheck check` accepts, its pixels in a comment: how RapidCheck shows
-/// cases, too.
+/// A case as a TOML scene that `raycheck check` accepts, its pixels in a comment: how RapidCheck
+/// shows cases, too.
 std::string text(const Case& the_case, std::string_view comment = {});
 void showValue(const Case& the_case, std::ostream& out);
 

@@ -38,10 +38,10 @@ struct DeclaredConventions {
   scene::Conventions over(scene::Conventions conventions) const;
 };
 
-/// An implementation under judgement: what it can be asked (an empty function: it has no such thing),
-/// under which conventions, and what it promises. A function may be asked from one thread at a time.
-/// Functions refuse input that is not a problem with std::invalid_argument. Answers come in the
-/// order of the questions; an absent hit is a miss.
+/// An implementation under judgement: what it can be asked (an empty function: it has no such
+/// thing), under which conventions, and what it promises. A function may be asked from one thread
+/// at a time. Functions refuse input that is not a problem with std::invalid_argument. Answers come
+/// in the order of the questions; an absent hit is a miss.
 struct Candidate {
   using Pixels = std::span<const scene::Pixel>;
   using Rays = std::span<const scene::Ray>;

@@ -23,7 +23,9 @@ Point3 along(const Point3& origin, double t, const Vector3& direction) {
   return {origin.x + t * direction.x, origin.y + t * direction.y, origin.z + t * direction.z};
 }
 
-Vector3 times(double factor, const Vector3& v) { return {factor * v.x, factor * v.y, factor * v.z}; }
+Vector3 times(double factor, const Vector3& v) {
+  return {factor * v.x, factor * v.y, factor * v.z};
+}
 
 /// A unit vector across `direction`.
 Vector3 across(Random& random, const Vector3& direction) {
@@ -120,8 +122,8 @@ Case plain_cameras(std::uint64_t seed) {
     if (!random.one_in(3)) {
       camera.eye = {random.small_integer(8), random.small_integer(8), random.small_integer(8)};
     }
-    camera.look_at = along(camera.eye, random.sign() * static_cast<double>(random.integer(1, 9)),
-                           axes[view]);
+    camera.look_at =
+        along(camera.eye, random.sign() * static_cast<double>(random.integer(1, 9)), axes[view]);
     camera.up = axes[(view + random.integer(1, 2)) % 3];
     camera.near = -static_cast<double>(random.integer(1, 4));
     camera.left = -static_cast<double>(random.integer(1, 6));
@@ -206,8 +208,8 @@ Case far(std::uint64_t seed) {
 Case grazing(std::uint64_t seed) {
   return ray_case(seed, [](Random& random) {
     const double radius = random.power_of_ten(-1, 1);
-    return Aim{random.between(-2, 10),
-               radius * (1 + random.sign() * random.power_of_ten(-15, -1)), radius};
+    return Aim{random.between(-2, 10), radius * (1 + random.sign() * random.power_of_ten(-15, -1)),
+               radius};
   });
 }
 
@@ -221,11 +223,12 @@ Case surface(std::uint64_t seed) {
   });
 }
 
-/// Axis-aligned rays at integer distances: exact tangents, equal spheres, and their neighbours a few
-/// ulps away.
+/// Axis-aligned rays at integer distances: exact tangents, equal spheres, and their neighbours a
+/// few ulps away.
 Case ties(std::uint64_t seed) {
   Random random(seed);
-  const double radius = static_cast<double>(random.integer(1, 8)) * std::ldexp(1, static_cast<int>(random.integer(-3, 3)));
+  const double radius = static_cast<double>(random.integer(1, 8)) *
+                        std::ldexp(1, static_cast<int>(random.integer(-3, 3)));
   Case result;
   result.scene.conventions = any_conventions(random);
   double impact = random.one_in(4) ? radius * 0.5 : radius;
@@ -292,8 +295,8 @@ constexpr CaseSource kSources[] = {
 std::span<const CaseSource> case_sources() { return kSources; }
 
 const CaseSource* find_case_source(std::string_view name) {
-  const auto* const found = std::find_if(
-      std::begin(kSources), std::end(kSources), [&](const CaseSource& s) { return s.name == name; });
+  const auto* const found = std::find_if(std::begin(kSources), std::end(kSources),
+                                         [&](const CaseSource& s) { return s.name == name; });
   return found == std::end(kSources) ? nullptr : found;
 }
 

@@ -47,12 +47,12 @@ bool is_other_root(Trial& trial, std::size_t ray, std::size_t sphere, double par
 /// Calls visit(ray, sphere, answer) where both the candidate and the truth have a hit, at one root.
 template <class Visit>
 void for_each_common_hit(Trial& trial, Visit visit) {
-  for_each_pair(trial, [&](std::size_t ray, std::size_t sphere,
-                           const std::optional<HitAnswer>& answer) {
-    if (!answer || !trial.exact_hit(ray, sphere)) return;
-    if (is_other_root(trial, ray, sphere, answer->parameter)) return;
-    visit(ray, sphere, *answer);
-  });
+  for_each_pair(trial,
+                [&](std::size_t ray, std::size_t sphere, const std::optional<HitAnswer>& answer) {
+                  if (!answer || !trial.exact_hit(ray, sphere)) return;
+                  if (is_other_root(trial, ray, sphere, answer->parameter)) return;
+                  visit(ray, sphere, *answer);
+                });
 }
 
 bool may_flip(Trial& trial, std::size_t ray, std::size_t sphere) {
@@ -72,31 +72,33 @@ void describe_parameters(Trial& trial, std::size_t ray, std::size_t sphere,
 Verdict judge_class(Trial& trial) {
   if (auto reason = nothing_to_say(trial); !reason.empty()) return Verdict::left_out(reason);
   Verdict verdict;
-  for_each_pair(trial, [&](std::size_t ray, std::size_t sphere,
-                           const std::optional<HitAnswer>& answer) {
-    const bool exact = trial.exact_hit(ray, sphere);
-    const Wrong wrong = exact == answer.has_value() ? Wrong::kNot
-                        : exact                     ? Wrong::kMissed
-                                                    : Wrong::kFalseHit;
-    trial.judge(verdict, kClassLaw.name, Quantity::kClass, trial.place(ray, sphere), wrong,
-                [&] { return may_flip(trial, ray, sphere); },
-                [&](Discrepancy& d) { describe_parameters(trial, ray, sphere, answer, d); });
-  });
+  for_each_pair(trial,
+                [&](std::size_t ray, std::size_t sphere, const std::optional<HitAnswer>& answer) {
+                  const bool exact = trial.exact_hit(ray, sphere);
+                  const Wrong wrong = exact == answer.has_value() ? Wrong::kNot
+                                      : exact                     ? Wrong::kMissed
+                                                                  : Wrong::kFalseHit;
+                  trial.judge(
+                      verdict, kClassLaw.name, Quantity::kClass, trial.place(ray, sphere), wrong,
+                      [&] { return may_flip(trial, ray, sphere); },
+                      [&](Discrepancy& d) { describe_parameters(trial, ray, sphere, answer, d); });
+                });
   return verdict;
 }
 
 Verdict judge_root(Trial& trial) {
   if (auto reason = nothing_to_say(trial); !reason.empty()) return Verdict::left_out(reason);
   Verdict verdict;
-  for_each_pair(trial, [&](std::size_t ray, std::size_t sphere,
-                           const std::optional<HitAnswer>& answer) {
-    if (!answer || !trial.exact_hit(ray, sphere)) return;
-    const Wrong wrong = is_other_root(trial, ray, sphere, answer->parameter) ? Wrong::kWrongRoot
-                                                                             : Wrong::kNot;
-    trial.judge(verdict, kRootLaw.name, Quantity::kRoot, trial.place(ray, sphere), wrong,
-                [&] { return may_flip(trial, ray, sphere); },
-                [&](Discrepancy& d) { describe_parameters(trial, ray, sphere, answer, d); });
-  });
+  for_each_pair(
+      trial, [&](std::size_t ray, std::size_t sphere, const std::optional<HitAnswer>& answer) {
+        if (!answer || !trial.exact_hit(ray, sphere)) return;
+        const Wrong wrong =
+            is_other_root(trial, ray, sphere, answer->parameter) ? Wrong::kWrongRoot : Wrong::kNot;
+        trial.judge(
+            verdict, kRootLaw.name, Quantity::kRoot, trial.place(ray, sphere), wrong,
+            [&] { return may_flip(trial, ray, sphere); },
+            [&](Discrepancy& d) { describe_parameters(trial, ray, sphere, answer, d); });
+      });
   return verdict;
 }
 
@@ -107,16 +109,17 @@ Verdict judge_parameter(Trial& trial) {
     const ExactRay& exact_ray = trial.exact_ray(ray);
     const scene::Sphere& the_sphere = trial.scene().spheres[sphere];
     const Intersection& at = trial.exact_intersection(ray, sphere);
-    trial.measure(verdict, kParameterLaw.name, Quantity::kParameter, trial.place(ray, sphere),
-                  reference::ulp_error(answer.parameter, exact_ray.parameter(the_sphere, at)),
-                  [&] { return reference::condition_of_parameter(exact_ray, the_sphere, at); },
-                  [&](Discrepancy& d) { describe_parameters(trial, ray, sphere, answer, d); });
+    trial.measure(
+        verdict, kParameterLaw.name, Quantity::kParameter, trial.place(ray, sphere),
+        reference::ulp_error(answer.parameter, exact_ray.parameter(the_sphere, at)),
+        [&] { return reference::condition_of_parameter(exact_ray, the_sphere, at); },
+        [&](Discrepancy& d) { describe_parameters(trial, ray, sphere, answer, d); });
   });
   return verdict;
 }
 
-/// How the candidate's point is off its sphere and its ray, in units of u of r and of s |D|. Both are
-/// differences of world coordinates, so their condition is the size of those over r and s |D|.
+/// How the candidate's point is off its sphere and its ray, in units of u of r and of s |D|. Both
+/// are differences of world coordinates, so their condition is the size of those over r and s |D|.
 void judge_residuals(Trial& trial, Verdict& verdict, std::size_t ray, std::size_t sphere,
                      const HitAnswer& answer) {
   const scene::Sphere& the_sphere = trial.scene().spheres[sphere];
@@ -128,12 +131,12 @@ void judge_residuals(Trial& trial, Verdict& verdict, std::size_t ray, std::size_
   const double point_condition = reference::condition_of_point(
       trial.exact_ray(ray), the_sphere, trial.exact_intersection(ray, sphere));
   const auto measure = [&](Quantity quantity, const Enclosure& distance, const Enclosure& scale) {
-    const double error =
-        scale.contains_zero() ? 0 : reference::in_units_of_u(distance / scale);
+    const double error = scale.contains_zero() ? 0 : reference::in_units_of_u(distance / scale);
     if (scale.contains_zero()) return;
-    trial.measure(verdict, kHitPointLaw.name, quantity, trial.place(ray, sphere), error,
-                  [&] { return (size / scale).upper() * point_condition; },
-                  [&](Discrepancy& d) { d.got = numbers(answer.point); });
+    trial.measure(
+        verdict, kHitPointLaw.name, quantity, trial.place(ray, sphere), error,
+        [&] { return (size / scale).upper() * point_condition; },
+        [&](Discrepancy& d) { d.got = numbers(answer.point); });
   };
   measure(Quantity::kSphereResidual, abs(norm(point - centre) - radius), radius);
   const Enclosure3 along = point - exact.origin();
@@ -147,13 +150,14 @@ Verdict judge_hit_point(Trial& trial) {
     const ExactRay& exact_ray = trial.exact_ray(ray);
     const scene::Sphere& the_sphere = trial.scene().spheres[sphere];
     const Intersection& at = trial.exact_intersection(ray, sphere);
-    trial.measure(verdict, kHitPointLaw.name, Quantity::kHitPoint, trial.place(ray, sphere),
-                  reference::relative_error(answer.point, exact_ray.point(the_sphere, at)),
-                  [&] { return reference::condition_of_point(exact_ray, the_sphere, at); },
-                  [&](Discrepancy& d) {
-                    d.got = numbers(answer.point);
-                    d.exact = numbers(exact_ray.rounded_point(the_sphere, at));
-                  });
+    trial.measure(
+        verdict, kHitPointLaw.name, Quantity::kHitPoint, trial.place(ray, sphere),
+        reference::relative_error(answer.point, exact_ray.point(the_sphere, at)),
+        [&] { return reference::condition_of_point(exact_ray, the_sphere, at); },
+        [&](Discrepancy& d) {
+          d.got = numbers(answer.point);
+          d.exact = numbers(exact_ray.rounded_point(the_sphere, at));
+        });
     judge_residuals(trial, verdict, ray, sphere, answer);
   });
   return verdict;
@@ -205,14 +209,14 @@ Verdict judge_focal_and_pixel(Trial& trial) {
         d.exact = {eye_ray.rounded_parameter(the_sphere, at),
                    pixel_ray.rounded_parameter(the_sphere, at)};
       };
-      trial.measure(verdict, kFocalAndPixelLaw.name, Quantity::kInvariance,
-                    trial.place(k, sphere), reference::in_units_of_u(off / scale),
-                    2 * trial.bound(Quantity::kParameter), condition, describe);
+      trial.measure(verdict, kFocalAndPixelLaw.name, Quantity::kInvariance, trial.place(k, sphere),
+                    reference::in_units_of_u(off / scale), 2 * trial.bound(Quantity::kParameter),
+                    condition, describe);
       const Enclosure3 apart = reference::enclose_exactly(eye_hits[k]->point) -
                                reference::enclose_exactly(pixel_hits[k]->point);
       const Enclosure size = norm(enclosed.point(the_sphere, at)) + norm(enclosed.origin());
-      trial.measure(verdict, kFocalAndPixelLaw.name, Quantity::kInvariance,
-                    trial.place(k, sphere), reference::in_units_of_u(norm(apart) / size),
+      trial.measure(verdict, kFocalAndPixelLaw.name, Quantity::kInvariance, trial.place(k, sphere),
+                    reference::in_units_of_u(norm(apart) / size),
                     2 * trial.bound(Quantity::kHitPoint), condition, describe);
     }
   }

@@ -71,16 +71,17 @@ void compare_directions(Trial& trial, Trial& transformed, Verdict& verdict, cons
   for (std::size_t k = 0; k < trial.ray_count(); ++k) {
     const scene::Vector3 expected = map(trial.rays()[k].direction);
     const scene::Vector3& got = transformed.rays()[k].direction;
-    trial.measure(verdict, law.name, Quantity::kInvariance, trial.place(k),
-                  reference::relative_error(scene::UnitVector3{got.x, got.y, got.z},
-                                            reference::enclose_exactly(expected)),
-                  2 * trial.bound(Quantity::kDirection),
-                  [&] { return reference::condition_of_direction(trial.exact_ray(k)); },
-                  [&](Discrepancy& d) {
-                    d.what = what;
-                    d.got = numbers(got);
-                    d.exact = numbers(expected);
-                  });
+    trial.measure(
+        verdict, law.name, Quantity::kInvariance, trial.place(k),
+        reference::relative_error(scene::UnitVector3{got.x, got.y, got.z},
+                                  reference::enclose_exactly(expected)),
+        2 * trial.bound(Quantity::kDirection),
+        [&] { return reference::condition_of_direction(trial.exact_ray(k)); },
+        [&](Discrepancy& d) {
+          d.what = what;
+          d.got = numbers(got);
+          d.exact = numbers(expected);
+        });
   }
 }
 
@@ -149,11 +150,18 @@ struct AxesMap {
   scene::Vector3 (*apply)(const scene::Vector3&);
 };
 constexpr AxesMap kAxesMaps[] = {
-    {"axes permuted: (y, z, x)", [](const scene::Vector3& v) { return scene::Vector3{v.y, v.z, v.x}; }},
+    {"axes permuted: (y, z, x)",
+     [](const scene::Vector3& v) {
+       return scene::Vector3{v.y, v.z, v.x};
+     }},
     {"axes negated: (-x, -y, z)",
-     [](const scene::Vector3& v) { return scene::Vector3{-v.x, -v.y, v.z}; }},
+     [](const scene::Vector3& v) {
+       return scene::Vector3{-v.x, -v.y, v.z};
+     }},
     {"axes negated: (x, -y, -z)",
-     [](const scene::Vector3& v) { return scene::Vector3{v.x, -v.y, -v.z}; }},
+     [](const scene::Vector3& v) {
+       return scene::Vector3{v.x, -v.y, -v.z};
+     }},
 };
 
 Scene rotated(Scene scene, const AxesMap& map) {
@@ -250,8 +258,7 @@ Verdict judge_look_at(Trial& trial) {
   scene::Camera camera = *trial.scene().camera;
   // A' = A + (A - E) lies on the view axis where neither step rounds.
   const auto along = exact_sum_of<scene::Vector3>(camera.look_at, camera.eye, -1);
-  const auto moved =
-      along ? exact_sum_of<scene::Point3>(camera.look_at, *along, 1) : std::nullopt;
+  const auto moved = along ? exact_sum_of<scene::Point3>(camera.look_at, *along, 1) : std::nullopt;
   if (!moved) return Verdict::left_out("the moved look-at point is not a double");
   camera.look_at = *moved;
   return compare_frames(trial, kLookAtLaw, camera, "look-at moved to A + (A - E)");
@@ -261,8 +268,7 @@ Verdict judge_up(Trial& trial) {
   if (auto reason = no_frame(trial); !reason.empty()) return Verdict::left_out(reason);
   scene::Camera camera = *trial.scene().camera;
   const auto along = exact_sum_of<scene::Vector3>(camera.eye, camera.look_at, -1);
-  const auto tilted =
-      along ? exact_sum_of<scene::Vector3>(camera.up, *along, 1) : std::nullopt;
+  const auto tilted = along ? exact_sum_of<scene::Vector3>(camera.up, *along, 1) : std::nullopt;
   if (!tilted) return Verdict::left_out("up + (E - A) is not a double");
   camera.up = *tilted;
   return compare_frames(trial, kUpLaw, camera, "up + (E - A)");
@@ -284,16 +290,17 @@ Verdict judge_growing_radius(Trial& trial) {
       for (std::size_t k = 0; k < trial.ray_count(); ++k) {
         const auto& hit = trial.hits(sphere)[k];
         if (!hit) continue;
-        trial.judge(verdict, kGrowingRadiusLaw.name, Quantity::kClass, trial.place(k, sphere),
-                    grown.at(k) ? Wrong::kNot : Wrong::kMissed,
-                    [&] {
-                      return trial.exact_ray(k).may_flip_within(
-                          the_sphere, trial.conventions().root, kExcusedChange);
-                    },
-                    [&](Discrepancy& d) {
-                      d.what = "after the radius grew";
-                      d.exact = {hit->parameter};
-                    });
+        trial.judge(
+            verdict, kGrowingRadiusLaw.name, Quantity::kClass, trial.place(k, sphere),
+            grown.at(k) ? Wrong::kNot : Wrong::kMissed,
+            [&] {
+              return trial.exact_ray(k).may_flip_within(the_sphere, trial.conventions().root,
+                                                        kExcusedChange);
+            },
+            [&](Discrepancy& d) {
+              d.what = "after the radius grew";
+              d.exact = {hit->parameter};
+            });
       }
     }
   }

@@ -10,12 +10,14 @@
 namespace raycheck::properties {
 namespace {
 
-const std::array<Law, 23> kLaws = {
-    kFrameLaw,        kPixelPointLaw,  kBoundsLaw,        kImagePlaneLaw,    kCentrePixelLaw,
-    kPixelZeroZeroLaw, kDensityLaw,    kSquarePixelsLaw,  kUnitDirectionLaw, kDirectionLaw,
-    kRayOriginLaw,    kClassLaw,       kRootLaw,          kParameterLaw,     kHitPointLaw,
-    kFocalAndPixelLaw, kNearestSphereLaw, kScalingLaw,    kAxesLaw,          kLookAtLaw,
-    kUpLaw,           kGrowingRadiusLaw, kRefusalLaw};
+const std::array<Law, 23> kLaws = {kFrameLaw,         kPixelPointLaw,    kBoundsLaw,
+                                   kImagePlaneLaw,    kCentrePixelLaw,   kPixelZeroZeroLaw,
+                                   kDensityLaw,       kSquarePixelsLaw,  kUnitDirectionLaw,
+                                   kDirectionLaw,     kRayOriginLaw,     kClassLaw,
+                                   kRootLaw,          kParameterLaw,     kHitPointLaw,
+                                   kFocalAndPixelLaw, kNearestSphereLaw, kScalingLaw,
+                                   kAxesLaw,          kLookAtLaw,        kUpLaw,
+                                   kGrowingRadiusLaw, kRefusalLaw};
 
 }  // namespace
 
@@ -34,9 +36,9 @@ Verdict apply(const Law& law, Trial& trial) {
   } catch (const std::exception& error) {
     Verdict verdict;
     const std::string message = error.what();
-    trial.judge(verdict, law.name, Quantity::kRefusal, Place{}, Wrong::kRefused,
-                [] { return false; },
-                [&](Discrepancy& discrepancy) { discrepancy.what = message; });
+    trial.judge(
+        verdict, law.name, Quantity::kRefusal, Place{}, Wrong::kRefused, [] { return false; },
+        [&](Discrepancy& discrepancy) { discrepancy.what = message; });
     return verdict;
   }
 }

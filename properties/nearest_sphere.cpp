@@ -57,27 +57,26 @@ Verdict judge_nearest_sphere(Trial& trial) {
   }
   const std::vector<scene::Sphere> reversed(trial.scene().spheres.rbegin(),
                                             trial.scene().spheres.rend());
-  const auto backwards =
-      trial.candidate().nearest(trial.rays(), reversed, trial.conventions());
+  const auto backwards = trial.candidate().nearest(trial.rays(), reversed, trial.conventions());
   Verdict verdict;
   for (std::size_t k = 0; k < trial.ray_count(); ++k) {
     if (has_unjudged(trial, k)) continue;
-    const auto exact =
-        trial.exact_ray(k).nearest(trial.scene().spheres, trial.conventions());
+    const auto exact = trial.exact_ray(k).nearest(trial.scene().spheres, trial.conventions());
     const auto judge = [&](Index got, const char* order) {
       const Choice choice{k, got, exact};
       const Wrong wrong = is_right(choice) ? Wrong::kNot
                           : !exact         ? Wrong::kFalseHit
                           : !got           ? Wrong::kMissed
                                            : Wrong::kWrongSphere;
-      trial.judge(verdict, kNearestSphereLaw.name, Quantity::kNearestSphere,
-                  trial.place(k, exact ? Index(exact->index) : got), wrong,
-                  [&] { return may_flip(trial, choice); },
-                  [&](Discrepancy& d) {
-                    d.what = order;
-                    if (got) d.got = {static_cast<double>(*got)};
-                    if (exact) d.exact = {static_cast<double>(exact->index)};
-                  });
+      trial.judge(
+          verdict, kNearestSphereLaw.name, Quantity::kNearestSphere,
+          trial.place(k, exact ? Index(exact->index) : got), wrong,
+          [&] { return may_flip(trial, choice); },
+          [&](Discrepancy& d) {
+            d.what = order;
+            if (got) d.got = {static_cast<double>(*got)};
+            if (exact) d.exact = {static_cast<double>(exact->index)};
+          });
     };
     judge(trial.nearest()[k], "sphere index, spheres in the file's order");
     const Index last_first = backwards.at(k);

@@ -52,8 +52,8 @@ class PlaneAnswers {
   /// (P - E).U, (P - E).V, (P - E).W of the candidate's point.
   Enclosure3 position(std::size_t k) const {
     const auto frame = camera_.frame(200);
-    const Enclosure3 from_eye = reference::enclose_exactly(points_[k]) -
-                                reference::enclose_exactly(camera_.camera().eye);
+    const Enclosure3 from_eye =
+        reference::enclose_exactly(points_[k]) - reference::enclose_exactly(camera_.camera().eye);
     return {dot(from_eye, frame.U), dot(from_eye, frame.V), dot(from_eye, frame.W)};
   }
   /// alpha, beta, n of the exact point.
@@ -80,19 +80,20 @@ void measure_at(Trial& trial, Verdict& verdict, const Law& law, const PlaneAnswe
                 std::size_t k, double error, double bound, const std::string& what) {
   Place place;
   place.pixel = answers.pixel(k);
-  trial.measure(verdict, law.name, Quantity::kPixelPoint, place, error, bound,
-                [&] {
-                  double worst = 0;
-                  for (std::size_t at = 0; at < answers.size(); ++at) {
-                    worst = std::max(worst, answers.condition(at));
-                  }
-                  return worst;
-                },
-                [&](Discrepancy& d) {
-                  d.what = what;
-                  d.got = numbers(answers.point(k));
-                  d.exact = numbers(answers.ray(k).rounded_pixel_point());
-                });
+  trial.measure(
+      verdict, law.name, Quantity::kPixelPoint, place, error, bound,
+      [&] {
+        double worst = 0;
+        for (std::size_t at = 0; at < answers.size(); ++at) {
+          worst = std::max(worst, answers.condition(at));
+        }
+        return worst;
+      },
+      [&](Discrepancy& d) {
+        d.what = what;
+        d.got = numbers(answers.point(k));
+        d.exact = numbers(answers.ray(k).rounded_pixel_point());
+      });
 }
 
 std::vector<Pixel> corners(const scene::Camera& camera) {
@@ -112,13 +113,14 @@ Verdict judge_pixel_point(Trial& trial) {
   const auto& points = trial.pixel_points();
   for (std::size_t k = 0; k < points.size(); ++k) {
     const ExactRay& ray = trial.exact_ray(k);
-    trial.measure(verdict, kPixelPointLaw.name, Quantity::kPixelPoint, trial.place(k),
-                  reference::relative_error(points[k], ray.pixel_point()),
-                  [&] { return reference::condition_of_pixel_point(ray); },
-                  [&](Discrepancy& d) {
-                    d.got = numbers(points[k]);
-                    d.exact = numbers(ray.rounded_pixel_point());
-                  });
+    trial.measure(
+        verdict, kPixelPointLaw.name, Quantity::kPixelPoint, trial.place(k),
+        reference::relative_error(points[k], ray.pixel_point()),
+        [&] { return reference::condition_of_pixel_point(ray); },
+        [&](Discrepancy& d) {
+          d.got = numbers(points[k]);
+          d.exact = numbers(ray.rounded_pixel_point());
+        });
   }
   return verdict;
 }
@@ -227,8 +229,7 @@ Verdict judge_pixel_zero_zero(Trial& trial) {
     return Verdict::left_out("an image of one row or column has no distinct corners");
   }
   Verdict verdict;
-  const PlaneAnswers answers(
-      trial, camera, {{0, 0}, {camera.width - 1, camera.height - 1}});
+  const PlaneAnswers answers(trial, camera, {{0, 0}, {camera.width - 1, camera.height - 1}});
   const Enclosure3 got = answers.position(0);
   const Enclosure3 own = got - answers.exact_position(0);
   const Enclosure3 opposite = got - answers.exact_position(1);
@@ -309,14 +310,12 @@ Verdict judge_square_pixels(Trial& trial) {
 
 }  // namespace
 
-constinit const Law kPixelPointLaw = {"pixel-point",
-                                      "pixel points are E + nW + alpha U + beta V",
+constinit const Law kPixelPointLaw = {"pixel-point", "pixel points are E + nW + alpha U + beta V",
                                       Law::Subject::kCamera, true, judge_pixel_point};
 constinit const Law kBoundsLaw = {"bounds",
                                   "first and last pixels lie at left and right, bottom and top",
                                   Law::Subject::kCamera, false, judge_bounds};
-constinit const Law kImagePlaneLaw = {"image-plane",
-                                      "pixels lie in the image plane, evenly spaced",
+constinit const Law kImagePlaneLaw = {"image-plane", "pixels lie in the image plane, evenly spaced",
                                       Law::Subject::kCamera, false, judge_image_plane};
 constinit const Law kCentrePixelLaw = {
     "centre-pixel", "the centre pixel of an odd symmetric image lies on the optical axis",

@@ -21,13 +21,14 @@ Verdict judge_unit_direction(Trial& trial) {
   for (std::size_t k = 0; k < trial.ray_count(); ++k) {
     const scene::UnitVector3 got = direction_of(trial.rays()[k]);
     // The axes' own defect passes into a direction that trusts them.
-    trial.measure(verdict, kUnitDirectionLaw.name, Quantity::kUnitDefect, trial.place(k),
-                  reference::unit_defect(got),
-                  [&] { return reference::condition_of_frame(trial.exact_camera()); },
-                  [&](Discrepancy& d) {
-                    d.got = numbers(got);
-                    d.exact = numbers(trial.exact_ray(k).rounded_direction());
-                  });
+    trial.measure(
+        verdict, kUnitDirectionLaw.name, Quantity::kUnitDefect, trial.place(k),
+        reference::unit_defect(got),
+        [&] { return reference::condition_of_frame(trial.exact_camera()); },
+        [&](Discrepancy& d) {
+          d.got = numbers(got);
+          d.exact = numbers(trial.exact_ray(k).rounded_direction());
+        });
   }
   return verdict;
 }
@@ -38,13 +39,14 @@ Verdict judge_direction(Trial& trial) {
   for (std::size_t k = 0; k < trial.ray_count(); ++k) {
     const reference::ExactRay& ray = trial.exact_ray(k);
     const scene::UnitVector3 got = direction_of(trial.rays()[k]);
-    trial.measure(verdict, kDirectionLaw.name, Quantity::kDirection, trial.place(k),
-                  reference::angle_error(got, ray.direction()),
-                  [&] { return reference::condition_of_direction(ray); },
-                  [&](Discrepancy& d) {
-                    d.got = numbers(got);
-                    d.exact = numbers(ray.rounded_direction());
-                  });
+    trial.measure(
+        verdict, kDirectionLaw.name, Quantity::kDirection, trial.place(k),
+        reference::angle_error(got, ray.direction()),
+        [&] { return reference::condition_of_direction(ray); },
+        [&](Discrepancy& d) {
+          d.got = numbers(got);
+          d.exact = numbers(ray.rounded_direction());
+        });
   }
   return verdict;
 }
@@ -58,13 +60,14 @@ Verdict judge_ray_origin(Trial& trial) {
   for (std::size_t k = 0; k < trial.ray_count(); ++k) {
     const reference::ExactRay& ray = trial.exact_ray(k);
     const scene::Point3& got = trial.rays()[k].origin;
-    trial.measure(verdict, kRayOriginLaw.name, Quantity::kRayOrigin, trial.place(k),
-                  reference::relative_error(got, ray.origin()), bound,
-                  [&] { return at_eye ? 1 : reference::condition_of_pixel_point(ray); },
-                  [&](Discrepancy& d) {
-                    d.got = numbers(got);
-                    d.exact = numbers(ray.rounded_origin());
-                  });
+    trial.measure(
+        verdict, kRayOriginLaw.name, Quantity::kRayOrigin, trial.place(k),
+        reference::relative_error(got, ray.origin()), bound,
+        [&] { return at_eye ? 1 : reference::condition_of_pixel_point(ray); },
+        [&](Discrepancy& d) {
+          d.got = numbers(got);
+          d.exact = numbers(ray.rounded_origin());
+        });
   }
   return verdict;
 }

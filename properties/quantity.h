@@ -9,21 +9,21 @@ namespace raycheck::properties {
 
 /// What is judged.
 enum class Quantity {
-  kFrame,         ///< an axis against the exact one
+  kFrame,           ///< an axis against the exact one
   kOrthonormality,  ///< the axes among themselves
   kPixelPoint,
   kDirection,
   kUnitDefect,
   kRayOrigin,
-  kClass,         ///< hit or miss
-  kRoot,          ///< which root
+  kClass,  ///< hit or miss
+  kRoot,   ///< which root
   kParameter,
   kHitPoint,
   kSphereResidual,  ///< distance of a hit point from the sphere, over r
   kRayResidual,     ///< distance of a hit point from the ray, over s |D|
   kNearestSphere,
-  kInvariance,    ///< two answers of the candidate that should agree
-  kRefusal,       ///< input that is not a problem, and input that is
+  kInvariance,  ///< two answers of the candidate that should agree
+  kRefusal,     ///< input that is not a problem, and input that is
 };
 inline constexpr std::size_t kQuantityCount = 15;
 

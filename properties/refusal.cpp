@@ -61,8 +61,9 @@ void expect_refusal(Trial& trial, Verdict& verdict, const std::string& what,
   } catch (const std::invalid_argument&) {
     wrong = Wrong::kNot;
   }
-  trial.judge(verdict, kRefusalLaw.name, Quantity::kRefusal, Place{}, wrong,
-              [] { return false; }, [&](Discrepancy& d) { d.what = what; });
+  trial.judge(
+      verdict, kRefusalLaw.name, Quantity::kRefusal, Place{}, wrong, [] { return false; },
+      [&](Discrepancy& d) { d.what = what; });
 }
 
 void spoil_cameras(Trial& trial, Verdict& verdict) {
@@ -101,8 +102,8 @@ void spoil_intersections(Trial& trial, Verdict& verdict) {
       trial.candidate().intersect(std::span(&ray, 1), sphere, trial.conventions());
     });
   };
-  const scene::Ray ray = trial.scene().rays.empty() ? scene::Ray{{0, 0, 0}, {1, 0, 0}}
-                                                    : trial.scene().rays.front();
+  const scene::Ray ray =
+      trial.scene().rays.empty() ? scene::Ray{{0, 0, 0}, {1, 0, 0}} : trial.scene().rays.front();
   const scene::Sphere sphere = trial.scene().spheres.front();
   for (const auto& spoiling : kSphereSpoilings) {
     scene::Sphere spoilt = sphere;

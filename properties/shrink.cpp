@@ -142,9 +142,12 @@ std::vector<double> simpler(double value) {
 
 std::vector<Case> simpler(const Case& the_case) {
   std::vector<Case> result;
-  leave_one_out(the_case, [](auto& c) -> auto& { return c.scene.spheres; }, 0, result);
-  leave_one_out(the_case, [](auto& c) -> auto& { return c.pixels; }, 1, result);
-  leave_one_out(the_case, [](auto& c) -> auto& { return c.scene.rays; }, 1, result);
+  leave_one_out(
+      the_case, [](auto& c) -> auto& { return c.scene.spheres; }, 0, result);
+  leave_one_out(
+      the_case, [](auto& c) -> auto& { return c.pixels; }, 1, result);
+  leave_one_out(
+      the_case, [](auto& c) -> auto& { return c.scene.rays; }, 1, result);
   reset(the_case, &scene::Conventions::rows, result);
   reset(the_case, &scene::Conventions::samples, result);
   reset(the_case, &scene::Conventions::origin, result);

@@ -83,8 +83,8 @@ Trial::Trial(const Case& the_case, const Candidate& candidate, std::optional<dou
       candidate_(candidate),
       conventions_(candidate.declared.over(the_case.scene.conventions)),
       max_error_(max_error),
-      inside_domain_(lengths_are_within(the_case.scene, candidate.smallest_length,
-                                        candidate.largest_length)),
+      inside_domain_(
+          lengths_are_within(the_case.scene, candidate.smallest_length, candidate.largest_length)),
       hits_(the_case.scene.spheres.size()) {
   scene::require_valid(case_.scene);
   exact_rays_.resize(ray_count());
@@ -140,8 +140,7 @@ const FrameAnswer& Trial::frame() {
 
 const std::vector<scene::Point3>& Trial::pixel_points() {
   if (!pixel_points_) {
-    pixel_points_ =
-        candidate_.pixel_points(case_.scene.camera.value(), conventions_, case_.pixels);
+    pixel_points_ = candidate_.pixel_points(case_.scene.camera.value(), conventions_, case_.pixels);
     require_count(*pixel_points_, ray_count(), "pixel points");
   }
   return *pixel_points_;

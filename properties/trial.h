@@ -25,9 +25,9 @@ struct Case {
 /// All pixels of a camera, row by row.
 std::vector<scene::Pixel> all_pixels(const scene::Camera& camera);
 
-/// A case, the truth about it and a candidate's answers to it, each worked out when a law first asks
-/// and kept for the next law. The truth never sees the candidate.
-/// Domain: a valid scene (scene/validate.h), pixels inside its image; otherwise the constructor
+/// A case, the truth about it and a candidate's answers to it, each worked out when a law first
+/// asks and kept for the next law. The truth never sees the candidate. Domain: a valid scene
+/// (scene/validate.h), pixels inside its image; otherwise the constructor
 ///         throws std::invalid_argument. What a candidate throws passes through.
 class Trial {
  public:
@@ -62,8 +62,8 @@ class Trial {
   double bound(Quantity quantity) const;
   bool inside_domain() const { return inside_domain_; }
 
-  /// Counts an error, and adds a discrepancy when it is above `bound`. `condition` and `describe` are
-  /// called only then; `describe` fills in what, got and exact.
+  /// Counts an error, and adds a discrepancy when it is above `bound`. `condition` and `describe`
+  /// are called only then; `describe` fills in what, got and exact.
   void measure(Verdict& verdict, std::string_view law, Quantity quantity, const Place& place,
                double error, double bound, const std::function<double()>& condition,
                const std::function<void(Discrepancy&)>& describe) const;
@@ -72,8 +72,8 @@ class Trial {
                const std::function<void(Discrepancy&)>& describe) const {
     measure(verdict, law, quantity, place, error, bound(quantity), condition, describe);
   }
-  /// Counts a right or wrong answer, and adds a discrepancy when it is wrong. `may_flip` says whether
-  /// a change of the inputs within kExcusedChange may make it right.
+  /// Counts a right or wrong answer, and adds a discrepancy when it is wrong. `may_flip` says
+  /// whether a change of the inputs within kExcusedChange may make it right.
   void judge(Verdict& verdict, std::string_view law, Quantity quantity, const Place& place,
              Wrong wrong, const std::function<bool()>& may_flip,
              const std::function<void(Discrepancy&)>& describe) const;

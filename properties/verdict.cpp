@@ -7,9 +7,7 @@
 #include <utility>
 
 namespace raycheck::properties {
-namespace {
 
-/// Without an excuse first, then the larger error, then the earlier place.
 bool is_worse(const Discrepancy& a, const Discrepancy& b) {
   const auto key = [](const Discrepancy& d) {
     return std::tuple(d.excuse != Excuse::kNone, -d.error, static_cast<int>(d.quantity),
@@ -17,8 +15,6 @@ bool is_worse(const Discrepancy& a, const Discrepancy& b) {
   };
   return key(a) < key(b);
 }
-
-}  // namespace
 
 std::uint64_t Tally::class_errors() const {
   std::uint64_t sum = 0;

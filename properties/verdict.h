@@ -17,10 +17,16 @@ namespace raycheck::properties {
 
 /// How an answer that is right or wrong was wrong.
 enum class Wrong { kNot, kMissed, kFalseHit, kWrongSphere, kWrongRoot, kRefused, kAnswered };
-inline constexpr std::array<std::string_view, 7> kWrongNames = {
-    "",           "missed", "false hit", "wrong sphere",
-    "wrong root", "refused", "answered what is not a problem"};
-constexpr std::string_view name(Wrong wrong) { return kWrongNames[static_cast<std::size_t>(wrong)]; }
+inline constexpr std::array<std::string_view, 7> kWrongNames = {"",
+                                                                "missed",
+                                                                "false hit",
+                                                                "wrong sphere",
+                                                                "wrong root",
+                                                                "refused",
+                                                                "answered what is not a problem"};
+constexpr std::string_view name(Wrong wrong) {
+  return kWrongNames[static_cast<std::size_t>(wrong)];
+}
 
 /// Why a discrepancy is not held against the method.
 enum class Excuse { kNone, kSmallChangeFlips, kIllConditioned, kOutsideDomain };
@@ -31,8 +37,8 @@ constexpr std::string_view name(Excuse excuse) {
   return kExcuseNames[static_cast<std::size_t>(excuse)];
 }
 
-/// Where in a case an answer was asked: a ray (a camera's pixel, or a given ray by its index), and a
-/// sphere where the quantity has one.
+/// Where in a case an answer was asked: a ray (a camera's pixel, or a given ray by its index), and
+/// a sphere where the quantity has one.
 struct Place {
   std::size_t ray = 0;
   std::optional<scene::Pixel> pixel;
@@ -44,14 +50,17 @@ struct Discrepancy {
   std::string_view law;
   Quantity quantity = Quantity::kFrame;
   Place place;
-  std::string what;                  ///< Which part: "U", "corner (0, 0)", "scaled by 2^40".
-  std::vector<double> got;           ///< Empty: a miss, or no number.
-  std::vector<double> exact;         ///< Correctly rounded; empty as for got.
-  double error = 0;                  ///< In the quantity's unit; infinite where right or wrong.
+  std::string what;           ///< Which part: "U", "corner (0, 0)", "scaled by 2^40".
+  std::vector<double> got;    ///< Empty: a miss, or no number.
+  std::vector<double> exact;  ///< Correctly rounded; empty as for got.
+  double error = 0;           ///< In the quantity's unit; infinite where right or wrong.
   Wrong wrong = Wrong::kNot;
-  std::optional<double> condition;   ///< An upper estimate of the condition number.
+  std::optional<double> condition;  ///< An upper estimate of the condition number.
   Excuse excuse = Excuse::kNone;
 };
+
+/// The order of reports: without an excuse first, then the larger error, then the earlier place.
+bool is_worse(const Discrepancy& a, const Discrepancy& b);
 
 /// What was compared for one quantity.
 struct Tally {
@@ -68,8 +77,8 @@ struct Tally {
   std::optional<double> max() const;
 };
 
-/// The answer of a law on a case, or of several merged: left out with a reason, or what was compared
-/// and the discrepancies found; it holds when there are none without an excuse.
+/// The answer of a law on a case, or of several merged: left out with a reason, or what was
+/// compared and the discrepancies found; it holds when there are none without an excuse.
 class Verdict {
  public:
   static Verdict left_out(std::string reason);

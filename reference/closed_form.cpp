@@ -57,8 +57,8 @@ ClosedFormRay::ClosedFormRay(const scene::Camera& camera, const scene::Conventio
   const auto axes = camera_axes<SymbolicKernel>(lift, camera);
   auto line = camera_line<SymbolicKernel>(lift, camera, conventions, axes, pixel);
   const RadicalSum length = first_root(line.a);
-  impl_ = std::make_shared<const Impl>(
-      Impl{std::move(line), length, plane_position<SymbolicKernel>(lift, camera, conventions, pixel)});
+  impl_ = std::make_shared<const Impl>(Impl{
+      std::move(line), length, plane_position<SymbolicKernel>(lift, camera, conventions, pixel)});
 }
 
 ClosedFormRay::ClosedFormRay(const scene::Ray& ray) {
@@ -70,9 +70,7 @@ ClosedFormRay::ClosedFormRay(const scene::Ray& ray) {
 
 std::string ClosedFormRay::alpha() const { return impl_->position.value().alpha.text(); }
 std::string ClosedFormRay::beta() const { return impl_->position.value().beta.text(); }
-ClosedForm3 ClosedFormRay::pixel_point() const {
-  return texts(impl_->line.base + impl_->line.g);
-}
+ClosedForm3 ClosedFormRay::pixel_point() const { return texts(impl_->line.base + impl_->line.g); }
 ClosedForm3 ClosedFormRay::origin() const { return texts(impl_->start()); }
 ClosedForm3 ClosedFormRay::direction() const { return texts(impl_->line.g / impl_->length); }
 std::string ClosedFormRay::length() const { return impl_->length.text(); }

@@ -20,8 +20,8 @@ struct ClosedFormFrame {
 };
 
 /// The camera axes as SageMath prints them: sums of rationals times square roots, larger radicands
-/// first, e.g. "-1/5*sqrt(109) + 28/5". Square factors are taken out of every radicand (those with a
-/// prime below kLargestTrialPrime, and a cofactor that is itself a square); terms that are 0 are
+/// first, e.g. "-1/5*sqrt(109) + 28/5". Square factors are taken out of every radicand (those with
+/// a prime below kLargestTrialPrime, and a cofactor that is itself a square); terms that are 0 are
 /// dropped. Domain: as ExactCamera.
 ClosedFormFrame closed_form_frame(const scene::Camera& camera);
 
@@ -44,9 +44,9 @@ class ClosedFormRay {
   ClosedForm3 direction() const;
   std::string length() const;
 
-  ClosedForm3 to_centre(const scene::Sphere& sphere) const;         ///< T = C - L
-  std::string axial_distance(const scene::Sphere& sphere) const;    ///< v = T.D
-  std::string half_chord_sq(const scene::Sphere& sphere) const;     ///< d^2
+  ClosedForm3 to_centre(const scene::Sphere& sphere) const;       ///< T = C - L
+  std::string axial_distance(const scene::Sphere& sphere) const;  ///< v = T.D
+  std::string half_chord_sq(const scene::Sphere& sphere) const;   ///< d^2
   std::string parameter(const scene::Sphere& sphere, const Intersection& intersection) const;
   ClosedForm3 point(const scene::Sphere& sphere, const Intersection& intersection) const;
 

@@ -19,8 +19,7 @@ double condition(const Enclosure& widened) { return widened.relative_radius() / 
 double condition(const Enclosure3& widened) {
   const Enclosure size = norm(widened);
   if (size.certain_sign() != 1) return std::numeric_limits<double>::infinity();
-  const Enclosure width =
-      norm(Enclosure3{radius(widened.x), radius(widened.y), radius(widened.z)});
+  const Enclosure width = norm(Enclosure3{radius(widened.x), radius(widened.y), radius(widened.z)});
   return (width / size).upper() / kConditionChange;
 }
 

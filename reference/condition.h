@@ -7,8 +7,8 @@
 namespace raycheck::reference {
 
 // Upper estimates of condition numbers: the relative width that a value gains, per relative width
-// given to every input at once. Balls of relative radius kConditionChange run through the one set of
-// formulas; what they lose by forgetting that intermediate values depend on each other makes the
+// given to every input at once. Balls of relative radius kConditionChange run through the one set
+// of formulas; what they lose by forgetting that intermediate values depend on each other makes the
 // estimate too large by a small factor, never too small (to first order). Infinite at a tangent.
 inline constexpr double kConditionChange = 0x1p-60;
 

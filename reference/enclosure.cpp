@@ -34,8 +34,8 @@ double to_double(arf_srcptr x, arf_rnd_t rounding) {
   const bool to_nearest = rounding == ARF_RND_NEAR;
   const bool toward_zero = !to_nearest && (rounding == ARF_RND_FLOOR) != negative;
   const auto signed_double = [&](double magnitude) { return negative ? -magnitude : magnitude; };
-  const double too_large = toward_zero ? std::numeric_limits<double>::max()
-                                       : std::numeric_limits<double>::infinity();
+  const double too_large =
+      toward_zero ? std::numeric_limits<double>::max() : std::numeric_limits<double>::infinity();
 
   Float power;
   arf_set_si_2exp_si(power.get(), 1, kSmallestExponent - 1);
@@ -162,7 +162,9 @@ Enclosure abs(const Enclosure& value) {
 Enclosure3 operator-(const Enclosure3& a, const Enclosure3& b) {
   return {a.x - b.x, a.y - b.y, a.z - b.z};
 }
-Enclosure dot(const Enclosure3& a, const Enclosure3& b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
+Enclosure dot(const Enclosure3& a, const Enclosure3& b) {
+  return a.x * b.x + a.y * b.y + a.z * b.z;
+}
 Enclosure3 cross(const Enclosure3& a, const Enclosure3& b) {
   return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
 }

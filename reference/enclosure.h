@@ -9,7 +9,8 @@ namespace raycheck::reference {
 
 /// A closed interval that certainly holds one real number: an Arb ball (midpoint and radius with
 /// unlimited exponents) that carries its working precision. Arithmetic encloses the exact result;
-/// precision is the larger of the operands'. One object per thread; different objects are independent.
+/// precision is the larger of the operands'. One object per thread; different objects are
+/// independent.
 class Enclosure {
  public:
   Enclosure() { arb_init(ball_); }

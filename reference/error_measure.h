@@ -7,8 +7,8 @@
 namespace raycheck::reference {
 
 // How far given doubles are from an enclosed truth. Every result is an upper bound, as sharp as the
-// enclosure is narrow; infinite for a given value that is not finite, and for a value other than the
-// exact one where the exact one is 0.
+// enclosure is narrow; infinite for a given value that is not finite, and for a value other than
+// the exact one where the exact one is 0.
 
 /// |given - exact| / ulp(exact), ulp(x) the gap between the doubles around x.
 double ulp_error(double given, const Enclosure& exact);
@@ -17,8 +17,8 @@ double ulp_error(double given, const Enclosure& exact);
 double relative_error(const scene::Point3& given, const Enclosure3& exact);
 double relative_error(const scene::UnitVector3& given, const Enclosure3& exact);
 
-/// The angle between two directions in units of u (its tangent, which is no smaller; infinite from a
-/// right angle on).
+/// The angle between two directions in units of u (its tangent, which is no smaller; infinite from
+/// a right angle on).
 double angle_error(const scene::UnitVector3& given, const Enclosure3& exact);
 
 /// | |given| - 1 | in units of u.

@@ -53,12 +53,12 @@ template <class Result, class Finish>
 Result finish_axis(const ExactCamera::Impl& impl, AxisOf axis, ExactAxisOf exact_axis,
                    Finish finish) {
   const auto coordinate = [&](int k) {
-    return finish((impl.axes_first_bits.*axis)[k],
-                  [&, k](int bits) { return (impl.enclosed_axes(bits).*axis)[k]; },
-                  [&, k](const Rational& m) {
-                    return *certain_sign((impl.axes_exact.*exact_axis)[k] -
-                                         ExactNumber(FirstExtension(m)));
-                  });
+    return finish(
+        (impl.axes_first_bits.*axis)[k],
+        [&, k](int bits) { return (impl.enclosed_axes(bits).*axis)[k]; },
+        [&, k](const Rational& m) {
+          return *certain_sign((impl.axes_exact.*exact_axis)[k] - ExactNumber(FirstExtension(m)));
+        });
   };
   return {coordinate(0), coordinate(1), coordinate(2)};
 }
@@ -69,9 +69,10 @@ EnclosedFrame ExactCamera::frame(int relative_bits) const {
   const auto finish = [relative_bits](Enclosure first, auto enclose, auto compare) {
     return narrow(std::move(first), relative_bits, enclose, compare);
   };
-  return {finish_axis<Enclosure3>(*impl_, &Axes<EnclosureKernel>::U, &Axes<ExactKernel>::U, finish),
-          finish_axis<Enclosure3>(*impl_, &Axes<EnclosureKernel>::V, &Axes<ExactKernel>::V, finish),
-          finish_axis<Enclosure3>(*impl_, &Axes<EnclosureKernel>::W, &Axes<ExactKernel>::W, finish)};
+  return {
+      finish_axis<Enclosure3>(*impl_, &Axes<EnclosureKernel>::U, &Axes<ExactKernel>::U, finish),
+      finish_axis<Enclosure3>(*impl_, &Axes<EnclosureKernel>::V, &Axes<ExactKernel>::V, finish),
+      finish_axis<Enclosure3>(*impl_, &Axes<EnclosureKernel>::W, &Axes<ExactKernel>::W, finish)};
 }
 
 RoundedFrame ExactCamera::rounded_frame() const {

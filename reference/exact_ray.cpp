@@ -23,9 +23,9 @@ std::optional<int> sign_of(Coefficient coefficient, const LineAndSphere<K>& pair
   }
 }
 
-/// The intersection from the signs of three coefficients, each asked for only when it matters; empty
-/// when one that matters is not certain. With c < 0 the roots lie on both sides of the origin; with
-/// c > 0 on one side, b's; c = 0 makes one of them 0.
+/// The intersection from the signs of three coefficients, each asked for only when it matters;
+/// empty when one that matters is not certain. With c < 0 the roots lie on both sides of the
+/// origin; with c > 0 on one side, b's; c = 0 makes one of them 0.
 template <class Sign>
 std::optional<Intersection> classify(Sign sign, scene::Root convention) {
   const Intersection miss{};
@@ -89,13 +89,12 @@ Enclosure EnclosedRay::parameter(const scene::Sphere& sphere,
 
 Enclosure3 EnclosedRay::point(const scene::Sphere& sphere, const Intersection& intersection) const {
   const auto pair = impl_->with(sphere);
-  const Enclosure mu =
-      (linear_coefficient(pair) + signed_root(pair, intersection)) / impl_->line.a;
+  const Enclosure mu = (linear_coefficient(pair) + signed_root(pair, intersection)) / impl_->line.a;
   return coordinates(impl_->start() + mu * impl_->line.g);
 }
 
-Enclosure EnclosedRay::discriminant(const scene::Sphere& sphere) const {
-  return reference::discriminant(impl_->with(sphere)) / impl_->line.a;
+Enclosure EnclosedRay::half_chord_sq(const scene::Sphere& sphere) const {
+  return discriminant(impl_->with(sphere)) / impl_->line.a;
 }
 
 Enclosure EnclosedRay::axial_distance(const scene::Sphere& sphere) const {
@@ -245,9 +244,10 @@ template <class Result, class Value, class Compare, class Finish>
 Result finish_vector(const ExactRay& ray, Value value, Compare compare, Finish finish) {
   Enclosure3 first = value(ray.enclose(kFirstBits));
   const auto coordinate = [&](int k, Enclosure Enclosure3::*member) {
-    return finish(std::move(first.*member),
-                  [&, member](int bits) { return value(ray.enclose(bits)).*member; },
-                  [&, k](const Rational& m) { return compare(k, m); });
+    return finish(
+        std::move(first.*member),
+        [&, member](int bits) { return value(ray.enclose(bits)).*member; },
+        [&, k](const Rational& m) { return compare(k, m); });
   };
   return {coordinate(0, &Enclosure3::x), coordinate(1, &Enclosure3::y),
           coordinate(2, &Enclosure3::z)};
@@ -347,9 +347,10 @@ Result finish_point(const ExactRay& ray, ExactValues values, const scene::Sphere
 template <class Finish>
 auto finish_parameter(const ExactRay& ray, ExactValues values, const scene::Sphere& sphere,
                       const Intersection& at, Finish finish) {
-  return finish(ray.enclose(kFirstBits).parameter(sphere, at),
-                [&](int bits) { return ray.enclose(bits).parameter(sphere, at); },
-                [&](const Rational& m) { return values.compare_parameter(sphere, at, m); });
+  return finish(
+      ray.enclose(kFirstBits).parameter(sphere, at),
+      [&](int bits) { return ray.enclose(bits).parameter(sphere, at); },
+      [&](const Rational& m) { return values.compare_parameter(sphere, at, m); });
 }
 
 }  // namespace

@@ -37,9 +37,10 @@ enum class Engine { kFiltered, kFieldOnly };
 
 /// The sphere that a ray meets first.
 struct NearestSphere {
-  std::size_t index = 0;          ///< The first in the file among equals.
+  std::size_t index = 0;  ///< The first in the file among equals.
   Intersection intersection;
-  std::vector<std::size_t> ties;  ///< All spheres met at exactly the same parameter, index included.
+  std::vector<std::size_t>
+      ties;  ///< All spheres met at exactly the same parameter, index included.
 };
 
 /// Enclosures of one ray's values at one working precision; they may be wide.
@@ -53,7 +54,7 @@ class EnclosedRay {
   Enclosure length() const;        ///< l = |P - E|; of a given ray |direction|.
   Enclosure parameter(const scene::Sphere& sphere, const Intersection& intersection) const;
   Enclosure3 point(const scene::Sphere& sphere, const Intersection& intersection) const;
-  Enclosure discriminant(const scene::Sphere& sphere) const;  ///< d^2 = r^2 - (|T|^2 - v^2)
+  Enclosure half_chord_sq(const scene::Sphere& sphere) const;   ///< d^2 = r^2 - (|T|^2 - v^2)
   Enclosure axial_distance(const scene::Sphere& sphere) const;  ///< v = T.D
 
  private:
@@ -69,7 +70,8 @@ class EnclosedRay {
 ///         (to nearest, ties to even; overflow to infinity as IEEE-754).
 /// Thread safety: const functions may be called from several threads; the rounding mode is left as
 ///         it was found.
-/// Source: SPEC of this project (docs/problem.md); the filter ladder as in CGAL's Filtered_predicate.
+/// Source: SPEC of this project (docs/problem.md); the filter ladder as in CGAL's
+/// Filtered_predicate.
 class ExactRay {
  public:
   ExactRay(const ExactCamera& camera, const scene::Pixel& pixel);

@@ -1,9 +1,9 @@
 #ifndef RAYCHECK_REFERENCE_FORMULAS_H_
 #define RAYCHECK_REFERENCE_FORMULAS_H_
 
-// The formulas of cameras, rays and spheres, written once over a CGAL kernel K and instantiated with
-// the kernels of reference/kernels.h and the symbolic one of reference/closed_form.cpp. Internal to
-// reference/.
+// The formulas of cameras, rays and spheres, written once over a CGAL kernel K and instantiated
+// with the kernels of reference/kernels.h and the symbolic one of reference/closed_form.cpp.
+// Internal to reference/.
 
 #include <cstdint>
 
@@ -58,14 +58,13 @@ PlanePosition<typename K::FT> plane_position(const Lift& lift, const scene::Came
                                              const scene::Pixel& pixel) {
   const std::int64_t row =
       conventions.rows == scene::Rows::kBottomFirst ? pixel.j : camera.height - 1 - pixel.j;
-  return {plane_coordinate(lift, camera.left, camera.right, pixel.i, camera.width,
-                           conventions.samples),
-          plane_coordinate(lift, camera.bottom, camera.top, row, camera.height,
-                           conventions.samples)};
+  return {
+      plane_coordinate(lift, camera.left, camera.right, pixel.i, camera.width, conventions.samples),
+      plane_coordinate(lift, camera.bottom, camera.top, row, camera.height, conventions.samples)};
 }
 
-/// The line base + lambda g, with a = |g|^2. From a camera, base = E and g = n W + alpha U + beta V,
-/// so that lambda = 1 is the pixel point P; a = l^2 needs no axes, since they are orthonormal.
+/// The line base + lambda g, with a = |g|^2. From a camera, base = E and g = n W + alpha U + beta
+/// V, so that lambda = 1 is the pixel point P; a = l^2 needs no axes, since they are orthonormal.
 template <class K>
 struct Line {
   typename K::Vector_3 base;
@@ -126,8 +125,8 @@ typename K::FT constant_coefficient(const LineAndSphere<K>& pair) {
   return typename K::FT(t * t) - pair.radius * pair.radius;
 }
 
-/// b^2 - a c, by Lagrange's identity a r^2 - |f x g|^2, which does not cancel for far spheres and is
-/// the same wherever on the line the ray starts.
+/// b^2 - a c, by Lagrange's identity a r^2 - |f x g|^2, which does not cancel for far spheres and
+/// is the same wherever on the line the ray starts.
 template <class K>
 typename K::FT discriminant(const LineAndSphere<K>& pair) {
   const typename K::Vector_3 moment = CGAL::cross_product(pair.f, pair.line.g);

@@ -29,8 +29,8 @@ using EnclosureKernel = CGAL::Simple_cartesian<Enclosure>;
 /// Rationals are values (no shared reference counts), so that objects may be read from any thread.
 using Rational = boost::multiprecision::number<boost::multiprecision::gmp_rational,
                                                boost::multiprecision::et_off>;
-using Integer = boost::multiprecision::number<boost::multiprecision::gmp_int,
-                                              boost::multiprecision::et_off>;
+using Integer =
+    boost::multiprecision::number<boost::multiprecision::gmp_int, boost::multiprecision::et_off>;
 using FirstExtension = CGAL::Sqrt_extension<Rational, Rational>;
 using ExactNumber = CGAL::Sqrt_extension<FirstExtension, Rational>;
 using ExactKernel = CGAL::Simple_cartesian<ExactNumber>;
@@ -47,7 +47,9 @@ struct EnclosureLift {
   }
 };
 struct ExactLift {
-  ExactNumber operator()(double value) const { return ExactNumber(FirstExtension(Rational(value))); }
+  ExactNumber operator()(double value) const {
+    return ExactNumber(FirstExtension(Rational(value)));
+  }
 };
 
 /// A count, exactly: a double may not hold all of a 64-bit integer, two halves do.

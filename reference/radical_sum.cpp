@@ -124,7 +124,8 @@ std::optional<Rational> RadicalSum::rational() const {
   return terms_.begin()->second;
 }
 
-/// sqrt(p + q sqrt(m)) = sqrt((p + t)/2) +- sqrt((p - t)/2) where t = sqrt(p^2 - q^2 m) is rational.
+/// sqrt(p + q sqrt(m)) = sqrt((p + t)/2) +- sqrt((p - t)/2) where t = sqrt(p^2 - q^2 m) is
+/// rational.
 std::optional<RadicalSum> RadicalSum::square_root() const {
   if (const auto value = rational()) return square_root(*value);
   if (terms_.size() != 2 || terms_.rbegin()->first != 1) return std::nullopt;

@@ -34,7 +34,8 @@ scene::Pixel pixel_at(const scene::Camera& camera, std::uint64_t index) {
   return {static_cast<std::int64_t>(index % width), static_cast<std::int64_t>(index / width)};
 }
 
-/// The chunks of a scene's rays: cases of up to kChunk rays, `judged` of them in all, spread evenly.
+/// The chunks of a scene's rays: cases of up to kChunk rays, `judged` of them in all, spread
+/// evenly.
 class Chunks {
  public:
   Chunks(const scene::Scene& scene, std::uint64_t judged)
@@ -85,8 +86,8 @@ std::uint64_t judge(const CheckOptions& options, const scene::Scene& scene, std:
   report.name = candidate.name;
   report.conventions = candidate.declared.over(scene.conventions);
   for (std::size_t k = 0; k < properties::kQuantityCount; ++k) {
-    report.bounds.push_back(options.max_error.value_or(
-        max_error(candidate, static_cast<properties::Quantity>(k))));
+    report.bounds.push_back(
+        options.max_error.value_or(max_error(candidate, static_cast<properties::Quantity>(k))));
   }
   std::map<std::string_view, std::string> left_out;
   Progress progress(candidate.name);
@@ -115,25 +116,44 @@ std::uint64_t judge(const CheckOptions& options, const scene::Scene& scene, std:
   return chunks.done();
 }
 
-/// What no candidate could have been asked on this scene.
-std::vector<std::string> scene_left_out(const scene::Scene& scene, std::uint64_t judged) {
+/// What was left out, one line a reason, with the candidate's name where not all left it out.
+std::vector<std::string> left_out_lines(const CheckReport& report) {
   std::vector<std::string> lines;
-  const std::uint64_t total = count_rays(scene);
-  if (judged < total) {
-    lines.push_back(fmt::format("{} of {} pixels: --pixels asked for {}", total - judged, total,
-                                judged));
+  if (report.rays_judged < report.rays_in_scene && !report.interrupted) {
+    lines.push_back(fmt::format("{} of {} pixels: --pixels asked for {}",
+                                report.rays_in_scene - report.rays_judged, report.rays_in_scene,
+                                report.rays_judged));
   }
-  if (!scene.camera) {
-    lines.emplace_back("frame, pixel point, direction, ray origin: the rays are given");
-  }
-  if (scene.spheres.empty()) {
-    lines.emplace_back(
-        "class, root, parameter, hit point, nearest sphere: the scene has no sphere");
-  } else if (scene.spheres.size() == 1) {
-    lines.emplace_back("nearest sphere: the scene has one sphere, whose class says it all");
-  }
-  if (scene.camera && scene.camera->far) {
+  if (report.scene.camera && report.scene.camera->far) {
     lines.emplace_back("camera.far: no quantity depends on it");
+  }
+  // Laws by whose reason it is and which; the order is that of the laws.
+  std::vector<std::pair<std::string, std::string>> grouped;
+  const auto add = [&](const std::string& whose, const LeftOut& entry) {
+    const std::string key = whose + "\n" + entry.reason;
+    for (auto& [known, laws] : grouped) {
+      if (known == key) {
+        if ((", " + laws + ",").find(", " + entry.law + ",") == std::string::npos) {
+          laws += ", " + entry.law;
+        }
+        return;
+      }
+    }
+    grouped.emplace_back(key, entry.law);
+  };
+  for (const CandidateReport& candidate : report.candidates) {
+    for (const LeftOut& entry : candidate.left_out) {
+      const bool all = std::all_of(
+          report.candidates.begin(), report.candidates.end(), [&](const CandidateReport& other) {
+            return std::find(other.left_out.begin(), other.left_out.end(), entry) !=
+                   other.left_out.end();
+          });
+      add(all ? "" : candidate.name + ", ", entry);
+    }
+  }
+  for (const auto& [key, laws] : grouped) {
+    const std::size_t split = key.find('\n');
+    lines.push_back(key.substr(0, split) + laws + ": " + key.substr(split + 1));
   }
   return lines;
 }
@@ -164,7 +184,6 @@ CheckReport check(const CheckOptions& options) {
   if (report.scene.camera && options.pixels) {
     judged = std::min(judged, static_cast<std::uint64_t>(*options.pixels));
   }
-  report.left_out = scene_left_out(report.scene, judged);
   report.rays_judged = judged;
   for (const MethodPair& pair : options.methods) {
     if (interrupted()) break;
@@ -175,6 +194,7 @@ CheckReport check(const CheckOptions& options) {
     report.candidates.push_back(std::move(candidate));
   }
   report.interrupted = interrupted();
+  report.left_out = left_out_lines(report);
   return report;
 }
 

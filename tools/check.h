@@ -31,6 +31,7 @@ struct Timing {
 struct LeftOut {
   std::string law;
   std::string reason;
+  bool operator==(const LeftOut&) const = default;
 };
 
 struct CandidateReport {
@@ -50,7 +51,7 @@ struct CheckReport {
   std::uint64_t rays_in_scene = 0;
   std::uint64_t rays_judged = 0;  ///< By every candidate listed.
   std::vector<CandidateReport> candidates;
-  std::vector<std::string> left_out;  ///< What the scene has no use for, one line each.
+  std::vector<std::string> left_out;  ///< What was asked of no candidate, one line each.
   std::size_t top = 0;
   bool interrupted = false;
 

@@ -17,8 +17,8 @@ bool stdout_takes_colours();
 /// `text` in red, where colours are taken.
 std::string red(std::string_view text, bool colours);
 
-/// One line on standard error that says how far long work has come; silent when standard error is no
-/// terminal, and for the first second.
+/// One line on standard error that says how far long work has come; silent when standard error is
+/// no terminal, and for the first second.
 class Progress {
  public:
   explicit Progress(std::string what);

@@ -1,0 +1,154 @@
+#include "tools/explain_methods.h"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <stdexcept>
+#include <string>
+
+#include "fast/camera_frame.h"
+#include "properties/quantity.h"
+#include "reference/error_measure.h"
+
+namespace raycheck::tools {
+
+using reference::Enclosure;
+using reference::Enclosure3;
+using reference::ExactRay;
+using reference::Intersection;
+
+namespace {
+
+MethodStep step(const char* symbol, std::vector<double> value, std::optional<double> error,
+                const char* unit, double bound) {
+  return {symbol, std::move(value), error, unit, error && *error > bound};
+}
+
+/// The first step off by more than its bound, in a method whose answer is wrong; where none alone
+/// is, the last one, to which small errors add up.
+std::string first_wrong(const MethodReport& report) {
+  for (const MethodStep& one : report.steps) {
+    if (one.wrong) return one.symbol;
+  }
+  return report.steps.back().symbol;
+}
+
+}  // namespace
+
+MethodReport judge_rays(const fast::PixelRayMethod& method, const scene::Conventions& conventions,
+                        const scene::Camera& camera, const scene::Pixel& pixel) {
+  MethodReport report;
+  report.name = std::string(method.name);
+  const bool has_points = method.pixel_points != nullptr;
+  const reference::ExactCamera exact_camera(camera, conventions);
+  const ExactRay exact(exact_camera, pixel);
+  const auto frame = fast::camera_frame(camera);
+  const auto exact_frame = exact_camera.frame();
+  const auto add_axis = [&](const char* symbol, const scene::UnitVector3& got,
+                            const Enclosure3& truth) {
+    report.steps.push_back(
+        step(symbol, numbers(got), reference::relative_error(got, truth), "u", fast::kFrameMaxUlp));
+  };
+  add_axis("W", frame.W, exact_frame.W);
+  add_axis("U", frame.U, exact_frame.U);
+  add_axis("V", frame.V, exact_frame.V);
+  const std::vector<scene::Pixel> pixels = {pixel};
+  if (has_points) {
+    fast::Vectors points;
+    method.pixel_points(camera, conventions, pixels, points);
+    const scene::Point3 got = {points.x[0], points.y[0], points.z[0]};
+    report.steps.push_back(step("P", numbers(got),
+                                reference::relative_error(got, exact.pixel_point()), "u",
+                                method.max_point_ulp));
+  }
+  fast::Rays rays;
+  method.focal_rays(camera, conventions, pixels, rays);
+  const scene::UnitVector3 got = {rays.direction.x[0], rays.direction.y[0], rays.direction.z[0]};
+  report.steps.push_back(step("D", numbers(got), reference::angle_error(got, exact.direction()),
+                              "u", method.max_direction_ulp));
+  const bool any_wrong = std::any_of(report.steps.begin(), report.steps.end(),
+                                     [](const MethodStep& one) { return one.wrong; });
+  if (any_wrong) report.goes_wrong_at = first_wrong(report);
+  return report;
+}
+
+MethodReport judge_intersection(const fast::IntersectMethod& method, const scene::Ray& ray,
+                                const scene::Sphere& sphere, const scene::Conventions& conventions,
+                                const Subject& subject, const SphereReport& exact) {
+  MethodReport report;
+  report.name = std::string(method.name);
+  report.intersects = true;
+  fast::Rays rays;
+  rays.resize(1);
+  rays.origin = {{ray.origin.x}, {ray.origin.y}, {ray.origin.z}};
+  rays.direction = {{ray.direction.x}, {ray.direction.y}, {ray.direction.z}};
+  fast::Hits hits;
+  method.intersect(rays, sphere, conventions.root, conventions.tangent, hits);
+  const bool hit = hits.hit[0] != 0;
+  if (hit) report.parameter = hits.parameter[0];
+
+  const ExactRay own(ray);
+  const Intersection own_at = own.intersect(sphere, conventions.root);
+  const bool own_hit = reference::counts_as_hit(own_at.hit_class, conventions.tangent);
+  const fast::Roots roots = method.roots(ray, sphere);
+  const auto enclosed = own.enclose(1024);
+  report.steps.push_back(
+      step("v", {roots.axial_distance},
+           reference::ulp_error(roots.axial_distance, enclosed.axial_distance(sphere)), "ulp",
+           properties::kDefaultMaxError));
+  const Enclosure half_chord_sq = own_at.hit_class == reference::HitClass::kTangent
+                                      ? Enclosure(0)
+                                      : enclosed.half_chord_sq(sphere);
+  report.steps.push_back(step("d^2", {roots.half_chord_sq},
+                              reference::ulp_error(roots.half_chord_sq, half_chord_sq), "ulp",
+                              properties::kDefaultMaxError));
+  MethodStep s{"s", {}, std::nullopt, "ulp", hit != own_hit};
+  MethodStep point{"Q", {}, std::nullopt, "u", hit != own_hit};
+  if (hit) {
+    s.value = {hits.parameter[0]};
+    point.value = {hits.point.x[0], hits.point.y[0], hits.point.z[0]};
+  }
+  if (hit && own_hit) {
+    s = step("s", s.value, reference::ulp_error(s.value[0], own.parameter(sphere, own_at)), "ulp",
+             method.max_ulp);
+    point = step(
+        "Q", point.value,
+        reference::relative_error(scene::Point3{point.value[0], point.value[1], point.value[2]},
+                                  own.point(sphere, own_at)),
+        "u", method.max_ulp);
+  }
+  report.steps.push_back(s);
+  report.steps.push_back(point);
+
+  const bool judged = exact.intersection.hit_class != reference::HitClass::kTangent ||
+                      conventions.tangent != scene::Tangent::kEither;
+  report.class_error = judged && hit != exact.is_hit;
+  if (hit && exact.is_hit) {
+    report.ulp_error = reference::ulp_error(hits.parameter[0],
+                                            subject.exact.parameter(sphere, exact.intersection));
+  }
+  const bool wrong = report.class_error || (report.ulp_error && *report.ulp_error > method.max_ulp);
+  if (wrong) {
+    // Right for the ray it was given: what went wrong is that ray.
+    const bool right_alone = hit == own_hit && !s.wrong;
+    report.goes_wrong_at = right_alone && subject.from_camera ? "D" : first_wrong(report);
+  }
+  return report;
+}
+
+scene::Ray ray_by(const fast::PixelRayMethod& method, const scene::Camera& camera,
+                  const scene::Conventions& conventions, const scene::Pixel& pixel) {
+  const auto make =
+      conventions.origin == scene::Origin::kPixel ? method.pixel_rays : method.focal_rays;
+  if (make == nullptr) {
+    throw std::invalid_argument(fmt::format("--rays {} makes no rays with origin = {}", method.name,
+                                            name(conventions.origin)));
+  }
+  fast::Rays rays;
+  const std::vector<scene::Pixel> pixels = {pixel};
+  make(camera, conventions, pixels, rays);
+  return {{rays.origin.x[0], rays.origin.y[0], rays.origin.z[0]},
+          {rays.direction.x[0], rays.direction.y[0], rays.direction.z[0]}};
+}
+
+}  // namespace raycheck::tools

@@ -1,0 +1,120 @@
+#include "tools/format.h"
+
+#include <fmt/core.h>
+
+#include <cmath>
+
+#include "scene/number.h"
+#include "tools/terminal.h"
+#include "tools/version.h"
+
+namespace raycheck::tools {
+
+using properties::Discrepancy;
+
+std::string error_text(std::optional<double> error) {
+  if (!error) return "-";
+  if (*error == 0) return "0";
+  return fmt::format("{:.3g}", *error);
+}
+
+Json error_json(std::optional<double> error) {
+  if (!error) return nullptr;
+  if (std::isinf(*error)) return "infinity";
+  return *error;
+}
+
+std::string numbers_text(const std::vector<double>& numbers) {
+  if (numbers.empty()) return "miss";
+  std::string text;
+  for (const double x : numbers) {
+    if (!text.empty()) text += ", ";
+    text += scene::digits_and_hexfloat(x);
+  }
+  return text;
+}
+
+Json hexfloats(const std::vector<double>& numbers) {
+  Json list = Json::array();
+  for (const double x : numbers) list.push_back(scene::hexfloat(x));
+  return list;
+}
+
+Json hexfloat_or_null(std::optional<double> number) {
+  return number ? Json(scene::hexfloat(*number)) : Json(nullptr);
+}
+
+std::string place_text(const properties::Place& place) {
+  std::string text = place.pixel ? fmt::format("pixel ({}, {})", place.pixel->i, place.pixel->j)
+                                 : fmt::format("ray {}", place.ray);
+  if (place.sphere) text += fmt::format(", sphere {}", *place.sphere);
+  return text;
+}
+
+std::string conventions_text(const scene::Conventions& conventions) {
+  return fmt::format("rows {}, samples {}, origin {}, root {}, tangent {}", name(conventions.rows),
+                     name(conventions.samples), name(conventions.origin), name(conventions.root),
+                     name(conventions.tangent));
+}
+
+Json conventions_json(const scene::Conventions& conventions) {
+  return {{"rows", name(conventions.rows)},
+          {"samples", name(conventions.samples)},
+          {"origin", name(conventions.origin)},
+          {"root", name(conventions.root)},
+          {"tangent", name(conventions.tangent)}};
+}
+
+std::string discrepancy_text(const Discrepancy& d, std::string_view indent, bool colours) {
+  const properties::QuantityInfo& quantity = info(d.quantity);
+  std::string head = fmt::format("{}, {}", quantity.name, place_text(d.place));
+  if (!d.what.empty()) head += fmt::format(", {}", d.what);
+  if (d.wrong != properties::Wrong::kNot) {
+    head += fmt::format(": {}", name(d.wrong));
+  } else {
+    head += fmt::format(": off by {} {}", error_text(d.error), quantity.unit);
+  }
+  std::string text = fmt::format("{}{}\n", indent,
+                                 d.excuse == properties::Excuse::kNone ? red(head, colours) : head);
+  if (d.quantity != properties::Quantity::kRefusal) {
+    text += fmt::format("{}  got   {}\n", indent, numbers_text(d.got));
+    if (!d.exact.empty() || d.wrong != properties::Wrong::kNot) {
+      text += fmt::format("{}  exact {}\n", indent, numbers_text(d.exact));
+    }
+  }
+  if (d.condition) {
+    text += fmt::format("{}  condition number about {}\n", indent, error_text(d.condition));
+  }
+  if (d.excuse != properties::Excuse::kNone) {
+    text += fmt::format("{}  excused: {}\n", indent, name(d.excuse));
+  }
+  return text;
+}
+
+Json discrepancy_json(const Discrepancy& d) {
+  Json json;
+  json["law"] = d.law;
+  json["quantity"] = info(d.quantity).name;
+  json["pixel"] = d.place.pixel ? Json{d.place.pixel->i, d.place.pixel->j} : Json(nullptr);
+  json["ray"] = d.place.ray;
+  json["sphere"] = d.place.sphere ? Json(*d.place.sphere) : Json(nullptr);
+  json["what"] = d.what;
+  json["wrong"] = d.wrong == properties::Wrong::kNot ? Json(nullptr) : Json(name(d.wrong));
+  json["got"] = hexfloats(d.got);
+  json["exact"] = hexfloats(d.exact);
+  json["error"] = error_json(d.error);
+  json["unit"] = info(d.quantity).unit;
+  json["condition"] = error_json(d.condition);
+  json["excuse"] = d.excuse == properties::Excuse::kNone ? Json(nullptr) : Json(name(d.excuse));
+  return json;
+}
+
+std::string count_text(std::uint64_t count, std::string_view noun) {
+  return fmt::format("{} {}{}", count, noun, count == 1 ? "" : "s");
+}
+
+Json json_header(std::string_view command) {
+  return {{"program", "raycheck"}, {"version", kVersion}, {"command", command}};
+}
+
+}  // namespace raycheck::tools

@@ -1,0 +1,91 @@
+#include "tools/list.h"
+
+#include <fmt/core.h>
+
+#include "fast/camera_frame.h"
+#include "properties/case_source.h"
+#include "properties/law.h"
+#include "scene/conventions.h"
+#include "tools/format.h"
+#include "tools/methods.h"
+
+namespace raycheck::tools {
+namespace {
+
+template <class Names>
+std::string joined(const Names& names) {
+  std::string text;
+  for (const auto& name : names) text += (text.empty() ? "" : " | ") + std::string(name);
+  return text;
+}
+
+}  // namespace
+
+std::string list_text() {
+  std::string text = "ray methods (--rays):\n";
+  for (const auto* method : fast::pixel_ray_methods()) {
+    text += fmt::format("  {:<17} {}\n", method->name, method->sentence);
+    text += fmt::format(
+        "  {:<17} bounds: {}direction {} u, unit defect {} u\n", "",
+        method->pixel_points ? fmt::format("point {} u, ", method->max_point_ulp) : std::string(),
+        method->max_direction_ulp, method->max_unit_defect_ulp);
+  }
+  text += "\nintersection methods (--intersect):\n";
+  for (const auto* method : fast::intersect_methods()) {
+    text += fmt::format("  {:<17} {}\n  {:<17} bounds: parameter {} ulp, hit point {} u\n",
+                        method->name, method->sentence, "", method->max_ulp, method->max_ulp);
+  }
+  text += fmt::format(
+      "\nBounds hold up to condition number {}, in proportion beyond, for lengths from {:.3g} to "
+      "{:.3g}.\n",
+      properties::kModerateCondition, fast::kSmallestLength, fast::kLargestLength);
+  text += "\nlaws (--filter):\n";
+  for (const properties::Law& law : properties::laws()) {
+    text += fmt::format("  {:<17} {}\n", law.name, law.sentence);
+  }
+  text += "\nsources of random cases (--source):\n";
+  for (const properties::CaseSource& source : properties::case_sources()) {
+    text += fmt::format("  {:<17} {}\n", source.name, source.sentence);
+  }
+  text += "\nconventions (the first is the default):\n";
+  text += fmt::format("  rows              {}\n", joined(scene::kRowsNames));
+  text += fmt::format("  samples           {}\n", joined(scene::kSamplesNames));
+  text += fmt::format("  origin            {}\n", joined(scene::kOriginNames));
+  text += fmt::format("  root              {}\n", joined(scene::kRootNames));
+  text += fmt::format("  tangent           {}\n", joined(scene::kTangentNames));
+  return text;
+}
+
+std::string list_json() {
+  Json json = json_header("list");
+  json["ray_methods"] = Json::array();
+  for (const auto* method : fast::pixel_ray_methods()) {
+    json["ray_methods"].push_back(
+        {{"name", method->name},
+         {"sentence", method->sentence},
+         {"max_point_ulp", method->pixel_points ? Json(method->max_point_ulp) : Json(nullptr)},
+         {"max_direction_ulp", method->max_direction_ulp},
+         {"max_unit_defect_ulp", method->max_unit_defect_ulp}});
+  }
+  json["intersection_methods"] = Json::array();
+  for (const auto* method : fast::intersect_methods()) {
+    json["intersection_methods"].push_back(
+        {{"name", method->name}, {"sentence", method->sentence}, {"max_ulp", method->max_ulp}});
+  }
+  json["laws"] = Json::array();
+  for (const properties::Law& law : properties::laws()) {
+    json["laws"].push_back({{"name", law.name}, {"sentence", law.sentence}});
+  }
+  json["sources"] = Json::array();
+  for (const properties::CaseSource& source : properties::case_sources()) {
+    json["sources"].push_back({{"name", source.name}, {"sentence", source.sentence}});
+  }
+  json["conventions"] = {{"rows", scene::kRowsNames},
+                         {"samples", scene::kSamplesNames},
+                         {"origin", scene::kOriginNames},
+                         {"root", scene::kRootNames},
+                         {"tangent", scene::kTangentNames}};
+  return json.dump(2) + "\n";
+}
+
+}  // namespace raycheck::tools
