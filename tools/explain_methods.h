@@ -19,7 +19,7 @@ std::vector<double> numbers(const Triple& value) {
 
 /// The exact and symbolic sides of the ray that is explained.
 struct Subject {
-  ExactRay exact;
+  reference::ExactRay exact;
   reference::ClosedFormRay symbolic;
   bool from_camera;
 };

@@ -1,0 +1,94 @@
+#ifndef RAYCHECK_TESTS_REFERENCE_BIG_FLOAT_H_
+#define RAYCHECK_TESTS_REFERENCE_BIG_FLOAT_H_
+
+// Numbers by which the tests judge reference/: MPFR at a precision at which the literal formulas lose
+// nothing that matters, and none of reference/'s own arithmetic.
+
+#include <boost/multiprecision/mpfr.hpp>
+#include <cmath>
+#include <cstdint>
+#include <cstring>
+#include <limits>
+#include <ostream>
+
+#include "reference/enclosure.h"
+
+namespace raycheck::reference {
+
+/// About 6600 bits: the exact square of a sum of doubles of all magnitudes, and as much again for
+/// what is divided or rooted.
+using Big = boost::multiprecision::number<boost::multiprecision::mpfr_float_backend<2000>,
+                                          boost::multiprecision::et_off>;
+
+inline Big power_of_two(int exponent) { return ldexp(Big(1), exponent); }
+
+/// Halfway from `value` to the next double on the side of `towards` (an infinity). The double beyond
+/// the largest counts as 2^1024.
+inline Big halfway(double value, double towards) {
+  const auto real = [](double x) {
+    if (std::isfinite(x)) return Big(x);
+    return x > 0 ? power_of_two(1024) : Big(-power_of_two(1024));
+  };
+  return (real(value) + real(std::nextafter(value, towards))) / 2;
+}
+
+inline bool is_even(double value) {
+  std::uint64_t pattern = 0;
+  std::memcpy(&pattern, &value, sizeof pattern);
+  return (pattern & 1) == 0;
+}
+
+/// Whether `value` is the double nearest to x: ties to even, overflow to infinity.
+inline bool is_nearest(double value, const Big& x) {
+  constexpr double kInfinity = std::numeric_limits<double>::infinity();
+  if (std::isnan(value)) return false;
+  const bool even = is_even(value);
+  if (value != -kInfinity) {
+    const Big low = halfway(value, -kInfinity);
+    if (even ? x < low : x <= low) return false;
+  }
+  if (value != kInfinity) {
+    const Big high = halfway(value, kInfinity);
+    if (even ? x > high : x >= high) return false;
+  }
+  return true;
+}
+
+inline bool contains(const Enclosure& enclosure, const Big& x) {
+  arf_t exact;
+  arf_init(exact);
+  arf_set_mpfr(exact, x.backend().data());
+  const bool result = arb_contains_arf(enclosure.ball(), exact) != 0;
+  arf_clear(exact);
+  return result;
+}
+
+/// A point or vector of such numbers.
+struct Big3 {
+  Big x, y, z;
+};
+template <class Triple>
+Big3 big(const Triple& v) {
+  return {Big(v.x), Big(v.y), Big(v.z)};
+}
+inline Big3 operator+(const Big3& a, const Big3& b) { return {a.x + b.x, a.y + b.y, a.z + b.z}; }
+inline Big3 operator-(const Big3& a, const Big3& b) { return {a.x - b.x, a.y - b.y, a.z - b.z}; }
+inline Big3 operator*(const Big& s, const Big3& a) { return {s * a.x, s * a.y, s * a.z}; }
+inline Big3 operator/(const Big3& a, const Big& s) { return {a.x / s, a.y / s, a.z / s}; }
+inline Big dot(const Big3& a, const Big3& b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
+inline Big3 cross(const Big3& a, const Big3& b) {
+  return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
+}
+inline Big norm(const Big3& a) { return sqrt(dot(a, a)); }
+
+template <class Triple>
+bool is_nearest(const Triple& value, const Big3& x) {
+  return is_nearest(value.x, x.x) && is_nearest(value.y, x.y) && is_nearest(value.z, x.z);
+}
+inline bool contains(const Enclosure3& enclosure, const Big3& x) {
+  return contains(enclosure.x, x.x) && contains(enclosure.y, x.y) && contains(enclosure.z, x.z);
+}
+
+}  // namespace raycheck::reference
+
+#endif  // RAYCHECK_TESTS_REFERENCE_BIG_FLOAT_H_

@@ -1,0 +1,199 @@
+#include "reference/enclosure.h"
+
+#include <gtest/gtest.h>
+
+#include <limits>
+#include <vector>
+
+#include "tests/reference/big_float.h"
+#include "tests/reference/random_cases.h"
+
+namespace raycheck::reference {
+namespace {
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+constexpr double kLargest = std::numeric_limits<double>::max();
+constexpr double kSmallest = std::numeric_limits<double>::denorm_min();
+constexpr double kSmallestNormal = std::numeric_limits<double>::min();
+
+/// x exactly, at a precision that holds all of it.
+Enclosure exactly(const Big& x) {
+  Enclosure result(0, 8000);
+  arf_set_mpfr(arb_midref(result.ball()), x.backend().data());
+  return result;
+}
+
+Big scaled(double mantissa, int exponent) { return Big(mantissa) * power_of_two(exponent); }
+
+void expect_rounded(const Big& x, double below, double nearest, double above) {
+  for (const int sign : {1, -1}) {
+    const Enclosure ball = exactly(sign * x);
+    EXPECT_EQ(ball.lower(), sign > 0 ? below : -above) << x;
+    EXPECT_EQ(ball.upper(), sign > 0 ? above : -below) << x;
+    EXPECT_EQ(ball.lower_rounded(), sign * nearest) << x;
+    EXPECT_EQ(ball.upper_rounded(), sign * nearest) << x;
+  }
+}
+
+TEST(EnclosureRounding, KeepsDoubles) {
+  for (const double value : {0.0, 1.0, 0.1, kSmallest, 3 * kSmallest, kSmallestNormal, kLargest}) {
+    expect_rounded(Big(value), value, value, value);
+  }
+}
+
+TEST(EnclosureRounding, TiesGoToTheEvenDouble) {
+  const double next = nudged(1, 1);
+  expect_rounded(scaled(1, 0) + power_of_two(-53), 1, 1, next);
+  expect_rounded(Big(next) + power_of_two(-53), next, nudged(1, 2), nudged(1, 2));
+  expect_rounded(Big(1) + power_of_two(-53) + power_of_two(-3000), 1, next, next);
+  expect_rounded(Big(1) + power_of_two(-53) - power_of_two(-3000), 1, 1, next);
+}
+
+TEST(EnclosureRounding, BelowTheSmallestDoubleHalfOfItDecides) {
+  expect_rounded(power_of_two(-1075), 0, 0, kSmallest);
+  expect_rounded(power_of_two(-1075) + power_of_two(-4000), 0, kSmallest, kSmallest);
+  expect_rounded(power_of_two(-1075) - power_of_two(-4000), 0, 0, kSmallest);
+  expect_rounded(power_of_two(-1000000), 0, 0, kSmallest);
+}
+
+TEST(EnclosureRounding, SubnormalsAreRoundedOnce) {
+  // Rounded to 53 bits first, this would become the tie 1.5 and then go to 2.
+  expect_rounded(scaled(1.5, -1074) - power_of_two(-1074 - 60), kSmallest, kSmallest,
+                 2 * kSmallest);
+  expect_rounded(scaled(1.5, -1074), kSmallest, 2 * kSmallest, 2 * kSmallest);
+  expect_rounded(scaled(2.5, -1074), 2 * kSmallest, 2 * kSmallest, 3 * kSmallest);
+  const double below_normal = nudged(kSmallestNormal, -1);
+  expect_rounded(Big(below_normal) + power_of_two(-1075), below_normal, kSmallestNormal,
+                 kSmallestNormal);
+}
+
+TEST(EnclosureRounding, OverflowStartsHalfwayToTwoToThe1024) {
+  const Big halfway_up = halfway(kLargest, kInfinity);
+  expect_rounded(halfway_up, kLargest, kInfinity, kInfinity);
+  expect_rounded(halfway_up - power_of_two(-100), kLargest, kLargest, kInfinity);
+  expect_rounded(power_of_two(1024), kLargest, kInfinity, kInfinity);
+  expect_rounded(power_of_two(1000000), kLargest, kInfinity, kInfinity);
+}
+
+TEST(EnclosureRounding, AgreesWithMpfrEverywhere) {
+  Random random(1);
+  int subnormal = 0;
+  int ties = 0;
+  for (int k = 0; k < 20000; ++k) {
+    const double value = any_double(random);
+    const Big tie = halfway(value, kInfinity);
+    const Big offset = random.small_integer(1) * power_of_two(static_cast<int>(
+                                                     random.integer(-2000, -1080)));
+    const Big x = random.one_in(3) ? Big(tie + offset) : Big(Big(value) * (1 + offset));
+    const Enclosure ball = exactly(x);
+    ASSERT_TRUE(is_nearest(ball.lower_rounded(), x)) << scene::hexfloat(value) << " " << offset;
+    ASSERT_EQ(ball.lower_rounded(), ball.upper_rounded());
+    ASSERT_EQ(ball.lower(), mpfr_get_d(x.backend().data(), MPFR_RNDD));
+    ASSERT_EQ(ball.upper(), mpfr_get_d(x.backend().data(), MPFR_RNDU));
+    subnormal += ball.upper() != 0 && std::abs(ball.upper()) < kSmallestNormal ? 1 : 0;
+    ties += x == tie ? 1 : 0;
+  }
+  EXPECT_GE(subnormal, 500);
+  EXPECT_GE(ties, 1000);
+}
+
+TEST(EnclosureRounding, TheTwoRoundingsDifferExactlyWhenTheBallHoldsAMidpoint) {
+  const Enclosure wide = Enclosure::within(1, 0x1.4p-53, 128);
+  EXPECT_EQ(wide.lower_rounded(), nudged(1, -1));
+  EXPECT_EQ(wide.upper_rounded(), nudged(1, 1));
+  const Enclosure narrow = Enclosure::within(1, 0x1p-55, 128);
+  EXPECT_EQ(narrow.lower_rounded(), 1);
+  EXPECT_EQ(narrow.upper_rounded(), 1);
+}
+
+TEST(EnclosureArithmetic, ContainsTheTruth) {
+  Random random(2);
+  for (const Sizes sizes : {Sizes::kOrdinary, Sizes::kAll}) {
+    for (int k = 0; k < 3000; ++k) {
+      const double a = number(random, sizes);
+      const double b = number(random, sizes);
+      const double c = number(random, sizes);
+      const int bits = static_cast<int>(random.integer(2, 200));
+      const Enclosure x(a, bits);
+      const Enclosure y(b, bits);
+      const Enclosure z(c, bits);
+      ASSERT_TRUE(contains(x * y + z, Big(a) * Big(b) + Big(c)));
+      ASSERT_TRUE(contains(x - y * z, Big(a) - Big(b) * Big(c)));
+      ASSERT_TRUE(contains(-abs(x - y), -abs(Big(a) - Big(b))));
+      ASSERT_TRUE(contains(sqrt(abs(x * y)), sqrt(abs(Big(a) * Big(b)))));
+      if (c != 0) {
+        ASSERT_TRUE(contains((x - y) / z, (Big(a) - Big(b)) / Big(c)));
+      }
+    }
+  }
+}
+
+TEST(EnclosureArithmetic, BoundsOfABallSurroundItsTruth) {
+  Random random(3);
+  for (int k = 0; k < 3000; ++k) {
+    const double a = any_double(random);
+    const double b = any_double(random);
+    const Enclosure product = Enclosure(a, 20) * Enclosure(b, 20);
+    const Big truth = Big(a) * Big(b);
+    ASSERT_TRUE(product.lower() == -kInfinity || Big(product.lower()) <= truth);
+    ASSERT_TRUE(product.upper() == kInfinity || Big(product.upper()) >= truth);
+  }
+}
+
+TEST(EnclosureArithmetic, WithinHoldsBothEnds) {
+  const Enclosure ball = Enclosure::within(-3, 0x1p-60, 256);
+  EXPECT_TRUE(contains(ball, -3 * (1 + power_of_two(-60))));
+  EXPECT_TRUE(contains(ball, -3 * (1 - power_of_two(-60))));
+  EXPECT_FALSE(contains(ball, -3 * (1 + power_of_two(-59))));
+  EXPECT_EQ(Enclosure::within(0, 0x1p-60, 256).certain_sign(), 0);
+}
+
+TEST(EnclosureArithmetic, AQuotientByZeroBoundsNothing) {
+  for (const int numerator : {0, 1}) {
+    const Enclosure quotient = Enclosure(numerator) / Enclosure(0);
+    EXPECT_EQ(quotient.lower(), -kInfinity);
+    EXPECT_EQ(quotient.upper(), kInfinity);
+    EXPECT_EQ(quotient.relative_radius(), kInfinity);
+    EXPECT_FALSE(quotient.certain_sign().has_value());
+    EXPECT_FALSE(quotient.is_within(1));
+  }
+}
+
+TEST(EnclosureSign, IsCertainOnlyWhenTheWholeBallHasIt) {
+  EXPECT_EQ(Enclosure(kSmallest, 64).certain_sign(), 1);
+  EXPECT_EQ(Enclosure(-kLargest, 64).certain_sign(), -1);
+  EXPECT_EQ((Enclosure(1) - Enclosure(1)).certain_sign(), 0);
+  const Enclosure third = Enclosure(1) / Enclosure(3);
+  EXPECT_FALSE((third * Enclosure(3) - Enclosure(1)).certain_sign().has_value());
+  EXPECT_TRUE((third * Enclosure(3) - Enclosure(1)).contains_zero());
+}
+
+TEST(EnclosureSqrt, CutsOffWhatIsNegative) {
+  const Enclosure around_zero = Enclosure(1) / Enclosure(3) * Enclosure(3) - Enclosure(1);
+  const Enclosure root = sqrt(around_zero);
+  EXPECT_TRUE(root.contains_zero());
+  EXPECT_LT(root.upper(), 1e-9);
+  EXPECT_EQ(sqrt(Enclosure(0)).upper(), 0);
+}
+
+TEST(EnclosureWidth, IsRelativeToTheValue) {
+  const Enclosure ball = Enclosure::within(0x1p-1000, 0x1p-80, 256);
+  EXPECT_TRUE(ball.is_within(79));
+  EXPECT_FALSE(ball.is_within(82));
+  EXPECT_GE(ball.relative_radius(), 0x1p-80);
+  EXPECT_LE(ball.relative_radius(), 0x1.001p-80);
+  EXPECT_EQ(Enclosure(0.1, 64).relative_radius(), 0);
+  EXPECT_EQ((ball - ball).relative_radius(), kInfinity);
+}
+
+TEST(EnclosureVectors, FollowTheirDefinitions) {
+  const Enclosure3 a{Enclosure(1), Enclosure(2), Enclosure(2)};
+  const Enclosure3 b{Enclosure(4), Enclosure(-3), Enclosure(5)};
+  EXPECT_TRUE(contains(dot(a, b), Big(8)));
+  EXPECT_TRUE(contains(norm(a), Big(3)));
+  EXPECT_TRUE(contains(cross(a, b), Big3{16, 3, -11}));
+  EXPECT_TRUE(contains(a - b, Big3{-3, 5, -3}));
+}
+
+}  // namespace
+}  // namespace raycheck::reference

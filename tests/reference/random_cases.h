@@ -1,0 +1,127 @@
+#ifndef RAYCHECK_TESTS_REFERENCE_RANDOM_CASES_H_
+#define RAYCHECK_TESTS_REFERENCE_RANDOM_CASES_H_
+
+// Cameras, rays and spheres for the tests of reference/: small integers, ordinary sizes, all sizes.
+
+#include <cmath>
+#include <cstring>
+#include <limits>
+#include <string>
+
+#include "properties/random.h"
+#include "scene/camera.h"
+#include "scene/number.h"
+#include "scene/validate.h"
+
+namespace raycheck::reference {
+
+using properties::Random;
+
+/// Any finite double: every exponent is as likely as any other; 0 and both ends come up too.
+inline double any_double(Random& random) {
+  if (random.one_in(8)) return 0;
+  if (random.one_in(16)) return random.sign() * std::numeric_limits<double>::denorm_min();
+  if (random.one_in(16)) return random.sign() * std::numeric_limits<double>::max();
+  if (random.one_in(4)) return random.small_integer(3);
+  for (;;) {
+    const std::uint64_t pattern = random.bits();
+    double value = 0;
+    std::memcpy(&value, &pattern, sizeof value);
+    if (std::isfinite(value)) return value;
+  }
+}
+
+/// Where numbers come from.
+enum class Sizes { kSmallIntegers, kOrdinary, kAll };
+
+inline double number(Random& random, Sizes sizes, std::int64_t size = 9) {
+  switch (sizes) {
+    case Sizes::kSmallIntegers:
+      return random.small_integer(size);
+    case Sizes::kOrdinary:
+      return random.between(-static_cast<double>(size), static_cast<double>(size));
+    default:
+      return any_double(random);
+  }
+}
+
+template <class Triple>
+Triple triple(Random& random, Sizes sizes, std::int64_t size = 9) {
+  const double x = number(random, sizes, size);
+  const double y = number(random, sizes, size);
+  return {x, y, number(random, sizes, size)};
+}
+
+inline scene::Sphere random_sphere(Random& random, Sizes sizes) {
+  const auto centre = triple<scene::Point3>(random, sizes, 20);
+  return {centre, std::abs(number(random, sizes, 12))};
+}
+
+inline scene::Ray random_ray(Random& random, Sizes sizes) {
+  for (;;) {
+    const scene::Ray ray{triple<scene::Point3>(random, sizes), triple<scene::Vector3>(random, sizes)};
+    if (scene::problems(ray).empty()) return ray;
+  }
+}
+
+inline scene::Camera random_camera(Random& random, Sizes sizes) {
+  for (;;) {
+    scene::Camera camera;
+    camera.eye = triple<scene::Point3>(random, sizes);
+    camera.look_at = triple<scene::Point3>(random, sizes);
+    camera.up = triple<scene::Vector3>(random, sizes);
+    camera.near = -std::abs(number(random, sizes));
+    camera.left = number(random, sizes);
+    camera.right = number(random, sizes);
+    camera.bottom = number(random, sizes);
+    camera.top = number(random, sizes);
+    camera.width = random.integer(2, 9);
+    camera.height = random.integer(2, 9);
+    if (scene::problems(camera).empty()) return camera;
+  }
+}
+
+inline scene::Pixel random_pixel(Random& random, const scene::Camera& camera) {
+  const std::int64_t i = random.integer(0, camera.width - 1);
+  return {i, random.integer(0, camera.height - 1)};
+}
+
+inline scene::Conventions random_conventions(Random& random) {
+  scene::Conventions conventions;
+  if (random.one_in(2)) conventions.rows = scene::Rows::kTopFirst;
+  if (random.one_in(2)) conventions.samples = scene::Samples::kCentres;
+  if (random.one_in(2)) conventions.origin = scene::Origin::kFocal;
+  return conventions;
+}
+
+/// `value` moved by `steps` doubles.
+inline double nudged(double value, std::int64_t steps) {
+  constexpr double kInfinity = std::numeric_limits<double>::infinity();
+  for (; steps > 0; --steps) value = std::nextafter(value, kInfinity);
+  for (; steps < 0; ++steps) value = std::nextafter(value, -kInfinity);
+  return value;
+}
+
+// Spellings by which a counterexample can be pasted back.
+template <class Triple>
+std::string spelled(const Triple& v) {
+  return "{" + scene::hexfloat(v.x) + ", " + scene::hexfloat(v.y) + ", " + scene::hexfloat(v.z) + "}";
+}
+inline std::string spelled(const scene::Ray& ray) {
+  return "ray {" + spelled(ray.origin) + ", " + spelled(ray.direction) + "}";
+}
+inline std::string spelled(const scene::Sphere& sphere) {
+  return " sphere {" + spelled(sphere.centre) + ", " + scene::hexfloat(sphere.radius) + "}";
+}
+inline std::string spelled(const scene::Camera& camera) {
+  std::string text = "camera {" + spelled(camera.eye) + ", " + spelled(camera.look_at) + ", " +
+                     spelled(camera.up);
+  for (const double value : {camera.near, camera.left, camera.right, camera.bottom, camera.top}) {
+    text += ", " + scene::hexfloat(value);
+  }
+  return text + ", " + std::to_string(camera.width) + " x " + std::to_string(camera.height) + "}";
+}
+
+}  // namespace raycheck::reference
+
+#endif  // RAYCHECK_TESTS_REFERENCE_RANDOM_CASES_H_
