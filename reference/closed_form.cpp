@@ -39,6 +39,13 @@ struct ClosedFormRay::Impl {
   SymbolicVector start() const {
     return line.starts_at_g ? SymbolicVector(line.base + line.g) : line.base;
   }
+  /// (v -+ d) / unit
+  std::string root_over(const RadicalSum& unit, const scene::Sphere& sphere,
+                        const Intersection& intersection) const {
+    const auto pair = with(sphere);
+    return text_of_sum(linear_coefficient(pair) / length / unit, root_factor(intersection) / unit,
+                       discriminant(pair) / line.a);
+  }
 };
 
 ClosedFormFrame closed_form_frame(const scene::Camera& camera) {
@@ -85,13 +92,14 @@ std::string ClosedFormRay::half_chord_sq(const scene::Sphere& sphere) const {
   return (discriminant(impl_->with(sphere)) / impl_->line.a).text();
 }
 
+std::string ClosedFormRay::distance(const scene::Sphere& sphere,
+                                    const Intersection& intersection) const {
+  return impl_->root_over(RadicalSum(1), sphere, intersection);
+}
+
 std::string ClosedFormRay::parameter(const scene::Sphere& sphere,
                                      const Intersection& intersection) const {
-  const auto pair = impl_->with(sphere);
-  const RadicalSum v = linear_coefficient(pair) / impl_->length;
-  const RadicalSum half_chord_sq = discriminant(pair) / impl_->line.a;
-  const RadicalSum unit = impl_->position ? RadicalSum(1) : impl_->length;
-  return text_of_sum(v / unit, root_factor(intersection) / unit, half_chord_sq);
+  return impl_->root_over(impl_->position ? RadicalSum(1) : impl_->length, sphere, intersection);
 }
 
 ClosedForm3 ClosedFormRay::point(const scene::Sphere& sphere,

@@ -48,6 +48,8 @@ class ClosedFormRay {
   std::string axial_distance(const scene::Sphere& sphere) const;  ///< v = T.D
   std::string half_chord_sq(const scene::Sphere& sphere) const;   ///< d^2
   std::string parameter(const scene::Sphere& sphere, const Intersection& intersection) const;
+  /// v - d or v + d: the parameter for the unit direction, a length.
+  std::string distance(const scene::Sphere& sphere, const Intersection& intersection) const;
   ClosedForm3 point(const scene::Sphere& sphere, const Intersection& intersection) const;
 
  private:

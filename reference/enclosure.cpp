@@ -55,6 +55,20 @@ double to_double(arf_srcptr x, arf_rnd_t rounding) {
   return arf_get_d(rounded.get(), ARF_RND_DOWN);
 }
 
+/// The ball's ends as doubles. A quotient by a ball that holds 0 has no midpoint: it may be anything.
+double low_end(const arb_t ball, int bits, arf_rnd_t rounding) {
+  if (arf_is_nan(arb_midref(ball))) return -std::numeric_limits<double>::infinity();
+  Float bound;
+  arb_get_lbound_arf(bound.get(), ball, bits);
+  return to_double(bound.get(), rounding);
+}
+double high_end(const arb_t ball, int bits, arf_rnd_t rounding) {
+  if (arf_is_nan(arb_midref(ball))) return std::numeric_limits<double>::infinity();
+  Float bound;
+  arb_get_ubound_arf(bound.get(), ball, bits);
+  return to_double(bound.get(), rounding);
+}
+
 }  // namespace
 
 Enclosure::Enclosure(double value, int bits) : Enclosure() {
@@ -112,26 +126,10 @@ std::optional<int> Enclosure::certain_sign() const {
   return std::nullopt;
 }
 
-double Enclosure::lower() const {
-  Float bound;
-  arb_get_lbound_arf(bound.get(), ball_, bits_);
-  return to_double(bound.get(), ARF_RND_FLOOR);
-}
-double Enclosure::upper() const {
-  Float bound;
-  arb_get_ubound_arf(bound.get(), ball_, bits_);
-  return to_double(bound.get(), ARF_RND_CEIL);
-}
-double Enclosure::lower_rounded() const {
-  Float bound;
-  arb_get_lbound_arf(bound.get(), ball_, bits_);
-  return to_double(bound.get(), ARF_RND_NEAR);
-}
-double Enclosure::upper_rounded() const {
-  Float bound;
-  arb_get_ubound_arf(bound.get(), ball_, bits_);
-  return to_double(bound.get(), ARF_RND_NEAR);
-}
+double Enclosure::lower() const { return low_end(ball_, bits_, ARF_RND_FLOOR); }
+double Enclosure::upper() const { return high_end(ball_, bits_, ARF_RND_CEIL); }
+double Enclosure::lower_rounded() const { return low_end(ball_, bits_, ARF_RND_NEAR); }
+double Enclosure::upper_rounded() const { return high_end(ball_, bits_, ARF_RND_NEAR); }
 
 bool Enclosure::is_within(int relative_bits) const {
   if (arb_is_exact(ball_)) return true;

@@ -66,6 +66,7 @@ struct EnclosedRay::Impl {
   EnclosureLift lift;
 
   LineAndSphere<EnclosureKernel> with(const scene::Sphere& sphere) const {
+    scene::require_valid(sphere);
     return line_and_sphere(lift, line, sphere);
   }
   EnclosureKernel::Vector_3 start() const {
@@ -223,6 +224,7 @@ std::optional<NearestSphere> ExactRay::nearest(std::span<const scene::Sphere> sp
 
 bool ExactRay::may_flip_within(const scene::Sphere& sphere, scene::Root root,
                                double relative_change) const {
+  scene::require_valid(sphere);
   const EnclosureLift lift{kMiddleBits, relative_change};
   const auto line = enclosed_line(lift, camera_.get(), pixel_, given_);
   const auto pair = line_and_sphere(lift, line, sphere);

@@ -3,6 +3,7 @@
 #include <fmt/core.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <cstdio>
 #include <exception>
 #include <optional>
@@ -271,6 +272,17 @@ int run_command_line(int argc, char** argv) {
   add_properties(app, arguments);
   add_explain(app, arguments);
   add_format(*app.add_subcommand("list", "Show methods, laws, sources and conventions"), arguments);
+  const std::string first = argc > 1 ? argv[1] : "";
+  const auto is_first = [&](const CLI::App* command) { return command->get_name() == first; };
+  const auto commands = app.get_subcommands({});
+  if (!first.empty() && first.front() != '-' &&
+      std::none_of(commands.begin(), commands.end(), is_first)) {
+    fmt::print(stderr,
+               "raycheck: there is no command '{}'; the commands are check, properties, explain, "
+               "list\n",
+               first);
+    return kExitBadInput;
+  }
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {

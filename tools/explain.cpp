@@ -101,10 +101,21 @@ void derive_sphere(const Subject& subject, const scene::Sphere& sphere, const Sp
                   [&](int bits) { return subject.exact.enclose(bits).half_chord_sq(sphere); }));
   if (!report.parameter) return;
   const bool smaller = report.intersection.root == reference::WhichRoot::kSmaller;
-  const char* const formula = subject.from_camera
-                                  ? (smaller ? "v - d" : "v + d")
-                                  : (smaller ? "(v - d)/|direction|" : "(v + d)/|direction|");
-  steps.push_back({"s", formula, {*report.closed_form_parameter}, {*report.parameter}});
+  const char* const root = smaller ? "v - d" : "v + d";
+  if (subject.from_camera) {
+    steps.push_back({"s", root, {*report.closed_form_parameter}, {*report.parameter}});
+  } else {
+    // The lecture's s, for the unit direction; the given direction need not be unit.
+    steps.push_back(scalar_step("s |direction|", root, closed.distance(sphere, report.intersection),
+                                [&](int bits) {
+                                  const auto ray = subject.exact.enclose(bits);
+                                  return ray.parameter(sphere, report.intersection) * ray.length();
+                                }));
+    steps.push_back({"s",
+                     smaller ? "(v - d)/|direction|" : "(v + d)/|direction|",
+                     {*report.closed_form_parameter},
+                     {*report.parameter}});
+  }
   steps.push_back({"Q", subject.from_camera ? "L + s D" : "L + s direction",
                    report.closed_form_point, report.point});
 }

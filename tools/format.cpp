@@ -12,9 +12,18 @@ namespace raycheck::tools {
 
 using properties::Discrepancy;
 
+namespace {
+
+/// Errors are upper bounds from enclosures 70 bits wide or better; below this an error may well be
+/// 0.
+constexpr double kSmallestShown = 1e-9;
+
+}  // namespace
+
 std::string error_text(std::optional<double> error) {
   if (!error) return "-";
   if (*error == 0) return "0";
+  if (*error < kSmallestShown) return fmt::format("<{:.0e}", kSmallestShown);
   return fmt::format("{:.3g}", *error);
 }
 
