@@ -15,8 +15,9 @@ inline constexpr int kMiddleBits = 256;
 struct ExactCamera::Impl {
   Impl(const scene::Camera& its_camera, const scene::Conventions& its_conventions);
 
-  /// Axes at any precision: stored for the two usual ones, computed for the others.
-  Axes<EnclosureKernel> enclosed_axes(int bits, double relative_change = 0) const;
+  /// Axes at any precision: stored for the two usual ones, computed into `scratch` for the others.
+  const Axes<EnclosureKernel>& enclosed_axes(int bits, double relative_change,
+                                             std::optional<Axes<EnclosureKernel>>& scratch) const;
 
   scene::Camera camera;
   scene::Conventions conventions;
@@ -25,6 +26,9 @@ struct ExactCamera::Impl {
   Axes<IntervalKernel> axes_interval;
   Axes<ExactKernel> axes_exact;
 };
+
+/// Throws std::invalid_argument unless the camera's image has the pixel.
+void require_pixel_of(const scene::Camera& camera, const scene::Pixel& pixel);
 
 inline Enclosure3 coordinates(const EnclosureKernel::Vector_3& v) { return {v.x(), v.y(), v.z()}; }
 

@@ -4,6 +4,7 @@
 
 #include "reference/radical_sum.h"
 // The formulas find first_root(RadicalSum) when they are instantiated here.
+#include "reference/camera_impl.h"
 #include "reference/formulas.h"
 #include "scene/scene.h"
 #include "scene/validate.h"
@@ -60,6 +61,7 @@ ClosedFormRay::ClosedFormRay(const scene::Camera& camera, const scene::Conventio
   scene.camera = camera;
   scene.conventions = conventions;
   scene::require_valid(scene);
+  require_pixel_of(camera, pixel);
   const SymbolicLift lift;
   const auto axes = camera_axes<SymbolicKernel>(lift, camera);
   auto line = camera_line<SymbolicKernel>(lift, camera, conventions, axes, pixel);

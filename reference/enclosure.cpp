@@ -55,7 +55,8 @@ double to_double(arf_srcptr x, arf_rnd_t rounding) {
   return arf_get_d(rounded.get(), ARF_RND_DOWN);
 }
 
-/// The ball's ends as doubles. A quotient by a ball that holds 0 has no midpoint: it may be anything.
+/// The ball's ends as doubles. A quotient by a ball that holds 0 has no midpoint: it may be
+/// anything.
 double low_end(const arb_t ball, int bits, arf_rnd_t rounding) {
   if (arf_is_nan(arb_midref(ball))) return -std::numeric_limits<double>::infinity();
   Float bound;
@@ -92,26 +93,27 @@ Enclosure& Enclosure::operator=(const Enclosure& other) {
   return *this;
 }
 
-Enclosure& Enclosure::operator+=(const Enclosure& other) {
-  adopt_bits(other);
-  arb_add(ball_, ball_, other.ball_, bits_);
-  return *this;
+Enclosure operator+(const Enclosure& a, const Enclosure& b) {
+  Enclosure result(a, b);
+  arb_add(result.ball_, a.ball_, b.ball_, result.bits_);
+  return result;
 }
-Enclosure& Enclosure::operator-=(const Enclosure& other) {
-  adopt_bits(other);
-  arb_sub(ball_, ball_, other.ball_, bits_);
-  return *this;
+Enclosure operator-(const Enclosure& a, const Enclosure& b) {
+  Enclosure result(a, b);
+  arb_sub(result.ball_, a.ball_, b.ball_, result.bits_);
+  return result;
 }
-Enclosure& Enclosure::operator*=(const Enclosure& other) {
-  adopt_bits(other);
-  arb_mul(ball_, ball_, other.ball_, bits_);
-  return *this;
+Enclosure operator*(const Enclosure& a, const Enclosure& b) {
+  Enclosure result(a, b);
+  arb_mul(result.ball_, a.ball_, b.ball_, result.bits_);
+  return result;
 }
-Enclosure& Enclosure::operator/=(const Enclosure& other) {
-  adopt_bits(other);
-  arb_div(ball_, ball_, other.ball_, bits_);
-  return *this;
+Enclosure operator/(const Enclosure& a, const Enclosure& b) {
+  Enclosure result(a, b);
+  arb_div(result.ball_, a.ball_, b.ball_, result.bits_);
+  return result;
 }
+
 Enclosure Enclosure::operator-() const {
   Enclosure result;
   result.bits_ = bits_;

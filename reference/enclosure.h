@@ -29,10 +29,10 @@ class Enclosure {
   }
   ~Enclosure() { arb_clear(ball_); }
 
-  Enclosure& operator+=(const Enclosure& other);
-  Enclosure& operator-=(const Enclosure& other);
-  Enclosure& operator*=(const Enclosure& other);
-  Enclosure& operator/=(const Enclosure& other);
+  Enclosure& operator+=(const Enclosure& other) { return *this = *this + other; }
+  Enclosure& operator-=(const Enclosure& other) { return *this = *this - other; }
+  Enclosure& operator*=(const Enclosure& other) { return *this = *this * other; }
+  Enclosure& operator/=(const Enclosure& other) { return *this = *this / other; }
   Enclosure operator-() const;
 
   int bits() const { return bits_; }
@@ -61,18 +61,23 @@ class Enclosure {
     bits_ = other.bits_;
     other.bits_ = bits;
   }
-  void adopt_bits(const Enclosure& other) {
-    if (other.bits_ > bits_) bits_ = other.bits_;
+  /// A zero at the precision of what is computed from two numbers.
+  Enclosure(const Enclosure& a, const Enclosure& b) : Enclosure() {
+    bits_ = a.bits_ > b.bits_ ? a.bits_ : b.bits_;
   }
+  friend Enclosure operator+(const Enclosure& a, const Enclosure& b);
+  friend Enclosure operator-(const Enclosure& a, const Enclosure& b);
+  friend Enclosure operator*(const Enclosure& a, const Enclosure& b);
+  friend Enclosure operator/(const Enclosure& a, const Enclosure& b);
 
   arb_t ball_;
   int bits_ = 64;
 };
 
-inline Enclosure operator+(Enclosure a, const Enclosure& b) { return a += b; }
-inline Enclosure operator-(Enclosure a, const Enclosure& b) { return a -= b; }
-inline Enclosure operator*(Enclosure a, const Enclosure& b) { return a *= b; }
-inline Enclosure operator/(Enclosure a, const Enclosure& b) { return a /= b; }
+Enclosure operator+(const Enclosure& a, const Enclosure& b);
+Enclosure operator-(const Enclosure& a, const Enclosure& b);
+Enclosure operator*(const Enclosure& a, const Enclosure& b);
+Enclosure operator/(const Enclosure& a, const Enclosure& b);
 /// The square root of a number known not to be negative; what of the ball is negative is cut off.
 Enclosure sqrt(const Enclosure& value);
 Enclosure abs(const Enclosure& value);

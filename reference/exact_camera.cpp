@@ -1,5 +1,8 @@
 #include "reference/exact_camera.h"
 
+#include <stdexcept>
+#include <string>
+
 #include "reference/camera_impl.h"
 #include "scene/scene.h"
 #include "scene/validate.h"
@@ -22,6 +25,13 @@ IntervalKernel::Vector_3 outward(const EnclosureKernel::Vector_3& v) {
 
 }  // namespace
 
+void require_pixel_of(const scene::Camera& camera, const scene::Pixel& pixel) {
+  if (pixel.i >= 0 && pixel.i < camera.width && pixel.j >= 0 && pixel.j < camera.height) return;
+  throw std::invalid_argument("pixel (" + std::to_string(pixel.i) + ", " + std::to_string(pixel.j) +
+                              ") is outside an image of " + std::to_string(camera.width) + " x " +
+                              std::to_string(camera.height));
+}
+
 ExactCamera::Impl::Impl(const scene::Camera& its_camera, const scene::Conventions& its_conventions)
     : camera(validated(its_camera, its_conventions)),
       conventions(its_conventions),
@@ -31,10 +41,12 @@ ExactCamera::Impl::Impl(const scene::Camera& its_camera, const scene::Convention
                     outward(axes_middle_bits.W)},
       axes_exact(camera_axes<ExactKernel>(ExactLift{}, camera)) {}
 
-Axes<EnclosureKernel> ExactCamera::Impl::enclosed_axes(int bits, double relative_change) const {
+const Axes<EnclosureKernel>& ExactCamera::Impl::enclosed_axes(
+    int bits, double relative_change, std::optional<Axes<EnclosureKernel>>& scratch) const {
   if (relative_change == 0 && bits == kFirstBits) return axes_first_bits;
   if (relative_change == 0 && bits == kMiddleBits) return axes_middle_bits;
-  return camera_axes<EnclosureKernel>(EnclosureLift{bits, relative_change}, camera);
+  scratch = camera_axes<EnclosureKernel>(EnclosureLift{bits, relative_change}, camera);
+  return *scratch;
 }
 
 ExactCamera::ExactCamera(const scene::Camera& camera, const scene::Conventions& conventions)
@@ -55,7 +67,10 @@ Result finish_axis(const ExactCamera::Impl& impl, AxisOf axis, ExactAxisOf exact
   const auto coordinate = [&](int k) {
     return finish(
         (impl.axes_first_bits.*axis)[k],
-        [&, k](int bits) { return (impl.enclosed_axes(bits).*axis)[k]; },
+        [&, k](int bits) {
+          std::optional<Axes<EnclosureKernel>> scratch;
+          return (impl.enclosed_axes(bits, 0, scratch).*axis)[k];
+        },
         [&, k](const Rational& m) {
           return *certain_sign((impl.axes_exact.*exact_axis)[k] - ExactNumber(FirstExtension(m)));
         });
@@ -86,11 +101,13 @@ RoundedFrame ExactCamera::rounded_frame() const {
 }
 
 EnclosedFrame ExactCamera::frame_within(double relative_change, int bits) const {
-  const auto axes = impl_->enclosed_axes(bits, relative_change);
+  std::optional<Axes<EnclosureKernel>> scratch;
+  const auto& axes = impl_->enclosed_axes(bits, relative_change, scratch);
   return {coordinates(axes.U), coordinates(axes.V), coordinates(axes.W)};
 }
 
 Enclosure3 ExactCamera::plane_position(const scene::Pixel& pixel, int bits) const {
+  require_pixel_of(impl_->camera, pixel);
   const EnclosureLift lift{bits};
   auto position =
       reference::plane_position<EnclosureKernel>(lift, impl_->camera, impl_->conventions, pixel);

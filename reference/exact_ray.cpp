@@ -121,7 +121,8 @@ Line<ExactKernel> exact_line(const ExactCamera::Impl* camera, const scene::Pixel
 Line<EnclosureKernel> enclosed_line(const EnclosureLift& lift, const ExactCamera::Impl* camera,
                                     const scene::Pixel& pixel, const scene::Ray& given) {
   if (camera == nullptr) return given_line<EnclosureKernel>(lift, given);
-  const auto axes = camera->enclosed_axes(lift.bits, lift.relative_change);
+  std::optional<Axes<EnclosureKernel>> scratch;
+  const auto& axes = camera->enclosed_axes(lift.bits, lift.relative_change, scratch);
   return line_of<EnclosureKernel>(lift, camera, &axes, pixel, given);
 }
 
@@ -129,12 +130,7 @@ Line<EnclosureKernel> enclosed_line(const EnclosureLift& lift, const ExactCamera
 
 ExactRay::ExactRay(const ExactCamera& camera, const scene::Pixel& pixel)
     : camera_(camera.impl()), pixel_(pixel) {
-  const scene::Camera& c = camera_->camera;
-  if (pixel.i < 0 || pixel.i >= c.width || pixel.j < 0 || pixel.j >= c.height) {
-    throw std::invalid_argument("pixel (" + std::to_string(pixel.i) + ", " +
-                                std::to_string(pixel.j) + ") is outside an image of " +
-                                std::to_string(c.width) + " x " + std::to_string(c.height));
-  }
+  require_pixel_of(camera_->camera, pixel);
   const IntervalGuard guard;
   const auto line = line_of<IntervalKernel>(IntervalLift{}, camera_.get(), &camera_->axes_interval,
                                             pixel_, given_);
@@ -196,6 +192,8 @@ Intersection ExactRay::intersect(const scene::Sphere& sphere, scene::Root root,
 int ExactRay::compare(const scene::Sphere& first, const Intersection& at_first,
                       const scene::Sphere& second, const Intersection& at_second,
                       Engine engine) const {
+  scene::require_valid(first);
+  scene::require_valid(second);
   return decide(first, second, engine, [&](const auto& one, const auto& other) {
     const auto difference = linear_coefficient(one) - linear_coefficient(other);
     using Number = std::decay_t<decltype(difference)>;
