@@ -1,0 +1,100 @@
+// Every command that the documentation shows is run, and prints what is shown.
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+#include <regex>
+#include <string>
+#include <vector>
+
+#include "tests/tools/program.h"
+
+namespace raycheck::tests {
+namespace {
+
+/// A command in a fenced block, and the lines shown below it.
+struct Shown {
+  std::string where;
+  std::string arguments;
+  std::vector<std::string> lines;
+};
+
+std::vector<Shown> shown_in(const std::filesystem::path& path) {
+  std::vector<Shown> result;
+  std::ifstream file(path);
+  bool inside = false;
+  int number = 0;
+  for (std::string line; std::getline(file, line);) {
+    ++number;
+    if (line.rfind("```", 0) == 0) {
+      inside = line == "```console";
+      continue;
+    }
+    if (!inside) continue;
+    if (line.rfind("$ ./run ", 0) == 0) {
+      result.push_back({path.filename().string() + ":" + std::to_string(number), line.substr(8), {}});
+    } else if (!result.empty()) {
+      result.back().lines.push_back(line);
+    }
+  }
+  return result;
+}
+
+/// Times differ from run to run.
+std::string without_times(const std::string& line) {
+  static const std::regex kTime(R"([0-9.]+ ns per ray.*$)");
+  return std::regex_replace(line, kTime, "T ns per ray");
+}
+
+std::vector<std::string> lines_of(const std::string& text) {
+  std::vector<std::string> lines;
+  for (std::size_t at = 0; at < text.size();) {
+    const std::size_t end = std::min(text.find('\n', at), text.size());
+    lines.push_back(without_times(text.substr(at, end - at)));
+    at = end + 1;
+  }
+  return lines;
+}
+
+/// The shown lines occur in order; "..." stands for any lines.
+void expect_shown(const Shown& shown, const std::vector<std::string>& printed) {
+  std::size_t at = 0;
+  bool may_skip = false;
+  for (const std::string& raw : shown.lines) {
+    if (raw == "...") {
+      may_skip = true;
+      continue;
+    }
+    const std::string line = without_times(raw);
+    while (may_skip && at < printed.size() && printed[at] != line) ++at;
+    ASSERT_LT(at, printed.size()) << shown.where << ": not printed: " << raw;
+    ASSERT_EQ(printed[at], line) << shown.where;
+    ++at;
+    may_skip = false;
+  }
+}
+
+TEST(Documentation, shows_what_the_program_prints) {
+  std::vector<std::filesystem::path> pages = {
+      std::filesystem::path(RAYCHECK_SOURCE_DIR) / "README.md"};
+  for (const auto& entry : std::filesystem::directory_iterator(std::string(RAYCHECK_SOURCE_DIR) +
+                                                               "/docs")) {
+    if (entry.path().extension() == ".md") pages.push_back(entry.path());
+  }
+  int commands = 0;
+  for (const auto& page : pages) {
+    for (const Shown& shown : shown_in(page)) {
+      if (shown.arguments == "test" || shown.arguments.rfind("bench", 0) == 0) continue;
+      const Run result = run(shown.arguments);
+      EXPECT_TRUE(result.exit_code == 0 || result.exit_code == 1)
+          << shown.where << ": " << result.err;
+      expect_shown(shown, lines_of(result.out));
+      ++commands;
+    }
+  }
+  EXPECT_GE(commands, 4);
+}
+
+}  // namespace
+}  // namespace raycheck::tests

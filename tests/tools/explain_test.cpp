@@ -1,0 +1,130 @@
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstdlib>
+#include <nlohmann/json.hpp>
+#include <string>
+
+#include "tests/tools/program.h"
+
+namespace raycheck::tests {
+namespace {
+
+using nlohmann::json;
+
+json explained(const std::string& arguments) {
+  const Run result = run("explain " + arguments + " --format json");
+  EXPECT_TRUE(result.exit_code == 0 || result.exit_code == 1) << result.err;
+  return json::parse(result.out);
+}
+
+double number(const json& hexfloat) {
+  return std::strtod(hexfloat.get<std::string>().c_str(), nullptr);
+}
+
+TEST(Explain, reports_the_lecture_s_own_ray) {
+  const json report = explained("--ray 1,1,3,4,3,0 --sphere 5,5,5,3");
+  EXPECT_EQ(report["exact"]["class"], "hit");
+  EXPECT_EQ(report["exact"]["closed_form"], "-1/25*sqrt(109) + 28/25");
+  EXPECT_NEAR(number(report["exact"]["s"]), (28 - std::sqrt(109.0)) / 25, 1e-15);
+  EXPECT_NE(report.dump().find("-1/5*sqrt(109) + 28/5"), std::string::npos);
+  EXPECT_NE(report.dump().find("-4/25*sqrt(109) + 137/25"), std::string::npos);
+  ASSERT_EQ(report["methods"].size(), 5u);
+  for (const json& method : report["methods"]) {
+    EXPECT_TRUE(method.at("hit").get<bool>());
+    EXPECT_FALSE(method.at("class_error").get<bool>());
+    EXPECT_LT(method.at("ulp_error").get<double>(), 4);
+    EXPECT_NEAR(number(method.at("s")), number(report["exact"]["s"]), 1e-14);
+  }
+}
+
+TEST(Explain, reports_the_lecture_s_miss) {
+  const json report = explained("--ray 0,0,0,1,3,4 --sphere 5,5,5,3");
+  EXPECT_EQ(report["exact"]["class"], "miss");
+  EXPECT_TRUE(report["exact"]["s"].is_null());
+  EXPECT_TRUE(report["exact"]["closed_form"].is_null());
+  EXPECT_NE(report.dump().find("-58/13"), std::string::npos);
+  for (const json& method : report["methods"]) {
+    EXPECT_FALSE(method.at("hit").get<bool>());
+    EXPECT_TRUE(method.at("s").is_null());
+    EXPECT_TRUE(method.at("ulp_error").is_null());
+  }
+}
+
+TEST(Explain, tells_tangents_from_their_neighbours) {
+  EXPECT_EQ(explained("--ray -5,1,0,1,0,0 --sphere 0,0,0,1")["exact"]["class"], "tangent");
+  EXPECT_EQ(explained("--ray -5,0x1.fffffffffffffp-1,0,1,0,0 --sphere 0,0,0,1")["exact"]["class"],
+            "hit");
+  EXPECT_EQ(explained("--ray -5,0x1.0000000000001p+0,0,1,0,0 --sphere 0,0,0,1")["exact"]["class"],
+            "miss");
+}
+
+TEST(Explain, reports_the_step_at_which_the_textbook_goes_wrong) {
+  const Run result = run("explain --ray 0,1.7,0,1,-0.0007305260126504702,0 --sphere "
+                         "0,-6371000,0,6371000 --format json");
+  EXPECT_EQ(result.exit_code, 1);
+  const json report = json::parse(result.out);
+  EXPECT_EQ(number(report["exact"]["s"]), 4654.1799293292679);
+  for (const json& method : report["methods"]) {
+    if (method["name"] == "quadratic") EXPECT_EQ(method["goes_wrong_at"], "d^2");
+  }
+}
+
+TEST(Explain, works_at_the_ends_of_the_double_range) {
+  const json big = explained("--ray -5e160,0.3e160,0,1,0,0 --sphere 0,0,0,1e160");
+  EXPECT_EQ(number(big["exact"]["s"]), 4.0460607985830547e160);
+  const json small = explained("--ray -5e-310,1e-310,0,1e-310,0,0 --sphere 0,0,0,1e-310");
+  EXPECT_EQ(small["exact"]["class"], "tangent");
+  EXPECT_EQ(number(small["exact"]["s"]), 5);
+}
+
+TEST(Explain, reports_a_pixel_of_the_lecture) {
+  const json exact =
+      explained("scene/examples/optical-axis.toml --pixel 0,0").at("exact");
+  const std::vector<double> point = {-12, 28, 70};
+  for (std::size_t k = 0; k < 3; ++k) EXPECT_EQ(number(exact["pixel_point"][k]), point[k]);
+  EXPECT_EQ(exact["closed_form"]["direction"],
+            json({"-2/17*sqrt(17)", "2/17*sqrt(17)", "-3/17*sqrt(17)"}));
+  EXPECT_EQ(exact["closed_form"]["U"], json({"1", "0", "0"}));
+  EXPECT_EQ(exact["U"].size(), 3u);
+  EXPECT_EQ(exact["V"].size(), 3u);
+  EXPECT_EQ(exact["W"].size(), 3u);
+  EXPECT_NEAR(number(exact["direction"][2]), -3 / std::sqrt(17.0), 1e-15);
+  ASSERT_EQ(exact["spheres"].size(), 1u);
+  EXPECT_EQ(exact["spheres"][0]["class"], "miss");
+  EXPECT_TRUE(exact["nearest"].is_null());
+  const json centre = explained("scene/examples/optical-axis.toml --pixel 1,1").at("exact");
+  EXPECT_EQ(centre["spheres"][0]["class"], "hit");
+  EXPECT_EQ(centre["nearest"], 0);
+  EXPECT_TRUE(centre["spheres"][0]["s"].is_string());
+  EXPECT_EQ(centre["spheres"][0]["point"].size(), 3u);
+}
+
+TEST(Explain, prints_each_step_in_text) {
+  const Run result = run("explain scene/examples/optical-axis.toml --pixel 0,0");
+  EXPECT_EQ(result.exit_code, 0);
+  for (const char* step : {"W ", "U ", "V ", "alpha", "beta", "P ", "D ", "T ", "v ", "d^2"}) {
+    EXPECT_NE(result.out.find(std::string("\n  ") + step), std::string::npos) << step;
+  }
+}
+
+TEST(Explain, fails_with_2_and_says_why) {
+  const auto fails = [](const std::string& arguments, const std::string& why) {
+    const Run result = run("explain " + arguments);
+    EXPECT_EQ(result.exit_code, 2) << arguments;
+    EXPECT_NE(result.err.find(why), std::string::npos) << arguments << "\n" << result.err;
+  };
+  fails("", "--pixel");
+  fails("--ray 1,2,3", "--sphere");
+  fails("--ray 1,2,3 --sphere 0,0,0,1", "6 numbers");
+  fails("--ray 1,2,3,4,5,x --sphere 0,0,0,1", "'x' is not a number");
+  fails("--ray 0,0,0,0,0,0 --sphere 0,0,0,1", "direction");
+  fails("--ray 0,0,0,1,0,0 --sphere 0,0,0,-1", "radius");
+  fails("--ray 0,0,0,1,0,inf --sphere 0,0,0,1", "direction");
+  fails("scene/examples/optical-axis.toml --pixel 3,0", "pixel (3, 0)");
+  fails("scene/examples/optical-axis.toml --pixel 0,0 --sphere 9", "--sphere 9");
+  fails("scene/examples/lecture-examples.toml --pixel 0,0", "no camera");
+}
+
+}  // namespace
+}  // namespace raycheck::tests

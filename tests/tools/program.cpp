@@ -1,0 +1,68 @@
+#include "tests/tools/program.h"
+
+#include <gtest/gtest.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <chrono>
+#include <csignal>
+#include <cstdlib>
+#include <fstream>
+#include <sstream>
+#include <thread>
+
+namespace raycheck::tests {
+namespace {
+
+std::string contents(const std::string& path) {
+  std::ifstream file(path, std::ios::binary);
+  std::ostringstream text;
+  text << file.rdbuf();
+  return text.str();
+}
+
+std::string temporary_path(const std::string& name) {
+  return testing::TempDir() + "raycheck_" + std::to_string(getpid()) + "_" + name;
+}
+
+Run start(const std::string& arguments, int interrupt_after_ms) {
+  const std::string out = temporary_path("out");
+  const std::string err = temporary_path("err");
+  const std::string command = std::string("cd '") + RAYCHECK_SOURCE_DIR + "' && exec '" +
+                              RAYCHECK_BINARY + "' " + arguments + " >'" + out + "' 2>'" + err +
+                              "'";
+  const pid_t child = fork();
+  if (child == 0) {
+    execl("/bin/sh", "sh", "-c", command.c_str(), static_cast<char*>(nullptr));
+    _exit(127);
+  }
+  if (interrupt_after_ms >= 0) {
+    std::this_thread::sleep_for(std::chrono::milliseconds(interrupt_after_ms));
+    kill(child, SIGINT);
+  }
+  int status = 0;
+  waitpid(child, &status, 0);
+  Run result;
+  result.exit_code = WIFEXITED(status) ? WEXITSTATUS(status) : -WTERMSIG(status);
+  result.out = contents(out);
+  result.err = contents(err);
+  std::remove(out.c_str());
+  std::remove(err.c_str());
+  return result;
+}
+
+}  // namespace
+
+Run run(const std::string& arguments) { return start(arguments, -1); }
+
+Run run_interrupted(const std::string& arguments, int milliseconds) {
+  return start(arguments, milliseconds);
+}
+
+std::string temporary_file(const std::string& name, const std::string& text) {
+  const std::string path = temporary_path(name);
+  std::ofstream(path, std::ios::binary) << text;
+  return path;
+}
+
+}  // namespace raycheck::tests

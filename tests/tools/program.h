@@ -1,0 +1,26 @@
+#ifndef RAYCHECK_TESTS_TOOLS_PROGRAM_H_
+#define RAYCHECK_TESTS_TOOLS_PROGRAM_H_
+
+#include <string>
+
+namespace raycheck::tests {
+
+/// What a run of the built program left behind.
+struct Run {
+  int exit_code = -1;
+  std::string out;
+  std::string err;
+};
+
+/// Runs `raycheck ARGUMENTS` by the shell, in the source folder.
+Run run(const std::string& arguments);
+
+/// Starts it, sends SIGINT after `milliseconds`, and waits for its end.
+Run run_interrupted(const std::string& arguments, int milliseconds);
+
+/// Writes a file into the test's temporary folder and returns its path.
+std::string temporary_file(const std::string& name, const std::string& text);
+
+}  // namespace raycheck::tests
+
+#endif  // RAYCHECK_TESTS_TOOLS_PROGRAM_H_

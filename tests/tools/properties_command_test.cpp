@@ -1,0 +1,71 @@
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <nlohmann/json.hpp>
+#include <string>
+
+#include "tests/tools/program.h"
+
+namespace raycheck::tests {
+namespace {
+
+using nlohmann::json;
+
+TEST(PropertiesCommand, reports_that_cross_holds_the_class_law) {
+  const Run result = run("properties --filter class --cases 200 --intersect cross");
+  EXPECT_EQ(result.exit_code, 0) << result.out;
+  EXPECT_NE(result.out.find("holds"), std::string::npos);
+  EXPECT_EQ(result.err, "");
+}
+
+TEST(PropertiesCommand, reports_a_broken_law_with_a_case_that_check_and_replay_accept) {
+  const Run result =
+      run("properties --filter class --source far --intersect quadratic --format json");
+  EXPECT_EQ(result.exit_code, 1);
+  const json report = json::parse(result.out);
+  const json& campaign = report["campaigns"][0];
+  EXPECT_FALSE(campaign["holds"].get<bool>());
+  const std::string path = temporary_file("shrunk.toml", campaign["scene"]);
+  EXPECT_EQ(run("check " + path + " --intersect quadratic").exit_code, 1);
+  std::filesystem::remove(path);
+  const Run again = run("properties --replay " + campaign["replay"].get<std::string>());
+  EXPECT_EQ(again.exit_code, 1);
+  EXPECT_NE(again.out.find("BROKEN"), std::string::npos);
+}
+
+TEST(PropertiesCommand, is_the_same_for_the_same_seed) {
+  const std::string arguments = "properties --filter frame --cases 50 --seed 7 --format json";
+  EXPECT_EQ(run(arguments).out, run(arguments).out);
+}
+
+TEST(PropertiesCommand, exits_with_4_when_nothing_was_checked) {
+  EXPECT_EQ(run("properties --filter pixel-point --rays focal --cases 5").exit_code, 4);
+}
+
+TEST(PropertiesCommand, fails_with_2_and_says_why) {
+  const auto fails = [](const std::string& arguments, const std::string& why) {
+    const Run result = run("properties " + arguments);
+    EXPECT_EQ(result.exit_code, 2) << arguments;
+    EXPECT_NE(result.err.find(why), std::string::npos) << arguments << "\n" << result.err;
+  };
+  fails("--filter nothing", "--filter nothing");
+  fails("--cases 0", "--cases");
+  fails("--source moon", "--source moon");
+  fails("--replay class:direct/cross:far", "LAW:");
+  fails("--replay klass:direct/cross:far:1", "klass");
+  fails("--replay class:direct/none:far:1", "direct/none");
+}
+
+TEST(List, names_every_method_law_and_convention) {
+  const Run result = run("list");
+  EXPECT_EQ(result.exit_code, 0);
+  for (const char* name : {"lecture", "direct", "focal", "quadratic", "stable-quadratic",
+                           "perpendicular", "cross", "nearest-sphere", "top-first", "grazing"}) {
+    EXPECT_NE(result.out.find(name), std::string::npos) << name;
+  }
+  const json report = json::parse(run("list --format json").out);
+  EXPECT_EQ(report["laws"].size(), 23u);
+}
+
+}  // namespace
+}  // namespace raycheck::tests
