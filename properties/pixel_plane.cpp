@@ -297,8 +297,11 @@ Verdict judge_square_pixels(Trial& trial) {
       [&] {
         // A step is a difference of two points: their rounding weighs |P| / step.
         const Enclosure size = answers.size_of_point(0);
-        return answers.condition(0) * kModerateCondition *
-               (size / across + size / down + Enclosure(1)).upper();
+        double worst = kModerateCondition;
+        for (std::size_t at = 0; at < answers.size(); ++at) {
+          worst = std::max(worst, answers.condition(at));
+        }
+        return worst * (size / across + size / down + Enclosure(1)).upper();
       },
       [&](Discrepancy& d) {
         d.what = "spacing across over spacing down";

@@ -117,7 +117,7 @@ int complexity(double value) {
 std::vector<double> simpler(double value) {
   std::vector<double> result;
   const auto offer = [&](double candidate) {
-    if (complexity(candidate) >= complexity(value)) return;
+    if (!std::isfinite(candidate) || complexity(candidate) >= complexity(value)) return;
     if (std::find(result.begin(), result.end(), candidate) == result.end()) {
       result.push_back(candidate);
     }

@@ -190,15 +190,23 @@ void Trial::measure(Verdict& verdict, std::string_view law, Quantity quantity, c
   verdict.measured(quantity, place, error);
   if (error <= bound) return;
   Discrepancy discrepancy;
+  discrepancy.condition = condition();
+  const double allowed = bound * std::max(1.0, *discrepancy.condition / kModerateCondition);
+  const bool ill_conditioned =
+      std::isfinite(error) ? error <= allowed : bound > 0 && std::isinf(*discrepancy.condition);
+  // A documented bound grows with the condition number; one that the user set does not.
+  const bool documented = !max_error_ && candidate_.max_error[static_cast<std::size_t>(quantity)];
+  if (ill_conditioned && documented && inside_domain_) {
+    verdict.count_ill_conditioned(quantity);
+    return;
+  }
   discrepancy.law = law;
   discrepancy.quantity = quantity;
   discrepancy.place = place;
   discrepancy.error = error;
-  discrepancy.condition = condition();
-  const double allowed = bound * std::max(1.0, *discrepancy.condition / kModerateCondition);
   if (!inside_domain_) {
     discrepancy.excuse = Excuse::kOutsideDomain;
-  } else if (std::isfinite(error) ? error <= allowed : std::isinf(*discrepancy.condition)) {
+  } else if (ill_conditioned) {
     discrepancy.excuse = Excuse::kIllConditioned;
   }
   describe(discrepancy);

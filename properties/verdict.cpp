@@ -8,12 +8,29 @@
 
 namespace raycheck::properties {
 
-bool is_worse(const Discrepancy& a, const Discrepancy& b) {
-  const auto key = [](const Discrepancy& d) {
-    return std::tuple(d.excuse != Excuse::kNone, -d.error, static_cast<int>(d.quantity),
-                      d.place.ray, d.place.sphere.value_or(0));
-  };
-  return key(a) < key(b);
+std::vector<Discrepancy> worst_first(std::vector<Discrepancy> discrepancies) {
+  const auto is_excused = [](const Discrepancy& d) { return d.excuse != Excuse::kNone; };
+  std::vector<const Discrepancy*> sorted;
+  for (const Discrepancy& d : discrepancies) sorted.push_back(&d);
+  std::stable_sort(sorted.begin(), sorted.end(), [](const Discrepancy* a, const Discrepancy* b) {
+    const auto key = [](const Discrepancy& d) {
+      return std::tuple(-d.error, d.place.ray, d.place.sphere.value_or(0));
+    };
+    return key(*a) < key(*b);
+  });
+  // (excused, rank within its quantity, quantity) of each.
+  using Key = std::tuple<bool, std::size_t, Quantity>;
+  std::map<std::pair<bool, Quantity>, std::size_t> ranks;
+  std::vector<std::pair<Key, const Discrepancy*>> keyed;
+  for (const Discrepancy* d : sorted) {
+    const std::size_t rank = ranks[{is_excused(*d), d->quantity}]++;
+    keyed.emplace_back(Key(is_excused(*d), rank, d->quantity), d);
+  }
+  std::stable_sort(keyed.begin(), keyed.end(),
+                   [](const auto& a, const auto& b) { return a.first < b.first; });
+  std::vector<Discrepancy> result;
+  for (const auto& [key, d] : keyed) result.push_back(*d);
+  return result;
 }
 
 std::uint64_t Tally::class_errors() const {
@@ -77,6 +94,7 @@ void Verdict::merge(Verdict other) {
     Tally& mine = tallies_[quantity];
     mine.cases += tally.cases;
     mine.wrong_excused += tally.wrong_excused;
+    mine.ill_conditioned += tally.ill_conditioned;
     for (const auto& [kind, count] : tally.wrong) mine.wrong[kind] += count;
     mine.errors.insert(mine.errors.end(), tally.errors.begin(), tally.errors.end());
     if (tally.worst > mine.worst) {
@@ -96,13 +114,12 @@ void Verdict::shift_rays(std::size_t first) {
 }
 
 void Verdict::prune() {
-  std::sort(kept_.begin(), kept_.end(), is_worse);
+  kept_ = worst_first(std::move(kept_));
   kept_.resize(std::min(kept_.size(), kKept));
 }
 
 std::vector<Discrepancy> Verdict::worst(std::size_t count) const {
-  std::vector<Discrepancy> result = kept_;
-  std::sort(result.begin(), result.end(), is_worse);
+  std::vector<Discrepancy> result = worst_first(kept_);
   result.resize(std::min(result.size(), count));
   return result;
 }

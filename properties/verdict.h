@@ -59,15 +59,18 @@ struct Discrepancy {
   Excuse excuse = Excuse::kNone;
 };
 
-/// The order of reports: without an excuse first, then the larger error, then the earlier place.
-bool is_worse(const Discrepancy& a, const Discrepancy& b);
+/// The order of reports: without an excuse first; among those the worst of each quantity first,
+/// then the second worst of each, and so on, so that no quantity hides the others. Worse is the
+/// larger error, then the earlier place.
+std::vector<Discrepancy> worst_first(std::vector<Discrepancy> discrepancies);
 
 /// What was compared for one quantity.
 struct Tally {
   std::uint64_t cases = 0;
   std::map<Wrong, std::uint64_t> wrong;
-  std::uint64_t wrong_excused = 0;  ///< Of those, how many have an excuse.
-  std::vector<double> errors;       ///< Empty for what is right or wrong.
+  std::uint64_t wrong_excused = 0;    ///< Of those, how many have an excuse.
+  std::vector<double> errors;         ///< Empty for what is right or wrong.
+  std::uint64_t ill_conditioned = 0;  ///< Above the flat bound, within its growth: no discrepancy.
   double worst = -1;
   Place worst_place;
 
@@ -85,6 +88,8 @@ class Verdict {
 
   /// Counts a measured error.
   void measured(Quantity quantity, const Place& place, double error);
+  /// Counts an error, measured before, that only its condition number allows.
+  void count_ill_conditioned(Quantity quantity) { ++tallies_[quantity].ill_conditioned; }
   /// Counts an answer that is right or wrong.
   void judged(Quantity quantity, const Place& place, Wrong wrong, bool excused);
   void add(Discrepancy discrepancy);
@@ -93,7 +98,7 @@ class Verdict {
   void shift_rays(std::size_t first);
 
   const std::map<Quantity, Tally>& tallies() const { return tallies_; }
-  /// The worst ones kept, worst first: without an excuse before excused, then by error.
+  /// The worst ones kept, in the order of worst_first().
   std::vector<Discrepancy> worst(std::size_t count) const;
   std::uint64_t discrepancies() const { return discrepancies_; }
   std::uint64_t excused() const { return excused_; }

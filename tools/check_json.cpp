@@ -26,6 +26,7 @@ Json quantity_json(properties::Quantity quantity, const Tally& tally, double bou
   json["wrong_sphere"] = count(Wrong::kWrongSphere);
   json["wrong_root"] = count(Wrong::kWrongRoot);
   json["class_errors_excused"] = tally.wrong_excused;
+  json["ill_conditioned"] = tally.ill_conditioned;
   json["median_ulp"] = error_json(tally.median());
   json["max_ulp"] = error_json(tally.max());
   json["bound"] = tally.errors.empty() ? Json(nullptr) : error_json(bound);

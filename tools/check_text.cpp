@@ -47,9 +47,14 @@ std::string class_error_text(const Tally& tally) {
 
 /// The worst place of a quantity, where anything was off.
 std::string worst_text(const Tally& tally, Quantity quantity) {
-  if (tally.worst <= 0) return "";
-  if (quantity == Quantity::kFrame || quantity == Quantity::kOrthonormality) return "";
-  return place_text(tally.worst_place);
+  std::string text;
+  if (tally.worst > 0 && quantity != Quantity::kFrame && quantity != Quantity::kOrthonormality) {
+    text = place_text(tally.worst_place);
+  }
+  if (tally.ill_conditioned > 0) {
+    text += fmt::format("{}({} ill-conditioned)", text.empty() ? "" : " ", tally.ill_conditioned);
+  }
+  return text;
 }
 
 void append_table(const CandidateReport& candidate, std::string& text) {
@@ -89,6 +94,7 @@ std::string check_text(const CheckReport& report, bool colours) {
       fmt::format("{} of {} judged\n", report.rays_judged, count_text(report.rays_in_scene, "ray"));
   struct Found {
     const CandidateReport* candidate;
+    std::size_t rank;
     properties::Discrepancy discrepancy;
   };
   std::vector<Found> found;
@@ -100,14 +106,19 @@ std::string check_text(const CheckReport& report, bool colours) {
                           conventions_text(candidate.conventions));
     }
     append_table(candidate, text);
+    std::size_t rank = 0;
     for (const auto& discrepancy : candidate.verdict.worst(report.top)) {
-      found.push_back({&candidate, discrepancy});
+      found.push_back({&candidate, rank++, discrepancy});
     }
   }
   const std::uint64_t total = report.discrepancies();
   if (total > 0) {
+    // The candidates' worst before their second worst, excused ones last.
     std::stable_sort(found.begin(), found.end(), [](const Found& a, const Found& b) {
-      return properties::is_worse(a.discrepancy, b.discrepancy);
+      const auto key = [](const Found& f) {
+        return std::pair(f.discrepancy.excuse != properties::Excuse::kNone, f.rank);
+      };
+      return key(a) < key(b);
     });
     found.resize(std::min(found.size(), report.top));
     text += fmt::format("\nworst discrepancies ({} of {}):\n", found.size(), total);
