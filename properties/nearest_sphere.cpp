@@ -62,26 +62,25 @@ Verdict judge_nearest_sphere(Trial& trial) {
   for (std::size_t k = 0; k < trial.ray_count(); ++k) {
     if (has_unjudged(trial, k)) continue;
     const auto exact = trial.exact_ray(k).nearest(trial.scene().spheres, trial.conventions());
-    const auto judge = [&](Index got, const char* order) {
-      const Choice choice{k, got, exact};
-      const Wrong wrong = is_right(choice) ? Wrong::kNot
-                          : !exact         ? Wrong::kFalseHit
-                          : !got           ? Wrong::kMissed
-                                           : Wrong::kWrongSphere;
-      trial.judge(
-          verdict, kNearestSphereLaw.name, Quantity::kNearestSphere,
-          trial.place(k, exact ? Index(exact->index) : got), wrong,
-          [&] { return may_flip(trial, choice); },
-          [&](Discrepancy& d) {
-            d.what = order;
-            if (got) d.got = {static_cast<double>(*got)};
-            if (exact) d.exact = {static_cast<double>(exact->index)};
-          });
-    };
-    judge(trial.nearest()[k], "sphere index, spheres in the file's order");
     const Index last_first = backwards.at(k);
-    judge(last_first ? Index(reversed.size() - 1 - *last_first) : Index(),
-          "sphere index, spheres in reverse order");
+    const Index reversed_got = last_first ? Index(reversed.size() - 1 - *last_first) : Index();
+    // One case a ray: right in both orders.
+    Choice choice{k, trial.nearest()[k], exact};
+    const bool right_forwards = is_right(choice);
+    if (right_forwards) choice.got = reversed_got;
+    const Wrong wrong = is_right(choice) ? Wrong::kNot
+                        : !choice.exact  ? Wrong::kFalseHit
+                        : !choice.got    ? Wrong::kMissed
+                                         : Wrong::kWrongSphere;
+    trial.judge(
+        verdict, kNearestSphereLaw.name, Quantity::kNearestSphere,
+        trial.place(k, exact ? Index(exact->index) : choice.got), wrong,
+        [&] { return may_flip(trial, choice); },
+        [&](Discrepancy& d) {
+          d.what = right_forwards ? "sphere index, spheres in reverse order" : "sphere index";
+          if (choice.got) d.got = {static_cast<double>(*choice.got)};
+          if (exact) d.exact = {static_cast<double>(exact->index)};
+        });
   }
   return verdict;
 }

@@ -1,8 +1,8 @@
 #ifndef RAYCHECK_TESTS_REFERENCE_BIG_FLOAT_H_
 #define RAYCHECK_TESTS_REFERENCE_BIG_FLOAT_H_
 
-// Numbers by which the tests judge reference/: MPFR at a precision at which the literal formulas lose
-// nothing that matters, and none of reference/'s own arithmetic.
+// Numbers by which the tests judge reference/: MPFR at a precision at which the literal formulas
+// lose nothing that matters, and none of reference/'s own arithmetic.
 
 #include <boost/multiprecision/mpfr.hpp>
 #include <cmath>
@@ -22,8 +22,8 @@ using Big = boost::multiprecision::number<boost::multiprecision::mpfr_float_back
 
 inline Big power_of_two(int exponent) { return ldexp(Big(1), exponent); }
 
-/// Halfway from `value` to the next double on the side of `towards` (an infinity). The double beyond
-/// the largest counts as 2^1024.
+/// Halfway from `value` to the next double on the side of `towards` (an infinity). The double
+/// beyond the largest counts as 2^1024.
 inline Big halfway(double value, double towards) {
   const auto real = [](double x) {
     if (std::isfinite(x)) return Big(x);
@@ -54,13 +54,16 @@ inline bool is_nearest(double value, const Big& x) {
   return true;
 }
 
+/// Whether the enclosure holds x; x itself carries the rounding errors of a few operations on
+/// doubles of any size, which are far below all that an enclosure tells apart.
 inline bool contains(const Enclosure& enclosure, const Big& x) {
-  arf_t exact;
-  arf_init(exact);
-  arf_set_mpfr(exact, x.backend().data());
-  const bool result = arb_contains_arf(enclosure.ball(), exact) != 0;
-  arf_clear(exact);
-  return result;
+  const Big error = abs(x) * power_of_two(-6000) + power_of_two(-4300);
+  Enclosure truth(0, 8000);
+  Enclosure margin(0, 64);
+  arf_set_mpfr(arb_midref(truth.ball()), x.backend().data());
+  arf_set_mpfr(arb_midref(margin.ball()), error.backend().data());
+  arb_add_error(truth.ball(), margin.ball());
+  return arb_overlaps(enclosure.ball(), truth.ball()) != 0;
 }
 
 /// A point or vector of such numbers.

@@ -82,8 +82,8 @@ TEST(EnclosureRounding, AgreesWithMpfrEverywhere) {
   for (int k = 0; k < 20000; ++k) {
     const double value = any_double(random);
     const Big tie = halfway(value, kInfinity);
-    const Big offset = random.small_integer(1) * power_of_two(static_cast<int>(
-                                                     random.integer(-2000, -1080)));
+    const Big offset =
+        random.small_integer(1) * power_of_two(static_cast<int>(random.integer(-2000, -1080)));
     const Big x = random.one_in(3) ? Big(tie + offset) : Big(Big(value) * (1 + offset));
     const Enclosure ball = exactly(x);
     ASSERT_TRUE(is_nearest(ball.lower_rounded(), x)) << scene::hexfloat(value) << " " << offset;

@@ -79,7 +79,7 @@ TEST(LectureSphere, FirstExample) {
   EXPECT_TRUE(is_nearest(ray.rounded_parameter(sphere, kSmallerHit), (28 - root) / 25));
   EXPECT_TRUE(is_nearest(ray.rounded_point(sphere, kSmallerHit),
                          Big3{(137 - 4 * root) / 25, (109 - 3 * root) / 25, 3}));
-  EXPECT_TRUE(contains(ray.enclose(256).discriminant(sphere), Big(109) / 25));
+  EXPECT_TRUE(contains(ray.enclose(256).half_chord_sq(sphere), Big(109) / 25));
 }
 
 TEST(LectureSphere, Example1IsAMiss) {
@@ -88,7 +88,7 @@ TEST(LectureSphere, Example1IsAMiss) {
   const Big root = sqrt(Big(26));
   expect_meets(ray, sphere, kMiss);
   EXPECT_TRUE(is_nearest(ray.rounded_direction(), Big3{root / 26, 3 * root / 26, 2 * root / 13}));
-  EXPECT_TRUE(contains(ray.enclose(256).discriminant(sphere), Big(-58) / 13));
+  EXPECT_TRUE(contains(ray.enclose(256).half_chord_sq(sphere), Big(-58) / 13));
 }
 
 TEST(LectureSphere, Example2HitsAtAnIntegerPoint) {
@@ -126,8 +126,8 @@ TEST(LectureCamera, OpticalAxisWithItsTopAtMinus20) {
   const Big root = sqrt(Big(17));
   const ExactRay corner(camera, {0, 0});
   EXPECT_EQ(corner.rounded_pixel_point(), (Point3{-12, 28, 70}));
-  EXPECT_TRUE(is_nearest(corner.rounded_direction(),
-                         Big3{-2 * root / 17, 2 * root / 17, -3 * root / 17}));
+  EXPECT_TRUE(
+      is_nearest(corner.rounded_direction(), Big3{-2 * root / 17, 2 * root / 17, -3 * root / 17}));
   const ExactRay centre(camera, {1, 1});
   EXPECT_EQ(centre.rounded_pixel_point(), (Point3{8, 8, 70}));
   EXPECT_EQ(centre.rounded_direction(), (scene::UnitVector3{0, 0, -1}));
@@ -218,7 +218,7 @@ TEST(Nearest, IsEmptyWhenNothingIsMet) {
 
 TEST(Nearest, ReportsEveryTieAndTheFirstOfThem) {
   // All but the first two are met at s = 4; the fifth from inside.
-  const std::vector<Sphere> spheres{{{9, 0, 0}, 1},  {{-3, 0, 0}, 1}, {{6, 0, 0}, 2}, {{5, 0, 0}, 1},
+  const std::vector<Sphere> spheres{{{9, 0, 0}, 1}, {{-3, 0, 0}, 1}, {{6, 0, 0}, 2}, {{5, 0, 0}, 1},
                                     {{0, 0, 0}, 4}, {{4, 3, 0}, 3},  {{8, 0, 0}, 4}};
   const auto nearest = ExactRay(along_x(0, 0)).nearest(spheres, {});
   ASSERT_TRUE(nearest.has_value());

@@ -18,9 +18,8 @@ struct LectureRay {
 
 inline Big lecture_coordinate(double low, double high, std::int64_t index, std::int64_t count,
                               scene::Samples samples) {
-  const Big part = samples == scene::Samples::kEdges
-                       ? Big(Big(index) / Big(count - 1))
-                       : Big((Big(index) + Big(1) / 2) / Big(count));
+  const Big part = samples == scene::Samples::kEdges ? Big(Big(index) / Big(count - 1))
+                                                     : Big((Big(index) + Big(1) / 2) / Big(count));
   return Big(low) + part * (Big(high) - Big(low));
 }
 
@@ -34,8 +33,8 @@ inline LectureRay lecture_ray(const scene::Camera& camera, const scene::Conventi
   ray.V = cross(ray.W, ray.U);
   const std::int64_t row =
       conventions.rows == scene::Rows::kBottomFirst ? pixel.j : camera.height - 1 - pixel.j;
-  const Big alpha = lecture_coordinate(camera.left, camera.right, pixel.i, camera.width,
-                                       conventions.samples);
+  const Big alpha =
+      lecture_coordinate(camera.left, camera.right, pixel.i, camera.width, conventions.samples);
   const Big beta =
       lecture_coordinate(camera.bottom, camera.top, row, camera.height, conventions.samples);
   ray.P = E + Big(camera.near) * ray.W + alpha * ray.U + beta * ray.V;

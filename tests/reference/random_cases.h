@@ -52,14 +52,20 @@ Triple triple(Random& random, Sizes sizes, std::int64_t size = 9) {
   return {x, y, number(random, sizes, size)};
 }
 
+/// Of all sizes, every other one is about as large as its centre is far, so that rays do meet some.
 inline scene::Sphere random_sphere(Random& random, Sizes sizes) {
-  const auto centre = triple<scene::Point3>(random, sizes, 20);
+  const auto centre = triple<scene::Point3>(random, sizes, 12);
+  if (sizes == Sizes::kAll && random.one_in(2)) {
+    const double distance = std::hypot(centre.x, centre.y, centre.z) * random.between(0.5, 2);
+    if (std::isfinite(distance)) return {centre, distance};
+  }
   return {centre, std::abs(number(random, sizes, 12))};
 }
 
 inline scene::Ray random_ray(Random& random, Sizes sizes) {
   for (;;) {
-    const scene::Ray ray{triple<scene::Point3>(random, sizes), triple<scene::Vector3>(random, sizes)};
+    const scene::Ray ray{triple<scene::Point3>(random, sizes),
+                         triple<scene::Vector3>(random, sizes)};
     if (scene::problems(ray).empty()) return ray;
   }
 }
@@ -105,7 +111,8 @@ inline double nudged(double value, std::int64_t steps) {
 // Spellings by which a counterexample can be pasted back.
 template <class Triple>
 std::string spelled(const Triple& v) {
-  return "{" + scene::hexfloat(v.x) + ", " + scene::hexfloat(v.y) + ", " + scene::hexfloat(v.z) + "}";
+  return "{" + scene::hexfloat(v.x) + ", " + scene::hexfloat(v.y) + ", " + scene::hexfloat(v.z) +
+         "}";
 }
 inline std::string spelled(const scene::Ray& ray) {
   return "ray {" + spelled(ray.origin) + ", " + spelled(ray.direction) + "}";
@@ -114,8 +121,8 @@ inline std::string spelled(const scene::Sphere& sphere) {
   return " sphere {" + spelled(sphere.centre) + ", " + scene::hexfloat(sphere.radius) + "}";
 }
 inline std::string spelled(const scene::Camera& camera) {
-  std::string text = "camera {" + spelled(camera.eye) + ", " + spelled(camera.look_at) + ", " +
-                     spelled(camera.up);
+  std::string text =
+      "camera {" + spelled(camera.eye) + ", " + spelled(camera.look_at) + ", " + spelled(camera.up);
   for (const double value : {camera.near, camera.left, camera.right, camera.bottom, camera.top}) {
     text += ", " + scene::hexfloat(value);
   }

@@ -1,0 +1,264 @@
+// Decisions of reference/exact_ray.h over the whole double range, under small changes of the input,
+// and on input that is no problem.
+
+#include <gtest/gtest.h>
+
+#include <functional>
+#include <limits>
+#include <stdexcept>
+
+#include "reference/exact_ray.h"
+#include "tests/reference/random_cases.h"
+
+namespace raycheck::reference {
+namespace {
+
+using scene::Camera;
+using scene::Ray;
+using scene::Root;
+using scene::Sphere;
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
+constexpr double kLargest = std::numeric_limits<double>::max();
+constexpr double kSmallest = std::numeric_limits<double>::denorm_min();
+const Intersection kSmallerHit{HitClass::kHit, WhichRoot::kSmaller};
+const Intersection kLargerHit{HitClass::kHit, WhichRoot::kLarger};
+const Intersection kTangent{HitClass::kTangent, WhichRoot::kSmaller};
+
+Ray along_x(double x, double y, double length = 1) { return {{x, y, 0}, {length, 0, 0}}; }
+
+TEST(WholeRange, TheSmallestDoubleDecides) {
+  const Sphere speck{{0, 0, 0}, kSmallest};
+  const ExactRay tangent(along_x(-1, kSmallest));
+  EXPECT_EQ(tangent.intersect(speck), kTangent);
+  EXPECT_EQ(tangent.rounded_parameter(speck, kTangent), 1);
+  EXPECT_EQ(ExactRay(along_x(-1, 0)).intersect(speck), kSmallerHit);
+  EXPECT_EQ(ExactRay(along_x(-1, 2 * kSmallest)).intersect(speck), Intersection{});
+  EXPECT_EQ(ExactRay(along_x(0, 0)).intersect(speck), kLargerHit);
+}
+
+TEST(WholeRange, TheLargestDoubleDecides) {
+  const Sphere all{{0, 0, 0}, kLargest};
+  EXPECT_EQ(ExactRay(along_x(0, 0)).rounded_parameter(all, kLargerHit), kLargest);
+  EXPECT_EQ(ExactRay(along_x(-kLargest, kLargest)).intersect(all), kTangent);
+  EXPECT_EQ(ExactRay(along_x(-kLargest, nudged(kLargest, -1))).intersect(all), kSmallerHit);
+  const Sphere almost_all{{0, 0, 0}, nudged(kLargest, -1)};
+  EXPECT_EQ(ExactRay(along_x(-kLargest, kLargest)).intersect(almost_all), Intersection{});
+}
+
+TEST(WholeRange, ParametersOverflowAndUnderflowAsIeeeHasThem) {
+  const Sphere far{{kLargest, 0, 0}, 1};
+  const ExactRay ray(along_x(-kLargest, 0));
+  EXPECT_EQ(ray.intersect(far), kSmallerHit);
+  EXPECT_EQ(ray.rounded_parameter(far, kSmallerHit), kInfinity);
+  EXPECT_TRUE((ray.parameter(far, kSmallerHit, 3000) + Enclosure(1) -
+               Enclosure(kLargest, 64) * Enclosure(2))
+                  .contains_zero());
+  const Sphere unit{{3, 0, 0}, 1};
+  EXPECT_EQ(ExactRay(along_x(0, 0, kSmallest)).rounded_parameter(unit, kSmallerHit), kInfinity);
+  EXPECT_EQ(ExactRay(along_x(0, 0, 0x1p1023)).rounded_parameter(unit, kSmallerHit), 0x1p-1022);
+  EXPECT_EQ(ExactRay(along_x(2, 0, 0x1p1023)).rounded_parameter({{3, 0, 0}, 0x1p-52}, kSmallerHit),
+            nudged(0x1p-1023, 0));
+}
+
+TEST(WholeRange, ScalingByAPowerOfTwoScalesTheParameter) {
+  Random random(1);
+  int hits = 0;
+  for (int k = 0; k < 600; ++k) {
+    const Ray ray = random_ray(random, Sizes::kOrdinary);
+    const Sphere sphere = random_sphere(random, Sizes::kOrdinary);
+    const int exponent = static_cast<int>(random.integer(-900, 900));
+    const auto scaled = [exponent](const scene::Point3& p) {
+      return scene::Point3{std::ldexp(p.x, exponent), std::ldexp(p.y, exponent),
+                           std::ldexp(p.z, exponent)};
+    };
+    const ExactRay one(ray);
+    const ExactRay other(Ray{scaled(ray.origin), ray.direction});
+    const Sphere other_sphere{scaled(sphere.centre), std::ldexp(sphere.radius, exponent)};
+    const Intersection at = one.intersect(sphere);
+    ASSERT_EQ(other.intersect(other_sphere), at) << spelled(ray) << spelled(sphere);
+    if (at.hit_class == HitClass::kMiss) continue;
+    ++hits;
+    ASSERT_EQ(other.rounded_parameter(other_sphere, at),
+              std::ldexp(one.rounded_parameter(sphere, at), exponent));
+  }
+  EXPECT_GE(hits, 60);
+}
+
+/// Compares the engines on one ray and two spheres.
+void expect_engines_agree(const ExactRay& ray, const Sphere& first, const Sphere& second, int& hits,
+                          int& pairs) {
+  for (const Root root : {Root::kNearest, Root::kSmaller}) {
+    const Intersection at_first = ray.intersect(first, root);
+    const Intersection at_second = ray.intersect(second, root);
+    ASSERT_EQ(at_first, ray.intersect(first, root, Engine::kFieldOnly));
+    ASSERT_EQ(at_second, ray.intersect(second, root, Engine::kFieldOnly));
+    hits += at_first.hit_class != HitClass::kMiss ? 1 : 0;
+    if (at_first.hit_class == HitClass::kMiss || at_second.hit_class == HitClass::kMiss) continue;
+    ++pairs;
+    ASSERT_EQ(ray.compare(first, at_first, second, at_second),
+              ray.compare(first, at_first, second, at_second, Engine::kFieldOnly));
+  }
+}
+
+TEST(Engines, AgreeOnRaysOfAllSizes) {
+  Random random(2);
+  int hits = 0;
+  int pairs = 0;
+  for (int k = 0; k < 4000; ++k) {
+    const Sizes sizes = random.one_in(4) ? Sizes::kSmallIntegers : Sizes::kAll;
+    const Ray ray = random_ray(random, sizes);
+    const Sphere first = random_sphere(random, sizes);
+    const Sphere second = random_sphere(random, sizes);
+    SCOPED_TRACE(spelled(ray) + spelled(first) + spelled(second));
+    expect_engines_agree(ExactRay(ray), first, second, hits, pairs);
+    if (HasFatalFailure()) return;
+  }
+  EXPECT_GE(hits, 500);
+  EXPECT_GE(pairs, 200);
+}
+
+TEST(Engines, AgreeOnCamerasOfAllSizes) {
+  Random random(3);
+  int hits = 0;
+  int pairs = 0;
+  for (int k = 0; k < 300; ++k) {
+    const Sizes sizes = random.one_in(2) ? Sizes::kSmallIntegers : Sizes::kAll;
+    const Camera camera = random_camera(random, sizes);
+    const ExactRay ray(ExactCamera(camera, random_conventions(random)),
+                       random_pixel(random, camera));
+    const Sphere first = random_sphere(random, sizes);
+    const Sphere second = random_sphere(random, sizes);
+    SCOPED_TRACE(spelled(camera) + spelled(first) + spelled(second));
+    expect_engines_agree(ray, first, second, hits, pairs);
+    if (HasFatalFailure()) return;
+  }
+  EXPECT_GE(hits, 60);
+  EXPECT_GE(pairs, 10);
+}
+
+TEST(Engines, AgreeWhenUpIsParallelButForTheLastOf800Bits) {
+  // E - A = (1e200 - 1e-100, 1e200, 0): at 256 bits it looks parallel to up.
+  const Camera camera{{1e200, 1e200, 0}, {1e-100, 0, 0}, {1, 1, 0}, -1, {}, -1, 1, -1, 1, 3, 3};
+  const ExactCamera exact(camera, {});
+  EXPECT_EQ(exact.rounded_frame().U, (scene::UnitVector3{0, 0, 1}));
+  int hits = 0;
+  int pairs = 0;
+  for (std::int64_t i = 0; i < 3; ++i) {
+    for (std::int64_t j = 0; j < 3; ++j) {
+      const ExactRay ray(exact, {i, j});
+      for (const Sphere& sphere : {Sphere{{0, 0, 0}, 1}, Sphere{{0, 0, 0}, 1e200},
+                                   Sphere{{0, 0, 0}, 1e201}, Sphere{{1e200, 1e200, 0}, 3}}) {
+        expect_engines_agree(ray, sphere, {{1e200, 1e200, 0}, 3}, hits, pairs);
+      }
+    }
+  }
+  EXPECT_GE(hits, 9);
+  EXPECT_GE(pairs, 9);
+}
+
+TEST(MayFlipWithin, IsTrueNearATangentAndNearTheSurface) {
+  const Sphere unit{{0, 0, 0}, 1};
+  const auto may_flip = [&](const Ray& ray, double change) {
+    return ExactRay(ray).may_flip_within(unit, Root::kNearest, change);
+  };
+  EXPECT_TRUE(may_flip(along_x(-5, 1), 0x1p-200));
+  EXPECT_FALSE(may_flip(along_x(-5, 1), 0));
+  EXPECT_TRUE(may_flip(along_x(-5, 1 - 0x1p-53), 0x1p-53));
+  EXPECT_FALSE(may_flip(along_x(-5, 1 - 0x1p-53), 0x1p-57));
+  EXPECT_TRUE(may_flip(along_x(-1 - 0x1p-52, 0), 0x1p-52));
+  EXPECT_FALSE(may_flip(along_x(-1 - 0x1p-52, 0), 0x1p-57));
+  EXPECT_FALSE(may_flip(along_x(-5, 0.5), 0x1p-20));
+  EXPECT_TRUE(may_flip(along_x(-5, 0.5), 0.5));
+}
+
+TEST(MayFlipWithin, WhenFalseNoChangeOfTheInputFlips) {
+  Random random(4);
+  int certain = 0;
+  int uncertain = 0;
+  for (int k = 0; k < 3000; ++k) {
+    const Ray ray = random_ray(random, Sizes::kOrdinary);
+    const Sphere sphere = random_sphere(random, Sizes::kOrdinary);
+    const double change = random.power_of_ten(-4, -1);
+    const ExactRay exact(ray);
+    const bool may_flip = exact.may_flip_within(sphere, Root::kNearest, change);
+    (may_flip ? uncertain : certain) += 1;
+    if (may_flip) continue;
+    const auto changed = [&](double x) { return x * (1 + 0.999 * change * random.sign()); };
+    for (int trial = 0; trial < 4; ++trial) {
+      const scene::Point3& o = ray.origin;
+      const scene::Vector3& d = ray.direction;
+      const scene::Point3& c = sphere.centre;
+      const Ray other{{changed(o.x), changed(o.y), changed(o.z)},
+                      {changed(d.x), changed(d.y), changed(d.z)}};
+      const Sphere other_sphere{{changed(c.x), changed(c.y), changed(c.z)}, changed(sphere.radius)};
+      ASSERT_EQ(ExactRay(other).intersect(other_sphere), exact.intersect(sphere))
+          << spelled(ray) << spelled(sphere) << " change " << change;
+    }
+  }
+  EXPECT_GE(certain, 1000);
+  EXPECT_GE(uncertain, 100);
+}
+
+void expect_refused(const std::function<void()>& action, const std::string& field) {
+  try {
+    action();
+    ADD_FAILURE() << field << ": nothing thrown";
+  } catch (const std::invalid_argument& error) {
+    EXPECT_NE(std::string(error.what()).find(field), std::string::npos) << error.what();
+  }
+}
+
+TEST(InvalidInput, IsRefusedByTheNameOfItsField) {
+  expect_refused([] { ExactRay(Ray{{0, kNaN, 0}, {1, 0, 0}}); }, "ray.origin");
+  expect_refused([] { ExactRay(Ray{{0, 0, 0}, {0, 0, 0}}); }, "ray.direction");
+  expect_refused([] { ExactRay(Ray{{0, 0, 0}, {1, 0, kInfinity}}); }, "ray.direction");
+  const Camera good{{0, 0, 9}, {0, 0, 0}, {0, 1, 0}, -1, {}, -1, 1, -1, 1, 3, 3};
+  const auto refuses = [&](const std::function<void(Camera&)>& change, const std::string& field) {
+    Camera camera = good;
+    change(camera);
+    expect_refused([&] { ExactCamera(camera, {}); }, field);
+  };
+  refuses([](Camera& c) { c.eye.x = kNaN; }, "camera.eye");
+  refuses([](Camera& c) { c.look_at = c.eye; }, "camera.look_at");
+  refuses([](Camera& c) { c.up = {0, 0, 1e-300}; }, "camera.up");
+  refuses([](Camera& c) { c.near = 0; }, "camera.near");
+  refuses([](Camera& c) { c.right = c.left; }, "camera.right");
+  refuses([](Camera& c) { c.top = c.bottom; }, "camera.top");
+  refuses([](Camera& c) { c.width = 1; }, "camera.width");
+  refuses([](Camera& c) { c.height = 0; }, "camera.height");
+}
+
+TEST(InvalidInput, OfASphereIsRefusedByEveryFunctionThatTakesOne) {
+  const Camera camera{{0, 0, 9}, {0, 0, 0}, {0, 1, 0}, -1, {}, -1, 1, -1, 1, 3, 3};
+  const Sphere good{{0, 0, 0}, 2};
+  for (const Sphere& bad : {Sphere{{0, 0, 0}, -1}, Sphere{{0, 0, 0}, kNaN}}) {
+    for (const ExactRay& ray :
+         {ExactRay(along_x(-5, 0)), ExactRay(ExactCamera(camera, {}), {1, 1})}) {
+      const auto refuses = [&](auto call) { expect_refused(call, "sphere.radius"); };
+      refuses([&] { ray.intersect(bad); });
+      refuses([&] { ray.compare(bad, kSmallerHit, good, kSmallerHit); });
+      refuses([&] { ray.compare(good, kSmallerHit, bad, kSmallerHit); });
+      refuses([&] { ray.nearest(std::vector<Sphere>{good, bad}, {}); });
+      refuses([&] { ray.may_flip_within(bad, Root::kNearest, 0x1p-50); });
+      refuses([&] { ray.parameter(bad, kSmallerHit); });
+      refuses([&] { ray.point(bad, kSmallerHit); });
+      refuses([&] { ray.rounded_parameter(bad, kSmallerHit); });
+      refuses([&] { ray.rounded_point(bad, kSmallerHit); });
+      refuses([&] { ray.enclose(128).half_chord_sq(bad); });
+    }
+  }
+}
+
+TEST(InvalidInput, APixelOutsideTheImageIsRefused) {
+  const Camera camera{{0, 0, 9}, {0, 0, 0}, {0, 1, 0}, -1, {}, -1, 1, -1, 1, 3, 2};
+  const ExactCamera exact(camera, {});
+  EXPECT_NO_THROW(ExactRay(exact, {2, 1}));
+  for (const scene::Pixel& pixel : {scene::Pixel{3, 0}, {0, 2}, {-1, 0}, {0, -1}}) {
+    expect_refused([&] { ExactRay(exact, pixel); }, "pixel");
+  }
+}
+
+}  // namespace
+}  // namespace raycheck::reference
