@@ -17,6 +17,7 @@ using SymbolicVector = SymbolicKernel::Vector_3;
 
 struct SymbolicLift {
   RadicalSum operator()(double value) const { return RadicalSum(Rational(value)); }
+  RadicalSum constant(double value) const { return (*this)(value); }
 };
 
 ClosedForm3 texts(const SymbolicVector& v) { return {v.x().text(), v.y().text(), v.z().text()}; }

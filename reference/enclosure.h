@@ -10,7 +10,7 @@ namespace raycheck::reference {
 /// A closed interval that certainly holds one real number: an Arb ball (midpoint and radius with
 /// unlimited exponents) that carries its working precision. Arithmetic encloses the exact result;
 /// precision is the larger of the operands'. One object per thread; different objects are
-/// independent.
+/// independent. FLINT caches memory per thread: a thread that ends may call flint_cleanup() first.
 class Enclosure {
  public:
   Enclosure() { arb_init(ball_); }
@@ -42,8 +42,8 @@ class Enclosure {
   /// Doubles below and above every number in the ball (infinite past the double range).
   double lower() const;
   double upper() const;
-  /// The doubles nearest to the ball's two ends, ties to even: equal when the ball alone determines
-  /// the correctly rounded value.
+  /// The doubles nearest to the ball's two ends (moved outward to bits() first), ties to even: equal
+  /// when the ball alone determines the correctly rounded value.
   double lower_rounded() const;
   double upper_rounded() const;
   /// True when radius <= 2^-relative_bits |midpoint|.

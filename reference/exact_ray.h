@@ -67,7 +67,7 @@ class EnclosedRay {
 /// Domain: every valid input (scene/validate.h) over the whole double range; otherwise constructors
 ///         and functions that take a sphere throw std::invalid_argument naming the field.
 /// Error:  decisions are exact; enclosures hold the true value; rounded_* are correctly rounded
-///         (to nearest, ties to even; overflow to infinity as IEEE-754).
+///         (to nearest, ties to even; overflow to infinity as IEEE-754; every zero is +0).
 /// Thread safety: const functions may be called from several threads; the rounding mode is left as
 ///         it was found.
 /// Source: SPEC of this project (docs/problem.md); the filter ladder as in CGAL's

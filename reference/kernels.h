@@ -35,9 +35,10 @@ using FirstExtension = CGAL::Sqrt_extension<Rational, Rational>;
 using ExactNumber = CGAL::Sqrt_extension<FirstExtension, Rational>;
 using ExactKernel = CGAL::Simple_cartesian<ExactNumber>;
 
-// How a double becomes a number of each kind, exactly.
+// How a double becomes a number of each kind, exactly: an input, and a constant of a formula.
 struct IntervalLift {
   Interval operator()(double value) const { return Interval(value); }
+  Interval constant(double value) const { return Interval(value); }
 };
 struct EnclosureLift {
   int bits;
@@ -45,19 +46,22 @@ struct EnclosureLift {
   Enclosure operator()(double value) const {
     return Enclosure::within(value, relative_change, bits);
   }
+  Enclosure constant(double value) const { return Enclosure(value, bits); }
 };
 struct ExactLift {
   ExactNumber operator()(double value) const {
     return ExactNumber(FirstExtension(Rational(value)));
   }
+  ExactNumber constant(double value) const { return (*this)(value); }
 };
 
 /// A count, exactly: a double may not hold all of a 64-bit integer, two halves do.
 template <class Lift>
 auto lift_count(const Lift& lift, std::int64_t count) {
   constexpr std::int64_t kHalf = std::int64_t{1} << 32;
-  return lift(static_cast<double>(count / kHalf)) * lift(static_cast<double>(kHalf)) +
-         lift(static_cast<double>(count % kHalf));
+  return lift.constant(static_cast<double>(count / kHalf)) *
+             lift.constant(static_cast<double>(kHalf)) +
+         lift.constant(static_cast<double>(count % kHalf));
 }
 
 // The two square roots that a camera adjoins. Where numbers approximate, they are evaluated; in the
