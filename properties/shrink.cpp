@@ -63,6 +63,12 @@ bool is_valid(const Case& the_case) {
   });
 }
 
+/// Spheres of radius 0. A case is no simpler for becoming one of those: they are harder to picture.
+std::ptrdiff_t count_points(const scene::Scene& scene) {
+  return std::count_if(scene.spheres.begin(), scene.spheres.end(),
+                       [](const scene::Sphere& sphere) { return sphere.radius == 0; });
+}
+
 /// One case for each element left out, as long as `keep` remain.
 template <class Member>
 void leave_one_out(const Case& the_case, Member member, std::size_t keep, std::vector<Case>& out) {
@@ -178,7 +184,9 @@ std::vector<Case> simpler(const Case& the_case) {
       result.push_back(std::move(with));
     }
   }
-  std::erase_if(result, [](const Case& c) { return !is_valid(c); });
+  std::erase_if(result, [&](const Case& c) {
+    return !is_valid(c) || count_points(c.scene) > count_points(the_case.scene);
+  });
   return result;
 }
 

@@ -130,7 +130,7 @@ std::string failure_text(const CampaignReport& campaign, bool colours) {
       fmt::format("breaks the law {} with {}", campaign.law->name, campaign.candidate));
   for (std::size_t at = 0; at < scene.size();) {
     const std::size_t end = std::min(scene.find('\n', at), scene.size());
-    text += fmt::format("      {}\n", scene.substr(at, end - at));
+    text += end == at ? "\n" : fmt::format("      {}\n", scene.substr(at, end - at));
     at = end + 1;
   }
   return text;
