@@ -37,9 +37,9 @@ const json* find_named(const json& list, const std::string& name) {
 
 TEST(Check, runs_on_every_example_scene) {
   int scenes = 0;
-  for (const auto& entry : std::filesystem::directory_iterator(std::string(RAYCHECK_SOURCE_DIR) +
-                                                               "/scene/examples")) {
-    const Run result = run("check " + entry.path().string() + " --format json");
+  for (const auto& entry :
+       std::filesystem::directory_iterator(std::string(RAYCHECK_SOURCE_DIR) + "/scene/examples")) {
+    const Outcome result = run("check " + entry.path().string() + " --format json");
     EXPECT_TRUE(result.exit_code == 0 || result.exit_code == 1)
         << entry.path() << " " << result.exit_code << result.err;
     const json report = json::parse(result.out);
@@ -51,7 +51,7 @@ TEST(Check, runs_on_every_example_scene) {
 }
 
 TEST(Check, finds_nothing_on_the_optical_axis) {
-  const Run result = run("check scene/examples/optical-axis.toml");
+  const Outcome result = run("check scene/examples/optical-axis.toml");
   EXPECT_EQ(result.exit_code, 0) << result.out;
   EXPECT_NE(result.out.find("no discrepancy"), std::string::npos);
   EXPECT_NE(result.out.find("9 of 9 rays judged"), std::string::npos);
@@ -60,15 +60,15 @@ TEST(Check, finds_nothing_on_the_optical_axis) {
 }
 
 TEST(Check, reports_documented_json) {
-  const Run result = run("check scene/examples/ten-spheres.toml --format json");
+  const Outcome result = run("check scene/examples/ten-spheres.toml --format json");
   const json report = json::parse(result.out);
   ASSERT_EQ(report.at("candidates").size(), 1u);
   const json& candidate = report["candidates"][0];
   EXPECT_EQ(candidate.at("name"), "direct/cross");
   EXPECT_TRUE(candidate.at("left_out").is_array());
   EXPECT_TRUE(report.at("left_out").is_array());
-  for (const char* name : {"frame", "pixel point", "direction", "unit defect", "ray origin", "class",
-                           "root", "parameter", "hit point", "nearest sphere"}) {
+  for (const char* name : {"frame", "pixel point", "direction", "unit defect", "ray origin",
+                           "class", "root", "parameter", "hit point", "nearest sphere"}) {
     const json* quantity = find_named(candidate.at("quantities"), name);
     ASSERT_NE(quantity, nullptr) << name;
     EXPECT_GT(quantity->at("cases"), 0) << name;
@@ -83,7 +83,7 @@ TEST(Check, reports_documented_json) {
 
 TEST(Check, catches_the_textbook_on_a_far_sphere) {
   const std::string path = temporary_file("far.toml", kFarSphere);
-  const Run textbook = run("check " + path + " --intersect quadratic --format json");
+  const Outcome textbook = run("check " + path + " --intersect quadratic --format json");
   EXPECT_EQ(textbook.exit_code, 1);
   const json report = json::parse(textbook.out);
   const json* parameter = find_named(report["candidates"][0]["quantities"], "parameter");
@@ -102,8 +102,8 @@ TEST(Check, judges_every_pair_with_all) {
 }
 
 TEST(Check, judges_as_many_pixels_as_asked_and_says_what_it_left_out) {
-  const json report = json::parse(
-      run("check scene/examples/ten-spheres.toml --pixels 10 --format json").out);
+  const json report =
+      json::parse(run("check scene/examples/ten-spheres.toml --pixels 10 --format json").out);
   EXPECT_EQ(report.at("rays_judged"), 10);
   EXPECT_NE(report.at("left_out").dump().find("246 of 256 pixels"), std::string::npos);
 }
@@ -114,14 +114,14 @@ TEST(Check, takes_another_bound) {
 }
 
 TEST(Check, warns_about_materials_in_a_driver_file) {
-  const Run result = run("check scene/examples/driver-a.txt");
+  const Outcome result = run("check scene/examples/driver-a.txt");
   EXPECT_TRUE(result.exit_code == 0 || result.exit_code == 1) << result.err;
   EXPECT_NE(result.err.find("warning"), std::string::npos);
 }
 
 TEST(Check, fails_with_2_and_says_why_on_bad_input) {
   const auto fails = [](const std::string& arguments, const std::string& why) {
-    const Run result = run(arguments);
+    const Outcome result = run(arguments);
     EXPECT_EQ(result.exit_code, 2) << arguments;
     EXPECT_NE(result.err.find(why), std::string::npos) << arguments << "\n" << result.err;
   };
@@ -136,9 +136,10 @@ TEST(Check, fails_with_2_and_says_why_on_bad_input) {
   fails("check scene/examples/optical-axis.toml --max-ulp -1", "--max-ulp");
   fails("check scene/examples/optical-axis.toml --dialect D", "--dialect D");
   fails("check scene/examples/optical-axis.toml --all --rays direct", "--all");
-  const std::string path = temporary_file(
-      "flat.toml", "[camera]\neye=[0,0,0]\nlook_at=[0,0,-1]\nup=[0,0,1]\nnear=-1\nleft=-1\n"
-                   "right=1\nbottom=-1\ntop=1\nwidth=2\nheight=2\n");
+  const std::string path =
+      temporary_file("flat.toml",
+                     "[camera]\neye=[0,0,0]\nlook_at=[0,0,-1]\nup=[0,0,1]\nnear=-1\nleft=-1\n"
+                     "right=1\nbottom=-1\ntop=1\nwidth=2\nheight=2\n");
   fails("check " + path, path + ":4: camera.up");
   std::filesystem::remove(path);
 }
@@ -150,7 +151,7 @@ TEST(Check, ends_with_a_partial_report_when_interrupted) {
                   std::string(size).substr(0, std::string(size).find('=')) + "= 8192");
   }
   const std::string path = temporary_file("huge.toml", scene);
-  const Run result = run_interrupted("check " + path, 1500);
+  const Outcome result = run_interrupted("check " + path, 1500);
   EXPECT_EQ(result.exit_code, 130) << result.err;
   EXPECT_NE(result.out.find("INTERRUPTED"), std::string::npos);
   EXPECT_NE(result.out.find("direct/cross"), std::string::npos);

@@ -33,7 +33,8 @@ std::vector<Shown> shown_in(const std::filesystem::path& path) {
     }
     if (!inside) continue;
     if (line.rfind("$ ./run ", 0) == 0) {
-      result.push_back({path.filename().string() + ":" + std::to_string(number), line.substr(8), {}});
+      result.push_back(
+          {path.filename().string() + ":" + std::to_string(number), line.substr(8), {}});
     } else if (!result.empty()) {
       result.back().lines.push_back(line);
     }
@@ -76,17 +77,17 @@ void expect_shown(const Shown& shown, const std::vector<std::string>& printed) {
 }
 
 TEST(Documentation, shows_what_the_program_prints) {
-  std::vector<std::filesystem::path> pages = {
-      std::filesystem::path(RAYCHECK_SOURCE_DIR) / "README.md"};
-  for (const auto& entry : std::filesystem::directory_iterator(std::string(RAYCHECK_SOURCE_DIR) +
-                                                               "/docs")) {
+  std::vector<std::filesystem::path> pages = {std::filesystem::path(RAYCHECK_SOURCE_DIR) /
+                                              "README.md"};
+  for (const auto& entry :
+       std::filesystem::directory_iterator(std::string(RAYCHECK_SOURCE_DIR) + "/docs")) {
     if (entry.path().extension() == ".md") pages.push_back(entry.path());
   }
   int commands = 0;
   for (const auto& page : pages) {
     for (const Shown& shown : shown_in(page)) {
       if (shown.arguments == "test" || shown.arguments.rfind("bench", 0) == 0) continue;
-      const Run result = run(shown.arguments);
+      const Outcome result = run(shown.arguments);
       EXPECT_TRUE(result.exit_code == 0 || result.exit_code == 1)
           << shown.where << ": " << result.err;
       expect_shown(shown, lines_of(result.out));

@@ -13,7 +13,7 @@ namespace {
 using nlohmann::json;
 
 json explained(const std::string& arguments) {
-  const Run result = run("explain " + arguments + " --format json");
+  const Outcome result = run("explain " + arguments + " --format json");
   EXPECT_TRUE(result.exit_code == 0 || result.exit_code == 1) << result.err;
   return json::parse(result.out);
 }
@@ -60,13 +60,16 @@ TEST(Explain, tells_tangents_from_their_neighbours) {
 }
 
 TEST(Explain, reports_the_step_at_which_the_textbook_goes_wrong) {
-  const Run result = run("explain --ray 0,1.7,0,1,-0.0007305260126504702,0 --sphere "
-                         "0,-6371000,0,6371000 --format json");
+  const Outcome result =
+      run("explain --ray 0,1.7,0,1,-0.0007305260126504702,0 --sphere "
+          "0,-6371000,0,6371000 --format json");
   EXPECT_EQ(result.exit_code, 1);
   const json report = json::parse(result.out);
   EXPECT_EQ(number(report["exact"]["s"]), 4654.1799293292679);
   for (const json& method : report["methods"]) {
-    if (method["name"] == "quadratic") EXPECT_EQ(method["goes_wrong_at"], "d^2");
+    if (method["name"] == "quadratic") {
+      EXPECT_EQ(method["goes_wrong_at"], "d^2");
+    }
   }
 }
 
@@ -79,8 +82,7 @@ TEST(Explain, works_at_the_ends_of_the_double_range) {
 }
 
 TEST(Explain, reports_a_pixel_of_the_lecture) {
-  const json exact =
-      explained("scene/examples/optical-axis.toml --pixel 0,0").at("exact");
+  const json exact = explained("scene/examples/optical-axis.toml --pixel 0,0").at("exact");
   const std::vector<double> point = {-12, 28, 70};
   for (std::size_t k = 0; k < 3; ++k) EXPECT_EQ(number(exact["pixel_point"][k]), point[k]);
   EXPECT_EQ(exact["closed_form"]["direction"],
@@ -101,7 +103,7 @@ TEST(Explain, reports_a_pixel_of_the_lecture) {
 }
 
 TEST(Explain, prints_each_step_in_text) {
-  const Run result = run("explain scene/examples/optical-axis.toml --pixel 0,0");
+  const Outcome result = run("explain scene/examples/optical-axis.toml --pixel 0,0");
   EXPECT_EQ(result.exit_code, 0);
   for (const char* step : {"W ", "U ", "V ", "alpha", "beta", "P ", "D ", "T ", "v ", "d^2"}) {
     EXPECT_NE(result.out.find(std::string("\n  ") + step), std::string::npos) << step;
@@ -110,7 +112,7 @@ TEST(Explain, prints_each_step_in_text) {
 
 TEST(Explain, fails_with_2_and_says_why) {
   const auto fails = [](const std::string& arguments, const std::string& why) {
-    const Run result = run("explain " + arguments);
+    const Outcome result = run("explain " + arguments);
     EXPECT_EQ(result.exit_code, 2) << arguments;
     EXPECT_NE(result.err.find(why), std::string::npos) << arguments << "\n" << result.err;
   };

@@ -25,7 +25,7 @@ std::string temporary_path(const std::string& name) {
   return testing::TempDir() + "raycheck_" + std::to_string(getpid()) + "_" + name;
 }
 
-Run start(const std::string& arguments, int interrupt_after_ms) {
+Outcome start(const std::string& arguments, int interrupt_after_ms) {
   const std::string out = temporary_path("out");
   const std::string err = temporary_path("err");
   const std::string command = std::string("cd '") + RAYCHECK_SOURCE_DIR + "' && exec '" +
@@ -42,7 +42,7 @@ Run start(const std::string& arguments, int interrupt_after_ms) {
   }
   int status = 0;
   waitpid(child, &status, 0);
-  Run result;
+  Outcome result;
   result.exit_code = WIFEXITED(status) ? WEXITSTATUS(status) : -WTERMSIG(status);
   result.out = contents(out);
   result.err = contents(err);
@@ -53,9 +53,9 @@ Run start(const std::string& arguments, int interrupt_after_ms) {
 
 }  // namespace
 
-Run run(const std::string& arguments) { return start(arguments, -1); }
+Outcome run(const std::string& arguments) { return start(arguments, -1); }
 
-Run run_interrupted(const std::string& arguments, int milliseconds) {
+Outcome run_interrupted(const std::string& arguments, int milliseconds) {
   return start(arguments, milliseconds);
 }
 

@@ -6,17 +6,17 @@
 namespace raycheck::tests {
 
 /// What a run of the built program left behind.
-struct Run {
+struct Outcome {
   int exit_code = -1;
   std::string out;
   std::string err;
 };
 
 /// Runs `raycheck ARGUMENTS` by the shell, in the source folder.
-Run run(const std::string& arguments);
+Outcome run(const std::string& arguments);
 
 /// Starts it, sends SIGINT after `milliseconds`, and waits for its end.
-Run run_interrupted(const std::string& arguments, int milliseconds);
+Outcome run_interrupted(const std::string& arguments, int milliseconds);
 
 /// Writes a file into the test's temporary folder and returns its path.
 std::string temporary_file(const std::string& name, const std::string& text);

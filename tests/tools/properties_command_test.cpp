@@ -12,14 +12,14 @@ namespace {
 using nlohmann::json;
 
 TEST(PropertiesCommand, reports_that_cross_holds_the_class_law) {
-  const Run result = run("properties --filter class --cases 200 --intersect cross");
+  const Outcome result = run("properties --filter class --cases 200 --intersect cross");
   EXPECT_EQ(result.exit_code, 0) << result.out;
   EXPECT_NE(result.out.find("holds"), std::string::npos);
   EXPECT_EQ(result.err, "");
 }
 
 TEST(PropertiesCommand, reports_a_broken_law_with_a_case_that_check_and_replay_accept) {
-  const Run result =
+  const Outcome result =
       run("properties --filter class --source far --intersect quadratic --format json");
   EXPECT_EQ(result.exit_code, 1);
   const json report = json::parse(result.out);
@@ -28,7 +28,7 @@ TEST(PropertiesCommand, reports_a_broken_law_with_a_case_that_check_and_replay_a
   const std::string path = temporary_file("shrunk.toml", campaign["scene"]);
   EXPECT_EQ(run("check " + path + " --intersect quadratic").exit_code, 1);
   std::filesystem::remove(path);
-  const Run again = run("properties --replay " + campaign["replay"].get<std::string>());
+  const Outcome again = run("properties --replay " + campaign["replay"].get<std::string>());
   EXPECT_EQ(again.exit_code, 1);
   EXPECT_NE(again.out.find("BROKEN"), std::string::npos);
 }
@@ -44,7 +44,7 @@ TEST(PropertiesCommand, exits_with_4_when_nothing_was_checked) {
 
 TEST(PropertiesCommand, fails_with_2_and_says_why) {
   const auto fails = [](const std::string& arguments, const std::string& why) {
-    const Run result = run("properties " + arguments);
+    const Outcome result = run("properties " + arguments);
     EXPECT_EQ(result.exit_code, 2) << arguments;
     EXPECT_NE(result.err.find(why), std::string::npos) << arguments << "\n" << result.err;
   };
@@ -57,7 +57,7 @@ TEST(PropertiesCommand, fails_with_2_and_says_why) {
 }
 
 TEST(List, names_every_method_law_and_convention) {
-  const Run result = run("list");
+  const Outcome result = run("list");
   EXPECT_EQ(result.exit_code, 0);
   for (const char* name : {"lecture", "direct", "focal", "quadratic", "stable-quadratic",
                            "perpendicular", "cross", "nearest-sphere", "top-first", "grazing"}) {
