@@ -7,8 +7,8 @@
 namespace raycheck::fast {
 
 /// The largest relative error of an axis, in units of u = 2^-53, while the axes' condition number
-/// is at most kModerateCondition (properties/verdict.h), growing in proportion beyond.
-inline constexpr double kFrameMaxUlp = 16;
+/// is at most kModerateCondition (properties/quantity.h), growing in proportion beyond.
+inline constexpr double kFrameMaxUlp = 32;
 
 struct CameraFrame {
   scene::UnitVector3 U, V, W;

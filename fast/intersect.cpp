@@ -24,7 +24,7 @@ bool all_finite(const Vectors& vectors) {
 bool all_nonzero(const Vectors& vectors) {
   bool nonzero = true;
   for (std::size_t k = 0; k < vectors.size(); ++k) {
-    nonzero &= (vectors.x[k] != 0) | (vectors.y[k] != 0) | (vectors.z[k] != 0);
+    nonzero &= vectors.x[k] != 0 || vectors.y[k] != 0 || vectors.z[k] != 0;
   }
   return nonzero;
 }

@@ -28,9 +28,9 @@ struct Roots {
 ///         std::invalid_argument naming the field; lengths between kSmallestLength and
 ///         kLargestLength (fast/camera_frame.h), otherwise squares over- or underflow silently.
 /// Error:  at most max_ulp in s while its condition number is at most kModerateCondition
-///         (properties/verdict.h), growing in proportion beyond; the class is exact but for inputs
+///         (properties/quantity.h), growing in proportion beyond; the class is exact but for inputs
 ///         within kExcusedChange of tangency. `quadratic`, `lecture` and `stable-quadratic` keep
-///         neither promise on far spheres; a test pins that.
+///         neither promise on far spheres and near tangency; a test pins that.
 struct IntersectMethod {
   std::string_view name;
   std::string_view sentence;
@@ -40,11 +40,11 @@ struct IntersectMethod {
 };
 
 // The bounds; audited by the campaigns of `raycheck properties`.
-inline constexpr double kQuadraticMaxUlp = 64;
-inline constexpr double kLectureMaxUlp = 64;
-inline constexpr double kStableQuadraticMaxUlp = 64;
-inline constexpr double kPerpendicularMaxUlp = 64;
-inline constexpr double kCrossMaxUlp = 64;
+inline constexpr double kQuadraticMaxUlp = 96;
+inline constexpr double kLectureMaxUlp = 96;
+inline constexpr double kStableQuadraticMaxUlp = 96;
+inline constexpr double kPerpendicularMaxUlp = 96;
+inline constexpr double kCrossMaxUlp = 96;
 
 /// `quadratic`: the general parametric approach as textbooks print it, b^2 - 4ac.
 extern const IntersectMethod kQuadratic;

@@ -38,11 +38,11 @@ struct PixelRayMethod {
 };
 
 // The bounds of all methods; audited by the campaigns of `raycheck properties`.
-inline constexpr double kPixelPointMaxUlp = 16;
+inline constexpr double kPixelPointMaxUlp = 32;
 inline constexpr double kLectureDirectionMaxUlp = 32;  ///< P - E cancels where |E| is large.
-inline constexpr double kDirectDirectionMaxUlp = 16;
+inline constexpr double kDirectDirectionMaxUlp = 24;
 inline constexpr double kUnitDefectMaxUlp = 4;
-inline constexpr double kFocalUnitDefectMaxUlp = 16;  ///< It takes the axes for orthonormal.
+inline constexpr double kFocalUnitDefectMaxUlp = 8;  ///< It takes the axes for orthonormal.
 
 /// `lecture`: literally P = E + n W + alpha U + beta V, then D = (P - E)/|P - E|.
 extern const PixelRayMethod kLectureRays;
