@@ -70,7 +70,8 @@ Sphere sphere_in_view(Random& random, const Camera& camera) {
   Point3 centre = along(camera.eye, depth, view);
   if (random.one_in(8)) centre = along(camera.eye, -depth, view);  // behind
   if (random.one_in(8)) centre = camera.eye;                       // around the eye
-  return {along(centre, radius * random.unit() * 1.5, random.direction()), radius};
+  const double off = radius * random.unit() * 1.5;
+  return {along(centre, off, random.direction()), radius};
 }
 
 template <class MakeCamera>
@@ -99,8 +100,10 @@ Case camera_case(std::uint64_t seed, MakeCamera make_camera) {
 Camera ordinary_camera(Random& random) {
   Camera camera;
   camera.eye = along({}, 10, random.in_cube(1));
-  camera.look_at = along(camera.eye, random.between(1, 10), random.direction());
-  camera.up = times(random.between(0.5, 2), random.direction());
+  const double distance = random.between(1, 10);
+  camera.look_at = along(camera.eye, distance, random.direction());
+  const double up_length = random.between(0.5, 2);
+  camera.up = times(up_length, random.direction());
   camera.near = -random.power_of_ten(-1, 1);
   camera.left = camera.near * random.between(0.2, 1.5);
   camera.bottom = camera.near * random.between(0.2, 1.5);
@@ -122,8 +125,9 @@ Case plain_cameras(std::uint64_t seed) {
     if (!random.one_in(3)) {
       camera.eye = {random.small_integer(8), random.small_integer(8), random.small_integer(8)};
     }
+    const double side = random.sign();
     camera.look_at =
-        along(camera.eye, random.sign() * static_cast<double>(random.integer(1, 9)), axes[view]);
+        along(camera.eye, side * static_cast<double>(random.integer(1, 9)), axes[view]);
     camera.up = axes[(view + random.integer(1, 2)) % 3];
     camera.near = -static_cast<double>(random.integer(1, 4));
     camera.left = -static_cast<double>(random.integer(1, 6));
@@ -149,12 +153,14 @@ Case plain_cameras(std::uint64_t seed) {
 Case far_cameras(std::uint64_t seed) {
   return camera_case(seed, [](Random& random) {
     Camera camera = ordinary_camera(random);
-    const Vector3 shift = times(random.power_of_ten(1, 8), random.direction());
+    const double distance = random.power_of_ten(1, 8);
+    const Vector3 shift = times(distance, random.direction());
     camera.eye = along(camera.eye, 1, shift);
     camera.look_at = along(camera.look_at, 1, shift);
     if (random.one_in(2)) {
       const Vector3 view = camera.eye - camera.look_at;
-      const Vector3 off = times(random.power_of_ten(-8, 0), random.direction());
+      const double angle = random.power_of_ten(-8, 0);
+      const Vector3 off = times(angle, random.direction());
       camera.up = {view.x + off.x, view.y + off.y, view.z + off.z};
     }
     return camera;
@@ -178,7 +184,8 @@ Case ray_case(std::uint64_t seed, MakeAim make_aim) {
     result.scene.conventions = any_conventions(random);
     Ray ray;
     const Vector3 unit = random.direction();
-    ray.origin = along({}, random.between(0, 10), random.direction());
+    const double from_origin = random.between(0, 10);
+    ray.origin = along({}, from_origin, random.direction());
     ray.direction = random.one_in(2) ? unit : times(random.power_of_ten(-2, 2), unit);
     const auto spheres = random.one_in(2) ? 1 : random.integer(2, 3);
     for (std::int64_t k = 0; k < spheres; ++k) {
@@ -208,8 +215,7 @@ Case far(std::uint64_t seed) {
 Case grazing(std::uint64_t seed) {
   return ray_case(seed, [](Random& random) {
     const double radius = random.power_of_ten(-1, 1);
-    return Aim{random.between(-2, 10), radius * (1 + random.sign() * random.power_of_ten(-15, -1)),
-               radius};
+    return Aim{random.between(-2, 10), radius * (1 + random.signed_power_of_ten(-15, -1)), radius};
   });
 }
 
@@ -218,7 +224,7 @@ Case surface(std::uint64_t seed) {
     const double radius = random.power_of_ten(-1, 1);
     const double impact = radius * random.between(0, 0.99);
     const double half_chord = std::sqrt(radius * radius - impact * impact);
-    const double off = random.one_in(4) ? 0 : random.sign() * random.power_of_ten(-15, 0);
+    const double off = random.one_in(4) ? 0 : random.signed_power_of_ten(-15, 0);
     return Aim{random.sign() * half_chord * (1 + off), impact, radius};
   });
 }
@@ -227,8 +233,8 @@ Case surface(std::uint64_t seed) {
 /// few ulps away.
 Case ties(std::uint64_t seed) {
   Random random(seed);
-  const double radius = static_cast<double>(random.integer(1, 8)) *
-                        std::ldexp(1, static_cast<int>(random.integer(-3, 3)));
+  const double significand = static_cast<double>(random.integer(1, 8));
+  const double radius = std::ldexp(significand, static_cast<int>(random.integer(-3, 3)));
   Case result;
   result.scene.conventions = any_conventions(random);
   double impact = random.one_in(4) ? radius * 0.5 : radius;

@@ -10,7 +10,8 @@
 namespace raycheck::properties {
 
 /// A stream of random numbers that is the same on every machine (the standard's distributions are
-/// not; its engines are).
+/// not; its engines are). Never draw two numbers in the arguments of one call or the operands of
+/// one operator: their order is the compiler's to choose.
 class Random {
  public:
   explicit Random(std::uint64_t seed) : engine_(seed) {}
@@ -30,6 +31,11 @@ class Random {
   double small_integer(std::int64_t size) { return static_cast<double>(integer(-size, size)); }
   scene::Vector3 in_cube(double half) {
     return {between(-half, half), between(-half, half), between(-half, half)};
+  }
+  /// sign() 10^x, x uniform in [low, high).
+  double signed_power_of_ten(double low, double high) {
+    const double positive_or_negative = sign();
+    return positive_or_negative * power_of_ten(low, high);
   }
   scene::Vector3 direction() {
     for (;;) {
