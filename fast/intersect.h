@@ -29,14 +29,16 @@ struct Roots {
 ///         kLargestLength (fast/camera_frame.h), otherwise squares over- or underflow silently.
 /// Error:  at most max_ulp in s while its condition number is at most kModerateCondition
 ///         (properties/quantity.h), growing in proportion beyond; the class is exact but for inputs
-///         within kExcusedChange of tangency. `quadratic`, `lecture` and `stable-quadratic` keep
-///         neither promise on far spheres and near tangency; a test pins that.
+///         that a relative change by kExcusedChange takes to tangency, or an origin across the
+///         surface. A method's `not_kept` says where it keeps neither promise.
 struct IntersectMethod {
   std::string_view name;
   std::string_view sentence;
   void (*intersect)(const Rays&, const scene::Sphere&, scene::Root, scene::Tangent, Hits&);
   Roots (*roots)(const scene::Ray&, const scene::Sphere&);  ///< The same, one ray, no check.
   double max_ulp;
+  std::string_view
+      not_kept;  ///< Where it keeps neither promise (a test pins that); empty: nowhere.
 };
 
 // The bounds; audited by the campaigns of `raycheck properties`.

@@ -31,6 +31,9 @@ struct Cross {
 
 const IntersectMethod kCross = {"cross",
                                 "disc = a r^2 - |T x d|^2 with Kahan's products, roots by q",
-                                intersect_batch<Cross>, roots_of<Cross>, kCrossMaxUlp};
+                                intersect_batch<Cross>,
+                                roots_of<Cross>,
+                                kCrossMaxUlp,
+                                ""};
 
 }  // namespace raycheck::fast

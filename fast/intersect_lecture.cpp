@@ -18,7 +18,11 @@ struct Lecture {
 
 }  // namespace
 
-const IntersectMethod kLecture = {"lecture", "v = T.D, d^2 = r^2 - (|T|^2 - v^2), s = v - d",
-                                  intersect_batch<Lecture>, roots_of<Lecture>, kLectureMaxUlp};
+const IntersectMethod kLecture = {"lecture",
+                                  "v = T.D, d^2 = r^2 - (|T|^2 - v^2), s = v - d",
+                                  intersect_batch<Lecture>,
+                                  roots_of<Lecture>,
+                                  kLectureMaxUlp,
+                                  "far spheres, grazing rays"};
 
 }  // namespace raycheck::fast

@@ -20,8 +20,11 @@ struct Perpendicular {
 
 }  // namespace
 
-const IntersectMethod kPerpendicular = {
-    "perpendicular", "disc = a (r^2 - |T - (b/a) d|^2), roots by q", intersect_batch<Perpendicular>,
-    roots_of<Perpendicular>, kPerpendicularMaxUlp};
+const IntersectMethod kPerpendicular = {"perpendicular",
+                                        "disc = a (r^2 - |T - (b/a) d|^2), roots by q",
+                                        intersect_batch<Perpendicular>,
+                                        roots_of<Perpendicular>,
+                                        kPerpendicularMaxUlp,
+                                        ""};
 
 }  // namespace raycheck::fast

@@ -20,7 +20,11 @@ struct Quadratic {
 }  // namespace
 
 const IntersectMethod kQuadratic = {
-    "quadratic", "t = (-b -+ sqrt(b^2 - 4ac)) / 2a, the textbook's general parametric approach",
-    intersect_batch<Quadratic>, roots_of<Quadratic>, kQuadraticMaxUlp};
+    "quadratic",
+    "t = (-b -+ sqrt(b^2 - 4ac)) / 2a, the textbook's general parametric approach",
+    intersect_batch<Quadratic>,
+    roots_of<Quadratic>,
+    kQuadraticMaxUlp,
+    "far spheres, grazing rays"};
 
 }  // namespace raycheck::fast

@@ -17,7 +17,11 @@ struct StableQuadratic {
 }  // namespace
 
 const IntersectMethod kStableQuadratic = {
-    "stable-quadratic", "disc = b^2 - ac, q = b + sign(b) sqrt(disc), roots q/a and c/q",
-    intersect_batch<StableQuadratic>, roots_of<StableQuadratic>, kStableQuadraticMaxUlp};
+    "stable-quadratic",
+    "disc = b^2 - ac, q = b + sign(b) sqrt(disc), roots q/a and c/q",
+    intersect_batch<StableQuadratic>,
+    roots_of<StableQuadratic>,
+    kStableQuadraticMaxUlp,
+    "far spheres, grazing rays"};
 
 }  // namespace raycheck::fast

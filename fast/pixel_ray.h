@@ -20,6 +20,7 @@ namespace raycheck::fast {
 /// and
 ///         angle, in units of u) while their condition numbers are at most kModerateCondition,
 ///         growing in proportion beyond. |D| differs from 1 by at most max_unit_defect_ulp u.
+///         A method's `not_kept` says where it does not keep its bounds.
 /// A function that a method does not have is null.
 struct PixelRayMethod {
   using MakePoints = void (*)(const scene::Camera&, const scene::Conventions&,
@@ -35,6 +36,7 @@ struct PixelRayMethod {
   double max_point_ulp;
   double max_direction_ulp;
   double max_unit_defect_ulp;
+  std::string_view not_kept;  ///< Where it does not keep them (a test pins that); empty: nowhere.
 };
 
 // The bounds of all methods; audited by the campaigns of `raycheck properties`.

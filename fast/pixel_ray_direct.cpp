@@ -38,6 +38,7 @@ const PixelRayMethod kDirectRays = {"direct",
                                     rays<scene::Origin::kFocal>,
                                     kPixelPointMaxUlp,
                                     kDirectDirectionMaxUlp,
-                                    kUnitDefectMaxUlp};
+                                    kUnitDefectMaxUlp,
+                                    ""};
 
 }  // namespace raycheck::fast

@@ -32,7 +32,8 @@ const PixelRayMethod kFocalRays = {
     focal_rays,
     kPixelPointMaxUlp,
     kDirectDirectionMaxUlp,
-    kFocalUnitDefectMaxUlp};
+    kFocalUnitDefectMaxUlp,
+    ""};
 
 namespace {
 constexpr const PixelRayMethod* kMethods[] = {&kLectureRays, &kDirectRays, &kFocalRays};

@@ -38,6 +38,7 @@ const PixelRayMethod kLectureRays = {"lecture",
                                      rays<scene::Origin::kFocal>,
                                      kPixelPointMaxUlp,
                                      kLectureDirectionMaxUlp,
-                                     kUnitDefectMaxUlp};
+                                     kUnitDefectMaxUlp,
+                                     "directions where |E| is much larger than |P - E|"};
 
 }  // namespace raycheck::fast

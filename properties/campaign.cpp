@@ -59,7 +59,7 @@ CampaignResult run(const Law& law, const Candidate& candidate, const CampaignOpt
     Verdict verdict = apply(law, trial);
     if (!result.failure) {  // what follows a failure is shrinking
       ++result.cases;
-      if (!verdict.reason_left_out().empty()) {
+      if (!verdict.reason_left_out().empty() && verdict.compared() == 0) {
         ++result.left_out;
         result.reason = verdict.reason_left_out();
       }

@@ -167,6 +167,37 @@ Case far_cameras(std::uint64_t seed) {
   });
 }
 
+/// Cameras scaled to the ends of the double range, image planes behind the eye, images one pixel
+/// wide.
+Case extreme_cameras(std::uint64_t seed) {
+  Random random(~seed);
+  for (;;) {
+    Case result = cameras(random.bits());
+    Camera& camera = *result.scene.camera;
+    const int exponent = random.one_in(4) ? 0 : static_cast<int>(random.integer(-1060, 1010));
+    const auto scale = [exponent](double& x) { x = std::ldexp(x, exponent); };
+    for (double* x : {&camera.eye.x, &camera.eye.y, &camera.eye.z, &camera.look_at.x,
+                      &camera.look_at.y, &camera.look_at.z, &camera.near, &camera.left,
+                      &camera.right, &camera.bottom, &camera.top}) {
+      scale(*x);
+    }
+    for (Sphere& sphere : result.scene.spheres) {
+      for (double* x : {&sphere.centre.x, &sphere.centre.y, &sphere.centre.z, &sphere.radius}) {
+        scale(*x);
+      }
+    }
+    const int up_exponent = random.one_in(2) ? 0 : static_cast<int>(random.integer(-1060, 1010));
+    for (double* x : {&camera.up.x, &camera.up.y, &camera.up.z}) *x = std::ldexp(*x, up_exponent);
+    if (random.one_in(4)) camera.near = -camera.near;
+    if (random.one_in(4)) {
+      result.scene.conventions.samples = scene::Samples::kCentres;
+      (random.one_in(2) ? camera.width : camera.height) = 1;
+      result.pixels = {{0, 0}};
+    }
+    if (scene::problems(result.scene).empty()) return result;
+  }
+}
+
 /// Where a ray is aimed at a sphere.
 struct Aim {
   double distance;  ///< From the origin to the centre's foot on the line.
@@ -288,6 +319,7 @@ constexpr CaseSource kSources[] = {
     {"cameras", "ordinary cameras and spheres in view", true, cameras},
     {"plain-cameras", "axis-aligned cameras of small integers, with ties", true, plain_cameras},
     {"far-cameras", "eyes far from the origin, up near the view direction", true, far_cameras},
+    {"extreme-cameras", "cameras scaled to the ends of the double range", true, extreme_cameras},
     {"rays", "ordinary rays and spheres", false, rays},
     {"far", "spheres 1e1 to 1e12 radii away", false, far},
     {"grazing", "impact parameters r (1 +- 10^-k)", false, grazing},

@@ -30,18 +30,23 @@ void for_each_pair(Trial& trial, Visit visit) {
   }
 }
 
-/// Nearer to the exact ray's other root than to the right one.
+/// An answer within this share of the distance between the two exact roots is at the root it is
+/// near.
+constexpr int kRootShare = 4;
+
+/// At the exact ray's other root: an answer somewhere between the two is an error of the parameter.
 bool is_other_root(Trial& trial, std::size_t ray, std::size_t sphere, double parameter) {
   const Intersection& right = trial.exact_intersection(ray, sphere);
   if (right.hit_class == reference::HitClass::kTangent || !std::isfinite(parameter)) return false;
   Intersection other = right;
   other.root = right.root == reference::WhichRoot::kSmaller ? reference::WhichRoot::kLarger
                                                             : reference::WhichRoot::kSmaller;
-  const auto distance_to = [&](const Intersection& root) {
-    const auto enclosed = trial.exact_ray(ray).enclose(256);
-    return abs(Enclosure(parameter, 256) - enclosed.parameter(trial.scene().spheres[sphere], root));
-  };
-  return (distance_to(right) - distance_to(other)).certain_sign() == 1;
+  const auto enclosed = trial.exact_ray(ray).enclose(256);
+  const scene::Sphere& the_sphere = trial.scene().spheres[sphere];
+  const Enclosure other_root = enclosed.parameter(the_sphere, other);
+  const Enclosure apart = abs(other_root - enclosed.parameter(the_sphere, right));
+  const Enclosure off = abs(Enclosure(parameter, 256) - other_root);
+  return (apart - Enclosure(kRootShare) * off).certain_sign() == 1;
 }
 
 /// Calls visit(ray, sphere, answer) where both the candidate and the truth have a hit, at one root.
@@ -83,6 +88,13 @@ Verdict judge_class(Trial& trial) {
                       [&] { return may_flip(trial, ray, sphere); },
                       [&](Discrepancy& d) { describe_parameters(trial, ray, sphere, answer, d); });
                 });
+  std::size_t unjudged = 0;
+  for (std::size_t sphere = 0; sphere < trial.scene().spheres.size(); ++sphere) {
+    for (std::size_t ray = 0; ray < trial.ray_count(); ++ray) {
+      unjudged += trial.is_unjudged(ray, sphere) ? 1 : 0;
+    }
+  }
+  if (unjudged > 0) verdict.leave_out("exactly tangent pairs: tangent = either");
   return verdict;
 }
 
@@ -183,8 +195,8 @@ Verdict judge_focal_and_pixel(Trial& trial) {
   Verdict verdict;
   for (std::size_t sphere = 0; sphere < trial.scene().spheres.size(); ++sphere) {
     const scene::Sphere& the_sphere = trial.scene().spheres[sphere];
-    const auto pixel_hits = candidate.intersect(pixel_rays, the_sphere, from_pixel);
-    const auto eye_hits = candidate.intersect(eye_rays, the_sphere, from_eye);
+    const auto pixel_hits = trial.intersect(pixel_rays, the_sphere, from_pixel);
+    const auto eye_hits = trial.intersect(eye_rays, the_sphere, from_eye);
     for (std::size_t k = 0; k < trial.ray_count(); ++k) {
       const ExactRay pixel_ray(pixel_camera, trial.pixels()[k]);
       const ExactRay eye_ray(eye_camera, trial.pixels()[k]);

@@ -121,7 +121,7 @@ Verdict judge_scaling(Trial& trial) {
   const bool directions = trial.scene().camera && trial.has_rays();
   if (!hits && !directions) return Verdict::left_out(nothing_to_intersect(trial));
   Verdict verdict;
-  for (const int exponent : {-40, 3, 40}) {
+  for (const int exponent : {-120, -40, 3, 40, 120}) {
     const auto scene = scaled(trial.scene(), exponent);
     if (!scene || !lengths_are_within(*scene, trial.candidate().smallest_length,
                                       trial.candidate().largest_length)) {
@@ -144,23 +144,32 @@ Verdict judge_scaling(Trial& trial) {
   return verdict;
 }
 
-/// A rotation that maps world axes to world axes, so that coordinates are moved, never rounded.
+/// A map of world axes to world axes: coordinates are moved, never rounded.
 struct AxesMap {
   const char* what;
+  bool is_mirror;  ///< It turns a right-handed frame into a left-handed one: not for cameras.
   scene::Vector3 (*apply)(const scene::Vector3&);
 };
 constexpr AxesMap kAxesMaps[] = {
-    {"axes permuted: (y, z, x)",
+    {"axes permuted: (y, z, x)", false,
      [](const scene::Vector3& v) {
        return scene::Vector3{v.y, v.z, v.x};
      }},
-    {"axes negated: (-x, -y, z)",
+    {"axes negated: (-x, -y, z)", false,
      [](const scene::Vector3& v) {
        return scene::Vector3{-v.x, -v.y, v.z};
      }},
-    {"axes negated: (x, -y, -z)",
+    {"axes negated: (x, -y, -z)", false,
      [](const scene::Vector3& v) {
        return scene::Vector3{v.x, -v.y, -v.z};
+     }},
+    {"axes swapped: (y, x, z)", true,
+     [](const scene::Vector3& v) {
+       return scene::Vector3{v.y, v.x, v.z};
+     }},
+    {"axis negated: (x, y, -z)", true,
+     [](const scene::Vector3& v) {
+       return scene::Vector3{v.x, v.y, -v.z};
      }},
 };
 
@@ -188,6 +197,7 @@ Verdict judge_axes(Trial& trial) {
   if (!hits && !directions) return Verdict::left_out(nothing_to_intersect(trial));
   Verdict verdict;
   for (const AxesMap& map : kAxesMaps) {
+    if (map.is_mirror && trial.scene().camera) continue;
     const Case transformed_case{rotated(trial.scene(), map), trial.pixels()};
     Trial transformed(transformed_case, trial.candidate());
     if (directions) {
@@ -206,11 +216,16 @@ std::optional<double> exact_sum(double a, double b) {
   return error == 0 ? std::optional(sum) : std::nullopt;
 }
 
+/// p a + q b, where p a and q b do not round and the sum is a double.
 template <class To, class A, class B>
-std::optional<To> exact_sum_of(const A& a, const B& b, double sign) {
-  const auto x = exact_sum(a.x, sign * b.x);
-  const auto y = exact_sum(a.y, sign * b.y);
-  const auto z = exact_sum(a.z, sign * b.z);
+std::optional<To> exact_sum_of(const A& a, const B& b, double p, double q) {
+  const auto sum = [&](double from_a, double from_b) -> std::optional<double> {
+    if (p * from_a / p != from_a || q * from_b / q != from_b) return std::nullopt;
+    return exact_sum(p * from_a, q * from_b);
+  };
+  const auto x = sum(a.x, b.x);
+  const auto y = sum(a.y, b.y);
+  const auto z = sum(a.z, b.z);
   if (!x || !y || !z) return std::nullopt;
   return To{*x, *y, *z};
 }
@@ -255,23 +270,41 @@ std::string no_frame(const Trial& trial) {
 
 Verdict judge_look_at(Trial& trial) {
   if (auto reason = no_frame(trial); !reason.empty()) return Verdict::left_out(reason);
-  scene::Camera camera = *trial.scene().camera;
-  // A' = A + (A - E) lies on the view axis where neither step rounds.
-  const auto along = exact_sum_of<scene::Vector3>(camera.look_at, camera.eye, -1);
-  const auto moved = along ? exact_sum_of<scene::Point3>(camera.look_at, *along, 1) : std::nullopt;
-  if (!moved) return Verdict::left_out("the moved look-at point is not a double");
-  camera.look_at = *moved;
-  return compare_frames(trial, kLookAtLaw, camera, "look-at moved to A + (A - E)");
+  const scene::Camera& camera = *trial.scene().camera;
+  const auto along = exact_sum_of<scene::Vector3>(camera.look_at, camera.eye, 1, -1);
+  Verdict verdict;
+  // A + k (A - E) lies on the view axis where no step rounds.
+  for (const double multiple : {-0.5, 1.0, 2.0, 8.0}) {
+    if (!along) break;
+    const auto moved = exact_sum_of<scene::Point3>(camera.look_at, *along, 1, multiple);
+    if (!moved) continue;
+    scene::Camera other = camera;
+    other.look_at = *moved;
+    verdict.merge(compare_frames(trial, kLookAtLaw, other, "look-at moved along the view axis"));
+  }
+  if (verdict.compared() == 0) {
+    return Verdict::left_out("no point A + k (A - E) tried is a double");
+  }
+  return verdict;
 }
 
 Verdict judge_up(Trial& trial) {
   if (auto reason = no_frame(trial); !reason.empty()) return Verdict::left_out(reason);
-  scene::Camera camera = *trial.scene().camera;
-  const auto along = exact_sum_of<scene::Vector3>(camera.eye, camera.look_at, -1);
-  const auto tilted = along ? exact_sum_of<scene::Vector3>(camera.up, *along, 1) : std::nullopt;
-  if (!tilted) return Verdict::left_out("up + (E - A) is not a double");
-  camera.up = *tilted;
-  return compare_frames(trial, kUpLaw, camera, "up + (E - A)");
+  const scene::Camera& camera = *trial.scene().camera;
+  const auto along = exact_sum_of<scene::Vector3>(camera.eye, camera.look_at, 1, -1);
+  Verdict verdict;
+  for (const double multiple : {-1.0, 0.5, 1.0, 4.0}) {
+    if (!along) break;
+    const auto tilted = exact_sum_of<scene::Vector3>(camera.up, *along, 1, multiple);
+    if (!tilted) continue;
+    scene::Camera other = camera;
+    other.up = *tilted;
+    verdict.merge(compare_frames(trial, kUpLaw, other, "up + k (E - A)"));
+  }
+  if (verdict.compared() == 0) {
+    return Verdict::left_out("no vector up + k (E - A) tried is a double");
+  }
+  return verdict;
 }
 
 Verdict judge_growing_radius(Trial& trial) {
@@ -285,8 +318,8 @@ Verdict judge_growing_radius(Trial& trial) {
     for (const double radius : {std::nextafter(the_sphere.radius, HUGE_VAL),
                                 1.5 * the_sphere.radius, 4 * the_sphere.radius}) {
       if (!(radius > the_sphere.radius) || !std::isfinite(radius)) continue;
-      const auto grown = trial.candidate().intersect(
-          trial.rays(), scene::Sphere{the_sphere.centre, radius}, trial.conventions());
+      const auto grown = trial.intersect(trial.rays(), scene::Sphere{the_sphere.centre, radius},
+                                         trial.conventions());
       for (std::size_t k = 0; k < trial.ray_count(); ++k) {
         const auto& hit = trial.hits(sphere)[k];
         if (!hit) continue;

@@ -57,7 +57,7 @@ Verdict judge_nearest_sphere(Trial& trial) {
   }
   const std::vector<scene::Sphere> reversed(trial.scene().spheres.rbegin(),
                                             trial.scene().spheres.rend());
-  const auto backwards = trial.candidate().nearest(trial.rays(), reversed, trial.conventions());
+  const auto backwards = trial.rank(trial.rays(), reversed);
   Verdict verdict;
   for (std::size_t k = 0; k < trial.ray_count(); ++k) {
     if (has_unjudged(trial, k)) continue;

@@ -248,6 +248,9 @@ Verdict judge_density(Trial& trial) {
   if (trial.conventions().samples != scene::Samples::kEdges) {
     return Verdict::left_out("samples at cell centres move with the density");
   }
+  if (std::max(camera.width, camera.height) > scene::kMostPixelsAcross / 2) {
+    return Verdict::left_out("an image of twice the density would be too large");
+  }
   scene::Camera denser = camera;
   denser.width = 2 * camera.width - 1;
   denser.height = 2 * camera.height - 1;

@@ -38,12 +38,18 @@ constexpr Spoiling<scene::Camera> kPlaneSpoilings[] = {
     {"left is infinite", [](scene::Camera& c) { c.left = -kInfinity; }},
     {"right equals left", [](scene::Camera& c) { c.right = c.left; }},
     {"top equals bottom", [](scene::Camera& c) { c.top = c.bottom; }},
+    {"near is not a number", [](scene::Camera& c) { c.near = kNaN; }},
+    {"right is infinite", [](scene::Camera& c) { c.right = kInfinity; }},
+    {"bottom is not a number", [](scene::Camera& c) { c.bottom = kNaN; }},
+    {"top is infinite", [](scene::Camera& c) { c.top = kInfinity; }},
     {"width is zero", [](scene::Camera& c) { c.width = 0; }},
+    {"height is negative", [](scene::Camera& c) { c.height = -1; }},
 };
 
 constexpr Spoiling<scene::Sphere> kSphereSpoilings[] = {
     {"radius is negative", [](scene::Sphere& s) { s.radius = -1; }},
     {"radius is not a number", [](scene::Sphere& s) { s.radius = kNaN; }},
+    {"radius is infinite", [](scene::Sphere& s) { s.radius = kInfinity; }},
     {"centre is infinite", [](scene::Sphere& s) { s.centre.z = kInfinity; }},
 };
 

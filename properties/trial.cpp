@@ -20,6 +20,28 @@ const Answers& require_count(const Answers& answers, std::size_t expected, const
   return answers;
 }
 
+std::size_t count_rays(const Case& the_case) {
+  return the_case.scene.camera ? the_case.pixels.size() : the_case.scene.rays.size();
+}
+
+/// `ask` about the rays that are questions at all; the others get no answer.
+template <class Answer, class Ask>
+std::vector<std::optional<Answer>> answers_to_valid(const std::vector<scene::Ray>& rays,
+                                                    const char* what, Ask ask) {
+  std::vector<scene::Ray> valid;
+  std::vector<std::size_t> indices;
+  for (std::size_t k = 0; k < rays.size(); ++k) {
+    if (!scene::problems(rays[k]).empty()) continue;
+    valid.push_back(rays[k]);
+    indices.push_back(k);
+  }
+  const std::vector<std::optional<Answer>> answers = ask(valid);
+  require_count(answers, valid.size(), what);
+  std::vector<std::optional<Answer>> result(rays.size());
+  for (std::size_t k = 0; k < valid.size(); ++k) result[indices[k]] = answers[k];
+  return result;
+}
+
 template <class Triple>
 double length(const Triple& v) {
   return std::hypot(v.x, v.y, v.z);
@@ -78,39 +100,22 @@ bool lengths_are_within(const scene::Scene& scene, double smallest, double large
   return inside;
 }
 
-Trial::Trial(const Case& the_case, const Candidate& candidate, std::optional<double> max_error)
+Truth::Truth(const Case& the_case, const scene::Conventions& conventions)
     : case_(the_case),
-      candidate_(candidate),
-      conventions_(candidate.declared.over(the_case.scene.conventions)),
-      max_error_(max_error),
-      inside_domain_(
-          lengths_are_within(the_case.scene, candidate.smallest_length, candidate.largest_length)),
-      hits_(the_case.scene.spheres.size()) {
-  scene::require_valid(case_.scene);
-  exact_rays_.resize(ray_count());
-  intersections_.resize(ray_count() * case_.scene.spheres.size());
+      conventions_(conventions),
+      rays_(count_rays(the_case)),
+      intersections_(rays_.size() * the_case.scene.spheres.size()) {}
+
+const reference::ExactCamera& Truth::camera() {
+  if (!camera_) camera_.emplace(case_.scene.camera.value(), conventions_);
+  return *camera_;
 }
 
-std::size_t Trial::ray_count() const {
-  return case_.scene.camera ? case_.pixels.size() : case_.scene.rays.size();
-}
-
-Place Trial::place(std::size_t ray, std::optional<std::size_t> sphere) const {
-  Place place{ray, std::nullopt, sphere};
-  if (case_.scene.camera) place.pixel = case_.pixels[ray];
-  return place;
-}
-
-const reference::ExactCamera& Trial::exact_camera() {
-  if (!exact_camera_) exact_camera_.emplace(case_.scene.camera.value(), conventions_);
-  return *exact_camera_;
-}
-
-const reference::ExactRay& Trial::exact_ray(std::size_t ray) {
-  auto& kept = exact_rays_[ray];
+const reference::ExactRay& Truth::ray(std::size_t ray) {
+  auto& kept = rays_[ray];
   if (!kept) {
     if (case_.scene.camera) {
-      kept.emplace(exact_camera(), case_.pixels[ray]);
+      kept.emplace(camera(), case_.pixels[ray]);
     } else {
       kept.emplace(case_.scene.rays[ray]);
     }
@@ -118,10 +123,34 @@ const reference::ExactRay& Trial::exact_ray(std::size_t ray) {
   return *kept;
 }
 
-const reference::Intersection& Trial::exact_intersection(std::size_t ray, std::size_t sphere) {
-  auto& kept = intersections_[ray * case_.scene.spheres.size() + sphere];
-  if (!kept) kept = exact_ray(ray).intersect(case_.scene.spheres[sphere], conventions_.root);
+const reference::Intersection& Truth::intersection(std::size_t ray_index, std::size_t sphere) {
+  auto& kept = intersections_[ray_index * case_.scene.spheres.size() + sphere];
+  if (!kept) kept = ray(ray_index).intersect(case_.scene.spheres[sphere], conventions_.root);
   return *kept;
+}
+
+Trial::Trial(const Case& the_case, const Candidate& candidate, std::optional<double> max_error,
+             std::shared_ptr<Truth> truth)
+    : case_(the_case),
+      candidate_(candidate),
+      conventions_(candidate.declared.over(the_case.scene.conventions)),
+      max_error_(max_error),
+      inside_domain_(
+          lengths_are_within(the_case.scene, candidate.smallest_length, candidate.largest_length)),
+      truth_(std::move(truth)),
+      hits_(the_case.scene.spheres.size()) {
+  scene::require_valid(case_.scene);
+  if (!truth_) truth_ = std::make_shared<Truth>(case_, conventions_);
+}
+
+std::size_t Trial::ray_count() const { return count_rays(case_); }
+
+Place Trial::place(std::size_t ray, std::optional<std::size_t> sphere) const {
+  if (!case_.scene.camera) return {ray, std::nullopt, sphere};
+  const scene::Pixel& pixel = case_.pixels[ray];
+  const auto width = static_cast<std::size_t>(case_.scene.camera->width);
+  return {static_cast<std::size_t>(pixel.j) * width + static_cast<std::size_t>(pixel.i), pixel,
+          sphere};
 }
 
 bool Trial::exact_hit(std::size_t ray, std::size_t sphere) {
@@ -166,18 +195,30 @@ const std::vector<scene::Ray>& Trial::rays() {
 const std::vector<std::optional<HitAnswer>>& Trial::hits(std::size_t sphere) {
   auto& kept = hits_[sphere];
   if (!kept) {
-    kept = candidate_.intersect(rays(), case_.scene.spheres[sphere], conventions_);
-    require_count(*kept, ray_count(), "hits");
+    kept = intersect(rays(), case_.scene.spheres[sphere], conventions_);
   }
   return *kept;
 }
 
 const std::vector<std::optional<std::size_t>>& Trial::nearest() {
-  if (!nearest_) {
-    nearest_ = candidate_.nearest(rays(), case_.scene.spheres, conventions_);
-    require_count(*nearest_, ray_count(), "nearest spheres");
-  }
+  if (!nearest_) nearest_ = rank(rays(), case_.scene.spheres);
   return *nearest_;
+}
+
+std::vector<std::optional<HitAnswer>> Trial::intersect(
+    const std::vector<scene::Ray>& rays, const scene::Sphere& sphere,
+    const scene::Conventions& conventions) const {
+  return answers_to_valid<HitAnswer>(rays, "hits", [&](const std::vector<scene::Ray>& valid) {
+    return candidate_.intersect(valid, sphere, conventions);
+  });
+}
+
+std::vector<std::optional<std::size_t>> Trial::rank(
+    const std::vector<scene::Ray>& rays, const std::vector<scene::Sphere>& spheres) const {
+  return answers_to_valid<std::size_t>(rays, "nearest spheres",
+                                       [&](const std::vector<scene::Ray>& valid) {
+                                         return candidate_.nearest(valid, spheres, conventions_);
+                                       });
 }
 
 double Trial::bound(Quantity quantity) const {

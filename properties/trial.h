@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <functional>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -25,13 +26,34 @@ struct Case {
 /// All pixels of a camera, row by row.
 std::vector<scene::Pixel> all_pixels(const scene::Camera& camera);
 
+/// The truth about a case under some conventions, each part worked out when first asked for and
+/// kept. It never sees a candidate; candidates judged under the same conventions share it.
+class Truth {
+ public:
+  Truth(const Case& the_case, const scene::Conventions& conventions);
+
+  const scene::Conventions& conventions() const { return conventions_; }
+  const reference::ExactCamera& camera();
+  const reference::ExactRay& ray(std::size_t ray);
+  const reference::Intersection& intersection(std::size_t ray, std::size_t sphere);
+
+ private:
+  const Case& case_;
+  scene::Conventions conventions_;
+  std::optional<reference::ExactCamera> camera_;
+  std::vector<std::optional<reference::ExactRay>> rays_;
+  std::vector<std::optional<reference::Intersection>> intersections_;
+};
+
 /// A case, the truth about it and a candidate's answers to it, each worked out when a law first
 /// asks and kept for the next law. The truth never sees the candidate. Domain: a valid scene
 /// (scene/validate.h), pixels inside its image; otherwise the constructor
 ///         throws std::invalid_argument. What a candidate throws passes through.
 class Trial {
  public:
-  Trial(const Case& the_case, const Candidate& candidate, std::optional<double> max_error = {});
+  /// `truth`, if given, is that of the same case under the candidate's conventions.
+  Trial(const Case& the_case, const Candidate& candidate, std::optional<double> max_error = {},
+        std::shared_ptr<Truth> truth = nullptr);
 
   const scene::Scene& scene() const { return case_.scene; }
   const std::vector<scene::Pixel>& pixels() const { return case_.pixels; }
@@ -42,9 +64,11 @@ class Trial {
   Place place(std::size_t ray, std::optional<std::size_t> sphere = {}) const;
 
   // The truth.
-  const reference::ExactCamera& exact_camera();
-  const reference::ExactRay& exact_ray(std::size_t ray);
-  const reference::Intersection& exact_intersection(std::size_t ray, std::size_t sphere);
+  const reference::ExactCamera& exact_camera() { return truth_->camera(); }
+  const reference::ExactRay& exact_ray(std::size_t ray) { return truth_->ray(ray); }
+  const reference::Intersection& exact_intersection(std::size_t ray, std::size_t sphere) {
+    return truth_->intersection(ray, sphere);
+  }
   bool exact_hit(std::size_t ray, std::size_t sphere);
   /// A tangent that the convention leaves open.
   bool is_unjudged(std::size_t ray, std::size_t sphere);
@@ -57,6 +81,13 @@ class Trial {
   bool has_rays() const;
   const std::vector<std::optional<HitAnswer>>& hits(std::size_t sphere);
   const std::vector<std::optional<std::size_t>>& nearest();
+  /// The candidate asked about other rays or spheres. A ray of its own making that is not finite or
+  /// has no direction is no question that it could answer: it counts as a miss.
+  std::vector<std::optional<HitAnswer>> intersect(const std::vector<scene::Ray>& rays,
+                                                  const scene::Sphere& sphere,
+                                                  const scene::Conventions& conventions) const;
+  std::vector<std::optional<std::size_t>> rank(const std::vector<scene::Ray>& rays,
+                                               const std::vector<scene::Sphere>& spheres) const;
 
   /// The bound on a quantity: the one asked for, or the candidate's, or the default.
   double bound(Quantity quantity) const;
@@ -85,9 +116,7 @@ class Trial {
   std::optional<double> max_error_;
   bool inside_domain_;
 
-  std::optional<reference::ExactCamera> exact_camera_;
-  std::vector<std::optional<reference::ExactRay>> exact_rays_;
-  std::vector<std::optional<reference::Intersection>> intersections_;
+  std::shared_ptr<Truth> truth_;
   std::optional<FrameAnswer> frame_;
   std::optional<std::vector<scene::Point3>> pixel_points_;
   std::optional<std::vector<scene::Ray>> rays_;

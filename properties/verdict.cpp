@@ -85,7 +85,7 @@ void Verdict::add(Discrepancy discrepancy) {
   ++discrepancies_;
   if (discrepancy.excuse != Excuse::kNone) ++excused_;
   kept_.push_back(std::move(discrepancy));
-  if (kept_.size() >= 2 * kKept) prune();
+  if (kept_.size() >= 2 * kKeptDiscrepancies) prune();
 }
 
 void Verdict::merge(Verdict other) {
@@ -105,7 +105,7 @@ void Verdict::merge(Verdict other) {
   discrepancies_ += other.discrepancies_;
   excused_ += other.excused_;
   std::move(other.kept_.begin(), other.kept_.end(), std::back_inserter(kept_));
-  if (kept_.size() >= 2 * kKept) prune();
+  if (kept_.size() >= 2 * kKeptDiscrepancies) prune();
 }
 
 void Verdict::shift_rays(std::size_t first) {
@@ -115,7 +115,7 @@ void Verdict::shift_rays(std::size_t first) {
 
 void Verdict::prune() {
   kept_ = worst_first(std::move(kept_));
-  kept_.resize(std::min(kept_.size(), kKept));
+  kept_.resize(std::min(kept_.size(), kKeptDiscrepancies));
 }
 
 std::vector<Discrepancy> Verdict::worst(std::size_t count) const {

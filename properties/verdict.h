@@ -8,6 +8,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "properties/quantity.h"
@@ -80,11 +81,16 @@ struct Tally {
   std::optional<double> max() const;
 };
 
+/// How many discrepancies a verdict keeps; a bad candidate has one in every pixel.
+inline constexpr std::size_t kKeptDiscrepancies = 1000;
+
 /// The answer of a law on a case, or of several merged: left out with a reason, or what was
 /// compared and the discrepancies found; it holds when there are none without an excuse.
 class Verdict {
  public:
   static Verdict left_out(std::string reason);
+  /// Notes that a part of the case was left out.
+  void leave_out(std::string reason) { left_out_ = std::move(reason); }
 
   /// Counts a measured error.
   void measured(Quantity quantity, const Place& place, double error);
@@ -107,8 +113,6 @@ class Verdict {
   const std::string& reason_left_out() const { return left_out_; }
 
  private:
-  /// Kept of each sort; a bad candidate has one in every pixel.
-  static constexpr std::size_t kKept = 200;
   void prune();
 
   std::string left_out_;

@@ -27,6 +27,9 @@ struct Camera {
   bool operator==(const Camera&) const = default;
 };
 
+/// The most pixels that an image may have across, and down: indices of pixels then fit 64 bits.
+inline constexpr std::int64_t kMostPixelsAcross = (std::int64_t{1} << 31) - 1;
+
 /// Pixel (i, j): column i of width, row j of height, counted as the `rows` convention says.
 struct Pixel {
   std::int64_t i = 0;

@@ -11,7 +11,7 @@
 namespace raycheck::scene {
 namespace {
 
-constexpr std::string_view kSpace = " \t\r\v\f";
+constexpr std::string_view kSpace = " \t\v\f";
 constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
 
 // One line of the file: a keyword and the words after it.
@@ -27,6 +27,7 @@ struct Bounds {
   double bottom = 0;
   double top = 0;
   bool is_degenerate() const { return left == right || bottom == top; }
+  bool is_mirrored() const { return left > right || bottom > top; }
 };
 
 constexpr std::array<const char*, 3> kDialectNames = {"dialect A", "dialect B", "dialect C"};
@@ -54,9 +55,10 @@ std::vector<Entry> entries_of(std::string_view text) {
   if (text.starts_with(kByteOrderMark)) text.remove_prefix(kByteOrderMark.size());
   std::vector<Entry> entries;
   for (std::size_t line = 1; !text.empty(); ++line) {
-    const std::size_t length = std::min(text.find('\n'), text.size());
+    const std::size_t length = std::min(text.find_first_of("\r\n"), text.size());
     std::string_view rest = text.substr(0, std::min(text.find('#'), length));
-    text.remove_prefix(std::min(length + 1, text.size()));
+    const std::size_t line_end = text.substr(length).starts_with("\r\n") ? 2 : 1;
+    text.remove_prefix(std::min(length + line_end, text.size()));
     Entry entry{"", {}, line};
     while (rest.find_first_not_of(kSpace) != std::string_view::npos) {
       rest.remove_prefix(rest.find_first_not_of(kSpace));
@@ -188,6 +190,11 @@ class DriverReader {
                         bounds_order(dialect) + "), but has in " + name(other) + "'s (" +
                         bounds_order(other) + "): reorder the numbers; --dialect " +
                         (other == Dialect::kA ? "A needs d > 0" : "B needs d < 0"));
+    }
+    if (bounds.is_mirrored() && !bounds_of(numbers, other).is_mirrored()) {
+      warn_once(entry, std::string("mirror the image in ") + name(dialect) + "'s order (" +
+                           bounds_order(dialect) + "), would not in " + name(other) + "'s (" +
+                           bounds_order(other) + ")");
     }
     camera.left = bounds.left;
     camera.right = bounds.right;

@@ -61,8 +61,8 @@ class Collector {
     if (std::isfinite(camera.bottom) && camera.bottom == camera.top) {
       add("top", shortest(camera.top), "equals bottom, so the image has no height");
     }
-    if (camera.width < 1) add("width", std::to_string(camera.width), "is below 1 pixel");
-    if (camera.height < 1) add("height", std::to_string(camera.height), "is below 1 pixel");
+    check_count("width", camera.width);
+    check_count("height", camera.height);
   }
 
   void check_edges(const Camera& camera) {
@@ -89,6 +89,11 @@ class Collector {
   template <typename Triple>
   static std::string spelled(const Triple& triple) {
     return "[" + shortest(triple.x) + ", " + shortest(triple.y) + ", " + shortest(triple.z) + "]";
+  }
+
+  void check_count(const char* field, std::int64_t count) {
+    if (count < 1) add(field, std::to_string(count), "is below 1 pixel");
+    if (count > kMostPixelsAcross) add(field, std::to_string(count), "is above 2^31 - 1 pixels");
   }
 
   template <typename Triple>

@@ -3,7 +3,10 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <cmath>
 #include <map>
+#include <memory>
+#include <utility>
 
 #include "properties/fast_candidate.h"
 #include "properties/law.h"
@@ -17,6 +20,7 @@ using properties::Candidate;
 using properties::Case;
 using properties::Law;
 using properties::Trial;
+using properties::Truth;
 using properties::Verdict;
 
 /// Rays judged before progress is shown and an interrupt is heeded.
@@ -28,92 +32,111 @@ std::uint64_t count_rays(const scene::Scene& scene) {
          static_cast<std::uint64_t>(scene.camera->height);
 }
 
-/// Pixel number `index` of an image, row by row.
-scene::Pixel pixel_at(const scene::Camera& camera, std::uint64_t index) {
-  const auto width = static_cast<std::uint64_t>(camera.width);
-  return {static_cast<std::int64_t>(index % width), static_cast<std::int64_t>(index / width)};
-}
-
-/// The chunks of a scene's rays: cases of up to kChunk rays, `judged` of them in all, spread
-/// evenly.
-class Chunks {
+/// N pixels of an image, spread evenly: the middles of the cells of a grid as near to square as N
+/// lets it be. All pixels, row by row, when N is their number.
+class PixelGrid {
  public:
-  Chunks(const scene::Scene& scene, std::uint64_t judged)
-      : scene_(scene), total_(count_rays(scene)), judged_(judged) {}
-
-  bool next(Case& out) {
-    if (done_ >= judged_) return false;
-    const std::uint64_t end = std::min<std::uint64_t>(done_ + kChunk, judged_);
-    out.scene = scene_;
-    out.pixels.clear();
-    first_ = done_;
-    if (scene_.camera) {
-      for (std::uint64_t k = done_; k < end; ++k) {
-        // k * total / judged without overflow.
-        const std::uint64_t index =
-            judged_ == total_ ? k
-                              : static_cast<std::uint64_t>(static_cast<long double>(k) *
-                                                           static_cast<long double>(total_) /
-                                                           static_cast<long double>(judged_));
-        out.pixels.push_back(pixel_at(*scene_.camera, index));
-      }
-    } else {
-      out.scene.rays.assign(scene_.rays.begin() + static_cast<std::ptrdiff_t>(done_),
-                            scene_.rays.begin() + static_cast<std::ptrdiff_t>(end));
-    }
-    done_ = end;
-    return true;
+  PixelGrid(const scene::Camera& camera, std::uint64_t count)
+      : width_(static_cast<std::uint64_t>(camera.width)),
+        height_(static_cast<std::uint64_t>(camera.height)) {
+    const double aspect = static_cast<double>(width_) / static_cast<double>(height_);
+    const auto ideal =
+        static_cast<std::uint64_t>(std::ceil(std::sqrt(static_cast<double>(count) * aspect)));
+    const std::uint64_t columns = std::clamp<std::uint64_t>(ideal, 1, width_);
+    rows_ = std::min(height_, (count + columns - 1) / columns);
+    columns_ = (count + rows_ - 1) / rows_;
   }
-  std::uint64_t first() const { return first_; }
-  std::uint64_t done() const { return done_; }
+
+  scene::Pixel operator[](std::uint64_t index) const {
+    const std::uint64_t column = index % columns_;
+    const std::uint64_t row = index / columns_;
+    return {static_cast<std::int64_t>((2 * column + 1) * width_ / (2 * columns_)),
+            static_cast<std::int64_t>((2 * row + 1) * height_ / (2 * rows_))};
+  }
 
  private:
-  const scene::Scene& scene_;
-  std::uint64_t total_;
-  std::uint64_t judged_;
-  std::uint64_t first_ = 0;
-  std::uint64_t done_ = 0;
+  std::uint64_t width_;
+  std::uint64_t height_;
+  std::uint64_t columns_;
+  std::uint64_t rows_;
 };
+
+/// Rays first..end of those judged, as a case.
+Case chunk_of(const scene::Scene& scene, std::uint64_t judged, std::uint64_t first,
+              std::uint64_t end) {
+  Case chunk;
+  chunk.scene = scene;
+  if (scene.camera) {
+    const PixelGrid grid(*scene.camera, judged);
+    for (std::uint64_t k = first; k < end; ++k) chunk.pixels.push_back(grid[k]);
+  } else {
+    chunk.scene.rays.assign(scene.rays.begin() + static_cast<std::ptrdiff_t>(first),
+                            scene.rays.begin() + static_cast<std::ptrdiff_t>(end));
+  }
+  return chunk;
+}
 
 /// A law whose answer is one for the scene, not one for each ray.
 bool is_per_scene(const Law& law) { return law.name == "frame"; }
 
-/// Returns how many rays were judged.
-std::uint64_t judge(const CheckOptions& options, const scene::Scene& scene, std::uint64_t judged,
-                    CandidateReport& report) {
-  const Candidate candidate =
-      properties::fast_candidate(*report.methods.rays, *report.methods.intersect);
-  report.name = candidate.name;
-  report.conventions = candidate.declared.over(scene.conventions);
+/// The truths about one chunk, by the conventions under which candidates are judged.
+class SharedTruths {
+ public:
+  explicit SharedTruths(const Case& chunk) : chunk_(chunk) {}
+
+  std::shared_ptr<Truth> under(const scene::Conventions& conventions) {
+    for (const auto& truth : truths_) {
+      if (truth->conventions() == conventions) return truth;
+    }
+    truths_.push_back(std::make_shared<Truth>(chunk_, conventions));
+    return truths_.back();
+  }
+
+ private:
+  const Case& chunk_;
+  std::vector<std::shared_ptr<Truth>> truths_;
+};
+
+/// A candidate and its report in the making.
+struct Judged {
+  Candidate candidate;
+  CandidateReport report;
+  std::map<std::string_view, std::string> left_out;  ///< Reasons by law.
+};
+
+Judged prepare(const MethodPair& pair, const scene::Scene& scene, const CheckOptions& options) {
+  Judged judged;
+  judged.candidate = properties::fast_candidate(*pair.rays, *pair.intersect);
+  judged.report.methods = pair;
+  judged.report.name = judged.candidate.name;
+  judged.report.conventions = judged.candidate.declared.over(scene.conventions);
   for (std::size_t k = 0; k < properties::kQuantityCount; ++k) {
-    report.bounds.push_back(
-        options.max_error.value_or(max_error(candidate, static_cast<properties::Quantity>(k))));
+    judged.report.bounds.push_back(options.max_error.value_or(
+        max_error(judged.candidate, static_cast<properties::Quantity>(k))));
   }
-  std::map<std::string_view, std::string> left_out;
-  Progress progress(candidate.name);
-  Chunks chunks(scene, judged);
-  Case chunk;
-  while (!interrupted() && chunks.next(chunk)) {
-    Trial trial(chunk, candidate, options.max_error);
-    for (const Law& law : properties::laws()) {
-      if (!law.judges_values || (is_per_scene(law) && chunks.first() > 0)) continue;
-      Verdict verdict = apply(law, trial);
-      if (!verdict.reason_left_out().empty()) left_out[law.name] = verdict.reason_left_out();
-      if (!scene.camera) verdict.shift_rays(chunks.first());
-      report.verdict.merge(std::move(verdict));
-    }
-    if (chunks.first() == 0) {
-      report.timing = time_methods(report.methods, scene, report.conventions, chunk.pixels);
-    }
-    progress.show(fmt::format("{} of {} rays judged", chunks.done(), judged));
-  }
+  return judged;
+}
+
+void judge_chunk(const Case& chunk, std::uint64_t first, std::shared_ptr<Truth> truth,
+                 std::optional<double> max_error, Judged& judged) {
+  Trial trial(chunk, judged.candidate, max_error, std::move(truth));
   for (const Law& law : properties::laws()) {
-    const auto found = left_out.find(law.name);
-    if (found != left_out.end()) {
-      report.left_out.push_back({std::string(law.name), found->second});
+    if (!law.judges_values || (is_per_scene(law) && first > 0)) continue;
+    Verdict verdict = apply(law, trial);
+    if (!verdict.reason_left_out().empty()) judged.left_out[law.name] = verdict.reason_left_out();
+    if (!chunk.scene.camera) verdict.shift_rays(first);
+    judged.report.verdict.merge(std::move(verdict));
+  }
+}
+
+CandidateReport finish(Judged judged) {
+  for (const Law& law : properties::laws()) {
+    const auto found = judged.left_out.find(law.name);
+    if (found != judged.left_out.end()) {
+      judged.report.left_out.push_back({std::string(law.name), found->second});
     }
   }
-  return chunks.done();
+  return std::move(judged.report);
 }
 
 /// What was left out, one line a reason, with the candidate's name where not all left it out.
@@ -172,6 +195,23 @@ std::uint64_t CheckReport::compared() const {
   return sum;
 }
 
+namespace {
+
+/// The pairs that differ in something that the scene asks of them: without a camera the ray methods
+/// do nothing, without spheres the intersection methods.
+std::vector<MethodPair> useful_pairs(const std::vector<MethodPair>& pairs,
+                                     const scene::Scene& scene) {
+  std::vector<MethodPair> useful;
+  for (MethodPair pair : pairs) {
+    if (!scene.camera) pair.rays = kDefaultMethods.rays;
+    if (scene.spheres.empty()) pair.intersect = kDefaultMethods.intersect;
+    if (std::find(useful.begin(), useful.end(), pair) == useful.end()) useful.push_back(pair);
+  }
+  return useful;
+}
+
+}  // namespace
+
 CheckReport check(const CheckOptions& options) {
   scene::LoadedScene loaded = scene::load_scene(options.path, options.dialect);
   CheckReport report;
@@ -184,15 +224,27 @@ CheckReport check(const CheckOptions& options) {
   if (report.scene.camera && options.pixels) {
     judged = std::min(judged, static_cast<std::uint64_t>(*options.pixels));
   }
-  report.rays_judged = judged;
-  for (const MethodPair& pair : options.methods) {
-    if (interrupted()) break;
-    CandidateReport candidate;
-    candidate.methods = pair;
-    report.rays_judged =
-        std::min(report.rays_judged, judge(options, report.scene, judged, candidate));
-    report.candidates.push_back(std::move(candidate));
+  std::vector<Judged> all;
+  for (const MethodPair& pair : useful_pairs(options.methods, report.scene)) {
+    all.push_back(prepare(pair, report.scene, options));
   }
+  Progress progress(report.path);
+  while (report.rays_judged < judged && !interrupted()) {
+    const std::uint64_t first = report.rays_judged;
+    const std::uint64_t end = std::min(first + kChunk, judged);
+    const Case chunk = chunk_of(report.scene, judged, first, end);
+    SharedTruths truths(chunk);
+    for (Judged& one : all) {
+      judge_chunk(chunk, first, truths.under(one.report.conventions), options.max_error, one);
+      if (first == 0) {
+        one.report.timing =
+            time_methods(one.report.methods, report.scene, one.report.conventions, chunk.pixels);
+      }
+    }
+    report.rays_judged = end;
+    progress.show(fmt::format("{} of {} rays judged", end, judged));
+  }
+  for (Judged& one : all) report.candidates.push_back(finish(std::move(one)));
   report.interrupted = interrupted();
   report.left_out = left_out_lines(report);
   return report;

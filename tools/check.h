@@ -49,7 +49,7 @@ struct CheckReport {
   scene::Scene scene;
   std::vector<std::string> warnings;
   std::uint64_t rays_in_scene = 0;
-  std::uint64_t rays_judged = 0;  ///< By every candidate listed.
+  std::uint64_t rays_judged = 0;
   std::vector<CandidateReport> candidates;
   std::vector<std::string> left_out;  ///< What was asked of no candidate, one line each.
   std::size_t top = 0;

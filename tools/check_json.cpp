@@ -15,7 +15,7 @@ Json quantity_json(properties::Quantity quantity, const Tally& tally, double bou
     return found == tally.wrong.end() ? std::uint64_t{0} : found->second;
   };
   const auto& place = tally.worst_place;
-  const bool has_worst = tally.worst > 0;
+  const bool has_worst = tally.worst > 0 && has_place(quantity);
   Json json;
   json["name"] = info(quantity).name;
   json["unit"] = info(quantity).unit;

@@ -48,7 +48,7 @@ std::string class_error_text(const Tally& tally) {
 /// The worst place of a quantity, where anything was off.
 std::string worst_text(const Tally& tally, Quantity quantity) {
   std::string text;
-  if (tally.worst > 0 && quantity != Quantity::kFrame && quantity != Quantity::kOrthonormality) {
+  if (tally.worst > 0 && has_place(quantity)) {
     text = place_text(tally.worst_place);
   }
   if (tally.ill_conditioned > 0) {

@@ -4,7 +4,10 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <cerrno>
+#include <cmath>
 #include <cstdio>
+#include <cstring>
 #include <exception>
 #include <optional>
 #include <string>
@@ -84,12 +87,22 @@ std::optional<scene::Dialect> parse_dialect(const std::string& text) {
   throw std::invalid_argument("--dialect " + text + ": the dialects are A, B, C");
 }
 
+/// A bound on errors: a number >= 0.
+const CLI::Validator kBound(
+    [](std::string& text) -> std::string {
+      const auto number = scene::parse_number(text);
+      if (number && *number >= 0 && std::isfinite(*number)) return {};
+      return "give a finite number from 0, not " + text;
+    },
+    "NUMBER", "bound");
+
 /// The pairs of methods asked for by --rays and --intersect.
 std::vector<MethodPair> chosen_methods(const Arguments& arguments) {
   const auto& rays = arguments.rays.empty() ? *kDefaultMethods.rays : find_rays(arguments.rays);
   std::vector<MethodPair> pairs;
   for (const std::string& name : arguments.intersect) {
-    pairs.push_back({&rays, &find_intersect(name)});
+    const MethodPair pair = {&rays, &find_intersect(name)};
+    if (std::find(pairs.begin(), pairs.end(), pair) == pairs.end()) pairs.push_back(pair);
   }
   if (pairs.empty()) pairs.push_back({&rays, kDefaultMethods.intersect});
   return pairs;
@@ -99,7 +112,13 @@ void print_warnings(const std::vector<std::string>& warnings) {
   for (const std::string& warning : warnings) fmt::print(stderr, "warning: {}\n", warning);
 }
 
-void print_report(const std::string& text) { std::fwrite(text.data(), 1, text.size(), stdout); }
+/// Throws when the report could not be written: a lost report must not look like a good one.
+void print_report(const std::string& text) {
+  if (std::fwrite(text.data(), 1, text.size(), stdout) != text.size() || std::fflush(stdout) != 0) {
+    throw std::runtime_error(std::string("the report could not be written: ") +
+                             std::strerror(errno));
+  }
+}
 
 int exit_code(bool was_interrupted, bool found, bool checked) {
   if (was_interrupted) return kExitInterrupted;
@@ -126,6 +145,12 @@ int run_check(const Arguments& arguments) {
 }
 
 int run_properties_command(const Arguments& arguments) {
+  if (!arguments.replay.empty() && !(arguments.filter.empty() && arguments.sources.empty() &&
+                                     arguments.rays.empty() && arguments.intersect.empty())) {
+    throw std::invalid_argument(
+        "--replay: names its law, methods and source; leave out --filter, --source, --rays, "
+        "--intersect");
+  }
   PropertiesOptions options;
   options.filter = arguments.filter;
   options.cases = arguments.cases;
@@ -213,11 +238,12 @@ void add_check(CLI::App& app, Arguments& arguments) {
   command.add_option("--pixels", arguments.pixels, "all, or how many, spread evenly")
       ->capture_default_str();
   command.add_option("--top", arguments.top, "how many of the worst discrepancies are shown")
+      ->check(CLI::Range(std::size_t{0}, properties::kKeptDiscrepancies))
       ->capture_default_str();
   command
       .add_option("--max-ulp", arguments.max_ulp,
                   "errors above are discrepancies (default: the method's documented bound)")
-      ->check(CLI::NonNegativeNumber);
+      ->check(kBound);
   add_format(command, arguments);
 }
 
@@ -229,6 +255,7 @@ void add_properties(CLI::App& app, Arguments& arguments) {
       ->check(CLI::PositiveNumber)
       ->capture_default_str();
   command.add_option("--seed", arguments.seed, "the same seed gives the same cases")
+      ->check(CLI::NonNegativeNumber)
       ->capture_default_str();
   command.add_option("--replay", arguments.replay, "the string that a failure printed");
   command.add_option("--rays", arguments.rays, "only this method of making rays");
@@ -241,7 +268,7 @@ void add_properties(CLI::App& app, Arguments& arguments) {
   command
       .add_option("--max-ulp", arguments.max_ulp,
                   "the bound on every error (default: the method's documented bounds)")
-      ->check(CLI::NonNegativeNumber);
+      ->check(kBound);
   add_format(command, arguments);
 }
 

@@ -147,8 +147,10 @@ bool ExplainReport::has_discrepancy() const {
 }
 
 ExplainReport explain(const ExplainOptions& options) {
-  const scene::Scene& scene = options.scene;
+  scene::Scene scene = options.scene;
   scene::require_valid(scene);
+  // As check does: rays that a method makes from the eye only are judged from the eye.
+  if (options.rays->pixel_rays == nullptr) scene.conventions.origin = scene::Origin::kFocal;
   const scene::Conventions& conventions = scene.conventions;
   ExplainReport report;
   report.scene = scene;

@@ -53,6 +53,12 @@ Json hexfloat_or_null(std::optional<double> number) {
   return number ? Json(scene::hexfloat(*number)) : Json(nullptr);
 }
 
+bool has_place(properties::Quantity quantity) {
+  return quantity != properties::Quantity::kFrame &&
+         quantity != properties::Quantity::kOrthonormality &&
+         quantity != properties::Quantity::kRefusal;
+}
+
 std::string place_text(const properties::Place& place) {
   std::string text = place.pixel ? fmt::format("pixel ({}, {})", place.pixel->i, place.pixel->j)
                                  : fmt::format("ray {}", place.ray);
@@ -76,7 +82,8 @@ Json conventions_json(const scene::Conventions& conventions) {
 
 std::string discrepancy_text(const Discrepancy& d, std::string_view indent, bool colours) {
   const properties::QuantityInfo& quantity = info(d.quantity);
-  std::string head = fmt::format("{}, {}", quantity.name, place_text(d.place));
+  std::string head(quantity.name);
+  if (has_place(d.quantity)) head += ", " + place_text(d.place);
   if (!d.what.empty()) head += fmt::format(", {}", d.what);
   if (d.wrong != properties::Wrong::kNot) {
     head += fmt::format(": {}", name(d.wrong));

@@ -27,6 +27,8 @@ std::string numbers_text(const std::vector<double>& numbers);
 Json hexfloats(const std::vector<double>& numbers);
 Json hexfloat_or_null(std::optional<double> number);
 
+/// False for what belongs to the scene as a whole.
+bool has_place(properties::Quantity quantity);
 /// "pixel (3, 4), sphere 0" or "ray 2".
 std::string place_text(const properties::Place& place);
 

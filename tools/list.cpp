@@ -12,6 +12,11 @@
 namespace raycheck::tools {
 namespace {
 
+std::string caveat(std::string_view not_kept) {
+  if (not_kept.empty()) return "\n";
+  return fmt::format("\n  {:<17} not kept on {}\n", "", not_kept);
+}
+
 template <class Names>
 std::string joined(const Names& names) {
   std::string text;
@@ -26,14 +31,15 @@ std::string list_text() {
   for (const auto* method : fast::pixel_ray_methods()) {
     text += fmt::format("  {:<17} {}\n", method->name, method->sentence);
     text += fmt::format(
-        "  {:<17} bounds: {}direction {} u, unit defect {} u\n", "",
+        "  {:<17} bounds: {}direction {} u, unit defect {} u{}", "",
         method->pixel_points ? fmt::format("point {} u, ", method->max_point_ulp) : std::string(),
-        method->max_direction_ulp, method->max_unit_defect_ulp);
+        method->max_direction_ulp, method->max_unit_defect_ulp, caveat(method->not_kept));
   }
   text += "\nintersection methods (--intersect):\n";
   for (const auto* method : fast::intersect_methods()) {
-    text += fmt::format("  {:<17} {}\n  {:<17} bounds: parameter {} ulp, hit point {} u\n",
-                        method->name, method->sentence, "", method->max_ulp, method->max_ulp);
+    text += fmt::format("  {:<17} {}\n  {:<17} bounds: parameter {} ulp, hit point {} u{}",
+                        method->name, method->sentence, "", method->max_ulp, method->max_ulp,
+                        caveat(method->not_kept));
   }
   text += fmt::format(
       "\nBounds hold up to condition number {}, in proportion beyond, for lengths from {:.3g} to "
@@ -65,7 +71,8 @@ std::string list_json() {
          {"sentence", method->sentence},
          {"max_point_ulp", method->pixel_points ? Json(method->max_point_ulp) : Json(nullptr)},
          {"max_direction_ulp", method->max_direction_ulp},
-         {"max_unit_defect_ulp", method->max_unit_defect_ulp}});
+         {"max_unit_defect_ulp", method->max_unit_defect_ulp},
+         {"not_kept_on", method->not_kept}});
   }
   json["intersection_methods"] = Json::array();
   for (const auto* method : fast::intersect_methods()) {

@@ -13,6 +13,7 @@ namespace raycheck::tools {
 struct MethodPair {
   const fast::PixelRayMethod* rays;
   const fast::IntersectMethod* intersect;
+  bool operator==(const MethodPair&) const = default;
 };
 
 /// What is judged when nothing is asked for: the most accurate of each kind.

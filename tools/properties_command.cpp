@@ -171,7 +171,7 @@ std::string properties_text(const PropertiesReport& report, bool colours) {
 
 std::string properties_json(const PropertiesReport& report) {
   Json json = json_header("properties");
-  json["seed"] = report.seed;
+  json["seed"] = report.seed ? Json(*report.seed) : Json(nullptr);
   json["cases"] = report.cases;
   json["interrupted"] = report.interrupted;
   json["campaigns"] = Json::array();

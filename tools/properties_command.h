@@ -30,7 +30,7 @@ struct CampaignReport {
 
 struct PropertiesReport {
   std::vector<CampaignReport> campaigns;
-  std::uint64_t seed = 0;
+  std::optional<std::uint64_t> seed;  ///< Empty for a replay.
   int cases = 0;
   bool interrupted = false;
 

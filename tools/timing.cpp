@@ -4,6 +4,8 @@
 #include <chrono>
 #include <limits>
 
+#include "scene/validate.h"
+
 namespace raycheck::tools {
 namespace {
 
@@ -24,6 +26,16 @@ double best_ns(Work work) {
     best = std::min(best, elapsed.count());
   }
   return best;
+}
+
+/// Rays that overflowed on their way are judged, not timed.
+bool all_valid(const fast::Rays& rays) {
+  for (std::size_t k = 0; k < rays.size(); ++k) {
+    const scene::Ray ray = {{rays.origin.x[k], rays.origin.y[k], rays.origin.z[k]},
+                            {rays.direction.x[k], rays.direction.y[k], rays.direction.z[k]}};
+    if (!scene::problems(ray).empty()) return false;
+  }
+  return true;
 }
 
 }  // namespace
@@ -53,7 +65,7 @@ Timing time_methods(const MethodPair& methods, const scene::Scene& scene,
     }
   }
   const std::size_t spheres = std::min(scene.spheres.size(), kSpheres);
-  if (spheres == 0) return timing;
+  if (spheres == 0 || !all_valid(rays)) return timing;
   fast::Hits hits;
   const double elapsed = best_ns([&] {
     for (std::size_t k = 0; k < spheres; ++k) {
