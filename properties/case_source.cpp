@@ -246,7 +246,9 @@ Case far(std::uint64_t seed) {
 Case grazing(std::uint64_t seed) {
   return ray_case(seed, [](Random& random) {
     const double radius = random.power_of_ten(-1, 1);
-    return Aim{random.between(-2, 10), radius * (1 + random.signed_power_of_ten(-15, -1)), radius};
+    const double distance = radius * random.power_of_ten(-1, 3);
+    return Aim{random.one_in(8) ? -distance : distance,
+               radius * (1 + random.signed_power_of_ten(-15, -1)), radius};
   });
 }
 

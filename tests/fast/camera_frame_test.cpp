@@ -1,0 +1,81 @@
+#include "fast/camera_frame.h"
+
+#include <gtest/gtest.h>
+
+#include <limits>
+#include <stdexcept>
+#include <string>
+
+#include "properties/case_source.h"
+#include "properties/quantity.h"
+#include "reference/condition.h"
+#include "reference/error_measure.h"
+
+namespace raycheck::fast {
+namespace {
+
+using scene::Camera;
+using scene::UnitVector3;
+
+const Camera kLecture = {{8, 8, 100}, {8, 8, 54}, {0, 1, 0}, -30, {}, -30, 30, -20, 20, 2, 2};
+
+TEST(CameraFrame, OfTheLectureIsTheWorldsAxes) {
+  const CameraFrame frame = camera_frame(kLecture);
+  EXPECT_EQ(frame.U, (UnitVector3{1, 0, 0}));
+  EXPECT_EQ(frame.V, (UnitVector3{0, 1, 0}));
+  EXPECT_EQ(frame.W, (UnitVector3{0, 0, 1}));
+}
+
+TEST(CameraFrame, IsUnmovedByTheLengthOfUpAndOfTheView) {
+  Camera camera = kLecture;
+  camera.up = {0, 1024, 512};
+  camera.look_at.z = -3;
+  const CameraFrame frame = camera_frame(camera);
+  EXPECT_EQ(frame.V, (UnitVector3{0, 1, 0}));
+  EXPECT_EQ(frame.W, (UnitVector3{0, 0, 1}));
+}
+
+TEST(CameraFrame, IsWithinItsBoundOnRandomCameras) {
+  int judged = 0;
+  for (const char* source : {"cameras", "plain-cameras", "far-cameras"}) {
+    for (std::uint64_t seed = 0; seed < 1000; ++seed) {
+      const auto the_case = properties::find_case_source(source)->make(seed);
+      const Camera& camera = *the_case.scene.camera;
+      const reference::ExactCamera exact(camera, the_case.scene.conventions);
+      if (reference::condition_of_frame(exact) > properties::kModerateCondition) continue;
+      ++judged;
+      const CameraFrame frame = camera_frame(camera);
+      const reference::EnclosedFrame truth = exact.frame();
+      EXPECT_LE(reference::relative_error(frame.U, truth.U), kFrameMaxUlp);
+      EXPECT_LE(reference::relative_error(frame.V, truth.V), kFrameMaxUlp);
+      EXPECT_LE(reference::relative_error(frame.W, truth.W), kFrameMaxUlp);
+    }
+  }
+  EXPECT_GT(judged, 1500);
+}
+
+std::string refusal(const Camera& camera) {
+  try {
+    camera_frame(camera);
+  } catch (const std::invalid_argument& error) {
+    return error.what();
+  }
+  return "none";
+}
+
+TEST(CameraFrame, RefusesByTheNameOfTheField) {
+  Camera camera = kLecture;
+  camera.up = {0, 0, -3};
+  EXPECT_NE(refusal(camera).find("camera.up"), std::string::npos) << refusal(camera);
+  camera.up = {};
+  EXPECT_NE(refusal(camera).find("camera.up"), std::string::npos) << refusal(camera);
+  camera = kLecture;
+  camera.look_at = camera.eye;
+  EXPECT_NE(refusal(camera).find("camera.look_at"), std::string::npos) << refusal(camera);
+  camera = kLecture;
+  camera.eye.y = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_NE(refusal(camera).find("camera.eye"), std::string::npos) << refusal(camera);
+}
+
+}  // namespace
+}  // namespace raycheck::fast

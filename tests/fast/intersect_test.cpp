@@ -1,0 +1,204 @@
+#include "fast/intersect.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+#include <string>
+
+#include "properties/case_source.h"
+#include "properties/quantity.h"
+#include "reference/condition.h"
+#include "reference/error_measure.h"
+
+namespace raycheck::fast {
+namespace {
+
+using scene::Ray;
+using scene::Root;
+using scene::Sphere;
+using scene::Tangent;
+
+Rays batch(const std::vector<Ray>& rays) {
+  Rays result;
+  result.resize(rays.size());
+  for (std::size_t k = 0; k < rays.size(); ++k) {
+    result.origin.x[k] = rays[k].origin.x;
+    result.origin.y[k] = rays[k].origin.y;
+    result.origin.z[k] = rays[k].origin.z;
+    result.direction.x[k] = rays[k].direction.x;
+    result.direction.y[k] = rays[k].direction.y;
+    result.direction.z[k] = rays[k].direction.z;
+  }
+  return result;
+}
+
+Hits intersect(const IntersectMethod& method, const std::vector<Ray>& rays, const Sphere& sphere,
+               Root root = Root::kNearest, Tangent tangent = Tangent::kHit) {
+  Hits hits;
+  method.intersect(batch(rays), sphere, root, tangent, hits);
+  return hits;
+}
+
+const Sphere kLectureSphere = {{5, 5, 5}, 3};
+const Sphere kUnitSphere = {{0, 0, 0}, 1};
+
+class EachMethod : public testing::TestWithParam<const IntersectMethod*> {};
+
+TEST_P(EachMethod, HasTheLecturesAnswers) {
+  const IntersectMethod& method = *GetParam();
+  const Hits hits =
+      intersect(method, {{{1, 1, 3}, {4, 3, 0}}, {{0, 0, 0}, {1, 3, 4}}, {{1, 0, 1}, {1, 2, 1}}},
+                kLectureSphere);
+  ASSERT_EQ(hits.size(), 3u);
+  EXPECT_TRUE(hits.hit[0]);
+  // The lecture's s is for unit directions: 28/5 - sqrt(109)/5 over |(4, 3, 0)| = 5.
+  EXPECT_NEAR(hits.parameter[0], (28 - std::sqrt(109)) / 25, 1e-15);
+  EXPECT_NEAR(hits.point.x[0], (137 - 4 * std::sqrt(109)) / 25, 1e-14);
+  EXPECT_NEAR(hits.point.y[0], (109 - 3 * std::sqrt(109)) / 25, 1e-14);
+  EXPECT_EQ(hits.point.z[0], 3);
+  EXPECT_FALSE(hits.hit[1]);
+  EXPECT_TRUE(hits.hit[2]);
+  EXPECT_NEAR(hits.parameter[2], 2, 4e-15);
+  EXPECT_NEAR(hits.point.x[2], 3, 1e-14);
+  EXPECT_NEAR(hits.point.y[2], 4, 1e-14);
+  EXPECT_NEAR(hits.point.z[2], 3, 1e-14);
+}
+
+TEST_P(EachMethod, FollowsTheRootConvention) {
+  const std::vector<Ray> rays = {{{-5, 0, 0}, {1, 0, 0}},
+                                 {{0, 0, 0}, {1, 0, 0}},
+                                 {{5, 0, 0}, {1, 0, 0}},
+                                 {{0, 0.5, 0}, {-1, 0, -0.0}}};
+  const Hits nearest = intersect(*GetParam(), rays, kUnitSphere);
+  EXPECT_EQ(nearest.hit, (std::vector<std::uint8_t>{1, 1, 0, 1}));
+  EXPECT_EQ(nearest.parameter[0], 4);
+  EXPECT_EQ(nearest.parameter[1], 1);
+  const Hits smaller = intersect(*GetParam(), rays, kUnitSphere, Root::kSmaller);
+  EXPECT_EQ(smaller.hit, (std::vector<std::uint8_t>{1, 0, 0, 0}));
+  EXPECT_EQ(smaller.parameter[0], 4);
+}
+
+TEST_P(EachMethod, FollowsTheTangentConvention) {
+  const std::vector<Ray> tangent = {{{-5, 1, 0}, {1, 0, 0}}};
+  EXPECT_TRUE(intersect(*GetParam(), tangent, kUnitSphere).hit[0]);
+  EXPECT_EQ(intersect(*GetParam(), tangent, kUnitSphere).parameter[0], 5);
+  EXPECT_FALSE(intersect(*GetParam(), tangent, kUnitSphere, Root::kNearest, Tangent::kMiss).hit[0]);
+  EXPECT_TRUE(
+      intersect(*GetParam(), tangent, kUnitSphere, Root::kNearest, Tangent::kEither).hit[0]);
+}
+
+TEST_P(EachMethod, CountsParametersInMultiplesOfTheDirection) {
+  const Hits hits = intersect(*GetParam(), {{{-5, 0, 0}, {8, 0, 0}}}, kUnitSphere);
+  EXPECT_TRUE(hits.hit[0]);
+  EXPECT_EQ(hits.parameter[0], 0.5);
+  EXPECT_EQ(hits.point.x[0], -1);
+}
+
+TEST_P(EachMethod, TakesBatchesOfAnySize) {
+  std::vector<Ray> many;
+  for (int k = 0; k < 1000; ++k) many.push_back({{-5, k * 0.002, 0}, {1, 0.001 * k, 0.5}});
+  Hits hits = intersect(*GetParam(), many, {{0, 0, 2}, 2});
+  ASSERT_EQ(hits.size(), 1000u);
+  for (const std::size_t k : {std::size_t{0}, std::size_t{500}, std::size_t{999}}) {
+    const Hits alone = intersect(*GetParam(), {many[k]}, {{0, 0, 2}, 2});
+    ASSERT_EQ(alone.size(), 1u);
+    EXPECT_EQ(alone.hit[0], hits.hit[k]);
+    if (alone.hit[0]) {
+      EXPECT_EQ(alone.parameter[0], hits.parameter[k]);
+    }
+  }
+  GetParam()->intersect(Rays(), kUnitSphere, Root::kNearest, Tangent::kHit, hits);
+  EXPECT_EQ(hits.size(), 0u);
+  EXPECT_EQ(hits.point.size(), 0u);
+}
+
+TEST_P(EachMethod, RefusesByTheNameOfTheField) {
+  const auto refusal = [&](const std::vector<Ray>& rays, const Sphere& sphere) -> std::string {
+    try {
+      intersect(*GetParam(), rays, sphere);
+    } catch (const std::invalid_argument& error) {
+      return error.what();
+    }
+    return "none";
+  };
+  const Ray good = {{0, 0, 0}, {1, 0, 0}};
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_EQ(refusal({good}, kUnitSphere), "none");
+  EXPECT_NE(refusal({good}, {{0, 0, 0}, -1}).find("radius"), std::string::npos);
+  EXPECT_NE(refusal({}, {{0, nan, 0}, 1}).find("centre"), std::string::npos);
+  const std::string zero = refusal({good, {{0, 0, 0}, {0, 0, 0}}}, kUnitSphere);
+  EXPECT_NE(zero.find("ray 1"), std::string::npos) << zero;
+  EXPECT_NE(zero.find("direction"), std::string::npos) << zero;
+  const std::string origin = refusal({good, good, {{0, 0, nan}, {1, 0, 0}}}, kUnitSphere);
+  EXPECT_NE(origin.find("ray 2"), std::string::npos) << origin;
+  EXPECT_NE(origin.find("origin"), std::string::npos) << origin;
+}
+
+TEST_P(EachMethod, RanksTheFirstOfEqualSpheresFirst) {
+  const std::vector<Sphere> spheres = {
+      {{9, 0, 0}, 1}, {{5, 0, 0}, 1}, {{5, 0, 0}, 1}, {{-5, 0, 0}, 1}};
+  const Rays rays =
+      batch({{{0, 0, 0}, {1, 0, 0}}, {{0, 0, 0}, {-1, 0, 0}}, {{0, 0, 0}, {0, 1, 0}}});
+  using Index = std::optional<std::size_t>;
+  const auto nearest = nearest_spheres(*GetParam(), rays, spheres, Root::kNearest, Tangent::kHit);
+  EXPECT_EQ(nearest, (std::vector<Index>{1, 3, Index()}));
+  EXPECT_EQ(nearest_spheres(*GetParam(), rays, {}, Root::kNearest, Tangent::kHit),
+            (std::vector<Index>(3)));
+}
+
+/// Holds a method against its bound on the well-conditioned hits of some sources of cases.
+int audit(const IntersectMethod& method, double bound, std::initializer_list<const char*> sources) {
+  int judged = 0;
+  for (const char* source : sources) {
+    for (std::uint64_t seed = 0; seed < 1500; ++seed) {
+      const auto the_case = properties::find_case_source(source)->make(seed);
+      const Ray& ray = the_case.scene.rays.front();
+      const reference::ExactRay exact(ray);
+      for (const Sphere& sphere : the_case.scene.spheres) {
+        const reference::Intersection at = exact.intersect(sphere);
+        if (at.hit_class != reference::HitClass::kHit ||
+            exact.may_flip_within(sphere, Root::kNearest, properties::kExcusedChange) ||
+            reference::condition_of_parameter(exact, sphere, at) > properties::kModerateCondition) {
+          continue;
+        }
+        ++judged;
+        const Hits hits = intersect(method, {ray}, sphere);
+        EXPECT_TRUE(hits.hit[0]) << method.name << " " << source << " " << seed;
+        EXPECT_LE(reference::ulp_error(hits.parameter[0], exact.parameter(sphere, at)), bound)
+            << method.name << " " << source << " " << seed;
+      }
+    }
+  }
+  return judged;
+}
+
+TEST(IntersectBounds, OfCrossHold) {
+  EXPECT_GT(audit(kCross, kCrossMaxUlp, {"rays", "far", "grazing", "surface", "ties"}), 2500);
+}
+
+TEST(IntersectBounds, OfPerpendicularHold) {
+  EXPECT_GT(
+      audit(kPerpendicular, kPerpendicularMaxUlp, {"rays", "far", "grazing", "surface", "ties"}),
+      2500);
+}
+
+TEST(IntersectBounds, OfTheOthersHoldNextToTheSurface) {
+  EXPECT_GT(audit(kQuadratic, kQuadraticMaxUlp, {"surface"}), 300);
+  EXPECT_GT(audit(kLecture, kLectureMaxUlp, {"surface"}), 300);
+  EXPECT_GT(audit(kStableQuadratic, kStableQuadraticMaxUlp, {"surface"}), 300);
+}
+
+INSTANTIATE_TEST_SUITE_P(Methods, EachMethod,
+                         testing::ValuesIn(intersect_methods().begin(), intersect_methods().end()),
+                         [](const testing::TestParamInfo<const IntersectMethod*>& the_test) {
+                           std::string name(the_test.param->name);
+                           for (char& letter : name) {
+                             if (letter == '-') letter = '_';
+                           }
+                           return name;
+                         });
+
+}  // namespace
+}  // namespace raycheck::fast

@@ -1,0 +1,209 @@
+#include "fast/pixel_ray.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <stdexcept>
+#include <string>
+
+#include "properties/case_source.h"
+#include "properties/quantity.h"
+#include "reference/condition.h"
+#include "reference/error_measure.h"
+
+namespace raycheck::fast {
+namespace {
+
+using scene::Camera;
+using scene::Conventions;
+using scene::Pixel;
+using scene::Point3;
+using scene::UnitVector3;
+
+const Camera kFirst = {{8, 8, 100}, {8, 8, 54}, {0, 1, 0}, -30, {}, -30, 30, -20, 20, 2, 2};
+const Camera kOpticalAxis = {{8, 8, 100}, {8, 8, 54}, {0, 1, 0}, -30, {}, -20, 20, 20, -20, 3, 3};
+
+Point3 point(const Vectors& vectors, std::size_t k) {
+  return {vectors.x.at(k), vectors.y.at(k), vectors.z.at(k)};
+}
+
+UnitVector3 direction(const Rays& rays, std::size_t k) {
+  return {rays.direction.x.at(k), rays.direction.y.at(k), rays.direction.z.at(k)};
+}
+
+void expect_near(const UnitVector3& got, double x, double y, double z) {
+  EXPECT_NEAR(got.x, x, 4e-16);
+  EXPECT_NEAR(got.y, y, 4e-16);
+  EXPECT_NEAR(got.z, z, 4e-16);
+}
+
+TEST(PixelRay, HasTheLecturesPoints) {
+  for (const PixelRayMethod* method : {&kLectureRays, &kDirectRays}) {
+    Vectors points;
+    const std::vector<Pixel> corners = {{0, 0}, {1, 1}};
+    method->pixel_points(kFirst, {}, corners, points);
+    EXPECT_EQ(point(points, 0), (Point3{-22, -12, 70})) << method->name;
+    EXPECT_EQ(point(points, 1), (Point3{38, 28, 70})) << method->name;
+    const std::vector<Pixel> axis = {{0, 0}, {1, 1}};
+    method->pixel_points(kOpticalAxis, {}, axis, points);
+    EXPECT_EQ(point(points, 0), (Point3{-12, 28, 70})) << method->name;
+    EXPECT_EQ(point(points, 1), (Point3{8, 8, 70})) << method->name;
+  }
+}
+
+TEST(PixelRay, HasTheLecturesDirections) {
+  for (const PixelRayMethod* method : pixel_ray_methods()) {
+    SCOPED_TRACE(method->name);
+    Rays rays;
+    const std::vector<Pixel> pixels = {{0, 0}, {1, 1}};
+    method->focal_rays(kFirst, {}, pixels, rays);
+    const double root22 = std::sqrt(22);
+    expect_near(direction(rays, 0), -3 * root22 / 22, -root22 / 11, -3 * root22 / 22);
+    EXPECT_EQ(point(rays.origin, 0), kFirst.eye);
+    method->focal_rays(kOpticalAxis, {}, pixels, rays);
+    const double root17 = std::sqrt(17);
+    expect_near(direction(rays, 0), -2 * root17 / 17, 2 * root17 / 17, -3 * root17 / 17);
+    EXPECT_EQ(direction(rays, 1), (UnitVector3{0, 0, -1}));
+  }
+}
+
+TEST(PixelRay, StartsAtThePixelOrAtTheEye) {
+  for (const PixelRayMethod* method : {&kLectureRays, &kDirectRays}) {
+    Rays from_pixel;
+    Rays from_eye;
+    const std::vector<Pixel> pixels = {{0, 0}};
+    method->pixel_rays(kFirst, {}, pixels, from_pixel);
+    method->focal_rays(kFirst, {}, pixels, from_eye);
+    EXPECT_EQ(point(from_pixel.origin, 0), (Point3{-22, -12, 70}));
+    EXPECT_EQ(point(from_eye.origin, 0), kFirst.eye);
+    EXPECT_EQ(direction(from_pixel, 0), direction(from_eye, 0));
+  }
+  EXPECT_EQ(kFocalRays.pixel_points, nullptr);
+  EXPECT_EQ(kFocalRays.pixel_rays, nullptr);
+}
+
+TEST(PixelRay, FollowsTheRowsAndSamplesConventions) {
+  Conventions top_first;
+  top_first.rows = scene::Rows::kTopFirst;
+  Conventions centres;
+  centres.samples = scene::Samples::kCentres;
+  Vectors points;
+  const std::vector<Pixel> first = {{0, 0}};
+  kDirectRays.pixel_points(kFirst, top_first, first, points);
+  EXPECT_EQ(point(points, 0), (Point3{-22, 28, 70}));
+  kDirectRays.pixel_points(kFirst, centres, first, points);
+  EXPECT_EQ(point(points, 0), (Point3{-7, -2, 70}));
+}
+
+TEST(PixelRay, TakesBatchesOfAnySize) {
+  Camera camera = kFirst;
+  camera.width = camera.height = 32;
+  const std::vector<Pixel> one = {{31, 7}};
+  std::vector<Pixel> many;
+  for (std::int64_t k = 0; k < 1000; ++k) many.push_back({k % 32, k / 32});
+  for (const PixelRayMethod* method : pixel_ray_methods()) {
+    Rays rays;
+    method->focal_rays(camera, {}, many, rays);
+    ASSERT_EQ(rays.size(), 1000u);
+    Rays alone;
+    for (const std::size_t k : {std::size_t{0}, std::size_t{31}, std::size_t{999}}) {
+      method->focal_rays(camera, {}, std::span(&many[k], 1), alone);
+      ASSERT_EQ(alone.size(), 1u);
+      EXPECT_EQ(direction(alone, 0), direction(rays, k)) << method->name;
+    }
+    method->focal_rays(camera, {}, {}, rays);  // a batch in use shrinks
+    EXPECT_EQ(rays.size(), 0u);
+    EXPECT_EQ(rays.direction.size(), 0u);
+  }
+}
+
+TEST(PixelRay, RefusesByTheNameOfTheField) {
+  Camera camera = kFirst;
+  camera.right = camera.left;
+  const std::vector<Pixel> pixels = {{0, 0}};
+  for (const PixelRayMethod* method : pixel_ray_methods()) {
+    Rays rays;
+    try {
+      method->focal_rays(camera, {}, pixels, rays);
+      ADD_FAILURE() << method->name;
+    } catch (const std::invalid_argument& error) {
+      EXPECT_NE(std::string(error.what()).find("camera.right"), std::string::npos) << error.what();
+    }
+  }
+  camera = kFirst;
+  camera.width = 1;  // i/(w-1) is 0/0 on the edges, and well defined at the centres
+  Rays rays;
+  EXPECT_THROW(kDirectRays.focal_rays(camera, {}, pixels, rays), std::invalid_argument);
+  Conventions centres;
+  centres.samples = scene::Samples::kCentres;
+  EXPECT_NO_THROW(kDirectRays.focal_rays(camera, centres, pixels, rays));
+}
+
+/// Calls visit(ray method's case, exact ray, pixel) for pixels of random cameras.
+template <class Visit>
+void for_each_pixel(Visit visit) {
+  for (const char* source : {"cameras", "plain-cameras", "far-cameras"}) {
+    for (std::uint64_t seed = 0; seed < 400; ++seed) {
+      const auto the_case = properties::find_case_source(source)->make(seed);
+      const scene::Scene& scene = the_case.scene;
+      const reference::ExactCamera camera(*scene.camera, scene.conventions);
+      for (const Pixel& pixel : the_case.pixels) {
+        visit(scene, reference::ExactRay(camera, pixel), pixel);
+      }
+    }
+  }
+}
+
+TEST(PixelRay, IsWithinItsBoundsOnRandomCameras) {
+  int points_judged = 0;
+  int directions_judged = 0;
+  for_each_pixel([&](const scene::Scene& scene, const reference::ExactRay& exact, Pixel pixel) {
+    const std::span<const Pixel> pixels(&pixel, 1);
+    Rays rays;
+    Vectors points;
+    if (reference::condition_of_pixel_point(exact) <= properties::kModerateCondition) {
+      ++points_judged;
+      for (const PixelRayMethod* method : {&kLectureRays, &kDirectRays}) {
+        method->pixel_points(*scene.camera, scene.conventions, pixels, points);
+        EXPECT_LE(reference::relative_error(point(points, 0), exact.pixel_point()),
+                  kPixelPointMaxUlp);
+      }
+    }
+    kLectureRays.focal_rays(*scene.camera, scene.conventions, pixels, rays);
+    EXPECT_LE(reference::unit_defect(direction(rays, 0)), kUnitDefectMaxUlp);
+    kDirectRays.focal_rays(*scene.camera, scene.conventions, pixels, rays);
+    EXPECT_LE(reference::unit_defect(direction(rays, 0)), kUnitDefectMaxUlp);
+    if (reference::condition_of_direction(exact) > properties::kModerateCondition) return;
+    ++directions_judged;
+    EXPECT_LE(reference::angle_error(direction(rays, 0), exact.direction()),
+              kDirectDirectionMaxUlp);
+    kFocalRays.focal_rays(*scene.camera, scene.conventions, pixels, rays);
+    EXPECT_LE(reference::angle_error(direction(rays, 0), exact.direction()),
+              kDirectDirectionMaxUlp);
+    EXPECT_LE(reference::unit_defect(direction(rays, 0)), kFocalUnitDefectMaxUlp);
+  });
+  EXPECT_GT(points_judged, 2000);
+  EXPECT_GT(directions_judged, 1500);
+}
+
+TEST(PixelRay, OfPlainEyesIsWithinTheLecturesBound) {
+  int judged = 0;
+  for (std::uint64_t seed = 0; seed < 600; ++seed) {
+    const auto the_case = properties::find_case_source("plain-cameras")->make(seed);
+    const reference::ExactCamera camera(*the_case.scene.camera, the_case.scene.conventions);
+    Rays rays;
+    kLectureRays.focal_rays(*the_case.scene.camera, the_case.scene.conventions, the_case.pixels,
+                            rays);
+    for (std::size_t k = 0; k < the_case.pixels.size(); ++k) {
+      const reference::ExactRay exact(camera, the_case.pixels[k]);
+      if (reference::condition_of_direction(exact) > properties::kModerateCondition) continue;
+      ++judged;
+      EXPECT_LE(reference::angle_error(direction(rays, k), exact.direction()),
+                kLectureDirectionMaxUlp);
+    }
+  }
+  EXPECT_GT(judged, 1000);
+}
+
+}  // namespace
+}  // namespace raycheck::fast

@@ -1,0 +1,31 @@
+#ifndef RAYCHECK_TESTS_MUTANTS_MUTANTS_H_
+#define RAYCHECK_TESTS_MUTANTS_MUTANTS_H_
+
+#include <string_view>
+#include <vector>
+
+#include "properties/candidate.h"
+
+namespace raycheck::mutants {
+
+/// The candidate `direct/cross` with one classic mistake.
+struct Mutant {
+  std::string_view sentence;
+  /// The laws that must catch it.
+  std::vector<std::string_view> caught_by;
+  properties::Candidate candidate;
+};
+
+/// The candidate that the mutants are made from.
+properties::Candidate unmutated();
+
+/// Every mutant; the names of their candidates differ.
+std::vector<Mutant> all_mutants();
+
+// The same by stage, each in the file of its name.
+std::vector<Mutant> camera_mutants();
+std::vector<Mutant> intersect_mutants();
+
+}  // namespace raycheck::mutants
+
+#endif  // RAYCHECK_TESTS_MUTANTS_MUTANTS_H_

@@ -1,0 +1,105 @@
+#include "tests/mutants/mutants.h"
+
+#include <gtest/gtest.h>
+
+#include <set>
+#include <string>
+
+#include "properties/campaign.h"
+#include "scene/scene_file.h"
+#include "scene/validate.h"
+
+namespace raycheck::mutants {
+namespace {
+
+using namespace properties;
+
+constexpr int kCases = 400;
+
+CampaignOptions options() {
+  CampaignOptions result;
+  result.cases = kCases;
+  return result;
+}
+
+std::vector<std::string> names() {
+  std::vector<std::string> result;
+  for (const Mutant& mutant : all_mutants()) result.push_back(mutant.candidate.name);
+  return result;
+}
+
+Mutant mutant_named(const std::string& name) {
+  for (Mutant& mutant : all_mutants()) {
+    if (mutant.candidate.name == name) return mutant;
+  }
+  throw std::invalid_argument("no mutant is called " + name);
+}
+
+bool breaks(const Law& law, const Case& the_case, const Candidate& candidate) {
+  Trial trial(the_case, candidate);
+  return !apply(law, trial).holds();
+}
+
+class EachMutant : public testing::TestWithParam<std::string> {};
+
+TEST_P(EachMutant, IsCaughtByTheLawsItNames) {
+  const Mutant mutant = mutant_named(GetParam());
+  ASSERT_FALSE(mutant.caught_by.empty());
+  for (const std::string_view law_name : mutant.caught_by) {
+    SCOPED_TRACE(std::string(law_name) + ": " + std::string(mutant.sentence));
+    const Law* law = find_law(law_name);
+    ASSERT_NE(law, nullptr);
+    const CampaignResult result = run_campaign(*law, mutant.candidate, options());
+    ASSERT_TRUE(result.failure.has_value());
+    const Failure& failure = *result.failure;
+    EXPECT_TRUE(scene::problems(failure.shrunk.scene).empty());
+    EXPECT_TRUE(breaks(*law, failure.shrunk, mutant.candidate));
+
+    const Replay replay = parse_replay(failure.replay);
+    EXPECT_EQ(replay.law, law);
+    EXPECT_EQ(replay.candidate, mutant.candidate.name);
+    const CampaignResult again = run_replay(replay, mutant.candidate);
+    ASSERT_TRUE(again.failure.has_value()) << failure.replay;
+    EXPECT_EQ(again.failure->shrunk.scene, failure.shrunk.scene);
+
+    Case read{scene::read_toml(text(failure.shrunk), "shrunk").scene, {}};
+    EXPECT_EQ(read.scene, failure.shrunk.scene);
+    if (read.scene.camera) read.pixels = all_pixels(*read.scene.camera);
+    EXPECT_TRUE(breaks(*law, read, mutant.candidate));
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Mutants, EachMutant, testing::ValuesIn(names()),
+                         [](const testing::TestParamInfo<std::string>& the_test) {
+                           std::string name = the_test.param;
+                           for (char& letter : name) {
+                             if (letter == '-') letter = '_';
+                           }
+                           return name;
+                         });
+
+TEST(Mutants, HaveNamesOfTheirOwn) {
+  const auto all = names();
+  EXPECT_EQ(std::set<std::string>(all.begin(), all.end()).size(), all.size());
+  EXPECT_GE(all.size(), 25u);
+}
+
+TEST(Mutants, BreakEveryLaw) {
+  std::set<std::string_view> caught;
+  for (const Mutant& mutant : all_mutants()) {
+    caught.insert(mutant.caught_by.begin(), mutant.caught_by.end());
+  }
+  for (const Law& law : laws()) EXPECT_TRUE(caught.contains(law.name)) << law.name;
+}
+
+TEST(Mutants, ComeFromACandidateThatBreaksNone) {
+  for (const Law& law : laws()) {
+    const CampaignResult result = run_campaign(law, unmutated(), options());
+    EXPECT_FALSE(result.failure.has_value()) << law.name << "\n" << text(result.failure->shrunk);
+    EXPECT_EQ(result.cases, kCases) << law.name;
+    EXPECT_GT(result.verdict.compared(), 40u) << law.name;
+  }
+}
+
+}  // namespace
+}  // namespace raycheck::mutants

@@ -1,0 +1,190 @@
+#include "properties/trial.h"
+
+#include <gtest/gtest.h>
+
+#include <stdexcept>
+
+#include "properties/fast_candidate.h"
+#include "properties/law.h"
+
+namespace raycheck::properties {
+namespace {
+
+using scene::Conventions;
+
+Candidate direct_cross() { return fast_candidate(fast::kDirectRays, fast::kCross); }
+
+Case camera_case() {
+  Case result;
+  result.scene.camera = scene::Camera{{0, 0, 4}, {0, 0, 0}, {0, 1, 0}, -2, {}, -1, 1, -1, 1, 3, 3};
+  result.scene.spheres = {{{0, 0, -10}, 3}, {{0, 0, -20}, 3}};
+  result.pixels = {{1, 1}, {0, 2}};
+  return result;
+}
+
+Case ray_case(const scene::Ray& ray, const scene::Sphere& sphere) {
+  Case result;
+  result.scene.rays = {ray};
+  result.scene.spheres = {sphere};
+  return result;
+}
+
+/// A unit sphere at the origin and a ray along x at a height.
+Case at_height(double height) { return ray_case({{-5, height, 0}, {1, 0, 0}}, {{0, 0, 0}, 1}); }
+
+Candidate that_answers(std::optional<HitAnswer> answer) {
+  Candidate candidate;
+  candidate.intersect = [answer](Candidate::Rays rays, const scene::Sphere&, const Conventions&) {
+    return std::vector(rays.size(), answer);
+  };
+  return candidate;
+}
+
+Verdict judge(std::string_view law, const Case& the_case, const Candidate& candidate,
+              std::optional<double> max_error = {}) {
+  Trial trial(the_case, candidate, max_error);
+  return apply(*find_law(law), trial);
+}
+
+TEST(Trial, AsksTheCandidateOnceForAllLaws) {
+  Candidate candidate = direct_cross();
+  int points = 0;
+  int rays = 0;
+  int hits = 0;
+  candidate.pixel_points = [&, base = candidate.pixel_points](auto&&... args) {
+    ++points;
+    return base(args...);
+  };
+  candidate.pixel_rays = [&, base = candidate.pixel_rays](auto&&... args) {
+    ++rays;
+    return base(args...);
+  };
+  candidate.intersect = [&, base = candidate.intersect](auto&&... args) {
+    ++hits;
+    return base(args...);
+  };
+  const Case the_case = camera_case();
+  Trial trial(the_case, candidate);
+  EXPECT_EQ(points + rays + hits, 0);
+  for (const Law& law : laws()) {
+    if (law.judges_values) apply(law, trial);
+  }
+  EXPECT_EQ(points, 1);
+  EXPECT_EQ(rays, 1);
+  EXPECT_EQ(hits, 2);  // one a sphere
+}
+
+TEST(Trial, JudgesUnderTheDeclaredConventions) {
+  Candidate candidate = direct_cross();
+  Case the_case = camera_case();
+  the_case.scene.conventions.root = scene::Root::kSmaller;
+  EXPECT_EQ(Trial(the_case, candidate).conventions(), the_case.scene.conventions);
+  candidate.declared.rows = scene::Rows::kTopFirst;
+  candidate.declared.samples = scene::Samples::kCentres;
+  candidate.declared.origin = scene::Origin::kFocal;
+  candidate.declared.tangent = scene::Tangent::kMiss;
+  const Conventions expected = {scene::Rows::kTopFirst, scene::Samples::kCentres,
+                                scene::Origin::kFocal, scene::Root::kSmaller,
+                                scene::Tangent::kMiss};
+  EXPECT_EQ(Trial(the_case, candidate).conventions(), expected);
+  EXPECT_TRUE(judge("direction", the_case, candidate).holds());
+  candidate.focal_rays = nullptr;
+  EXPECT_FALSE(Trial(the_case, candidate).has_rays());
+  EXPECT_FALSE(judge("direction", the_case, candidate).reason_left_out().empty());
+}
+
+TEST(Trial, ExcusesAClassErrorNextToTangencyOnly) {
+  const auto excused = [](double height, std::optional<HitAnswer> answer) {
+    const Verdict verdict = judge("class", at_height(height), that_answers(answer));
+    EXPECT_EQ(verdict.discrepancies(), 1u) << height;
+    return verdict.holds();
+  };
+  const HitAnswer hit{5, {0, 1, 0}};
+  EXPECT_TRUE(excused(1, {}));
+  EXPECT_TRUE(excused(1 - 0x1p-53, {}));
+  EXPECT_TRUE(excused(1 + 0x1p-52, hit));
+  EXPECT_FALSE(excused(1 - 1e-13, {}));
+  EXPECT_FALSE(excused(1 + 1e-13, hit));
+}
+
+TEST(Trial, DoesNotExcuseAFarSphereThatIsMissed) {
+  const Case far = ray_case({{-1e7, 0.095, 0}, {1, 0, 0}}, {{0, 0, 0}, 0.1});
+  const Verdict verdict = judge("class", far, that_answers({}));
+  EXPECT_EQ(verdict.excused(), 0u);
+  ASSERT_EQ(verdict.worst(1).size(), 1u);
+  const Discrepancy worst = verdict.worst(1).front();
+  EXPECT_EQ(worst.wrong, Wrong::kMissed);
+  EXPECT_EQ(worst.exact, std::vector<double>{9999999.9687750097});
+  EXPECT_TRUE(worst.got.empty());
+}
+
+TEST(Trial, JudgesATangentByItsConvention) {
+  const HitAnswer hit{5, {0, 1, 0}};
+  for (const auto& [tangent, answer_is_right, judged] :
+       {std::tuple(scene::Tangent::kHit, true, true),
+        std::tuple(scene::Tangent::kMiss, false, true),
+        std::tuple(scene::Tangent::kEither, true, false)}) {
+    Case tangent_case = at_height(1);
+    tangent_case.scene.conventions.tangent = tangent;
+    const Verdict of_hit = judge("class", tangent_case, that_answers(hit));
+    EXPECT_EQ(of_hit.compared(), judged ? 1u : 0u);
+    EXPECT_EQ(of_hit.discrepancies(), answer_is_right ? 0u : 1u);
+  }
+}
+
+TEST(Trial, ExcusesWhatIsOutsideTheStatedDomain) {
+  Candidate candidate = that_answers({});
+  candidate.smallest_length = 0.5;
+  candidate.largest_length = 100;
+  EXPECT_FALSE(judge("class", at_height(0), candidate).holds());
+  const Case small = ray_case({{-5, 0, 0}, {1, 0, 0}}, {{0, 0, 0}, 0.25});
+  const Case large = ray_case({{-500, 0, 0}, {1, 0, 0}}, {{0, 0, 0}, 1});
+  for (const Case& outside : {small, large}) {
+    const Verdict verdict = judge("class", outside, candidate);
+    EXPECT_TRUE(verdict.holds());
+    EXPECT_EQ(verdict.worst(1).at(0).excuse, Excuse::kOutsideDomain);
+  }
+}
+
+TEST(Trial, HoldsAnErrorAgainstTheBoundAskedForOrTheCandidates) {
+  Candidate candidate = that_answers(HitAnswer{4 + 0x1p-48, {-1, 0, 0}});  // 8 ulp of 4 off
+  const Case the_case = at_height(0);
+  EXPECT_TRUE(judge("parameter", the_case, candidate).holds());
+  EXPECT_FALSE(judge("parameter", the_case, candidate, 3.0).holds());
+  candidate.max_error[static_cast<std::size_t>(Quantity::kParameter)] = 3;
+  const Verdict verdict = judge("parameter", the_case, candidate);
+  EXPECT_FALSE(verdict.holds());
+  EXPECT_EQ(verdict.worst(1).at(0).error, 4);
+  EXPECT_TRUE(judge("parameter", the_case, candidate, 5.0).holds());
+}
+
+TEST(Trial, TakesACandidateThatFailsForADiscrepancy) {
+  Candidate throwing;
+  throwing.intersect = [](auto&&...) -> std::vector<std::optional<HitAnswer>> {
+    throw std::invalid_argument("I will not");
+  };
+  Candidate short_answered = that_answers({});
+  short_answered.intersect = [](auto&&...) { return std::vector<std::optional<HitAnswer>>(); };
+  for (const Candidate& candidate : {throwing, short_answered}) {
+    const Verdict verdict = judge("class", at_height(0), candidate);
+    EXPECT_FALSE(verdict.holds());
+    EXPECT_EQ(verdict.worst(1).at(0).wrong, Wrong::kRefused);
+    EXPECT_FALSE(verdict.worst(1).at(0).what.empty());
+  }
+}
+
+TEST(Trial, RefusesACaseThatIsNotAProblem) {
+  Case the_case = at_height(0);
+  the_case.scene.spheres[0].radius = -1;
+  EXPECT_THROW(Trial(the_case, direct_cross()), std::invalid_argument);
+}
+
+TEST(Trial, CountsAllPixelsRowByRow) {
+  const auto pixels = all_pixels(*camera_case().scene.camera);
+  ASSERT_EQ(pixels.size(), 9u);
+  EXPECT_EQ(pixels[1], (scene::Pixel{1, 0}));
+  EXPECT_EQ(pixels[3], (scene::Pixel{0, 1}));
+}
+
+}  // namespace
+}  // namespace raycheck::properties

@@ -1,0 +1,180 @@
+#include "properties/verdict.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+#include <set>
+#include <vector>
+
+namespace raycheck::properties {
+namespace {
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+Place at_ray(std::size_t ray) {
+  Place place;
+  place.ray = ray;
+  return place;
+}
+
+Discrepancy discrepancy(double error, std::size_t ray, Excuse excuse = Excuse::kNone) {
+  Discrepancy result;
+  result.quantity = Quantity::kParameter;
+  result.place = at_ray(ray);
+  result.error = error;
+  result.excuse = excuse;
+  return result;
+}
+
+TEST(Verdict, OfNothingHoldsAndComparedNothing) {
+  const Verdict verdict;
+  EXPECT_TRUE(verdict.holds());
+  EXPECT_EQ(verdict.compared(), 0u);
+  EXPECT_TRUE(verdict.reason_left_out().empty());
+  EXPECT_TRUE(verdict.worst(10).empty());
+  EXPECT_EQ(Verdict::left_out("why").reason_left_out(), "why");
+}
+
+TEST(Verdict, CountsMeasuredErrors) {
+  Verdict verdict;
+  for (const double error : {3.0, 0.0, 8.0, 1.0}) {
+    verdict.measured(Quantity::kParameter, at_ray(static_cast<std::size_t>(error)), error);
+  }
+  verdict.measured(Quantity::kFrame, at_ray(0), 2);
+  EXPECT_EQ(verdict.compared(), 5u);
+  const Tally& tally = verdict.tallies().at(Quantity::kParameter);
+  EXPECT_EQ(tally.cases, 4u);
+  EXPECT_EQ(tally.median(), 1.0);  // the lower of the middle two
+  EXPECT_EQ(tally.max(), 8.0);
+  EXPECT_EQ(tally.worst_place.ray, 8u);
+  EXPECT_EQ(tally.class_errors(), 0u);
+}
+
+TEST(Verdict, CountsRightAndWrongAnswersWithoutAveragingThem) {
+  Verdict verdict;
+  verdict.judged(Quantity::kClass, at_ray(0), Wrong::kNot, false);
+  verdict.judged(Quantity::kClass, at_ray(1), Wrong::kMissed, true);
+  verdict.judged(Quantity::kClass, at_ray(2), Wrong::kFalseHit, false);
+  verdict.judged(Quantity::kClass, at_ray(3), Wrong::kMissed, false);
+  const Tally& tally = verdict.tallies().at(Quantity::kClass);
+  EXPECT_EQ(tally.cases, 4u);
+  EXPECT_EQ(tally.class_errors(), 3u);
+  EXPECT_EQ(tally.wrong.at(Wrong::kMissed), 2u);
+  EXPECT_EQ(tally.wrong_excused, 1u);
+  EXPECT_EQ(tally.worst_place.ray, 2u);  // the first without an excuse
+  EXPECT_FALSE(tally.median().has_value());
+  EXPECT_FALSE(tally.max().has_value());
+}
+
+TEST(Verdict, HoldsWhenEveryDiscrepancyHasAnExcuse) {
+  Verdict verdict;
+  verdict.add(discrepancy(100, 0, Excuse::kIllConditioned));
+  EXPECT_TRUE(verdict.holds());
+  EXPECT_EQ(verdict.excused(), 1u);
+  verdict.add(discrepancy(20, 1));
+  EXPECT_FALSE(verdict.holds());
+  EXPECT_EQ(verdict.discrepancies(), 2u);
+}
+
+TEST(Verdict, PutsTheWorstFirst) {
+  Verdict verdict;
+  verdict.add(discrepancy(kInfinity, 0, Excuse::kSmallChangeFlips));
+  verdict.add(discrepancy(20, 5));
+  verdict.add(discrepancy(30, 9));
+  verdict.add(discrepancy(20, 2));
+  verdict.add(discrepancy(kInfinity, 7));
+  std::vector<std::size_t> rays;
+  for (const Discrepancy& d : verdict.worst(10)) rays.push_back(d.place.ray);
+  EXPECT_EQ(rays, (std::vector<std::size_t>{7, 9, 2, 5, 0}));
+  EXPECT_EQ(verdict.worst(2).size(), 2u);
+}
+
+TEST(Verdict, LetsNoQuantityHideTheOthers) {
+  std::vector<Discrepancy> all;
+  for (const double error : {40.0, 50.0, 60.0}) all.push_back(discrepancy(error, 1));
+  all.push_back(discrepancy(20, 2));
+  all.back().quantity = Quantity::kFrame;
+  all.push_back(discrepancy(kInfinity, 3, Excuse::kSmallChangeFlips));
+  const auto sorted = worst_first(all);
+  std::vector<double> errors;
+  for (const Discrepancy& d : sorted) errors.push_back(d.error);
+  ASSERT_EQ(errors.size(), 5u);
+  EXPECT_EQ(std::set<double>(errors.begin(), errors.begin() + 2), (std::set<double>{20, 60}));
+  EXPECT_EQ(errors[2], 50);
+  EXPECT_EQ(errors[3], 40);
+  EXPECT_EQ(errors[4], kInfinity);  // excused
+}
+
+TEST(Verdict, CountsWhatOnlyItsConditionAllows) {
+  Verdict first;
+  first.measured(Quantity::kParameter, at_ray(0), 1000);
+  first.count_ill_conditioned(Quantity::kParameter);
+  Verdict second = first;
+  second.merge(first);
+  EXPECT_EQ(second.tallies().at(Quantity::kParameter).ill_conditioned, 2u);
+  EXPECT_EQ(second.tallies().at(Quantity::kParameter).cases, 2u);
+  EXPECT_TRUE(second.holds());
+}
+
+TEST(Verdict, ForgetsNoneOfTheWorstAndCountsAll) {
+  constexpr std::size_t kCount = 5 * kKeptDiscrepancies;
+  Verdict verdict;
+  for (std::size_t k = 0; k < kCount; ++k) {
+    verdict.add(discrepancy(static_cast<double>((k * 389) % kCount), k));
+  }
+  EXPECT_EQ(verdict.discrepancies(), kCount);
+  const auto worst = verdict.worst(kKeptDiscrepancies);
+  ASSERT_EQ(worst.size(), kKeptDiscrepancies);
+  for (std::size_t k = 0; k < worst.size(); ++k) {
+    EXPECT_EQ(worst[k].error, static_cast<double>(kCount - 1 - k));
+  }
+  EXPECT_LE(verdict.worst(kCount).size(), 2 * kKeptDiscrepancies);
+}
+
+TEST(Verdict, MergesCountsErrorsAndTheWorst) {
+  Verdict first;
+  first.measured(Quantity::kParameter, at_ray(1), 4);
+  first.judged(Quantity::kClass, at_ray(1), Wrong::kMissed, false);
+  first.add(discrepancy(4, 1));
+  Verdict second;
+  second.measured(Quantity::kParameter, at_ray(2), 9);
+  second.measured(Quantity::kParameter, at_ray(3), 2);
+  second.judged(Quantity::kClass, at_ray(2), Wrong::kMissed, true);
+  second.add(discrepancy(9, 2, Excuse::kIllConditioned));
+  second.shift_rays(100);
+  first.merge(second);
+  first.merge(Verdict::left_out("nothing there"));
+  EXPECT_EQ(first.compared(), 5u);
+  const Tally& parameter = first.tallies().at(Quantity::kParameter);
+  EXPECT_EQ(parameter.cases, 3u);
+  EXPECT_EQ(parameter.median(), 4.0);
+  EXPECT_EQ(parameter.max(), 9.0);
+  EXPECT_EQ(parameter.worst_place.ray, 102u);
+  const Tally& hit_class = first.tallies().at(Quantity::kClass);
+  EXPECT_EQ(hit_class.wrong.at(Wrong::kMissed), 2u);
+  EXPECT_EQ(hit_class.wrong_excused, 1u);
+  EXPECT_EQ(first.discrepancies(), 2u);
+  EXPECT_EQ(first.excused(), 1u);
+  EXPECT_EQ(first.worst(1).front().place.ray, 1u);
+  EXPECT_EQ(first.worst(2).back().place.ray, 102u);
+  EXPECT_EQ(first.reason_left_out(), "nothing there");
+}
+
+TEST(Verdict, MergesManyDiscrepanciesWithoutKeepingThemAll) {
+  constexpr std::size_t kPart = kKeptDiscrepancies / 4;
+  Verdict all;
+  for (std::size_t part = 0; part < 20; ++part) {
+    Verdict verdict;
+    for (std::size_t k = 0; k < kPart; ++k) {
+      verdict.add(discrepancy(static_cast<double>(part * kPart + k), k));
+    }
+    all.merge(verdict);
+  }
+  EXPECT_EQ(all.discrepancies(), 20 * kPart);
+  EXPECT_EQ(all.worst(1).front().error, static_cast<double>(20 * kPart - 1));
+  EXPECT_LE(all.worst(20 * kPart).size(), 2 * kKeptDiscrepancies);
+}
+
+}  // namespace
+}  // namespace raycheck::properties

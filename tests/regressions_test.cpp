@@ -1,0 +1,177 @@
+// The cases that taught something: each file of tests/regressions/ is judged by every law. The
+// exact answers here were computed apart from this project, with rational arithmetic.
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <map>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "properties/fast_candidate.h"
+#include "properties/law.h"
+#include "scene/scene_file.h"
+
+namespace raycheck::properties {
+namespace {
+
+using reference::HitClass;
+
+std::filesystem::path folder() {
+  return std::filesystem::path(RAYCHECK_SOURCE_DIR) / "tests" / "regressions";
+}
+
+Case load(const std::string& stem) {
+  Case result{scene::load_scene(folder() / (stem + ".toml")).scene, {}};
+  if (result.scene.camera) result.pixels = all_pixels(*result.scene.camera);
+  return result;
+}
+
+/// What is exact of a file's first ray and first sphere.
+struct Exact {
+  HitClass hit_class;
+  double s = 0;
+};
+const std::map<std::string, Exact> kExact = {
+    {"axial-distance-minus-zero", {HitClass::kMiss}},
+    {"exact-tie", {HitClass::kHit, 4}},
+    {"far-point-textbook-sees-a-hit", {HitClass::kMiss}},
+    {"far-sphere-textbook-loses-digits", {HitClass::kHit, 0x1.d9d3a802e8f76p+14}},
+    {"far-sphere-lecture-misses", {HitClass::kHit, 9999999.9687750097}},
+    {"grazing-345-exact", {HitClass::kTangent, 2}},
+    {"grazing-345-rounded", {HitClass::kHit, 0x1.3fffffdc3910dp+3}},
+    {"nearest-by-one-ulp", {HitClass::kHit, 4}},
+    {"origin-at-centre", {HitClass::kHit, 1}},
+    {"origin-inside", {HitClass::kHit, 0.8660254037844386}},
+    {"origin-on-surface", {HitClass::kHit, 0}},
+    {"origin-on-surface-leaving", {HitClass::kHit, 0}},
+    {"planet-horizon", {HitClass::kHit, 4654.1799293292679}},
+    {"planet-horizon-one-ulp-flatter", {HitClass::kMiss}},
+    {"scale-1e160", {HitClass::kHit, 4.0460607985830547e160}},
+    {"scale-subnormal", {HitClass::kHit, 0x0.0000000010208p-1022}},
+    {"sphere-one-ulp-behind", {HitClass::kMiss}},
+    {"tangent", {HitClass::kTangent, 5}},
+    {"tangent-one-ulp-inside", {HitClass::kHit, 4.9999999850988388}},
+    {"tangent-one-ulp-outside", {HitClass::kMiss}}};
+
+/// Which laws a candidate must break on which file; `direct/cross` breaks none anywhere.
+struct Broken {
+  std::string file;
+  std::string candidate;
+  std::set<std::string> laws;
+};
+const std::vector<Broken> kBroken = {
+    {"far-eye-lecture-loses-directions", "lecture/cross", {"direction"}},
+    {"far-point-textbook-sees-a-hit", "direct/quadratic", {"class"}},
+    {"far-point-textbook-sees-a-hit", "direct/stable-quadratic", {"class"}},
+    {"far-sphere-lecture-misses", "direct/lecture", {"class"}},
+    {"far-sphere-lecture-misses", "direct/quadratic", {"hit-point", "parameter"}},
+    {"far-sphere-lecture-misses", "direct/stable-quadratic", {"hit-point", "parameter"}},
+    {"far-sphere-textbook-loses-digits", "direct/lecture", {"hit-point"}},
+    {"far-sphere-textbook-loses-digits", "direct/quadratic", {"hit-point", "parameter"}},
+    {"far-sphere-textbook-loses-digits", "direct/stable-quadratic", {"hit-point", "parameter"}},
+};
+
+std::vector<std::string> stems() {
+  std::vector<std::string> result;
+  for (const auto& entry : std::filesystem::directory_iterator(folder())) {
+    if (entry.path().extension() == ".toml") result.push_back(entry.path().stem().string());
+  }
+  std::sort(result.begin(), result.end());
+  return result;
+}
+
+Candidate candidate_named(const std::string& name) {
+  for (const fast::PixelRayMethod* rays : fast::pixel_ray_methods()) {
+    for (const fast::IntersectMethod* intersect : fast::intersect_methods()) {
+      Candidate candidate = fast_candidate(*rays, *intersect);
+      if (candidate.name == name) return candidate;
+    }
+  }
+  throw std::invalid_argument("no candidate is called " + name);
+}
+
+std::set<std::string> broken_laws(const Case& the_case, const Candidate& candidate) {
+  std::set<std::string> broken;
+  for (const Law& law : laws()) {
+    Trial trial(the_case, candidate);
+    if (!apply(law, trial).holds()) broken.emplace(law.name);
+  }
+  return broken;
+}
+
+TEST(Regressions, SayWhyTheyAreHard) {
+  EXPECT_GE(stems().size(), 20u);
+  for (const std::string& stem : stems()) {
+    std::ifstream file(folder() / (stem + ".toml"));
+    std::string first_line;
+    ASSERT_TRUE(std::getline(file, first_line));
+    EXPECT_EQ(first_line.substr(0, 2), "# ") << stem;
+    EXPECT_GT(first_line.size(), 30u) << stem;
+  }
+}
+
+TEST(Regressions, HaveTheExactAnswersOfAnIndependentComputation) {
+  const Candidate nobody;
+  std::size_t rays = 0;
+  for (const std::string& stem : stems()) {
+    const Case the_case = load(stem);
+    if (the_case.scene.camera) continue;
+    ++rays;
+    ASSERT_TRUE(kExact.contains(stem)) << stem;
+    const Exact& expected = kExact.at(stem);
+    Trial trial(the_case, nobody);
+    const reference::Intersection& got = trial.exact_intersection(0, 0);
+    EXPECT_EQ(got.hit_class, expected.hit_class) << stem;
+    if (got.hit_class == HitClass::kMiss) continue;
+    EXPECT_EQ(trial.exact_ray(0).rounded_parameter(the_case.scene.spheres[0], got), expected.s)
+        << stem;
+  }
+  EXPECT_EQ(rays, kExact.size());
+}
+
+TEST(Regressions, BreakNoLawOfTheStableMethods) {
+  for (const char* name : {"direct/cross", "direct/perpendicular", "focal/cross"}) {
+    for (const std::string& stem : stems()) {
+      EXPECT_EQ(broken_laws(load(stem), candidate_named(name)), std::set<std::string>())
+          << name << " on " << stem;
+    }
+  }
+}
+
+TEST(Regressions, CatchTheMethodsTheyAreNamedFor) {
+  for (const Broken& expected : kBroken) {
+    EXPECT_EQ(broken_laws(load(expected.file), candidate_named(expected.candidate)), expected.laws)
+        << expected.candidate << " on " << expected.file;
+  }
+}
+
+TEST(Regressions, BreakLessStableMethodsNowhereElse) {
+  for (const char* name :
+       {"direct/quadratic", "direct/lecture", "direct/stable-quadratic", "lecture/cross"}) {
+    for (const std::string& stem : stems()) {
+      const bool listed = std::any_of(kBroken.begin(), kBroken.end(), [&](const Broken& broken) {
+        return broken.file == stem && broken.candidate == name;
+      });
+      if (listed) continue;
+      EXPECT_EQ(broken_laws(load(stem), candidate_named(name)), std::set<std::string>())
+          << name << " on " << stem;
+    }
+  }
+}
+
+TEST(Regressions, FindEitherOfTwoEqualSpheres) {
+  const Case the_case = load("exact-tie");
+  const Candidate nobody;
+  Trial trial(the_case, nobody);
+  const auto nearest =
+      trial.exact_ray(0).nearest(the_case.scene.spheres, the_case.scene.conventions);
+  ASSERT_TRUE(nearest.has_value());
+  EXPECT_EQ(nearest->ties, (std::vector<std::size_t>{0, 1}));
+}
+
+}  // namespace
+}  // namespace raycheck::properties
