@@ -108,8 +108,11 @@ std::vector<MethodPair> chosen_methods(const Arguments& arguments) {
   return pairs;
 }
 
+/// Standard error may be closed or full; that is no reason to lose the report.
+void print_error(const std::string& text) { std::fputs(text.c_str(), stderr); }
+
 void print_warnings(const std::vector<std::string>& warnings) {
-  for (const std::string& warning : warnings) fmt::print(stderr, "warning: {}\n", warning);
+  for (const std::string& warning : warnings) print_error(fmt::format("warning: {}\n", warning));
 }
 
 /// Throws when the report could not be written: a lost report must not look like a good one.
@@ -304,10 +307,10 @@ int run_command_line(int argc, char** argv) {
   const auto commands = app.get_subcommands({});
   if (!first.empty() && first.front() != '-' &&
       std::none_of(commands.begin(), commands.end(), is_first)) {
-    fmt::print(stderr,
-               "raycheck: there is no command '{}'; the commands are check, properties, explain, "
-               "list\n",
-               first);
+    print_error(fmt::format(
+        "raycheck: there is no command '{}'; the commands are check, properties, explain, "
+        "list\n",
+        first));
     return kExitBadInput;
   }
   try {
@@ -322,7 +325,7 @@ int run_command_line(int argc, char** argv) {
     if (command == "explain") return run_explain(arguments);
     return run_list(arguments);
   } catch (const std::exception& error) {
-    fmt::print(stderr, "raycheck: {}\n", error.what());
+    print_error(fmt::format("raycheck: {}\n", error.what()));
     return kExitBadInput;
   }
 }

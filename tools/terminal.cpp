@@ -38,13 +38,13 @@ Progress::Progress(std::string what)
     : what_(std::move(what)), next_(std::chrono::steady_clock::now() + std::chrono::seconds(1)) {}
 
 Progress::~Progress() {
-  if (shown_) fmt::print(stderr, "\r\033[K");
+  if (shown_) std::fputs("\r\033[K", stderr);
 }
 
 void Progress::show(std::string_view state) {
   const auto now = std::chrono::steady_clock::now();
   if (now < next_ || isatty(STDERR_FILENO) == 0) return;
-  fmt::print(stderr, "\r\033[K{}: {}", what_, state);
+  std::fputs(fmt::format("\r\033[K{}: {}", what_, state).c_str(), stderr);
   std::fflush(stderr);
   shown_ = true;
   next_ = now + std::chrono::milliseconds(200);

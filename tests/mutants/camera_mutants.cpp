@@ -133,6 +133,22 @@ std::vector<Mutant> frame_mutants() {
   };
 }
 
+Candidate first_pixel_one_ulp_off() {
+  Candidate candidate = named("one-ulp-corner");
+  candidate.pixel_points = [base = candidate.pixel_points](const Camera& camera,
+                                                           const Conventions& conventions,
+                                                           Candidate::Pixels pixels) {
+    auto points = base(camera, conventions, pixels);
+    for (std::size_t k = 0; k < points.size(); ++k) {
+      if (!(pixels[k] == scene::Pixel{})) continue;
+      for (double* x : {&points[k].x, &points[k].y, &points[k].z})
+        *x = std::nextafter(*x, HUGE_VAL);
+    }
+    return points;
+  };
+  return candidate;
+}
+
 std::vector<Mutant> plane_mutants() {
   return {
       {"alpha(i) = left + i/w (right - left)",
@@ -178,6 +194,9 @@ std::vector<Mutant> plane_mutants() {
                      const auto step = static_cast<float>((c.right - c.left) / steps);
                      c.right = c.left + static_cast<double>(step) * steps;
                    })},
+      {"the first pixel is one ulp off, where the formula promises its bits",
+       {"bounds"},
+       first_pixel_one_ulp_off()},
       {"pixels lie on a sphere around the eye",
        {"image-plane", "pixel-point"},
        points_on_a_sphere()},

@@ -1,7 +1,11 @@
 #include <gtest/gtest.h>
+#include <sys/wait.h>
 
+#include <cstdint>
+#include <cstdlib>
 #include <filesystem>
 #include <nlohmann/json.hpp>
+#include <set>
 #include <string>
 
 #include "tests/tools/program.h"
@@ -134,6 +138,8 @@ TEST(Check, fails_with_2_and_says_why_on_bad_input) {
   fails("check scene/examples/optical-axis.toml --pixels 0", "--pixels 0");
   fails("check scene/examples/optical-axis.toml --pixels some", "--pixels some");
   fails("check scene/examples/optical-axis.toml --max-ulp -1", "--max-ulp");
+  fails("check scene/examples/optical-axis.toml --max-ulp nan", "--max-ulp");
+  fails("check scene/examples/optical-axis.toml --top 5000", "--top");
   fails("check scene/examples/optical-axis.toml --dialect D", "--dialect D");
   fails("check scene/examples/optical-axis.toml --all --rays direct", "--all");
   const std::string path =
@@ -142,6 +148,69 @@ TEST(Check, fails_with_2_and_says_why_on_bad_input) {
                      "right=1\nbottom=-1\ntop=1\nwidth=2\nheight=2\n");
   fails("check " + path, path + ":4: camera.up");
   std::filesystem::remove(path);
+}
+
+TEST(Check, judges_what_overflows_instead_of_refusing_it) {
+  std::string scene = kFarSphere;
+  scene.replace(scene.find("left = -0.001"), 13, "left = -1e200");
+  const std::string path = temporary_file("overflow.toml", scene);
+  const Outcome result = run("check " + path + " --format json");
+  EXPECT_EQ(result.exit_code, 1) << result.err;
+  const json report = json::parse(result.out);
+  const json& quantities = report["candidates"][0]["quantities"];
+  EXPECT_EQ(find_named(quantities, "direction")->at("max_ulp"), "infinity");
+  EXPECT_EQ(find_named(quantities, "class")->at("cases"), 256);
+  const Outcome explained = run("explain " + path + " --pixel 0,0 --format json");
+  EXPECT_EQ(explained.exit_code, 1) << explained.err;
+  EXPECT_TRUE(json::parse(explained.out)["exact"]["direction"][0].is_string());
+  std::filesystem::remove(path);
+}
+
+TEST(Check, spreads_the_pixels_it_judges_over_the_image) {
+  std::string scene = kFarSphere;
+  scene.replace(scene.find("width = 16"), 10, "width = 2147483647");
+  scene.replace(scene.find("height = 16"), 11, "height = 2147483647");
+  const std::string path = temporary_file("wide.toml", scene);
+  const json report = json::parse(run("check " + path +
+                                      " --pixels 100 --top 100 --max-ulp 0 "
+                                      "--format json")
+                                      .out);
+  EXPECT_EQ(report.at("rays_judged"), 100);
+  std::set<std::int64_t> columns;
+  std::set<std::int64_t> rows;
+  for (const json& discrepancy : report["candidates"][0]["worst"]) {
+    if (discrepancy["pixel"].is_null()) continue;
+    columns.insert(discrepancy["pixel"][0].get<std::int64_t>());
+    rows.insert(discrepancy["pixel"][1].get<std::int64_t>());
+  }
+  EXPECT_GE(columns.size(), 8u);
+  EXPECT_GE(rows.size(), 8u);
+  EXPECT_GT(*columns.rbegin(), 2000000000);
+  EXPECT_GT(*rows.rbegin(), 2000000000);
+  std::filesystem::remove(path);
+}
+
+TEST(Check, asks_no_ray_method_about_given_rays) {
+  const json report =
+      json::parse(run("check scene/examples/lecture-examples.toml --all --format json").out);
+  EXPECT_EQ(report.at("candidates").size(), 5u);
+}
+
+TEST(Check, says_when_tangents_are_left_unjudged) {
+  const std::string path =
+      temporary_file("tangent.toml",
+                     "[conventions]\ntangent = \"either\"\n[[ray]]\norigin = [-5, 1, 0]\n"
+                     "direction = [1, 0, 0]\n[[sphere]]\ncentre = [0, 0, 0]\nradius = 1\n");
+  const Outcome result = run("check " + path);
+  EXPECT_EQ(result.exit_code, 4) << result.out;
+  EXPECT_NE(result.out.find("tangent = either"), std::string::npos) << result.out;
+  std::filesystem::remove(path);
+}
+
+TEST(Check, fails_when_the_report_cannot_be_written) {
+  const int status = std::system("cd '" RAYCHECK_SOURCE_DIR "' && '" RAYCHECK_BINARY
+                                 "' check scene/examples/optical-axis.toml >/dev/full 2>&1");
+  EXPECT_EQ(WEXITSTATUS(status), 2);
 }
 
 TEST(Check, ends_with_a_partial_report_when_interrupted) {
