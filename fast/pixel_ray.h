@@ -17,9 +17,9 @@ namespace raycheck::fast {
 ///         std::invalid_argument naming the field), pixels inside the image; lengths as
 ///         camera_frame().
 /// Error:  at most max_point_ulp in a point and max_direction_ulp in a direction (relative error
-/// and
-///         angle, in units of u) while their condition numbers are at most kModerateCondition,
-///         growing in proportion beyond. |D| differs from 1 by at most max_unit_defect_ulp u.
+///         and angle, in units of u) while their condition numbers are at most kModerateCondition
+///         (properties/quantity.h), growing in proportion beyond. |D| differs from 1 by at most
+///         max_unit_defect_ulp u.
 ///         A method's `not_kept` says where it does not keep its bounds.
 /// A function that a method does not have is null.
 struct PixelRayMethod {
@@ -52,6 +52,14 @@ extern const PixelRayMethod kLectureRays;
 extern const PixelRayMethod kDirectRays;
 /// `focal`: rays from E only, with all that the pixels share computed once per scene.
 extern const PixelRayMethod kFocalRays;
+
+/// Where on the image plane a pixel is: alpha along U, beta along V, as every method computes them.
+struct PlanePosition {
+  double alpha;
+  double beta;
+};
+PlanePosition plane_position(const scene::Camera& camera, const scene::Conventions& conventions,
+                             const scene::Pixel& pixel);
 
 /// Every method, in the order of reports.
 std::span<const PixelRayMethod* const> pixel_ray_methods();

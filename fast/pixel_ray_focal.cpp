@@ -35,10 +35,4 @@ const PixelRayMethod kFocalRays = {
     kFocalUnitDefectMaxUlp,
     ""};
 
-namespace {
-constexpr const PixelRayMethod* kMethods[] = {&kLectureRays, &kDirectRays, &kFocalRays};
-}  // namespace
-
-std::span<const PixelRayMethod* const> pixel_ray_methods() { return kMethods; }
-
 }  // namespace raycheck::fast

@@ -3,6 +3,7 @@
 #include <rapidcheck.h>
 #include <rapidcheck/detail/TestListenerAdapter.h>
 
+#include <algorithm>
 #include <charconv>
 #include <ostream>
 #include <stdexcept>
@@ -35,7 +36,9 @@ rc::Gen<Case> generator(Choose choose, Provenance& noted) {
 }
 
 bool suits(const Law& law, const CaseSource& source) {
-  return law.subject != Law::Subject::kCamera || source.has_camera;
+  const bool needs_camera =
+      law.subject == Law::Subject::kCamera || law.subject == Law::Subject::kCameraAndIntersection;
+  return !needs_camera || source.has_camera;
 }
 
 std::string replay_text(const Law& law, const Candidate& candidate, const Provenance& from) {
@@ -53,7 +56,7 @@ CampaignResult run(const Law& law, const Candidate& candidate, const CampaignOpt
   const rc::Gen<Case> cases = generator(choose, noted);
   bool stopped = false;
   const auto property = [&] {
-    if (stopped || (!result.failure && (stopped = options.interrupted()))) return;
+    if (stopped || (stopped = options.interrupted())) return;
     const Case the_case = *cases;
     Trial trial(the_case, candidate, options.max_error);
     Verdict verdict = apply(law, trial);

@@ -252,6 +252,6 @@ constinit const Law kHitPointLaw = {"hit-point",
                                     Law::Subject::kIntersection, true, judge_hit_point};
 constinit const Law kFocalAndPixelLaw = {
     "focal-and-pixel", "focal and pixel origins find the same point, parameters l apart",
-    Law::Subject::kCamera, false, judge_focal_and_pixel};
+    Law::Subject::kCameraAndIntersection, false, judge_focal_and_pixel};
 
 }  // namespace raycheck::properties

@@ -16,7 +16,7 @@ struct Law {
   std::string_view name;
   std::string_view sentence;
   /// What it speaks of decides which cases are worth making for it.
-  enum class Subject { kCamera, kIntersection, kAny } subject;
+  enum class Subject { kCamera, kIntersection, kCameraAndIntersection, kAny } subject;
   /// It compares single answers with the truth, one quantity at a time, as `check` reports them;
   /// the others relate several answers to each other.
   bool judges_values;

@@ -43,9 +43,6 @@ std::vector<double> numbers(const Triple& value) {
   return {value.x, value.y, value.z};
 }
 
-/// A condition number for what has none: the answer is a plain function of the inputs.
-inline double well_conditioned() { return 1; }
-
 }  // namespace raycheck::properties
 
 #endif  // RAYCHECK_PROPERTIES_LAW_LIST_H_

@@ -54,15 +54,13 @@ Verdict judge_direction(Trial& trial) {
 Verdict judge_ray_origin(Trial& trial) {
   if (auto reason = nothing_to_say(trial); !reason.empty()) return Verdict::left_out(reason);
   Verdict verdict;
-  // The eye is an input: a ray that starts there starts at its very bits.
   const bool at_eye = trial.conventions().origin == scene::Origin::kFocal;
-  const double bound = at_eye ? 0 : trial.bound(Quantity::kRayOrigin);
   for (std::size_t k = 0; k < trial.ray_count(); ++k) {
     const reference::ExactRay& ray = trial.exact_ray(k);
     const scene::Point3& got = trial.rays()[k].origin;
     trial.measure(
         verdict, kRayOriginLaw.name, Quantity::kRayOrigin, trial.place(k),
-        reference::relative_error(got, ray.origin()), bound,
+        reference::relative_error(got, ray.origin()),
         [&] { return at_eye ? 1 : reference::condition_of_pixel_point(ray); },
         [&](Discrepancy& d) {
           d.got = numbers(got);

@@ -221,8 +221,15 @@ std::vector<std::optional<std::size_t>> Trial::rank(
                                        });
 }
 
+double bound_on(Quantity quantity, const Candidate& candidate,
+                const scene::Conventions& conventions, std::optional<double> max_error_asked) {
+  // The eye is an input: a ray that starts there starts at its very bits.
+  if (quantity == Quantity::kRayOrigin && conventions.origin == scene::Origin::kFocal) return 0;
+  return max_error_asked.value_or(max_error(candidate, quantity));
+}
+
 double Trial::bound(Quantity quantity) const {
-  return max_error_.value_or(max_error(candidate_, quantity));
+  return bound_on(quantity, candidate_, conventions_, max_error_);
 }
 
 void Trial::measure(Verdict& verdict, std::string_view law, Quantity quantity, const Place& place,
@@ -235,9 +242,10 @@ void Trial::measure(Verdict& verdict, std::string_view law, Quantity quantity, c
   const double allowed = bound * std::max(1.0, *discrepancy.condition / kModerateCondition);
   const bool ill_conditioned =
       std::isfinite(error) ? error <= allowed : bound > 0 && std::isinf(*discrepancy.condition);
-  // A documented bound grows with the condition number; one that the user set does not.
+  // A documented bound grows with the condition number; one that the user set does not. An infinite
+  // error (of a value whose exact one is 0, or that is not finite) is above any bound.
   const bool documented = !max_error_ && candidate_.max_error[static_cast<std::size_t>(quantity)];
-  if (ill_conditioned && documented && inside_domain_) {
+  if (ill_conditioned && documented && inside_domain_ && std::isfinite(error)) {
     verdict.count_ill_conditioned(quantity);
     return;
   }
@@ -245,12 +253,14 @@ void Trial::measure(Verdict& verdict, std::string_view law, Quantity quantity, c
   discrepancy.quantity = quantity;
   discrepancy.place = place;
   discrepancy.error = error;
+  describe(discrepancy);
+  const bool is_number = std::all_of(discrepancy.got.begin(), discrepancy.got.end(),
+                                     [](double x) { return std::isfinite(x); });
   if (!inside_domain_) {
     discrepancy.excuse = Excuse::kOutsideDomain;
-  } else if (ill_conditioned) {
+  } else if (ill_conditioned && is_number) {
     discrepancy.excuse = Excuse::kIllConditioned;
   }
-  describe(discrepancy);
   verdict.add(std::move(discrepancy));
 }
 

@@ -89,7 +89,6 @@ class Trial {
   std::vector<std::optional<std::size_t>> rank(const std::vector<scene::Ray>& rays,
                                                const std::vector<scene::Sphere>& spheres) const;
 
-  /// The bound on a quantity: the one asked for, or the candidate's, or the default.
   double bound(Quantity quantity) const;
   bool inside_domain() const { return inside_domain_; }
 
@@ -123,6 +122,11 @@ class Trial {
   std::vector<std::optional<std::vector<std::optional<HitAnswer>>>> hits_;
   std::optional<std::vector<std::optional<std::size_t>>> nearest_;
 };
+
+/// The bound on a quantity under some conventions: the one asked for, or the candidate's, or the
+/// default; always 0 for the origin of a ray that starts at the eye.
+double bound_on(Quantity quantity, const Candidate& candidate,
+                const scene::Conventions& conventions, std::optional<double> max_error_asked);
 
 /// True when every nonzero length of the scene lies in [smallest, largest].
 bool lengths_are_within(const scene::Scene& scene, double smallest, double largest);

@@ -42,8 +42,8 @@ class Enclosure {
   /// Doubles below and above every number in the ball (infinite past the double range).
   double lower() const;
   double upper() const;
-  /// The doubles nearest to the ball's two ends (moved outward to bits() first), ties to even: equal
-  /// when the ball alone determines the correctly rounded value.
+  /// The doubles nearest to the ball's two ends (moved outward to bits() first), ties to even:
+  /// equal when the ball alone determines the correctly rounded value.
   double lower_rounded() const;
   double upper_rounded() const;
   /// True when radius <= 2^-relative_bits |midpoint|.

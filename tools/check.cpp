@@ -6,6 +6,7 @@
 #include <cmath>
 #include <map>
 #include <memory>
+#include <stdexcept>
 #include <utility>
 
 #include "properties/fast_candidate.h"
@@ -111,8 +112,8 @@ Judged prepare(const MethodPair& pair, const scene::Scene& scene, const CheckOpt
   judged.report.name = judged.candidate.name;
   judged.report.conventions = judged.candidate.declared.over(scene.conventions);
   for (std::size_t k = 0; k < properties::kQuantityCount; ++k) {
-    judged.report.bounds.push_back(options.max_error.value_or(
-        max_error(judged.candidate, static_cast<properties::Quantity>(k))));
+    judged.report.bounds.push_back(bound_on(static_cast<properties::Quantity>(k), judged.candidate,
+                                            judged.report.conventions, options.max_error));
   }
   return judged;
 }
@@ -150,6 +151,12 @@ std::vector<std::string> left_out_lines(const CheckReport& report) {
   if (report.scene.camera && report.scene.camera->far) {
     lines.emplace_back("camera.far: no quantity depends on it");
   }
+  std::string relations;
+  for (const Law& law : properties::laws()) {
+    if (!law.judges_values) relations += (relations.empty() ? "" : ", ") + std::string(law.name);
+  }
+  lines.push_back(relations +
+                  ": they relate answers to several scenes; raycheck properties tries them");
   // Laws by whose reason it is and which; the order is that of the laws.
   std::vector<std::pair<std::string, std::string>> grouped;
   const auto add = [&](const std::string& whose, const LeftOut& entry) {
@@ -201,6 +208,7 @@ namespace {
 /// do nothing, without spheres the intersection methods.
 std::vector<MethodPair> useful_pairs(const std::vector<MethodPair>& pairs,
                                      const scene::Scene& scene) {
+  if (pairs.size() == 1) return pairs;
   std::vector<MethodPair> useful;
   for (MethodPair pair : pairs) {
     if (!scene.camera) pair.rays = kDefaultMethods.rays;
@@ -221,7 +229,11 @@ CheckReport check(const CheckOptions& options) {
   report.top = options.top;
   report.rays_in_scene = count_rays(report.scene);
   std::uint64_t judged = report.rays_in_scene;
-  if (report.scene.camera && options.pixels) {
+  if (!report.scene.camera && options.pixels) {
+    throw std::invalid_argument("--pixels: " + options.path +
+                                " has given rays and no pixels; all its rays are judged");
+  }
+  if (options.pixels) {
     judged = std::min(judged, static_cast<std::uint64_t>(*options.pixels));
   }
   std::vector<Judged> all;

@@ -9,7 +9,9 @@
 #include <cstdio>
 #include <cstring>
 #include <exception>
+#include <limits>
 #include <optional>
+#include <stdexcept>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -130,6 +132,7 @@ int exit_code(bool was_interrupted, bool found, bool checked) {
 }
 
 int run_check(const Arguments& arguments) {
+  catch_interrupts();
   CheckOptions options;
   options.path = arguments.scene;
   options.dialect = parse_dialect(arguments.dialect);
@@ -148,6 +151,7 @@ int run_check(const Arguments& arguments) {
 }
 
 int run_properties_command(const Arguments& arguments) {
+  catch_interrupts();
   if (!arguments.replay.empty() && !(arguments.filter.empty() && arguments.sources.empty() &&
                                      arguments.rays.empty() && arguments.intersect.empty())) {
     throw std::invalid_argument(
@@ -171,8 +175,10 @@ int run_properties_command(const Arguments& arguments) {
 }
 
 ExplainOptions explain_given_ray(const Arguments& arguments) {
-  if (!arguments.scene.empty() || !arguments.pixel.empty()) {
-    throw std::invalid_argument("--ray: explains a ray given by numbers; leave out SCENE, --pixel");
+  if (!(arguments.scene.empty() && arguments.pixel.empty() && arguments.rays.empty() &&
+        arguments.dialect.empty())) {
+    throw std::invalid_argument(
+        "--ray: explains a ray given by numbers; leave out SCENE, --pixel, --rays, --dialect");
   }
   if (arguments.sphere.empty()) {
     throw std::invalid_argument("--ray: give the sphere too, --sphere cx,cy,cz,r");
@@ -255,10 +261,10 @@ void add_properties(CLI::App& app, Arguments& arguments) {
       *app.add_subcommand("properties", "Try the laws on random cases, shrinking what breaks them");
   command.add_option("--filter", arguments.filter, "laws whose name contains this");
   command.add_option("--cases", arguments.cases, "cases for each law and candidate")
-      ->check(CLI::PositiveNumber)
+      ->check(CLI::Range(1, 1000000000))
       ->capture_default_str();
   command.add_option("--seed", arguments.seed, "the same seed gives the same cases")
-      ->check(CLI::NonNegativeNumber)
+      ->check(CLI::Range(std::uint64_t{0}, std::numeric_limits<std::uint64_t>::max()))
       ->capture_default_str();
   command.add_option("--replay", arguments.replay, "the string that a failure printed");
   command.add_option("--rays", arguments.rays, "only this method of making rays");
@@ -293,7 +299,6 @@ void add_explain(CLI::App& app, Arguments& arguments) {
 }  // namespace
 
 int run_command_line(int argc, char** argv) {
-  catch_interrupts();
   Arguments arguments;
   CLI::App app{"raycheck: an exact reference for camera rays and ray-sphere intersections"};
   app.set_version_flag("--version", std::string(kVersion));

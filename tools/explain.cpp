@@ -183,7 +183,10 @@ ExplainReport explain(const ExplainOptions& options) {
   if (const auto nearest = subject->exact.nearest(scene.spheres, conventions)) {
     report.nearest = nearest->index;
   }
-  if (scene.spheres.empty()) return report;
+  if (scene.spheres.empty()) {
+    if (options.sphere) throw std::invalid_argument("--sphere: the scene has no sphere");
+    return report;
+  }
   report.sphere = options.sphere.value_or(report.nearest.value_or(0));
   if (*report.sphere >= scene.spheres.size()) {
     throw std::invalid_argument(fmt::format("--sphere {}: the scene's spheres are numbered 0 to {}",

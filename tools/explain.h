@@ -35,7 +35,7 @@ struct MethodStep {
   std::vector<double> value;    ///< Empty: it has none (a miss).
   std::optional<double> error;  ///< From the exact value; empty where that or the value is a miss.
   std::string unit;
-  bool wrong = false;  ///< Off by more than may be expected of one step (see explain.cpp).
+  bool wrong = false;  ///< Off by more than may be expected of one step (see explain_methods.cpp).
 };
 
 struct MethodReport {

@@ -3,7 +3,7 @@
 #include <fmt/core.h>
 
 #include <algorithm>
-#include <stdexcept>
+#include <limits>
 #include <string>
 
 #include "fast/camera_frame.h"
@@ -51,28 +51,41 @@ MethodReport judge_rays(const fast::PixelRayMethod& method, const scene::Convent
   const ExactRay exact(exact_camera, pixel);
   const auto frame = fast::camera_frame(camera);
   const auto exact_frame = exact_camera.frame();
+  const double frame_bound =
+      fast::kFrameMaxUlp * growth(reference::condition_of_frame(exact_camera));
   const auto add_axis = [&](const char* symbol, const scene::UnitVector3& got,
                             const Enclosure3& truth) {
     report.steps.push_back(
-        step(symbol, numbers(got), reference::relative_error(got, truth), "u", fast::kFrameMaxUlp));
+        step(symbol, numbers(got), reference::relative_error(got, truth), "u", frame_bound));
   };
   add_axis("W", frame.W, exact_frame.W);
   add_axis("U", frame.U, exact_frame.U);
   add_axis("V", frame.V, exact_frame.V);
   const std::vector<scene::Pixel> pixels = {pixel};
+  // Their ulps say little where the bounds cancel: what is wrong with them shows in P and D.
+  constexpr double kNoBound = std::numeric_limits<double>::infinity();
+  const auto position = fast::plane_position(camera, conventions, pixel);
+  const Enclosure3 exact_position = exact_camera.plane_position(pixel);
+  report.steps.push_back(step("alpha", {position.alpha},
+                              reference::ulp_error(position.alpha, exact_position.x), "ulp",
+                              kNoBound));
+  report.steps.push_back(step("beta", {position.beta},
+                              reference::ulp_error(position.beta, exact_position.y), "ulp",
+                              kNoBound));
   if (has_points) {
     fast::Vectors points;
     method.pixel_points(camera, conventions, pixels, points);
     const scene::Point3 got = {points.x[0], points.y[0], points.z[0]};
-    report.steps.push_back(step("P", numbers(got),
-                                reference::relative_error(got, exact.pixel_point()), "u",
-                                method.max_point_ulp));
+    report.steps.push_back(
+        step("P", numbers(got), reference::relative_error(got, exact.pixel_point()), "u",
+             method.max_point_ulp * growth(reference::condition_of_pixel_point(exact))));
   }
   fast::Rays rays;
   method.focal_rays(camera, conventions, pixels, rays);
   const scene::UnitVector3 got = {rays.direction.x[0], rays.direction.y[0], rays.direction.z[0]};
-  report.steps.push_back(step("D", numbers(got), reference::angle_error(got, exact.direction()),
-                              "u", method.max_direction_ulp));
+  report.steps.push_back(
+      step("D", numbers(got), reference::angle_error(got, exact.direction()), "u",
+           method.max_direction_ulp * growth(reference::condition_of_direction(exact))));
   const bool any_wrong = std::any_of(report.steps.begin(), report.steps.end(),
                                      [](const MethodStep& one) { return one.wrong; });
   if (any_wrong) report.goes_wrong_at = first_wrong(report);
@@ -102,6 +115,13 @@ MethodReport judge_intersection(const fast::IntersectMethod& method, const scene
   const ExactRay own(ray);
   const Intersection own_at = own.intersect(sphere, conventions.root);
   const bool own_hit = reference::counts_as_hit(own_at.hit_class, conventions.tangent);
+  const scene::Vector3 to_centre = sphere.centre - ray.origin;
+  report.steps.push_back(
+      step("T", numbers(to_centre),
+           reference::relative_error(
+               scene::UnitVector3{to_centre.x, to_centre.y, to_centre.z},
+               reference::enclose_exactly(sphere.centre) - reference::enclose_exactly(ray.origin)),
+           "u", properties::kDefaultMaxError));
   const fast::Roots roots = method.roots(ray, sphere);
   const auto enclosed = own.enclose(1024);
   report.steps.push_back(
@@ -140,7 +160,7 @@ MethodReport judge_intersection(const fast::IntersectMethod& method, const scene
                                             subject.exact.parameter(sphere, exact.intersection));
   }
   const bool wrong =
-      report.class_error ||
+      report.class_error || point.wrong ||
       (report.ulp_error &&
        *report.ulp_error > method.max_ulp * growth(reference::condition_of_parameter(
                                                 subject.exact, sphere, exact.intersection)));

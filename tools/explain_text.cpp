@@ -1,6 +1,7 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "scene/number.h"
 #include "tools/explain.h"
@@ -28,7 +29,9 @@ std::string listed(const std::vector<std::string>& parts) {
 std::string decimals(const std::vector<double>& values) {
   if (values.empty()) return "-";
   std::vector<std::string> parts;
-  for (const double x : values) parts.push_back(fmt::format("{:.17g}", x));
+  for (const double x : values) {
+    parts.push_back(std::isnan(x) ? "nan" : fmt::format("{:.17g}", x));
+  }
   return listed(parts);
 }
 

@@ -76,8 +76,10 @@ std::string list_json() {
   }
   json["intersection_methods"] = Json::array();
   for (const auto* method : fast::intersect_methods()) {
-    json["intersection_methods"].push_back(
-        {{"name", method->name}, {"sentence", method->sentence}, {"max_ulp", method->max_ulp}});
+    json["intersection_methods"].push_back({{"name", method->name},
+                                            {"sentence", method->sentence},
+                                            {"max_ulp", method->max_ulp},
+                                            {"not_kept_on", method->not_kept}});
   }
   json["laws"] = Json::array();
   for (const properties::Law& law : properties::laws()) {

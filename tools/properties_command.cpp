@@ -47,8 +47,8 @@ std::vector<const CaseSource*> named_sources(const std::vector<std::string>& nam
   return found;
 }
 
-/// Whether a law can tell this pair from one that is already asked: camera laws do not see the
-/// intersection, intersection laws on given rays hardly see the ray method.
+/// Whether a law can tell this pair from one that is already asked: laws of the camera alone do not
+/// see the intersection, those of the intersection alone hardly see the ray method.
 bool is_worth_asking(const Law& law, const MethodPair& pair, bool chosen_by_user) {
   if (chosen_by_user) return true;
   switch (law.subject) {

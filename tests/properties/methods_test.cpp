@@ -63,7 +63,6 @@ std::vector<std::string> laws_of_intersections() {
   for (const Law& law : laws()) {
     if (law.subject != Law::Subject::kCamera) names.emplace_back(law.name);
   }
-  names.emplace_back("focal-and-pixel");
   return names;
 }
 

@@ -1,0 +1,20 @@
+#include "fast/pixel_ray.h"
+
+#include "fast/pixel_plane.h"
+
+namespace raycheck::fast {
+namespace {
+
+constexpr const PixelRayMethod* kMethods[] = {&kLectureRays, &kDirectRays, &kFocalRays};
+
+}  // namespace
+
+std::span<const PixelRayMethod* const> pixel_ray_methods() { return kMethods; }
+
+PlanePosition plane_position(const scene::Camera& camera, const scene::Conventions& conventions,
+                             const scene::Pixel& pixel) {
+  const PixelPlane plane(camera, conventions);
+  return {plane.alpha(pixel), plane.beta(pixel)};
+}
+
+}  // namespace raycheck::fast
