@@ -151,12 +151,10 @@ std::vector<std::string> left_out_lines(const CheckReport& report) {
   if (report.scene.camera && report.scene.camera->far) {
     lines.emplace_back("camera.far: no quantity depends on it");
   }
-  std::string relations;
-  for (const Law& law : properties::laws()) {
-    if (!law.judges_values) relations += (relations.empty() ? "" : ", ") + std::string(law.name);
-  }
-  lines.push_back(relations +
-                  ": they relate answers to several scenes; raycheck properties tries them");
+  const auto relations = std::count_if(properties::laws().begin(), properties::laws().end(),
+                                       [](const Law& law) { return !law.judges_values; });
+  lines.push_back(fmt::format("{} laws that relate several answers: raycheck properties tries them",
+                              relations));
   // Laws by whose reason it is and which; the order is that of the laws.
   std::vector<std::pair<std::string, std::string>> grouped;
   const auto add = [&](const std::string& whose, const LeftOut& entry) {
