@@ -59,9 +59,10 @@ struct ExactLift {
 template <class Lift>
 auto lift_count(const Lift& lift, std::int64_t count) {
   constexpr std::int64_t kHalf = std::int64_t{1} << 32;
-  return lift.constant(static_cast<double>(count / kHalf)) *
-             lift.constant(static_cast<double>(kHalf)) +
-         lift.constant(static_cast<double>(count % kHalf));
+  const std::int64_t high = count / kHalf;
+  const std::int64_t low = count % kHalf;
+  return lift.constant(static_cast<double>(high)) * lift.constant(static_cast<double>(kHalf)) +
+         lift.constant(static_cast<double>(low));
 }
 
 // The two square roots that a camera adjoins. Where numbers approximate, they are evaluated; in the
