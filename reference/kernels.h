@@ -55,14 +55,10 @@ struct ExactLift {
   ExactNumber constant(double value) const { return (*this)(value); }
 };
 
-/// A count, exactly: a double may not hold all of a 64-bit integer, two halves do.
+/// A count of pixels or an index, exactly: they are below 2^31 (scene::kMostPixelsAcross).
 template <class Lift>
 auto lift_count(const Lift& lift, std::int64_t count) {
-  constexpr std::int64_t kHalf = std::int64_t{1} << 32;
-  const std::int64_t high = count / kHalf;
-  const std::int64_t low = count % kHalf;
-  return lift.constant(static_cast<double>(high)) * lift.constant(static_cast<double>(kHalf)) +
-         lift.constant(static_cast<double>(low));
+  return lift.constant(static_cast<double>(count));
 }
 
 // The two square roots that a camera adjoins. Where numbers approximate, they are evaluated; in the
