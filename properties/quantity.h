@@ -61,6 +61,9 @@ inline constexpr double kDefaultMaxError = 16;
 
 /// Up to this condition number documented bounds hold as they stand; beyond, in proportion to it.
 inline constexpr double kModerateCondition = 100;
+constexpr double bound_growth(double condition) {
+  return condition > kModerateCondition ? condition / kModerateCondition : 1;
+}
 
 /// A class error is excused when a relative change of the inputs by this much may flip the exact
 /// class: what the roundings of a handful of operations amount to.

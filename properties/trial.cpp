@@ -239,7 +239,7 @@ void Trial::measure(Verdict& verdict, std::string_view law, Quantity quantity, c
   if (error <= bound) return;
   Discrepancy discrepancy;
   discrepancy.condition = condition();
-  const double allowed = bound * std::max(1.0, *discrepancy.condition / kModerateCondition);
+  const double allowed = bound * bound_growth(*discrepancy.condition);
   const bool ill_conditioned =
       std::isfinite(error) ? error <= allowed : bound > 0 && std::isinf(*discrepancy.condition);
   // A documented bound grows with the condition number; one that the user set does not. An infinite

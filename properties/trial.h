@@ -90,7 +90,6 @@ class Trial {
                                                const std::vector<scene::Sphere>& spheres) const;
 
   double bound(Quantity quantity) const;
-  bool inside_domain() const { return inside_domain_; }
 
   /// Counts an error, and adds a discrepancy when it is above `bound`. `condition` and `describe`
   /// are called only then; `describe` fills in what, got and exact.

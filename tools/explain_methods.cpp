@@ -26,11 +26,6 @@ MethodStep step(const char* symbol, std::vector<double> value, std::optional<dou
   return {symbol, std::move(value), error, unit, error && *error > bound};
 }
 
-/// How a documented bound grows with the condition number.
-double growth(double condition) {
-  return std::max(1.0, condition / properties::kModerateCondition);
-}
-
 /// The first step off by more than its bound, in a method whose answer is wrong; where none alone
 /// is, the last one, to which small errors add up.
 std::string first_wrong(const MethodReport& report) {
@@ -52,7 +47,7 @@ MethodReport judge_rays(const fast::PixelRayMethod& method, const scene::Convent
   const auto frame = fast::camera_frame(camera);
   const auto exact_frame = exact_camera.frame();
   const double frame_bound =
-      fast::kFrameMaxUlp * growth(reference::condition_of_frame(exact_camera));
+      fast::kFrameMaxUlp * properties::bound_growth(reference::condition_of_frame(exact_camera));
   const auto add_axis = [&](const char* symbol, const scene::UnitVector3& got,
                             const Enclosure3& truth) {
     report.steps.push_back(
@@ -78,14 +73,16 @@ MethodReport judge_rays(const fast::PixelRayMethod& method, const scene::Convent
     const scene::Point3 got = {points.x[0], points.y[0], points.z[0]};
     report.steps.push_back(
         step("P", numbers(got), reference::relative_error(got, exact.pixel_point()), "u",
-             method.max_point_ulp * growth(reference::condition_of_pixel_point(exact))));
+             method.max_point_ulp *
+                 properties::bound_growth(reference::condition_of_pixel_point(exact))));
   }
   fast::Rays rays;
   method.focal_rays(camera, conventions, pixels, rays);
   const scene::UnitVector3 got = {rays.direction.x[0], rays.direction.y[0], rays.direction.z[0]};
   report.steps.push_back(
       step("D", numbers(got), reference::angle_error(got, exact.direction()), "u",
-           method.max_direction_ulp * growth(reference::condition_of_direction(exact))));
+           method.max_direction_ulp *
+               properties::bound_growth(reference::condition_of_direction(exact))));
   const bool any_wrong = std::any_of(report.steps.begin(), report.steps.end(),
                                      [](const MethodStep& one) { return one.wrong; });
   if (any_wrong) report.goes_wrong_at = first_wrong(report);
@@ -142,12 +139,15 @@ MethodReport judge_intersection(const fast::IntersectMethod& method, const scene
   }
   if (hit && own_hit) {
     s = step("s", s.value, reference::ulp_error(s.value[0], own.parameter(sphere, own_at)), "ulp",
-             method.max_ulp * growth(reference::condition_of_parameter(own, sphere, own_at)));
+             method.max_ulp *
+                 properties::bound_growth(reference::condition_of_parameter(own, sphere, own_at)));
     point = step(
         "Q", point.value,
         reference::relative_error(scene::Point3{point.value[0], point.value[1], point.value[2]},
                                   own.point(sphere, own_at)),
-        "u", method.max_ulp * growth(reference::condition_of_point(own, sphere, own_at)));
+        "u",
+        method.max_ulp *
+            properties::bound_growth(reference::condition_of_point(own, sphere, own_at)));
   }
   report.steps.push_back(s);
   report.steps.push_back(point);
@@ -162,8 +162,9 @@ MethodReport judge_intersection(const fast::IntersectMethod& method, const scene
   const bool wrong =
       report.class_error || point.wrong ||
       (report.ulp_error &&
-       *report.ulp_error > method.max_ulp * growth(reference::condition_of_parameter(
-                                                subject.exact, sphere, exact.intersection)));
+       *report.ulp_error >
+           method.max_ulp * properties::bound_growth(reference::condition_of_parameter(
+                                subject.exact, sphere, exact.intersection)));
   if (wrong) {
     // Right for the ray it was given: what went wrong is that ray.
     const bool right_alone = hit == own_hit && !s.wrong;
