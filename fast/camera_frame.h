@@ -1,6 +1,7 @@
 #ifndef RAYCHECK_FAST_CAMERA_FRAME_H_
 #define RAYCHECK_FAST_CAMERA_FRAME_H_
 
+#include "fast/domain.h"
 #include "scene/camera.h"
 #include "scene/geometry.h"
 
@@ -23,10 +24,6 @@ struct CameraFrame {
 /// Error:  at most kFrameMaxUlp u in each axis.
 /// Source: the lecture: W = (E - A)/|E - A|, U = (up x W)/|up x W|, V = W x U.
 CameraFrame camera_frame(const scene::Camera& camera);
-
-/// Lengths whose squares, and the products of two such squares, stay in the double range.
-inline constexpr double kSmallestLength = 0x1p-200;
-inline constexpr double kLargestLength = 0x1p200;
 
 }  // namespace raycheck::fast
 

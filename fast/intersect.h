@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "fast/batch.h"
+#include "fast/domain.h"
 #include "scene/conventions.h"
 #include "scene/geometry.h"
 
@@ -21,24 +22,45 @@ struct Roots {
   double larger;          ///< only where half_chord_sq >= 0.
 };
 
+/// Where a ray meets a sphere.
+struct Hit {
+  double parameter;     ///< s, in multiples of the ray's direction.
+  scene::Point3 point;  ///< Q = L + s D.
+};
+
+/// What a method asks beyond validity. Ours ask nothing; peers from other libraries do.
+struct Contract {
+  bool unit_direction = false;
+  bool origin_outside = false;
+};
+
 /// A way to intersect rays with a sphere. All methods share one contract:
 /// Shape:  N rays, one sphere -> N hits; the output is resized to N.
 /// Units:  scene lengths; s in multiples of the ray's direction, which need not be unit.
 /// Domain: finite rays with direction != 0, a finite sphere with radius >= 0, otherwise throws
-///         std::invalid_argument naming the field; lengths between kSmallestLength and
-///         kLargestLength (fast/camera_frame.h), otherwise squares over- or underflow silently.
-/// Error:  at most max_ulp in s while its condition number is at most kModerateCondition
-///         (properties/quantity.h), growing in proportion beyond; the class is exact but for inputs
-///         that a relative change by kExcusedChange takes to tangency, or an origin across the
-///         surface. A method's `not_kept` says where it keeps neither promise.
+///         std::invalid_argument naming the field; nonzero lengths inside `domain`, otherwise
+///         intermediate values over- or underflow silently; what `contract` asks.
+/// Error:  of the method alone, on the rays that it is given, taken exactly: at most max_ulp in s
+///         and max_point_ulp in Q (in ulp of s and u of |Q|), each while the quantity's condition
+///         number is at most kModerateCondition (properties/quantity.h), growing in proportion
+///         beyond; the class is exact but for inputs that a relative change by kExcusedChange takes
+///         to tangency, or an origin across the surface; with `exact_class` it is exact on every
+///         valid input. A method's `not_kept` says where it keeps neither promise.
 struct IntersectMethod {
   std::string_view name;
   std::string_view sentence;
   void (*intersect)(const Rays&, const scene::Sphere&, scene::Root, scene::Tangent, Hits&);
-  Roots (*roots)(const scene::Ray&, const scene::Sphere&);  ///< The same, one ray, no check.
+  /// The same answer to one ray, to the bit; validity is not checked.
+  std::optional<Hit> (*intersect_one)(const scene::Ray&, const scene::Sphere&, scene::Root,
+                                      scene::Tangent);
+  /// What the answer is chosen from, of one ray, unchecked; null where a method has no such values.
+  Roots (*roots)(const scene::Ray&, const scene::Sphere&) = nullptr;
   double max_ulp;
-  std::string_view
-      not_kept;  ///< Where it keeps neither promise (a test pins that); empty: nowhere.
+  double max_point_ulp;
+  std::string_view not_kept = {};  ///< Where it keeps no promise (a test pins that).
+  Domain domain = {};
+  Contract contract = {};
+  bool exact_class = false;
 };
 
 // The bounds; audited by the campaigns of `raycheck properties`.

@@ -29,11 +29,14 @@ struct Cross {
 
 }  // namespace
 
-const IntersectMethod kCross = {"cross",
-                                "disc = a r^2 - |T x d|^2 with Kahan's products, roots by q",
-                                intersect_batch<Cross>,
-                                roots_of<Cross>,
-                                kCrossMaxUlp,
-                                ""};
+const IntersectMethod kCross = {
+    .name = "cross",
+    .sentence = "disc = a r^2 - |T x d|^2 with Kahan's products, roots by q",
+    .intersect = intersect_batch<Cross>,
+    .intersect_one = intersect_one<Cross>,
+    .roots = roots_of<Cross>,
+    .max_ulp = kCrossMaxUlp,
+    .max_point_ulp = kCrossMaxUlp,
+};
 
 }  // namespace raycheck::fast

@@ -18,11 +18,15 @@ struct Lecture {
 
 }  // namespace
 
-const IntersectMethod kLecture = {"lecture",
-                                  "v = T.D, d^2 = r^2 - (|T|^2 - v^2), s = v - d",
-                                  intersect_batch<Lecture>,
-                                  roots_of<Lecture>,
-                                  kLectureMaxUlp,
-                                  "far spheres, grazing rays"};
+const IntersectMethod kLecture = {
+    .name = "lecture",
+    .sentence = "v = T.D, d^2 = r^2 - (|T|^2 - v^2), s = v - d",
+    .intersect = intersect_batch<Lecture>,
+    .intersect_one = intersect_one<Lecture>,
+    .roots = roots_of<Lecture>,
+    .max_ulp = kLectureMaxUlp,
+    .max_point_ulp = kLectureMaxUlp,
+    .not_kept = "far spheres, grazing rays",
+};
 
 }  // namespace raycheck::fast

@@ -20,11 +20,14 @@ struct Perpendicular {
 
 }  // namespace
 
-const IntersectMethod kPerpendicular = {"perpendicular",
-                                        "disc = a (r^2 - |T - (b/a) d|^2), roots by q",
-                                        intersect_batch<Perpendicular>,
-                                        roots_of<Perpendicular>,
-                                        kPerpendicularMaxUlp,
-                                        ""};
+const IntersectMethod kPerpendicular = {
+    .name = "perpendicular",
+    .sentence = "disc = a (r^2 - |T - (b/a) d|^2), roots by q",
+    .intersect = intersect_batch<Perpendicular>,
+    .intersect_one = intersect_one<Perpendicular>,
+    .roots = roots_of<Perpendicular>,
+    .max_ulp = kPerpendicularMaxUlp,
+    .max_point_ulp = kPerpendicularMaxUlp,
+};
 
 }  // namespace raycheck::fast

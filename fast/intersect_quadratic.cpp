@@ -20,11 +20,14 @@ struct Quadratic {
 }  // namespace
 
 const IntersectMethod kQuadratic = {
-    "quadratic",
-    "t = (-b -+ sqrt(b^2 - 4ac)) / 2a, the textbook's general parametric approach",
-    intersect_batch<Quadratic>,
-    roots_of<Quadratic>,
-    kQuadraticMaxUlp,
-    "far spheres, grazing rays"};
+    .name = "quadratic",
+    .sentence = "t = (-b -+ sqrt(b^2 - 4ac)) / 2a, the textbook's general parametric approach",
+    .intersect = intersect_batch<Quadratic>,
+    .intersect_one = intersect_one<Quadratic>,
+    .roots = roots_of<Quadratic>,
+    .max_ulp = kQuadraticMaxUlp,
+    .max_point_ulp = kQuadraticMaxUlp,
+    .not_kept = "far spheres, grazing rays",
+};
 
 }  // namespace raycheck::fast

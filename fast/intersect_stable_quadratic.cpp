@@ -17,11 +17,14 @@ struct StableQuadratic {
 }  // namespace
 
 const IntersectMethod kStableQuadratic = {
-    "stable-quadratic",
-    "disc = b^2 - ac, q = b + sign(b) sqrt(disc), roots q/a and c/q",
-    intersect_batch<StableQuadratic>,
-    roots_of<StableQuadratic>,
-    kStableQuadraticMaxUlp,
-    "far spheres, grazing rays"};
+    .name = "stable-quadratic",
+    .sentence = "disc = b^2 - ac, q = b + sign(b) sqrt(disc), roots q/a and c/q",
+    .intersect = intersect_batch<StableQuadratic>,
+    .intersect_one = intersect_one<StableQuadratic>,
+    .roots = roots_of<StableQuadratic>,
+    .max_ulp = kStableQuadraticMaxUlp,
+    .max_point_ulp = kStableQuadraticMaxUlp,
+    .not_kept = "far spheres, grazing rays",
+};
 
 }  // namespace raycheck::fast

@@ -5,6 +5,7 @@
 #include <string_view>
 
 #include "fast/batch.h"
+#include "fast/domain.h"
 #include "scene/camera.h"
 #include "scene/conventions.h"
 
@@ -14,8 +15,8 @@ namespace raycheck::fast {
 /// Shape:  one camera, N pixels -> N points, or N rays; outputs are resized to N.
 /// Units:  scene lengths; directions are unit.
 /// Domain: a valid camera (under the rows and samples of `conventions`, otherwise
-///         std::invalid_argument naming the field), pixels inside the image; lengths as
-///         camera_frame().
+///         std::invalid_argument naming the field), pixels inside the image; nonzero
+///         lengths inside `domain`, otherwise intermediate values over- or underflow silently.
 /// Error:  at most max_point_ulp in a point and max_direction_ulp in a direction (relative error
 ///         and angle, in units of u) while their condition numbers are at most kModerateCondition
 ///         (properties/quantity.h), growing in proportion beyond. |D| differs from 1 by at most
@@ -36,7 +37,8 @@ struct PixelRayMethod {
   double max_point_ulp;
   double max_direction_ulp;
   double max_unit_defect_ulp;
-  std::string_view not_kept;  ///< Where it does not keep them (a test pins that); empty: nowhere.
+  std::string_view not_kept = {};  ///< Where it does not keep them (a test pins that).
+  Domain domain = {};
 };
 
 // The bounds of all methods; audited by the campaigns of `raycheck properties`.

@@ -13,14 +13,15 @@ struct Direct {
 
 }  // namespace
 
-const PixelRayMethod kDirectRays = {"direct",
-                                    "D from g = nW + alpha U + beta V, P = E + g",
-                                    pixel_points_batch<Direct>,
-                                    rays_batch<Direct, scene::Origin::kPixel>,
-                                    rays_batch<Direct, scene::Origin::kFocal>,
-                                    kPixelPointMaxUlp,
-                                    kDirectDirectionMaxUlp,
-                                    kUnitDefectMaxUlp,
-                                    ""};
+const PixelRayMethod kDirectRays = {
+    .name = "direct",
+    .sentence = "D from g = nW + alpha U + beta V, P = E + g",
+    .pixel_points = pixel_points_batch<Direct>,
+    .pixel_rays = rays_batch<Direct, scene::Origin::kPixel>,
+    .focal_rays = rays_batch<Direct, scene::Origin::kFocal>,
+    .max_point_ulp = kPixelPointMaxUlp,
+    .max_direction_ulp = kDirectDirectionMaxUlp,
+    .max_unit_defect_ulp = kUnitDefectMaxUlp,
+};
 
 }  // namespace raycheck::fast

@@ -25,14 +25,14 @@ void focal_rays(const scene::Camera& camera, const scene::Conventions& conventio
 }  // namespace
 
 const PixelRayMethod kFocalRays = {
-    "focal",
-    "rays from E; nW and n^2 once per scene, |g| from n, alpha, beta",
-    nullptr,
-    nullptr,
-    focal_rays,
-    kPixelPointMaxUlp,
-    kDirectDirectionMaxUlp,
-    kFocalUnitDefectMaxUlp,
-    ""};
+    .name = "focal",
+    .sentence = "rays from E; nW and n^2 once per scene, |g| from n, alpha, beta",
+    .pixel_points = nullptr,
+    .pixel_rays = nullptr,
+    .focal_rays = focal_rays,
+    .max_point_ulp = kPixelPointMaxUlp,
+    .max_direction_ulp = kDirectDirectionMaxUlp,
+    .max_unit_defect_ulp = kFocalUnitDefectMaxUlp,
+};
 
 }  // namespace raycheck::fast

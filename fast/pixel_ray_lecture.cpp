@@ -13,14 +13,16 @@ struct Lecture {
 
 }  // namespace
 
-const PixelRayMethod kLectureRays = {"lecture",
-                                     "P = E + nW + alpha U + beta V, then D = (P - E)/|P - E|",
-                                     pixel_points_batch<Lecture>,
-                                     rays_batch<Lecture, scene::Origin::kPixel>,
-                                     rays_batch<Lecture, scene::Origin::kFocal>,
-                                     kPixelPointMaxUlp,
-                                     kLectureDirectionMaxUlp,
-                                     kUnitDefectMaxUlp,
-                                     "directions where |E| is much larger than |P - E|"};
+const PixelRayMethod kLectureRays = {
+    .name = "lecture",
+    .sentence = "P = E + nW + alpha U + beta V, then D = (P - E)/|P - E|",
+    .pixel_points = pixel_points_batch<Lecture>,
+    .pixel_rays = rays_batch<Lecture, scene::Origin::kPixel>,
+    .focal_rays = rays_batch<Lecture, scene::Origin::kFocal>,
+    .max_point_ulp = kPixelPointMaxUlp,
+    .max_direction_ulp = kLectureDirectionMaxUlp,
+    .max_unit_defect_ulp = kUnitDefectMaxUlp,
+    .not_kept = "directions where |E| is much larger than |P - E|",
+};
 
 }  // namespace raycheck::fast

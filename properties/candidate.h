@@ -67,13 +67,23 @@ struct Candidate {
   DeclaredConventions declared;
   /// Its documented bound on the error of a quantity, in that quantity's unit; empty: none.
   std::array<std::optional<double>, kQuantityCount> max_error = {};
+  /// The same where the rays come from a camera, so that a hit inherits the error of its ray;
+  /// empty: max_error.
+  std::array<std::optional<double>, kQuantityCount> max_error_end_to_end = {};
+  /// It promises the exact class of every given ray: no closeness to tangency and no domain excuses
+  /// a wrong one.
+  bool exact_class = false;
   /// Its stated domain: nonzero lengths between these.
   double smallest_length = 0;
   double largest_length = std::numeric_limits<double>::infinity();
+  /// The lengths of scenes with a camera lie between these too.
+  double smallest_camera_length = 0;
+  double largest_camera_length = std::numeric_limits<double>::infinity();
 };
 
-/// The bound on a quantity: the candidate's own, or kDefaultMaxError where it has none.
-double max_error(const Candidate& candidate, Quantity quantity);
+/// The candidate's own bound on a quantity of a scene with a camera or of given rays; empty: none.
+std::optional<double> documented_bound(const Candidate& candidate, Quantity quantity,
+                                       bool has_camera);
 
 }  // namespace raycheck::properties
 

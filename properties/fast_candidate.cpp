@@ -1,5 +1,6 @@
 #include "properties/fast_candidate.h"
 
+#include <algorithm>
 #include <string>
 
 #include "fast/camera_frame.h"
@@ -40,6 +41,10 @@ auto make_rays(fast::PixelRayMethod::MakeRays make) {
 }
 
 }  // namespace
+
+double inherited_bound(const fast::PixelRayMethod& rays) {
+  return kRayShare * std::max(rays.max_point_ulp, rays.max_direction_ulp);
+}
 
 Candidate fast_candidate(const fast::PixelRayMethod& rays, const fast::IntersectMethod& intersect) {
   Candidate candidate;
@@ -89,12 +94,20 @@ Candidate fast_candidate(const fast::PixelRayMethod& rays, const fast::Intersect
   promise(Quantity::kRayOrigin, rays.max_point_ulp);
   promise(Quantity::kDirection, rays.max_direction_ulp);
   promise(Quantity::kUnitDefect, rays.max_unit_defect_ulp);
-  promise(Quantity::kParameter, intersect.max_ulp);
-  promise(Quantity::kHitPoint, intersect.max_ulp);
-  promise(Quantity::kSphereResidual, intersect.max_ulp);
-  promise(Quantity::kRayResidual, intersect.max_ulp);
-  candidate.smallest_length = fast::kSmallestLength;
-  candidate.largest_length = fast::kLargestLength;
+  const double inherited = inherited_bound(rays);
+  const auto promise_hit = [&](Quantity quantity, double bound) {
+    promise(quantity, bound);
+    candidate.max_error_end_to_end[static_cast<std::size_t>(quantity)] = bound + inherited;
+  };
+  promise_hit(Quantity::kParameter, intersect.max_ulp);
+  promise_hit(Quantity::kHitPoint, intersect.max_point_ulp);
+  promise_hit(Quantity::kSphereResidual, intersect.max_point_ulp);
+  promise_hit(Quantity::kRayResidual, intersect.max_point_ulp);
+  candidate.exact_class = intersect.exact_class;
+  candidate.smallest_length = intersect.domain.smallest_length;
+  candidate.largest_length = intersect.domain.largest_length;
+  candidate.smallest_camera_length = rays.domain.smallest_length;
+  candidate.largest_camera_length = rays.domain.largest_length;
   return candidate;
 }
 

@@ -7,7 +7,15 @@
 
 namespace raycheck::properties {
 
-/// A ray method and an intersection method of fast/ as one candidate, "RAYS/INTERSECT".
+/// What a hit's bound gains where its ray comes from a camera, in multiples of the ray's bound: the
+/// ray's origin and direction are each off by that much, and so then are s and Q, in proportion to
+/// their condition numbers; audited by the campaigns.
+inline constexpr double kRayShare = 4;
+double inherited_bound(const fast::PixelRayMethod& rays);
+
+/// A ray method and an intersection method of fast/ as one candidate, "RAYS/INTERSECT". On given
+/// rays it promises what the intersection method does, in that method's domain; end to end from a
+/// camera its hits promise inherited_bound() more, in both methods' domains.
 Candidate fast_candidate(const fast::PixelRayMethod& rays, const fast::IntersectMethod& intersect);
 
 }  // namespace raycheck::properties

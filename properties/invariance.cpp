@@ -123,10 +123,7 @@ Verdict judge_scaling(Trial& trial) {
   Verdict verdict;
   for (const int exponent : {-120, -40, 3, 40, 120}) {
     const auto scene = scaled(trial.scene(), exponent);
-    if (!scene || !lengths_are_within(*scene, trial.candidate().smallest_length,
-                                      trial.candidate().largest_length)) {
-      continue;
-    }
+    if (!scene || !is_inside_domain(trial.candidate(), *scene)) continue;
     const Case transformed_case{*scene, trial.pixels()};
     Trial transformed(transformed_case, trial.candidate());
     const std::string what = "scaled by 2^" + std::to_string(exponent);

@@ -58,8 +58,11 @@ scene::Conventions DeclaredConventions::over(scene::Conventions conventions) con
   return conventions;
 }
 
-double max_error(const Candidate& candidate, Quantity quantity) {
-  return candidate.max_error[static_cast<std::size_t>(quantity)].value_or(kDefaultMaxError);
+std::optional<double> documented_bound(const Candidate& candidate, Quantity quantity,
+                                       bool has_camera) {
+  const auto index = static_cast<std::size_t>(quantity);
+  const auto end_to_end = candidate.max_error_end_to_end[index];
+  return has_camera && end_to_end ? end_to_end : candidate.max_error[index];
 }
 
 std::vector<scene::Pixel> all_pixels(const scene::Camera& camera) {
@@ -100,6 +103,12 @@ bool lengths_are_within(const scene::Scene& scene, double smallest, double large
   return inside;
 }
 
+bool is_inside_domain(const Candidate& candidate, const scene::Scene& scene) {
+  return lengths_are_within(scene, candidate.smallest_length, candidate.largest_length) &&
+         (!scene.camera || lengths_are_within(scene, candidate.smallest_camera_length,
+                                              candidate.largest_camera_length));
+}
+
 Truth::Truth(const Case& the_case, const scene::Conventions& conventions)
     : case_(the_case),
       conventions_(conventions),
@@ -135,8 +144,7 @@ Trial::Trial(const Case& the_case, const Candidate& candidate, std::optional<dou
       candidate_(candidate),
       conventions_(candidate.declared.over(the_case.scene.conventions)),
       max_error_(max_error),
-      inside_domain_(
-          lengths_are_within(the_case.scene, candidate.smallest_length, candidate.largest_length)),
+      inside_domain_(is_inside_domain(candidate, the_case.scene)),
       truth_(std::move(truth)),
       hits_(the_case.scene.spheres.size()) {
   scene::require_valid(case_.scene);
@@ -222,14 +230,16 @@ std::vector<std::optional<std::size_t>> Trial::rank(
 }
 
 double bound_on(Quantity quantity, const Candidate& candidate,
-                const scene::Conventions& conventions, std::optional<double> max_error_asked) {
+                const scene::Conventions& conventions, bool has_camera,
+                std::optional<double> max_error_asked) {
   // The eye is an input: a ray that starts there starts at its very bits.
   if (quantity == Quantity::kRayOrigin && conventions.origin == scene::Origin::kFocal) return 0;
-  return max_error_asked.value_or(max_error(candidate, quantity));
+  if (max_error_asked) return *max_error_asked;
+  return documented_bound(candidate, quantity, has_camera).value_or(kDefaultMaxError);
 }
 
 double Trial::bound(Quantity quantity) const {
-  return bound_on(quantity, candidate_, conventions_, max_error_);
+  return bound_on(quantity, candidate_, conventions_, case_.scene.camera.has_value(), max_error_);
 }
 
 void Trial::measure(Verdict& verdict, std::string_view law, Quantity quantity, const Place& place,
@@ -244,7 +254,8 @@ void Trial::measure(Verdict& verdict, std::string_view law, Quantity quantity, c
       std::isfinite(error) ? error <= allowed : bound > 0 && std::isinf(*discrepancy.condition);
   // A documented bound grows with the condition number; one that the user set does not. An infinite
   // error (of a value whose exact one is 0, or that is not finite) is above any bound.
-  const bool documented = !max_error_ && candidate_.max_error[static_cast<std::size_t>(quantity)];
+  const bool documented =
+      !max_error_ && documented_bound(candidate_, quantity, case_.scene.camera.has_value());
   if (ill_conditioned && documented && inside_domain_ && std::isfinite(error)) {
     verdict.count_ill_conditioned(quantity);
     return;
@@ -277,9 +288,11 @@ void Trial::judge(Verdict& verdict, std::string_view law, Quantity quantity, con
   discrepancy.place = place;
   discrepancy.error = std::numeric_limits<double>::infinity();
   discrepancy.wrong = wrong;
-  if (!inside_domain_) {
+  const bool promised =
+      candidate_.exact_class && quantity == Quantity::kClass && !case_.scene.camera;
+  if (!inside_domain_ && !promised) {
     discrepancy.excuse = Excuse::kOutsideDomain;
-  } else if (may_flip()) {
+  } else if (!promised && may_flip()) {
     discrepancy.excuse = Excuse::kSmallChangeFlips;
   }
   verdict.judged(quantity, place, wrong, discrepancy.excuse != Excuse::kNone);

@@ -102,7 +102,8 @@ class Trial {
     measure(verdict, law, quantity, place, error, bound(quantity), condition, describe);
   }
   /// Counts a right or wrong answer, and adds a discrepancy when it is wrong. `may_flip` says
-  /// whether a change of the inputs within kExcusedChange may make it right.
+  /// whether a change of the inputs within kExcusedChange may make it right; a candidate that
+  /// promises the exact class is not asked.
   void judge(Verdict& verdict, std::string_view law, Quantity quantity, const Place& place,
              Wrong wrong, const std::function<bool()>& may_flip,
              const std::function<void(Discrepancy&)>& describe) const;
@@ -125,10 +126,14 @@ class Trial {
 /// The bound on a quantity under some conventions: the one asked for, or the candidate's, or the
 /// default; always 0 for the origin of a ray that starts at the eye.
 double bound_on(Quantity quantity, const Candidate& candidate,
-                const scene::Conventions& conventions, std::optional<double> max_error_asked);
+                const scene::Conventions& conventions, bool has_camera,
+                std::optional<double> max_error_asked);
 
 /// True when every nonzero length of the scene lies in [smallest, largest].
 bool lengths_are_within(const scene::Scene& scene, double smallest, double largest);
+
+/// True when the scene lies in the candidate's stated domain.
+bool is_inside_domain(const Candidate& candidate, const scene::Scene& scene);
 
 }  // namespace raycheck::properties
 

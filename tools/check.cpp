@@ -113,7 +113,8 @@ Judged prepare(const MethodPair& pair, const scene::Scene& scene, const CheckOpt
   judged.report.conventions = judged.candidate.declared.over(scene.conventions);
   for (std::size_t k = 0; k < properties::kQuantityCount; ++k) {
     judged.report.bounds.push_back(bound_on(static_cast<properties::Quantity>(k), judged.candidate,
-                                            judged.report.conventions, options.max_error));
+                                            judged.report.conventions, scene.camera.has_value(),
+                                            options.max_error));
   }
   return judged;
 }

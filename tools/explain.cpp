@@ -6,6 +6,7 @@
 #include <functional>
 #include <stdexcept>
 
+#include "properties/fast_candidate.h"
 #include "scene/validate.h"
 #include "tools/explain_methods.h"
 
@@ -163,7 +164,8 @@ ExplainReport explain(const ExplainOptions& options) {
     const scene::Pixel pixel = options.pixel.value();
     camera.emplace(*scene.camera, conventions);
     subject.emplace(Subject{ExactRay(*camera, pixel),
-                            reference::ClosedFormRay(*scene.camera, conventions, pixel), true});
+                            reference::ClosedFormRay(*scene.camera, conventions, pixel), true,
+                            properties::inherited_bound(*options.rays)});
     derive_camera(*camera, *subject, pixel, report.steps);
     for (const auto* method : fast::pixel_ray_methods()) {
       report.methods.push_back(judge_rays(*method, conventions, *scene.camera, pixel));
@@ -173,7 +175,7 @@ ExplainReport explain(const ExplainOptions& options) {
     }
   } else {
     report.ray = scene.rays.front();
-    subject.emplace(Subject{ExactRay(report.ray), reference::ClosedFormRay(report.ray), false});
+    subject.emplace(Subject{ExactRay(report.ray), reference::ClosedFormRay(report.ray), false, 0});
     derive_given(*subject, report.ray, report.steps);
   }
 

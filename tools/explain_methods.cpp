@@ -119,18 +119,20 @@ MethodReport judge_intersection(const fast::IntersectMethod& method, const scene
                scene::UnitVector3{to_centre.x, to_centre.y, to_centre.z},
                reference::enclose_exactly(sphere.centre) - reference::enclose_exactly(ray.origin)),
            "u", properties::kDefaultMaxError));
-  const fast::Roots roots = method.roots(ray, sphere);
-  const auto enclosed = own.enclose(1024);
-  report.steps.push_back(
-      step("v", {roots.axial_distance},
-           reference::ulp_error(roots.axial_distance, enclosed.axial_distance(sphere)), "ulp",
-           properties::kDefaultMaxError));
-  const Enclosure half_chord_sq = own_at.hit_class == reference::HitClass::kTangent
-                                      ? Enclosure(0)
-                                      : enclosed.half_chord_sq(sphere);
-  report.steps.push_back(step("d^2", {roots.half_chord_sq},
-                              reference::ulp_error(roots.half_chord_sq, half_chord_sq), "ulp",
-                              properties::kDefaultMaxError));
+  if (method.roots != nullptr) {
+    const fast::Roots roots = method.roots(ray, sphere);
+    const auto enclosed = own.enclose(1024);
+    report.steps.push_back(
+        step("v", {roots.axial_distance},
+             reference::ulp_error(roots.axial_distance, enclosed.axial_distance(sphere)), "ulp",
+             properties::kDefaultMaxError));
+    const Enclosure half_chord_sq = own_at.hit_class == reference::HitClass::kTangent
+                                        ? Enclosure(0)
+                                        : enclosed.half_chord_sq(sphere);
+    report.steps.push_back(step("d^2", {roots.half_chord_sq},
+                                reference::ulp_error(roots.half_chord_sq, half_chord_sq), "ulp",
+                                properties::kDefaultMaxError));
+  }
   MethodStep s{"s", {}, std::nullopt, "ulp", hit != own_hit};
   MethodStep point{"Q", {}, std::nullopt, "u", hit != own_hit};
   if (hit) {
@@ -146,7 +148,7 @@ MethodReport judge_intersection(const fast::IntersectMethod& method, const scene
         reference::relative_error(scene::Point3{point.value[0], point.value[1], point.value[2]},
                                   own.point(sphere, own_at)),
         "u",
-        method.max_ulp *
+        method.max_point_ulp *
             properties::bound_growth(reference::condition_of_point(own, sphere, own_at)));
   }
   report.steps.push_back(s);
@@ -162,9 +164,9 @@ MethodReport judge_intersection(const fast::IntersectMethod& method, const scene
   const bool wrong =
       report.class_error || point.wrong ||
       (report.ulp_error &&
-       *report.ulp_error >
-           method.max_ulp * properties::bound_growth(reference::condition_of_parameter(
-                                subject.exact, sphere, exact.intersection)));
+       *report.ulp_error > (method.max_ulp + subject.inherited_bound) *
+                               properties::bound_growth(reference::condition_of_parameter(
+                                   subject.exact, sphere, exact.intersection)));
   if (wrong) {
     // Right for the ray it was given: what went wrong is that ray.
     const bool right_alone = hit == own_hit && !s.wrong;

@@ -22,6 +22,7 @@ struct Subject {
   reference::ExactRay exact;
   reference::ClosedFormRay symbolic;
   bool from_camera;
+  double inherited_bound;  ///< What a hit's bound gains by its ray; 0 for a given ray.
 };
 
 /// A ray method's frame, pixel point and direction at one pixel.

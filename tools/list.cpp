@@ -38,7 +38,7 @@ std::string list_text() {
   text += "\nintersection methods (--intersect):\n";
   for (const auto* method : fast::intersect_methods()) {
     text += fmt::format("  {:<17} {}\n  {:<17} bounds: parameter {} ulp, hit point {} u{}",
-                        method->name, method->sentence, "", method->max_ulp, method->max_ulp,
+                        method->name, method->sentence, "", method->max_ulp, method->max_point_ulp,
                         caveat(method->not_kept));
   }
   text += fmt::format(
@@ -79,6 +79,7 @@ std::string list_json() {
     json["intersection_methods"].push_back({{"name", method->name},
                                             {"sentence", method->sentence},
                                             {"max_ulp", method->max_ulp},
+                                            {"max_point_ulp", method->max_point_ulp},
                                             {"not_kept_on", method->not_kept}});
   }
   json["laws"] = Json::array();

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <cstring>
 #include <limits>
 #include <stdexcept>
 #include <string>
@@ -112,6 +113,34 @@ TEST_P(EachMethod, TakesBatchesOfAnySize) {
   GetParam()->intersect(Rays(), kUnitSphere, Root::kNearest, Tangent::kHit, hits);
   EXPECT_EQ(hits.size(), 0u);
   EXPECT_EQ(hits.point.size(), 0u);
+}
+
+TEST_P(EachMethod, AnswersOneRayAsItDoesABatch) {
+  int hits_seen = 0;
+  int misses_seen = 0;
+  for (std::uint64_t seed = 0; seed < 500; ++seed) {
+    for (const properties::CaseSource& source : properties::case_sources()) {
+      if (source.has_camera) continue;
+      const auto the_case = source.make(seed);
+      const scene::Conventions& conventions = the_case.scene.conventions;
+      for (const Sphere& sphere : the_case.scene.spheres) {
+        const Ray& ray = the_case.scene.rays.front();
+        const Hits hits =
+            intersect(*GetParam(), {ray, ray}, sphere, conventions.root, conventions.tangent);
+        const auto hit =
+            GetParam()->intersect_one(ray, sphere, conventions.root, conventions.tangent);
+        ASSERT_EQ(hit.has_value(), hits.hit[1] == 1) << source.name << " " << seed;
+        (hit ? hits_seen : misses_seen) += 1;
+        if (!hit) continue;
+        const double alone[] = {hit->parameter, hit->point.x, hit->point.y, hit->point.z};
+        const double batched[] = {hits.parameter[1], hits.point.x[1], hits.point.y[1],
+                                  hits.point.z[1]};
+        EXPECT_EQ(std::memcmp(alone, batched, sizeof alone), 0) << source.name << " " << seed;
+      }
+    }
+  }
+  EXPECT_GT(hits_seen, 1000);
+  EXPECT_GT(misses_seen, 1000);
 }
 
 TEST_P(EachMethod, RefusesByTheNameOfTheField) {

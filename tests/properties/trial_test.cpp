@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <stdexcept>
 
 #include "properties/fast_candidate.h"
@@ -156,6 +157,35 @@ TEST(Trial, HoldsAnErrorAgainstTheBoundAskedForOrTheCandidates) {
   EXPECT_FALSE(verdict.holds());
   EXPECT_EQ(verdict.worst(1).at(0).error, 4);
   EXPECT_TRUE(judge("parameter", the_case, candidate, 5.0).holds());
+}
+
+TEST(Trial, HoldsAPromiseOfTheExactClassWithoutExcuse) {
+  Candidate candidate = that_answers(HitAnswer{5, {0, 1, 0}});
+  candidate.smallest_length = 10;
+  const Case outside = at_height(std::nextafter(1.0, 2.0));
+  EXPECT_EQ(judge("class", outside, candidate).worst(1).at(0).excuse, Excuse::kOutsideDomain);
+  candidate.smallest_length = 0;
+  EXPECT_EQ(judge("class", outside, candidate).worst(1).at(0).excuse, Excuse::kSmallChangeFlips);
+  candidate.exact_class = true;
+  EXPECT_FALSE(judge("class", outside, candidate).holds());
+  candidate.smallest_length = 10;
+  EXPECT_FALSE(judge("class", outside, candidate).holds());
+}
+
+TEST(Trial, TakesTheBoundFromEndToEndWhereThereIsACamera) {
+  Candidate candidate = direct_cross();
+  candidate.max_error[static_cast<std::size_t>(Quantity::kParameter)] = 0;
+  candidate.max_error_end_to_end[static_cast<std::size_t>(Quantity::kParameter)] = 7;
+  EXPECT_EQ(Trial(camera_case(), candidate).bound(Quantity::kParameter), 7);
+  EXPECT_EQ(Trial(camera_case(), candidate, 5.0).bound(Quantity::kParameter), 5);
+  EXPECT_EQ(Trial(at_height(0), candidate).bound(Quantity::kParameter), 0);
+}
+
+TEST(Trial, AddsTheDomainOfCamerasWhereThereIsACamera) {
+  Candidate candidate;
+  candidate.smallest_camera_length = 100;
+  EXPECT_FALSE(is_inside_domain(candidate, camera_case().scene));
+  EXPECT_TRUE(is_inside_domain(candidate, at_height(0).scene));
 }
 
 TEST(Trial, TakesACandidateThatFailsForADiscrepancy) {
