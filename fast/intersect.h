@@ -61,6 +61,7 @@ struct IntersectMethod {
   Domain domain = {};
   Contract contract = {};
   bool exact_class = false;
+  double unit_roundoff = 0x1p-53;  ///< Of the arithmetic that it computes in.
 };
 
 // The bounds; audited by the campaigns of `raycheck properties`.

@@ -58,7 +58,7 @@ CampaignResult run(const Law& law, const Candidate& candidate, const CampaignOpt
   const auto property = [&] {
     if (stopped || (stopped = options.interrupted())) return;
     const Case the_case = *cases;
-    Trial trial(the_case, candidate, options.max_error);
+    Trial trial(the_case, candidate, {.max_error = options.max_error});
     Verdict verdict = apply(law, trial);
     if (!result.failure) {  // what follows a failure is shrinking
       ++result.cases;

@@ -73,7 +73,11 @@ struct Candidate {
   /// It promises the exact class of every given ray: no closeness to tangency and no domain excuses
   /// a wrong one.
   bool exact_class = false;
-  /// Its stated domain: nonzero lengths between these.
+  /// Of the arithmetic that it computes in.
+  double unit_roundoff = kDoubleRoundoff;
+  /// Its stated domain: rays of these kinds only, and nonzero lengths between these.
+  bool needs_unit_direction = false;
+  bool needs_origin_outside = false;
   double smallest_length = 0;
   double largest_length = std::numeric_limits<double>::infinity();
   /// The lengths of scenes with a camera lie between these too.

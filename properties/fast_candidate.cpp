@@ -103,7 +103,13 @@ Candidate fast_candidate(const fast::PixelRayMethod& rays, const fast::Intersect
   promise_hit(Quantity::kHitPoint, intersect.max_point_ulp);
   promise_hit(Quantity::kSphereResidual, intersect.max_point_ulp);
   promise_hit(Quantity::kRayResidual, intersect.max_point_ulp);
+  // A root off by so much is at most twice that many u off, and kappa is at least 1: scaling all
+  // lengths scales s.
+  promise(Quantity::kBackwardError, 2 * intersect.max_ulp);
   candidate.exact_class = intersect.exact_class;
+  candidate.unit_roundoff = intersect.unit_roundoff;
+  candidate.needs_unit_direction = intersect.contract.unit_direction;
+  candidate.needs_origin_outside = intersect.contract.origin_outside;
   candidate.smallest_length = intersect.domain.smallest_length;
   candidate.largest_length = intersect.domain.largest_length;
   candidate.smallest_camera_length = rays.domain.smallest_length;

@@ -74,6 +74,12 @@ void describe_parameters(Trial& trial, std::size_t ray, std::size_t sphere,
   }
 }
 
+/// The backward error of an answer, for the very ray that the candidate was asked about.
+double backward_error(Trial& trial, std::size_t ray, std::size_t sphere, const HitAnswer& answer) {
+  return reference::backward_error(trial.rays()[ray], trial.scene().spheres[sphere],
+                                   answer.parameter);
+}
+
 Verdict judge_class(Trial& trial) {
   if (auto reason = nothing_to_say(trial); !reason.empty()) return Verdict::left_out(reason);
   Verdict verdict;
@@ -118,13 +124,25 @@ Verdict judge_parameter(Trial& trial) {
   if (auto reason = nothing_to_say(trial); !reason.empty()) return Verdict::left_out(reason);
   Verdict verdict;
   for_each_common_hit(trial, [&](std::size_t ray, std::size_t sphere, const HitAnswer& answer) {
-    const ExactRay& exact_ray = trial.exact_ray(ray);
-    const scene::Sphere& the_sphere = trial.scene().spheres[sphere];
-    const Intersection& at = trial.exact_intersection(ray, sphere);
     trial.measure(
         verdict, kParameterLaw.name, Quantity::kParameter, trial.place(ray, sphere),
-        reference::ulp_error(answer.parameter, exact_ray.parameter(the_sphere, at)),
-        [&] { return reference::condition_of_parameter(exact_ray, the_sphere, at); },
+        reference::ulp_error(answer.parameter, trial.exact_parameter(ray, sphere)),
+        trial.bound(Quantity::kParameter),
+        [&] { return trial.condition_of_parameter(ray, sphere); },
+        [&](Discrepancy& d) { describe_parameters(trial, ray, sphere, answer, d); },
+        [&] { return backward_error(trial, ray, sphere, answer); });
+  });
+  return verdict;
+}
+
+Verdict judge_backward_error(Trial& trial) {
+  if (auto reason = nothing_to_say(trial); !reason.empty()) return Verdict::left_out(reason);
+  Verdict verdict;
+  for_each_common_hit(trial, [&](std::size_t ray, std::size_t sphere, const HitAnswer& answer) {
+    // It is a change of the inputs already: no condition number magnifies it.
+    trial.measure(
+        verdict, kBackwardErrorLaw.name, Quantity::kBackwardError, trial.place(ray, sphere),
+        backward_error(trial, ray, sphere, answer), [] { return 1; },
         [&](Discrepancy& d) { describe_parameters(trial, ray, sphere, answer, d); });
   });
   return verdict;
@@ -247,6 +265,9 @@ constinit const Law kRootLaw = {"nearest-root",
                                 Law::Subject::kIntersection, true, judge_root};
 constinit const Law kParameterLaw = {"parameter", "the parameter s is the exact root's",
                                      Law::Subject::kIntersection, true, judge_parameter};
+constinit const Law kBackwardErrorLaw = {
+    "backward-error", "the parameter s is the exact root for inputs changed by a few roundings",
+    Law::Subject::kIntersection, true, judge_backward_error};
 constinit const Law kHitPointLaw = {"hit-point",
                                     "the hit point is exact, lies on the sphere and on the ray",
                                     Law::Subject::kIntersection, true, judge_hit_point};

@@ -24,6 +24,7 @@ extern const Law kRayOriginLaw;
 extern const Law kClassLaw;  // intersect.cpp
 extern const Law kRootLaw;
 extern const Law kParameterLaw;
+extern const Law kBackwardErrorLaw;
 extern const Law kHitPointLaw;
 extern const Law kFocalAndPixelLaw;
 

@@ -21,11 +21,12 @@ enum class Quantity {
   kHitPoint,
   kSphereResidual,  ///< distance of a hit point from the sphere, over r
   kRayResidual,     ///< distance of a hit point from the ray, over s |D|
+  kBackwardError,   ///< the relative change of the inputs that makes s an exact root
   kNearestSphere,
   kInvariance,  ///< two answers of the candidate that should agree
   kRefusal,     ///< input that is not a problem, and input that is
 };
-inline constexpr std::size_t kQuantityCount = 15;
+inline constexpr std::size_t kQuantityCount = 16;
 
 /// A quantity's name in reports, and the unit of its errors: ulp of the exact value, u = 2^-53 of
 /// its size, or none for what is right or wrong.
@@ -47,6 +48,7 @@ inline constexpr std::array<QuantityInfo, kQuantityCount> kQuantities = {{
     {"hit point", "u"},
     {"sphere residual", "u"},
     {"ray residual", "u"},
+    {"backward error", "u"},
     {"nearest sphere", ""},
     {"invariance", "u"},
     {"refusal", ""},
@@ -55,6 +57,9 @@ inline constexpr std::array<QuantityInfo, kQuantityCount> kQuantities = {{
 constexpr const QuantityInfo& info(Quantity quantity) {
   return kQuantities[static_cast<std::size_t>(quantity)];
 }
+
+/// u: errors are counted in it.
+inline constexpr double kDoubleRoundoff = 0x1p-53;
 
 /// The bound on an error where a candidate documents none.
 inline constexpr double kDefaultMaxError = 16;
@@ -67,7 +72,7 @@ constexpr double bound_growth(double condition) {
 
 /// A class error is excused when a relative change of the inputs by this much may flip the exact
 /// class: what the roundings of a handful of operations amount to.
-inline constexpr double kExcusedChange = 16 * 0x1p-53;
+inline constexpr double kExcusedChange = 16 * kDoubleRoundoff;
 
 }  // namespace raycheck::properties
 

@@ -6,6 +6,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "reference/condition.h"
 #include "scene/validate.h"
 
 namespace raycheck::properties {
@@ -104,16 +105,28 @@ bool lengths_are_within(const scene::Scene& scene, double smallest, double large
 }
 
 bool is_inside_domain(const Candidate& candidate, const scene::Scene& scene) {
+  // From a camera directions are unit as far as the method makes them so.
+  const bool unit_directions = std::all_of(
+      scene.rays.begin(), scene.rays.end(),
+      [](const scene::Ray& ray) { return std::abs(length(ray.direction) - 1) <= kUnitTolerance; });
+  const auto is_outside = [&](const scene::Ray& ray) {
+    return std::all_of(scene.spheres.begin(), scene.spheres.end(), [&](const scene::Sphere& s) {
+      return length(s.centre - ray.origin) > s.radius;
+    });
+  };
   return lengths_are_within(scene, candidate.smallest_length, candidate.largest_length) &&
          (!scene.camera || lengths_are_within(scene, candidate.smallest_camera_length,
-                                              candidate.largest_camera_length));
+                                              candidate.largest_camera_length)) &&
+         (!candidate.needs_unit_direction || unit_directions) &&
+         (!candidate.needs_origin_outside ||
+          std::all_of(scene.rays.begin(), scene.rays.end(), is_outside));
 }
 
 Truth::Truth(const Case& the_case, const scene::Conventions& conventions)
     : case_(the_case),
       conventions_(conventions),
       rays_(count_rays(the_case)),
-      intersections_(rays_.size() * the_case.scene.spheres.size()) {}
+      pairs_(rays_.size() * the_case.scene.spheres.size()) {}
 
 const reference::ExactCamera& Truth::camera() {
   if (!camera_) camera_.emplace(case_.scene.camera.value(), conventions_);
@@ -132,23 +145,50 @@ const reference::ExactRay& Truth::ray(std::size_t ray) {
   return *kept;
 }
 
+Truth::Pair& Truth::pair(std::size_t ray, std::size_t sphere) {
+  return pairs_[ray * case_.scene.spheres.size() + sphere];
+}
+
 const reference::Intersection& Truth::intersection(std::size_t ray_index, std::size_t sphere) {
-  auto& kept = intersections_[ray_index * case_.scene.spheres.size() + sphere];
+  auto& kept = pair(ray_index, sphere).intersection;
   if (!kept) kept = ray(ray_index).intersect(case_.scene.spheres[sphere], conventions_.root);
   return *kept;
 }
 
-Trial::Trial(const Case& the_case, const Candidate& candidate, std::optional<double> max_error,
-             std::shared_ptr<Truth> truth)
+const reference::Enclosure& Truth::parameter(std::size_t ray_index, std::size_t sphere) {
+  auto& kept = pair(ray_index, sphere).parameter;
+  if (!kept) {
+    kept = ray(ray_index).parameter(case_.scene.spheres[sphere], intersection(ray_index, sphere));
+  }
+  return *kept;
+}
+
+double Truth::condition_of_parameter(std::size_t ray_index, std::size_t sphere) {
+  auto& kept = pair(ray_index, sphere).condition_of_parameter;
+  if (!kept) {
+    kept = reference::condition_of_parameter(ray(ray_index), case_.scene.spheres[sphere],
+                                             intersection(ray_index, sphere));
+  }
+  return *kept;
+}
+
+std::shared_ptr<Truth> SharedTruths::under(const scene::Conventions& conventions) {
+  for (const auto& truth : truths_) {
+    if (truth->conventions() == conventions) return truth;
+  }
+  truths_.push_back(std::make_shared<Truth>(case_, conventions));
+  return truths_.back();
+}
+
+Trial::Trial(const Case& the_case, const Candidate& candidate, TrialOptions options)
     : case_(the_case),
       candidate_(candidate),
       conventions_(candidate.declared.over(the_case.scene.conventions)),
-      max_error_(max_error),
+      options_(std::move(options)),
       inside_domain_(is_inside_domain(candidate, the_case.scene)),
-      truth_(std::move(truth)),
       hits_(the_case.scene.spheres.size()) {
   scene::require_valid(case_.scene);
-  if (!truth_) truth_ = std::make_shared<Truth>(case_, conventions_);
+  if (!options_.truth) options_.truth = std::make_shared<Truth>(case_, conventions_);
 }
 
 std::size_t Trial::ray_count() const { return count_rays(case_); }
@@ -239,23 +279,50 @@ double bound_on(Quantity quantity, const Candidate& candidate,
 }
 
 double Trial::bound(Quantity quantity) const {
-  return bound_on(quantity, candidate_, conventions_, case_.scene.camera.has_value(), max_error_);
+  return bound_on(quantity, candidate_, conventions_, case_.scene.camera.has_value(),
+                  options_.max_error);
+}
+
+Stability Trial::weigh(double error, double condition,
+                       const std::function<double()>& backward) const {
+  const double unit = candidate_.unit_roundoff / kDoubleRoundoff;
+  Stability stability;
+  stability.condition = condition;
+  if (!std::isfinite(error)) {
+    stability.ratio = error;
+  } else if (!std::isinf(condition)) {
+    stability.ratio = error / ((1 + condition) * unit);
+  } else {
+    stability.ratio = backward ? backward() / unit : 0;
+  }
+  stability.outcome = error <= kExactError * unit       ? Outcome::kExact
+                      : error <= kAccurateError * unit  ? Outcome::kAccurate
+                      : !inside_domain_                 ? Outcome::kOutsideDomain
+                      : stability.ratio <= kStableRatio ? Outcome::kIllConditioned
+                                                        : Outcome::kUnstable;
+  return stability;
 }
 
 void Trial::measure(Verdict& verdict, std::string_view law, Quantity quantity, const Place& place,
                     double error, double bound, const std::function<double()>& condition,
-                    const std::function<void(Discrepancy&)>& describe) const {
+                    const std::function<void(Discrepancy&)>& describe,
+                    const std::function<double()>& backward) const {
   verdict.measured(quantity, place, error);
-  if (error <= bound) return;
   Discrepancy discrepancy;
-  discrepancy.condition = condition();
+  if (options_.conditioning) {
+    const Stability stability = weigh(error, condition(), backward);
+    verdict.weighed(quantity, stability);
+    discrepancy.condition = stability.condition;
+  }
+  if (error <= bound) return;
+  if (!discrepancy.condition) discrepancy.condition = condition();
   const double allowed = bound * bound_growth(*discrepancy.condition);
   const bool ill_conditioned =
       std::isfinite(error) ? error <= allowed : bound > 0 && std::isinf(*discrepancy.condition);
   // A documented bound grows with the condition number; one that the user set does not. An infinite
   // error (of a value whose exact one is 0, or that is not finite) is above any bound.
   const bool documented =
-      !max_error_ && documented_bound(candidate_, quantity, case_.scene.camera.has_value());
+      !options_.max_error && documented_bound(candidate_, quantity, case_.scene.camera.has_value());
   if (ill_conditioned && documented && inside_domain_ && std::isfinite(error)) {
     verdict.count_ill_conditioned(quantity);
     return;
@@ -279,7 +346,7 @@ void Trial::judge(Verdict& verdict, std::string_view law, Quantity quantity, con
                   Wrong wrong, const std::function<bool()>& may_flip,
                   const std::function<void(Discrepancy&)>& describe) const {
   if (wrong == Wrong::kNot) {
-    verdict.judged(quantity, place, wrong, false);
+    verdict.judged(quantity, place, wrong, Excuse::kNone);
     return;
   }
   Discrepancy discrepancy;
@@ -295,7 +362,7 @@ void Trial::judge(Verdict& verdict, std::string_view law, Quantity quantity, con
   } else if (!promised && may_flip()) {
     discrepancy.excuse = Excuse::kSmallChangeFlips;
   }
-  verdict.judged(quantity, place, wrong, discrepancy.excuse != Excuse::kNone);
+  verdict.judged(quantity, place, wrong, discrepancy.excuse);
   describe(discrepancy);
   verdict.add(std::move(discrepancy));
 }

@@ -36,13 +36,41 @@ class Truth {
   const reference::ExactCamera& camera();
   const reference::ExactRay& ray(std::size_t ray);
   const reference::Intersection& intersection(std::size_t ray, std::size_t sphere);
+  /// Of an intersection that is a hit or a tangent: its parameter, and kappa of that.
+  const reference::Enclosure& parameter(std::size_t ray, std::size_t sphere);
+  double condition_of_parameter(std::size_t ray, std::size_t sphere);
 
  private:
+  struct Pair {
+    std::optional<reference::Intersection> intersection;
+    std::optional<reference::Enclosure> parameter;
+    std::optional<double> condition_of_parameter;
+  };
+  Pair& pair(std::size_t ray, std::size_t sphere);
+
   const Case& case_;
   scene::Conventions conventions_;
   std::optional<reference::ExactCamera> camera_;
   std::vector<std::optional<reference::ExactRay>> rays_;
-  std::vector<std::optional<reference::Intersection>> intersections_;
+  std::vector<Pair> pairs_;
+};
+
+/// The truths about one case, by the conventions under which candidates are judged.
+class SharedTruths {
+ public:
+  explicit SharedTruths(const Case& the_case) : case_(the_case) {}
+  std::shared_ptr<Truth> under(const scene::Conventions& conventions);
+
+ private:
+  const Case& case_;
+  std::vector<std::shared_ptr<Truth>> truths_;
+};
+
+struct TrialOptions {
+  std::optional<double> max_error = {};  ///< A bound in place of the candidate's own.
+  bool conditioning = false;             ///< Weigh every error by its condition number.
+  /// The truth about the same case under the candidate's conventions, where it is shared.
+  std::shared_ptr<Truth> truth = nullptr;
 };
 
 /// A case, the truth about it and a candidate's answers to it, each worked out when a law first
@@ -51,9 +79,7 @@ class Truth {
 ///         throws std::invalid_argument. What a candidate throws passes through.
 class Trial {
  public:
-  /// `truth`, if given, is that of the same case under the candidate's conventions.
-  Trial(const Case& the_case, const Candidate& candidate, std::optional<double> max_error = {},
-        std::shared_ptr<Truth> truth = nullptr);
+  Trial(const Case& the_case, const Candidate& candidate, TrialOptions options = {});
 
   const scene::Scene& scene() const { return case_.scene; }
   const std::vector<scene::Pixel>& pixels() const { return case_.pixels; }
@@ -62,12 +88,20 @@ class Trial {
   const scene::Conventions& conventions() const { return conventions_; }
   std::size_t ray_count() const;
   Place place(std::size_t ray, std::optional<std::size_t> sphere = {}) const;
+  /// Whether the case lies in the candidate's stated domain.
+  bool inside_domain() const { return inside_domain_; }
 
   // The truth.
-  const reference::ExactCamera& exact_camera() { return truth_->camera(); }
-  const reference::ExactRay& exact_ray(std::size_t ray) { return truth_->ray(ray); }
+  const reference::ExactCamera& exact_camera() { return options_.truth->camera(); }
+  const reference::ExactRay& exact_ray(std::size_t ray) { return options_.truth->ray(ray); }
   const reference::Intersection& exact_intersection(std::size_t ray, std::size_t sphere) {
-    return truth_->intersection(ray, sphere);
+    return options_.truth->intersection(ray, sphere);
+  }
+  const reference::Enclosure& exact_parameter(std::size_t ray, std::size_t sphere) {
+    return options_.truth->parameter(ray, sphere);
+  }
+  double condition_of_parameter(std::size_t ray, std::size_t sphere) {
+    return options_.truth->condition_of_parameter(ray, sphere);
   }
   bool exact_hit(std::size_t ray, std::size_t sphere);
   /// A tangent that the convention leaves open.
@@ -92,10 +126,12 @@ class Trial {
   double bound(Quantity quantity) const;
 
   /// Counts an error, and adds a discrepancy when it is above `bound`. `condition` and `describe`
-  /// are called only then; `describe` fills in what, got and exact.
+  /// are called only then; `describe` fills in what, got and exact. Under `conditioning` every
+  /// error is weighed, by `backward` (a backward error in units of u) where kappa is infinite.
   void measure(Verdict& verdict, std::string_view law, Quantity quantity, const Place& place,
                double error, double bound, const std::function<double()>& condition,
-               const std::function<void(Discrepancy&)>& describe) const;
+               const std::function<void(Discrepancy&)>& describe,
+               const std::function<double()>& backward = {}) const;
   void measure(Verdict& verdict, std::string_view law, Quantity quantity, const Place& place,
                double error, const std::function<double()>& condition,
                const std::function<void(Discrepancy&)>& describe) const {
@@ -109,13 +145,14 @@ class Trial {
              const std::function<void(Discrepancy&)>& describe) const;
 
  private:
+  Stability weigh(double error, double condition, const std::function<double()>& backward) const;
+
   const Case& case_;
   const Candidate& candidate_;
   scene::Conventions conventions_;
-  std::optional<double> max_error_;
+  TrialOptions options_;
   bool inside_domain_;
 
-  std::shared_ptr<Truth> truth_;
   std::optional<FrameAnswer> frame_;
   std::optional<std::vector<scene::Point3>> pixel_points_;
   std::optional<std::vector<scene::Ray>> rays_;
@@ -132,7 +169,11 @@ double bound_on(Quantity quantity, const Candidate& candidate,
 /// True when every nonzero length of the scene lies in [smallest, largest].
 bool lengths_are_within(const scene::Scene& scene, double smallest, double largest);
 
-/// True when the scene lies in the candidate's stated domain.
+/// How far from 1 the length of a direction may be that counts as unit: what its roundings make.
+inline constexpr double kUnitTolerance = 0x1p-50;
+
+/// True when the scene lies in the candidate's stated domain. (Whether an origin is outside a
+/// sphere is asked of rounded distances: the domain is about the method, not about the truth.)
 bool is_inside_domain(const Candidate& candidate, const scene::Scene& scene);
 
 }  // namespace raycheck::properties

@@ -7,6 +7,17 @@
 #include <utility>
 
 namespace raycheck::properties {
+namespace {
+
+std::optional<double> quantile_of(std::vector<double> numbers, double share) {
+  if (numbers.empty()) return std::nullopt;
+  const double last = static_cast<double>(numbers.size() - 1);
+  const auto at = numbers.begin() + static_cast<std::ptrdiff_t>(share * last);
+  std::nth_element(numbers.begin(), at, numbers.end());
+  return *at;
+}
+
+}  // namespace
 
 std::vector<Discrepancy> worst_first(std::vector<Discrepancy> discrepancies) {
   const auto is_excused = [](const Discrepancy& d) { return d.excuse != Excuse::kNone; };
@@ -39,12 +50,10 @@ std::uint64_t Tally::class_errors() const {
   return sum;
 }
 
-std::optional<double> Tally::median() const {
-  if (errors.empty()) return std::nullopt;
-  std::vector<double> sorted = errors;
-  const auto middle = sorted.begin() + static_cast<std::ptrdiff_t>((sorted.size() - 1) / 2);
-  std::nth_element(sorted.begin(), middle, sorted.end());
-  return *middle;
+std::optional<double> Tally::quantile(double share) const { return quantile_of(errors, share); }
+
+std::optional<double> Tally::condition_quantile(double share) const {
+  return quantile_of(conditions, share);
 }
 
 std::optional<double> Tally::max() const {
@@ -67,12 +76,29 @@ void Verdict::measured(Quantity quantity, const Place& place, double error) {
   }
 }
 
-void Verdict::judged(Quantity quantity, const Place& place, Wrong wrong, bool excused) {
+void Verdict::weighed(Quantity quantity, const Stability& stability) {
   Tally& tally = tallies_[quantity];
+  tally.conditions.push_back(stability.condition);
+  ++tally.outcomes[static_cast<std::size_t>(stability.outcome)];
+  if (stability.outcome != Outcome::kOutsideDomain) {
+    tally.worst_ratio = std::max(tally.worst_ratio, stability.ratio);
+  }
+}
+
+void Verdict::judged(Quantity quantity, const Place& place, Wrong wrong, Excuse excuse) {
+  Tally& tally = tallies_[quantity];
+  const auto count = [&](Outcome outcome) { ++tally.outcomes[static_cast<std::size_t>(outcome)]; };
   ++tally.cases;
-  if (wrong == Wrong::kNot) return;
+  if (wrong == Wrong::kNot) {
+    count(Outcome::kExact);
+    return;
+  }
   ++tally.wrong[wrong];
+  const bool excused = excuse != Excuse::kNone;
   if (excused) ++tally.wrong_excused;
+  count(excuse == Excuse::kOutsideDomain ? Outcome::kOutsideDomain
+        : excused                        ? Outcome::kExcusedDecision
+                                         : Outcome::kWrongDecision);
   // The first defect, or for want of one the first error.
   const double badness = excused ? 1 : 2;
   if (badness > tally.worst) {
@@ -97,6 +123,9 @@ void Verdict::merge(Verdict other) {
     mine.ill_conditioned += tally.ill_conditioned;
     for (const auto& [kind, count] : tally.wrong) mine.wrong[kind] += count;
     mine.errors.insert(mine.errors.end(), tally.errors.begin(), tally.errors.end());
+    mine.conditions.insert(mine.conditions.end(), tally.conditions.begin(), tally.conditions.end());
+    mine.worst_ratio = std::max(mine.worst_ratio, tally.worst_ratio);
+    for (std::size_t k = 0; k < kOutcomeCount; ++k) mine.outcomes[k] += tally.outcomes[k];
     if (tally.worst > mine.worst) {
       mine.worst = tally.worst;
       mine.worst_place = tally.worst_place;

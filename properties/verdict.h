@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "properties/quantity.h"
+#include "properties/stability.h"
 #include "scene/camera.h"
 
 namespace raycheck::properties {
@@ -74,11 +75,20 @@ struct Tally {
   std::uint64_t ill_conditioned = 0;  ///< Above the flat bound, within its growth: no discrepancy.
   double worst = -1;
   Place worst_place;
+  // Only of trials that ask for the conditioning.
+  std::vector<double> conditions;  ///< One for each error.
+  double worst_ratio = -1;         ///< The largest stability ratio within the stated domain.
+  std::array<std::uint64_t, kOutcomeCount> outcomes = {};
 
   std::uint64_t class_errors() const;
-  /// Both empty when no error was measured.
-  std::optional<double> median() const;
+  std::uint64_t count(Outcome outcome) const { return outcomes[static_cast<std::size_t>(outcome)]; }
+  /// All empty when no error was measured. The quantile is that of the error at rank
+  /// floor(share (n - 1)).
+  std::optional<double> quantile(double share) const;
+  std::optional<double> median() const { return quantile(0.5); }
   std::optional<double> max() const;
+  /// The same of the condition numbers.
+  std::optional<double> condition_quantile(double share) const;
 };
 
 /// How many discrepancies a verdict keeps; a bad candidate has one in every pixel.
@@ -94,10 +104,12 @@ class Verdict {
 
   /// Counts a measured error.
   void measured(Quantity quantity, const Place& place, double error);
+  /// Counts what the error just measured is worth.
+  void weighed(Quantity quantity, const Stability& stability);
   /// Counts an error, measured before, that only its condition number allows.
   void count_ill_conditioned(Quantity quantity) { ++tallies_[quantity].ill_conditioned; }
   /// Counts an answer that is right or wrong.
-  void judged(Quantity quantity, const Place& place, Wrong wrong, bool excused);
+  void judged(Quantity quantity, const Place& place, Wrong wrong, Excuse excuse);
   void add(Discrepancy discrepancy);
   void merge(Verdict other);
   /// Adds to every ray index: this verdict's case was a part, from that ray on, of a larger one.

@@ -9,8 +9,8 @@
 #include <stdexcept>
 #include <utility>
 
-#include "properties/fast_candidate.h"
 #include "properties/law.h"
+#include "tools/scene_cases.h"
 #include "tools/terminal.h"
 #include "tools/timing.h"
 
@@ -27,76 +27,8 @@ using properties::Verdict;
 /// Rays judged before progress is shown and an interrupt is heeded.
 constexpr std::size_t kChunk = 512;
 
-std::uint64_t count_rays(const scene::Scene& scene) {
-  if (!scene.camera) return scene.rays.size();
-  return static_cast<std::uint64_t>(scene.camera->width) *
-         static_cast<std::uint64_t>(scene.camera->height);
-}
-
-/// N pixels of an image, spread evenly: the middles of the cells of a grid as near to square as N
-/// lets it be. All pixels, row by row, when N is their number.
-class PixelGrid {
- public:
-  PixelGrid(const scene::Camera& camera, std::uint64_t count)
-      : width_(static_cast<std::uint64_t>(camera.width)),
-        height_(static_cast<std::uint64_t>(camera.height)) {
-    const double aspect = static_cast<double>(width_) / static_cast<double>(height_);
-    const auto ideal =
-        static_cast<std::uint64_t>(std::ceil(std::sqrt(static_cast<double>(count) * aspect)));
-    const std::uint64_t columns = std::clamp<std::uint64_t>(ideal, 1, width_);
-    rows_ = std::min(height_, (count + columns - 1) / columns);
-    columns_ = (count + rows_ - 1) / rows_;
-  }
-
-  scene::Pixel operator[](std::uint64_t index) const {
-    const std::uint64_t column = index % columns_;
-    const std::uint64_t row = index / columns_;
-    return {static_cast<std::int64_t>((2 * column + 1) * width_ / (2 * columns_)),
-            static_cast<std::int64_t>((2 * row + 1) * height_ / (2 * rows_))};
-  }
-
- private:
-  std::uint64_t width_;
-  std::uint64_t height_;
-  std::uint64_t columns_;
-  std::uint64_t rows_;
-};
-
-/// Rays first..end of those judged, as a case.
-Case chunk_of(const scene::Scene& scene, std::uint64_t judged, std::uint64_t first,
-              std::uint64_t end) {
-  Case chunk;
-  chunk.scene = scene;
-  if (scene.camera) {
-    const PixelGrid grid(*scene.camera, judged);
-    for (std::uint64_t k = first; k < end; ++k) chunk.pixels.push_back(grid[k]);
-  } else {
-    chunk.scene.rays.assign(scene.rays.begin() + static_cast<std::ptrdiff_t>(first),
-                            scene.rays.begin() + static_cast<std::ptrdiff_t>(end));
-  }
-  return chunk;
-}
-
 /// A law whose answer is one for the scene, not one for each ray.
 bool is_per_scene(const Law& law) { return law.name == "frame"; }
-
-/// The truths about one chunk, by the conventions under which candidates are judged.
-class SharedTruths {
- public:
-  explicit SharedTruths(const Case& chunk) : chunk_(chunk) {}
-
-  std::shared_ptr<Truth> under(const scene::Conventions& conventions) {
-    for (const auto& truth : truths_) {
-      if (truth->conventions() == conventions) return truth;
-    }
-    truths_.push_back(std::make_shared<Truth>(chunk_, conventions));
-    return truths_.back();
-  }
-
- private:
-  const Case& chunk_;
-  std::vector<std::shared_ptr<Truth>> truths_;
-};
 
 /// A candidate and its report in the making.
 struct Judged {
@@ -107,7 +39,7 @@ struct Judged {
 
 Judged prepare(const MethodPair& pair, const scene::Scene& scene, const CheckOptions& options) {
   Judged judged;
-  judged.candidate = properties::fast_candidate(*pair.rays, *pair.intersect);
+  judged.candidate = candidate_of(pair);
   judged.report.methods = pair;
   judged.report.name = judged.candidate.name;
   judged.report.conventions = judged.candidate.declared.over(scene.conventions);
@@ -121,7 +53,7 @@ Judged prepare(const MethodPair& pair, const scene::Scene& scene, const CheckOpt
 
 void judge_chunk(const Case& chunk, std::uint64_t first, std::shared_ptr<Truth> truth,
                  std::optional<double> max_error, Judged& judged) {
-  Trial trial(chunk, judged.candidate, max_error, std::move(truth));
+  Trial trial(chunk, judged.candidate, {.max_error = max_error, .truth = std::move(truth)});
   for (const Law& law : properties::laws()) {
     if (!law.judges_values || (is_per_scene(law) && first > 0)) continue;
     Verdict verdict = apply(law, trial);
@@ -226,15 +158,13 @@ CheckReport check(const CheckOptions& options) {
   report.scene = std::move(loaded.scene);
   report.warnings = std::move(loaded.warnings);
   report.top = options.top;
-  report.rays_in_scene = count_rays(report.scene);
-  std::uint64_t judged = report.rays_in_scene;
   if (!report.scene.camera && options.pixels) {
     throw std::invalid_argument("--pixels: " + options.path +
                                 " has given rays and no pixels; all its rays are judged");
   }
-  if (options.pixels) {
-    judged = std::min(judged, static_cast<std::uint64_t>(*options.pixels));
-  }
+  const SceneCases cases(report.scene, options.pixels);
+  report.rays_in_scene = cases.rays_in_scene();
+  const std::uint64_t judged = cases.rays_judged();
   std::vector<Judged> all;
   for (const MethodPair& pair : useful_pairs(options.methods, report.scene)) {
     all.push_back(prepare(pair, report.scene, options));
@@ -243,8 +173,8 @@ CheckReport check(const CheckOptions& options) {
   while (report.rays_judged < judged && !interrupted()) {
     const std::uint64_t first = report.rays_judged;
     const std::uint64_t end = std::min(first + kChunk, judged);
-    const Case chunk = chunk_of(report.scene, judged, first, end);
-    SharedTruths truths(chunk);
+    const Case chunk = cases.from(first, end);
+    properties::SharedTruths truths(chunk);
     for (Judged& one : all) {
       judge_chunk(chunk, first, truths.under(one.report.conventions), options.max_error, one);
       if (first == 0) {

@@ -1,6 +1,9 @@
 #include "tools/methods.h"
 
+#include <algorithm>
 #include <stdexcept>
+
+#include "properties/fast_candidate.h"
 
 namespace raycheck::tools {
 namespace {
@@ -23,7 +26,52 @@ const fast::PixelRayMethod& find_rays(const std::string& name) {
 }
 
 const fast::IntersectMethod& find_intersect(const std::string& name) {
-  return find(fast::intersect_methods(), name, "--intersect");
+  return find(all_intersect_methods(), name, "--intersect");
+}
+
+std::vector<const fast::IntersectMethod*> all_intersect_methods() {
+  const auto fast = fast::intersect_methods();
+  return {fast.begin(), fast.end()};
+}
+
+std::vector<StagedMethod> find_methods(const std::vector<std::string>& names) {
+  std::vector<StagedMethod> all;
+  for (const auto* method : fast::pixel_ray_methods()) {
+    all.push_back({properties::Stage::kRays, method, kDefaultMethods.intersect});
+  }
+  for (const auto* method : all_intersect_methods()) {
+    all.push_back({properties::Stage::kIntersection, kDefaultMethods.rays, method});
+  }
+  if (names.empty()) return all;
+  const auto is_called = [](const StagedMethod& method, const std::string& name) {
+    const bool makes_rays = method.stage == properties::Stage::kRays;
+    return name == method.name() ||
+           name == (makes_rays ? "rays/" : "intersect/") + std::string(method.name());
+  };
+  for (const std::string& name : names) {
+    if (std::none_of(all.begin(), all.end(),
+                     [&](const StagedMethod& method) { return is_called(method, name); })) {
+      std::string known;
+      for (const StagedMethod& method : all) {
+        known += (known.empty() ? "" : ", ") + std::string(method.name());
+      }
+      throw std::invalid_argument("--method " + name + ": no such method; the methods are " +
+                                  known);
+    }
+  }
+  std::erase_if(all, [&](const StagedMethod& method) {
+    return std::none_of(names.begin(), names.end(),
+                        [&](const std::string& name) { return is_called(method, name); });
+  });
+  return all;
+}
+
+properties::Candidate candidate_of(const MethodPair& pair) {
+  return properties::fast_candidate(*pair.rays, *pair.intersect);
+}
+
+properties::Candidate candidate_of(const StagedMethod& method) {
+  return candidate_of(MethodPair{method.rays, method.intersect});
 }
 
 std::vector<MethodPair> all_pairs() {

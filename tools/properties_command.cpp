@@ -4,7 +4,6 @@
 
 #include <stdexcept>
 
-#include "properties/fast_candidate.h"
 #include "tools/format.h"
 #include "tools/terminal.h"
 
@@ -17,10 +16,6 @@ using properties::Candidate;
 using properties::CaseSource;
 using properties::Failure;
 using properties::Law;
-
-Candidate make(const MethodPair& pair) {
-  return properties::fast_candidate(*pair.rays, *pair.intersect);
-}
 
 std::vector<const Law*> filtered_laws(const std::string& filter) {
   std::vector<const Law*> found;
@@ -64,7 +59,7 @@ bool is_worth_asking(const Law& law, const MethodPair& pair, bool chosen_by_user
 PropertiesReport replay(const PropertiesOptions& options) {
   const properties::Replay parsed = properties::parse_replay(options.replay);
   for (const MethodPair& pair : all_pairs()) {
-    const Candidate candidate = make(pair);
+    const Candidate candidate = candidate_of(pair);
     if (candidate.name != parsed.candidate) continue;
     PropertiesReport report;
     report.cases = 1;
@@ -106,7 +101,7 @@ PropertiesReport run_properties(const PropertiesOptions& options) {
   for (const Law* law : laws) {
     for (const MethodPair& pair : chosen ? options.methods : each_method_once()) {
       if (interrupted() || !is_worth_asking(*law, pair, chosen)) continue;
-      const Candidate candidate = make(pair);
+      const Candidate candidate = candidate_of(pair);
       progress.show(fmt::format("{} on {}", law->name, candidate.name));
       report.campaigns.push_back({law, candidate.name, run_campaign(*law, candidate, campaign)});
     }

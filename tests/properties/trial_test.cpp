@@ -43,7 +43,7 @@ Candidate that_answers(std::optional<HitAnswer> answer) {
 
 Verdict judge(std::string_view law, const Case& the_case, const Candidate& candidate,
               std::optional<double> max_error = {}) {
-  Trial trial(the_case, candidate, max_error);
+  Trial trial(the_case, candidate, {.max_error = max_error});
   return apply(*find_law(law), trial);
 }
 

@@ -1,0 +1,52 @@
+#ifndef RAYCHECK_PROPERTIES_STABILITY_H_
+#define RAYCHECK_PROPERTIES_STABILITY_H_
+
+#include <array>
+#include <cstddef>
+#include <string_view>
+
+namespace raycheck::properties {
+
+/// What an answer is worth, given how well its question is conditioned.
+enum class Outcome {
+  kExact,           ///< The double nearest to the truth, or the right decision.
+  kAccurate,        ///< Off by no more than kAccurateError.
+  kIllConditioned,  ///< Off by more, as the condition number explains: the problem's fault.
+  kUnstable,        ///< Off by more than it explains: the method's fault.
+  kExcusedDecision,
+  kWrongDecision,  ///< A defect: no small change of the inputs makes it right.
+  kOutsideDomain,  ///< Off by more than kAccurateError, or wrong, where nothing is promised.
+};
+inline constexpr std::size_t kOutcomeCount = 7;
+inline constexpr std::array<std::string_view, kOutcomeCount> kOutcomeNames = {
+    "exact",
+    "accurate",
+    "ill-conditioned",
+    "unstable",
+    "wrong decision, excused",
+    "wrong decision",
+    "outside the stated domain"};
+constexpr std::string_view name(Outcome outcome) {
+  return kOutcomeNames[static_cast<std::size_t>(outcome)];
+}
+
+/// Errors up to these, in the unit of their quantity (ulp or u) times the method's unit roundoff
+/// over 2^-53, are exact and accurate.
+inline constexpr double kExactError = 0.5;
+inline constexpr double kAccurateError = 4;
+
+/// A method is stable on a family of cases when its stability ratio rho = error / ((1 + kappa) u)
+/// stays below this while the severity grows, and no decision is wrong without an excuse.
+inline constexpr double kStableRatio = 16;
+
+/// How far an answer is off, for its conditioning.
+struct Stability {
+  double condition = 0;  ///< kappa
+  /// rho; where kappa is infinite (an exact tangent) the backward error in units of u instead.
+  double ratio = 0;
+  Outcome outcome = Outcome::kExact;
+};
+
+}  // namespace raycheck::properties
+
+#endif  // RAYCHECK_PROPERTIES_STABILITY_H_

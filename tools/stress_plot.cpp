@@ -1,0 +1,55 @@
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "tools/stress.h"
+
+namespace raycheck::tools {
+
+using properties::Stage;
+using properties::Tally;
+
+std::vector<Plot> stress_plots(const StressReport& report) {
+  std::vector<Plot> plots;
+  for (const FamilyReport& family : report.families) {
+    for (const Stage stage : {Stage::kRays, Stage::kIntersection}) {
+      Plot plot;
+      plot.title =
+          fmt::format("{}: 99.9% error against severity ({})", family.family->name, name(stage));
+      plot.x_label = fmt::format("severity: {}", family.family->dial->meaning);
+      plot.y_label = stage == Stage::kRays ? "angle of the direction, in u" : "error of s, in ulp";
+      PlotSeries floor;
+      floor.name = "kappa: what the problem itself magnifies";
+      floor.style = PlotSeries::Style::kDashes;
+      floor.colour = "#888888";
+      for (const StressCurve& curve : family.curves) {
+        if (curve.method.stage != stage) continue;
+        PlotSeries series;
+        series.name = std::string(curve.method.name());
+        const bool first = floor.points.empty();
+        for (std::size_t k = 0; k < curve.results.size(); ++k) {
+          const Tally* const tally = curve.tally(k);
+          if (tally == nullptr) continue;
+          const double severity = curve.first + static_cast<double>(k);
+          const double error = tally->quantile(0.999).value_or(0);
+          if (std::isfinite(error)) {
+            series.points.push_back({severity, std::max(error, kSmallestPlotted), 0, 0});
+          }
+          if (first) {
+            floor.points.push_back(
+                {severity, std::max(tally->condition_quantile(0.999).value_or(0), kSmallestPlotted),
+                 0, 0});
+          }
+        }
+        if (!series.points.empty()) plot.series.push_back(std::move(series));
+      }
+      if (plot.series.empty()) continue;
+      plot.series.insert(plot.series.begin(), std::move(floor));
+      plots.push_back(std::move(plot));
+    }
+  }
+  return plots;
+}
+
+}  // namespace raycheck::tools
