@@ -125,6 +125,38 @@ Json discrepancy_json(const Discrepancy& d) {
   return json;
 }
 
+namespace {
+
+Json tally_json(const properties::Tally& tally, std::string_view unit) {
+  Json json;
+  json["cases"] = tally.cases;
+  for (const auto& [wrong, number] : tally.wrong) json["wrong"][std::string(name(wrong))] = number;
+  json["wrong_excused"] = tally.wrong_excused;
+  if (!tally.errors.empty()) {
+    json["unit"] = unit;
+    json["median"] = error_json(tally.median());
+    json["p999"] = error_json(tally.quantile(0.999));
+    json["max"] = error_json(tally.max());
+    json["max_ratio"] =
+        error_json(tally.worst_ratio < 0 ? std::nullopt : std::optional(tally.worst_ratio));
+    json["median_condition"] = error_json(tally.condition_quantile(0.5));
+  }
+  for (std::size_t k = 0; k < properties::kOutcomeCount; ++k) {
+    json["outcomes"][std::string(properties::kOutcomeNames[k])] = tally.outcomes[k];
+  }
+  return json;
+}
+
+}  // namespace
+
+Json weighed_json(const properties::Verdict& verdict) {
+  Json json = Json::object();
+  for (const auto& [quantity, tally] : verdict.tallies()) {
+    json[std::string(info(quantity).name)] = tally_json(tally, info(quantity).unit);
+  }
+  return json;
+}
+
 std::string count_text(std::uint64_t count, std::string_view noun) {
   return fmt::format("{} {}{}", count, noun, count == 1 ? "" : "s");
 }

@@ -42,6 +42,9 @@ std::string discrepancy_text(const properties::Discrepancy& discrepancy, std::st
                              bool colours);
 Json discrepancy_json(const properties::Discrepancy& discrepancy);
 
+/// What a verdict compared, by quantity, with what its errors are worth.
+Json weighed_json(const properties::Verdict& verdict);
+
 /// "1 sphere", "2 spheres"
 std::string count_text(std::uint64_t count, std::string_view noun);
 

@@ -144,9 +144,9 @@ void require_plottable(const std::string& path) {
 void draw(const std::vector<Plot>& plots, const std::string& path) {
   require_plottable(path);
   if (!is_installed("gnuplot")) {
-    throw std::runtime_error("--plot " + path +
-                             ": no plot was drawn, for gnuplot is not installed (Debian: apt-get "
-                             "install gnuplot-nox)");
+    throw GnuplotMissing("--plot " + path +
+                         ": no plot was drawn, for gnuplot is not installed (Debian: apt-get "
+                         "install gnuplot-nox)");
   }
   std::string name = std::filesystem::temp_directory_path() / "raycheck-plot-XXXXXX";
   const int file = mkstemp(name.data());

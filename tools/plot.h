@@ -2,6 +2,7 @@
 #define RAYCHECK_TOOLS_PLOT_H_
 
 #include <optional>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -40,8 +41,14 @@ void require_plottable(const std::string& path);
 /// Errors below are drawn there: a logarithm has no place for 0.
 inline constexpr double kSmallestPlotted = 0.1;
 
-/// Draws plots below one another into one file, by gnuplot. Throws std::runtime_error where gnuplot
-/// is not installed, or with its message when it fails.
+/// There is no gnuplot to draw with.
+class GnuplotMissing : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
+/// Draws plots below one another into one file, by gnuplot. Throws GnuplotMissing, or
+/// std::runtime_error with gnuplot's message when it fails.
 void draw(const std::vector<Plot>& plots, const std::string& path);
 
 /// What gnuplot is told; draw() runs it.

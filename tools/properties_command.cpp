@@ -1,199 +1,76 @@
-#include "tools/properties_command.h"
-
-#include <fmt/core.h>
-
+#include <memory>
 #include <stdexcept>
 
-#include "tools/format.h"
+#include "tools/arguments.h"
+#include "tools/commands.h"
+#include "tools/run_properties.h"
 #include "tools/terminal.h"
 
 namespace raycheck::tools {
 namespace {
 
-using properties::CampaignOptions;
-using properties::CampaignResult;
-using properties::Candidate;
-using properties::CaseSource;
-using properties::Failure;
-using properties::Law;
+struct Arguments {
+  std::string filter;
+  int cases = 100;
+  std::uint64_t seed = 1;
+  std::string replay;
+  std::string rays;
+  std::vector<std::string> intersect;
+  std::vector<std::string> sources;
+  std::optional<double> max_ulp;
+  std::string format = "text";
+};
 
-std::vector<const Law*> filtered_laws(const std::string& filter) {
-  std::vector<const Law*> found;
-  for (const Law& law : properties::laws()) {
-    if (law.name.find(filter) != std::string_view::npos) found.push_back(&law);
+int run_properties_command(const Arguments& arguments) {
+  catch_interrupts();
+  if (!arguments.replay.empty() && !(arguments.filter.empty() && arguments.sources.empty() &&
+                                     arguments.rays.empty() && arguments.intersect.empty())) {
+    throw std::invalid_argument(
+        "--replay: names its law, methods and source; leave out --filter, --source, --rays, "
+        "--intersect");
   }
-  if (found.empty()) {
-    throw std::invalid_argument("--filter " + filter +
-                                ": no law's name contains it; `raycheck list` shows the laws");
+  PropertiesOptions options;
+  options.filter = arguments.filter;
+  options.cases = arguments.cases;
+  options.seed = arguments.seed;
+  options.replay = arguments.replay;
+  options.sources = arguments.sources;
+  options.max_error = arguments.max_ulp;
+  if (!arguments.rays.empty() || !arguments.intersect.empty()) {
+    options.methods = chosen_methods(arguments.rays, arguments.intersect);
   }
-  return found;
-}
-
-std::vector<const CaseSource*> named_sources(const std::vector<std::string>& names) {
-  std::vector<const CaseSource*> found;
-  for (const std::string& name : names) {
-    const CaseSource* source = properties::find_case_source(name);
-    if (source == nullptr) {
-      throw std::invalid_argument("--source " + name +
-                                  ": no such source; `raycheck list` shows the sources");
-    }
-    found.push_back(source);
-  }
-  return found;
-}
-
-/// Whether a law can tell this pair from one that is already asked: laws of the camera alone do not
-/// see the intersection, those of the intersection alone hardly see the ray method.
-bool is_worth_asking(const Law& law, const MethodPair& pair, bool chosen_by_user) {
-  if (chosen_by_user) return true;
-  switch (law.subject) {
-    case Law::Subject::kCamera:
-      return pair.intersect == kDefaultMethods.intersect;
-    case Law::Subject::kIntersection:
-      return pair.rays == kDefaultMethods.rays;
-    default:
-      return true;
-  }
-}
-
-PropertiesReport replay(const PropertiesOptions& options) {
-  const properties::Replay parsed = properties::parse_replay(options.replay);
-  for (const MethodPair& pair : all_pairs()) {
-    const Candidate candidate = candidate_of(pair);
-    if (candidate.name != parsed.candidate) continue;
-    PropertiesReport report;
-    report.cases = 1;
-    report.campaigns.push_back(
-        {parsed.law, candidate.name, run_replay(parsed, candidate, options.max_error)});
-    return report;
-  }
-  throw std::invalid_argument("--replay: no candidate is called '" + parsed.candidate + "'");
+  const PropertiesReport report = run_properties(options);
+  print_report(arguments.format == "json" ? properties_json(report)
+                                          : properties_text(report, stdout_takes_colours()));
+  return exit_code(report.interrupted, report.failures() > 0, report.compared() > 0);
 }
 
 }  // namespace
 
-std::uint64_t PropertiesReport::failures() const {
-  std::uint64_t count = 0;
-  for (const CampaignReport& campaign : campaigns) count += campaign.result.failure ? 1 : 0;
-  return count;
-}
-
-std::uint64_t PropertiesReport::compared() const {
-  std::uint64_t count = 0;
-  for (const CampaignReport& campaign : campaigns) count += campaign.result.verdict.compared();
-  return count;
-}
-
-PropertiesReport run_properties(const PropertiesOptions& options) {
-  if (!options.replay.empty()) return replay(options);
-  PropertiesReport report;
-  report.seed = options.seed;
-  report.cases = options.cases;
-  CampaignOptions campaign;
-  campaign.cases = options.cases;
-  campaign.seed = options.seed;
-  campaign.max_error = options.max_error;
-  campaign.sources = named_sources(options.sources);
-  campaign.interrupted = interrupted;
-  const bool chosen = !options.methods.empty();
-  const auto laws = filtered_laws(options.filter);
-  Progress progress("laws");
-  for (const Law* law : laws) {
-    for (const MethodPair& pair : chosen ? options.methods : each_method_once()) {
-      if (interrupted() || !is_worth_asking(*law, pair, chosen)) continue;
-      const Candidate candidate = candidate_of(pair);
-      progress.show(fmt::format("{} on {}", law->name, candidate.name));
-      report.campaigns.push_back({law, candidate.name, run_campaign(*law, candidate, campaign)});
-    }
-  }
-  report.interrupted = interrupted();
-  return report;
-}
-
-namespace {
-
-std::string failure_text(const CampaignReport& campaign, bool colours) {
-  const Failure& failure = *campaign.result.failure;
-  std::string text = fmt::format("    the law: {}\n", campaign.law->sentence);
-  for (const auto& discrepancy : failure.verdict.worst(1)) {
-    text += discrepancy_text(discrepancy, "    ", colours);
-  }
-  text += fmt::format("    replay: raycheck properties --replay {}\n", failure.replay);
-  text += "    the shrunk case, as a scene for `raycheck check`:\n";
-  const std::string scene = properties::text(
-      failure.shrunk,
-      fmt::format("breaks the law {} with {}", campaign.law->name, campaign.candidate));
-  for (std::size_t at = 0; at < scene.size();) {
-    const std::size_t end = std::min(scene.find('\n', at), scene.size());
-    text += end == at ? "\n" : fmt::format("      {}\n", scene.substr(at, end - at));
-    at = end + 1;
-  }
-  return text;
-}
-
-}  // namespace
-
-std::string properties_text(const PropertiesReport& report, bool colours) {
-  std::string text;
-  for (const CampaignReport& campaign : report.campaigns) {
-    const CampaignResult& result = campaign.result;
-    const std::uint64_t compared = result.verdict.compared();
-    std::string outcome = "holds";
-    if (result.failure) {
-      outcome = red("BROKEN", colours);
-    } else if (compared == 0) {
-      outcome = "left out";
-    }
-    text += fmt::format("{:<16} {:<26} {}", campaign.law->name, campaign.candidate, outcome);
-    if (compared == 0 && !result.failure) {
-      text += fmt::format(": {}\n", result.reason);
-      continue;
-    }
-    text += fmt::format(" ({}, {}", count_text(static_cast<std::uint64_t>(result.cases), "case"),
-                        count_text(compared, "comparison"));
-    if (result.verdict.excused() > 0) text += fmt::format(", {} excused", result.verdict.excused());
-    if (result.left_out > 0) {
-      text += fmt::format(", {} left out: {}", result.left_out, result.reason);
-    }
-    text += ")\n";
-    if (result.failure) text += failure_text(campaign, colours);
-  }
-  if (report.interrupted) text += "INTERRUPTED: the laws above are those that were tried.\n";
-  const std::uint64_t failures = report.failures();
-  text += fmt::format("{}, {} broken\n", count_text(report.campaigns.size(), "campaign"), failures);
-  return text;
-}
-
-std::string properties_json(const PropertiesReport& report) {
-  Json json = json_header("properties");
-  json["seed"] = report.seed ? Json(*report.seed) : Json(nullptr);
-  json["cases"] = report.cases;
-  json["interrupted"] = report.interrupted;
-  json["campaigns"] = Json::array();
-  for (const CampaignReport& campaign : report.campaigns) {
-    const CampaignResult& result = campaign.result;
-    Json entry;
-    entry["law"] = campaign.law->name;
-    entry["sentence"] = campaign.law->sentence;
-    entry["candidate"] = campaign.candidate;
-    entry["holds"] = !result.failure.has_value();
-    entry["cases"] = result.cases;
-    entry["comparisons"] = result.verdict.compared();
-    entry["excused"] = result.verdict.excused();
-    entry["left_out"] = result.left_out;
-    entry["reason_left_out"] = result.reason.empty() ? Json(nullptr) : Json(result.reason);
-    if (result.failure) {
-      entry["replay"] = result.failure->replay;
-      entry["scene"] = properties::text(result.failure->shrunk);
-      entry["discrepancies"] = Json::array();
-      for (const auto& discrepancy : result.failure->verdict.worst(10)) {
-        entry["discrepancies"].push_back(discrepancy_json(discrepancy));
-      }
-    }
-    json["campaigns"].push_back(std::move(entry));
-  }
-  json["failures"] = report.failures();
-  return json.dump(2) + "\n";
+Command add_properties(CLI::App& program) {
+  const auto given = std::make_shared<Arguments>();
+  Arguments& arguments = *given;
+  CLI::App& command = *program.add_subcommand(
+      "properties", "Try the laws on random cases, shrinking what breaks them");
+  command.add_option("--filter", arguments.filter, "laws whose name contains this");
+  command.add_option("--cases", arguments.cases, "cases for each law and candidate")
+      ->check(CLI::Range(1, 1000000000))
+      ->capture_default_str();
+  add_seed(command, arguments.seed);
+  command.add_option("--replay", arguments.replay, "the string that a failure printed");
+  command.add_option("--rays", arguments.rays, "only this method of making rays");
+  command.add_option("--intersect", arguments.intersect,
+                     "only this intersection method; several "
+                     "times for several");
+  command.add_option("--source", arguments.sources,
+                     "only cases of this source; several times for "
+                     "several");
+  command
+      .add_option("--max-ulp", arguments.max_ulp,
+                  "the bound on every error (default: the method's documented bounds)")
+      ->check(kBound);
+  add_format(command, arguments.format, {"text", "json"});
+  return {&command, [given] { return run_properties_command(*given); }};
 }
 
 }  // namespace raycheck::tools

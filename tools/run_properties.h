@@ -1,5 +1,5 @@
-#ifndef RAYCHECK_TOOLS_PROPERTIES_COMMAND_H_
-#define RAYCHECK_TOOLS_PROPERTIES_COMMAND_H_
+#ifndef RAYCHECK_TOOLS_RUN_PROPERTIES_H_
+#define RAYCHECK_TOOLS_RUN_PROPERTIES_H_
 
 #include <cstdint>
 #include <optional>
@@ -46,4 +46,4 @@ std::string properties_json(const PropertiesReport& report);
 
 }  // namespace raycheck::tools
 
-#endif  // RAYCHECK_TOOLS_PROPERTIES_COMMAND_H_
+#endif  // RAYCHECK_TOOLS_RUN_PROPERTIES_H_

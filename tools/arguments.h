@@ -1,0 +1,50 @@
+#ifndef RAYCHECK_TOOLS_ARGUMENTS_H_
+#define RAYCHECK_TOOLS_ARGUMENTS_H_
+
+// What the commands share of reading arguments and writing reports. Internal to the commands.
+
+#include <CLI/CLI.hpp>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "scene/scene_file.h"
+#include "tools/methods.h"
+#include "tools/plot.h"
+
+namespace raycheck::tools {
+
+/// `count` numbers separated by commas; the error names the option and the text.
+std::vector<double> parse_list(const char* option, std::string_view text, std::size_t count,
+                               const char* meaning);
+/// A whole number from `least`; the error names the option.
+std::int64_t parse_index(const char* option, std::string_view text, std::int64_t least);
+std::optional<scene::Dialect> parse_dialect(const std::string& text);
+
+/// A bound on errors: a number >= 0.
+extern const CLI::Validator kBound;
+
+/// The pairs of methods asked for by --rays and --intersect.
+std::vector<MethodPair> chosen_methods(const std::string& rays,
+                                       const std::vector<std::string>& intersect);
+
+/// --format, one of those names.
+void add_format(CLI::App& command, std::string& format, const std::vector<std::string>& formats);
+/// --seed
+void add_seed(CLI::App& command, std::uint64_t& seed);
+
+/// Standard error may be closed or full; that is no reason to lose the report.
+void print_error(const std::string& text);
+void print_warnings(const std::vector<std::string>& warnings);
+/// Throws when the report could not be written: a lost report must not look like a good one.
+void print_report(const std::string& text);
+/// Draws the plots, unless there is no gnuplot: then it says so on standard error.
+void draw_or_say(const std::vector<Plot>& plots, const std::string& path);
+
+int exit_code(bool was_interrupted, bool found, bool checked);
+
+}  // namespace raycheck::tools
+
+#endif  // RAYCHECK_TOOLS_ARGUMENTS_H_

@@ -1,0 +1,70 @@
+#include <memory>
+#include <stdexcept>
+
+#include "tools/arguments.h"
+#include "tools/check.h"
+#include "tools/commands.h"
+#include "tools/terminal.h"
+
+namespace raycheck::tools {
+namespace {
+
+struct Arguments {
+  std::string scene;
+  std::string dialect;
+  std::string rays;
+  std::vector<std::string> intersect;
+  bool all = false;
+  std::string pixels = "all";
+  std::size_t top = 10;
+  std::optional<double> max_ulp;
+  std::string format = "text";
+};
+
+int run_check(const Arguments& arguments) {
+  catch_interrupts();
+  CheckOptions options;
+  options.path = arguments.scene;
+  options.dialect = parse_dialect(arguments.dialect);
+  if (arguments.all && !(arguments.rays.empty() && arguments.intersect.empty())) {
+    throw std::invalid_argument("--all: judges every method; leave out --rays and --intersect");
+  }
+  options.methods =
+      arguments.all ? all_pairs() : chosen_methods(arguments.rays, arguments.intersect);
+  if (arguments.pixels != "all") options.pixels = parse_index("--pixels", arguments.pixels, 1);
+  options.top = arguments.top;
+  options.max_error = arguments.max_ulp;
+  const CheckReport report = check(options);
+  print_warnings(report.warnings);
+  print_report(arguments.format == "json" ? check_json(report)
+                                          : check_text(report, stdout_takes_colours()));
+  return exit_code(report.interrupted, report.discrepancies() > 0, report.compared() > 0);
+}
+
+}  // namespace
+
+Command add_check(CLI::App& program) {
+  const auto given = std::make_shared<Arguments>();
+  Arguments& arguments = *given;
+  CLI::App& command = *program.add_subcommand("check", "Judge methods on every pixel of a scene");
+  command.add_option("SCENE", arguments.scene, "a TOML scene, or a driver file of the course")
+      ->required();
+  command.add_option("--dialect", arguments.dialect, "of a driver file: A, B or C");
+  command.add_option("--rays", arguments.rays, "the method that makes rays (default: direct)");
+  command.add_option("--intersect", arguments.intersect,
+                     "the method that intersects them, several times for several (default: cross)");
+  command.add_flag("--all", arguments.all, "every pair of methods");
+  command.add_option("--pixels", arguments.pixels, "all, or how many, spread evenly")
+      ->capture_default_str();
+  command.add_option("--top", arguments.top, "how many of the worst discrepancies are shown")
+      ->check(CLI::Range(std::size_t{0}, properties::kKeptDiscrepancies))
+      ->capture_default_str();
+  command
+      .add_option("--max-ulp", arguments.max_ulp,
+                  "errors above are discrepancies (default: the method's documented bound)")
+      ->check(kBound);
+  add_format(command, arguments.format, {"text", "json"});
+  return {&command, [given] { return run_check(*given); }};
+}
+
+}  // namespace raycheck::tools
