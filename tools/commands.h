@@ -19,6 +19,7 @@ Command add_properties(CLI::App& program);
 Command add_explain(CLI::App& program);
 Command add_stress(CLI::App& program);
 Command add_tradeoff(CLI::App& program);
+Command add_worst(CLI::App& program);
 Command add_list(CLI::App& program);
 
 }  // namespace raycheck::tools
