@@ -167,6 +167,7 @@ ExplainReport explain(const ExplainOptions& options) {
                             reference::ClosedFormRay(*scene.camera, conventions, pixel), true,
                             properties::inherited_bound(*options.rays)});
     derive_camera(*camera, *subject, pixel, report.steps);
+    add_ray_conditions(*subject, &*camera, report.steps);
     for (const auto* method : fast::pixel_ray_methods()) {
       report.methods.push_back(judge_rays(*method, conventions, *scene.camera, pixel));
     }
@@ -177,6 +178,7 @@ ExplainReport explain(const ExplainOptions& options) {
     report.ray = scene.rays.front();
     subject.emplace(Subject{ExactRay(report.ray), reference::ClosedFormRay(report.ray), false, 0});
     derive_given(*subject, report.ray, report.steps);
+    add_ray_conditions(*subject, nullptr, report.steps);
   }
 
   for (const scene::Sphere& sphere : scene.spheres) {
@@ -197,6 +199,7 @@ ExplainReport explain(const ExplainOptions& options) {
   const scene::Sphere& sphere = scene.spheres[*report.sphere];
   const SphereReport& exact = report.spheres[*report.sphere];
   derive_sphere(*subject, sphere, exact, report.steps);
+  add_sphere_conditions(*subject, sphere, exact.intersection, report.steps);
   for (const auto* method : fast::intersect_methods()) {
     report.methods.push_back(
         judge_intersection(*method, report.ray, sphere, conventions, *subject, exact));

@@ -27,6 +27,8 @@ struct Step {
   std::string formula;
   std::vector<std::string> closed_form;
   std::vector<double> rounded;  ///< Correctly rounded; empty: the closed form is an input's own.
+  std::optional<double> condition = {};  ///< kappa by the scene's numbers; of axes, the worst's.
+  std::optional<double> condition_alone = {};  ///< kappa by what goes into the step directly.
 };
 
 /// A method's value at a step, and how far it is off.
@@ -36,6 +38,9 @@ struct MethodStep {
   std::optional<double> error;  ///< From the exact value; empty where that or the value is a miss.
   std::string unit;
   bool wrong = false;  ///< Off by more than may be expected of one step (see explain_methods.cpp).
+  /// The error of this step alone, fed with the method's own values of the steps before, taken
+  /// exactly; empty where it has none.
+  std::optional<double> error_alone = {};
 };
 
 struct MethodReport {

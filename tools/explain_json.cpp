@@ -34,7 +34,9 @@ Json step_json(const Step& step) {
   return {{"symbol", step.symbol},
           {"formula", step.formula},
           {"closed_form", step.closed_form},
-          {"rounded", hexfloats(step.rounded)}};
+          {"rounded", hexfloats(step.rounded)},
+          {"condition", error_json(step.condition)},
+          {"condition_alone", error_json(step.condition_alone)}};
 }
 
 Json method_json(const MethodReport& method) {
@@ -54,6 +56,7 @@ void add_steps(const MethodReport& method, Json& json) {
     json["steps"].push_back({{"symbol", step.symbol},
                              {"value", hexfloats(step.value)},
                              {"error", error_json(step.error)},
+                             {"error_alone", error_json(step.error_alone)},
                              {"unit", step.unit}});
   }
 }

@@ -35,6 +35,40 @@ std::string first_wrong(const MethodReport& report) {
   return report.steps.back().symbol;
 }
 
+/// g = n W + alpha U + beta V of the method's own axes, exactly.
+Enclosure3 along_own_axes(const fast::CameraFrame& frame, const Enclosure3& plane_position) {
+  const Enclosure3 U = reference::enclose_exactly(frame.U);
+  const Enclosure3 V = reference::enclose_exactly(frame.V);
+  const Enclosure3 W = reference::enclose_exactly(frame.W);
+  const auto sum = [&](Enclosure Enclosure3::*member) {
+    return plane_position.z * W.*member + plane_position.x * U.*member +
+           plane_position.y * V.*member;
+  };
+  return {sum(&Enclosure3::x), sum(&Enclosure3::y), sum(&Enclosure3::z)};
+}
+
+Enclosure3 scaled(const Enclosure& factor, const Enclosure3& v) {
+  return {factor * v.x, factor * v.y, factor * v.z};
+}
+
+/// The root and the point alone: from the method's own v and d^2, and from its own s.
+void judge_alone(const scene::Ray& ray, const Intersection& at, const fast::Roots* roots,
+                 MethodStep& s, MethodStep& point) {
+  const Enclosure3 direction = reference::enclose_exactly(ray.direction);
+  if (roots != nullptr && std::isfinite(roots->axial_distance) && roots->half_chord_sq >= 0 &&
+      std::isfinite(roots->half_chord_sq)) {
+    constexpr int kBits = 256;
+    const Enclosure v(roots->axial_distance, kBits);
+    const Enclosure d = sqrt(Enclosure(roots->half_chord_sq, kBits));
+    const bool smaller = at.root == reference::WhichRoot::kSmaller;
+    s.error_alone = reference::ulp_error(s.value[0], (smaller ? v - d : v + d) / norm(direction));
+  }
+  if (!std::isfinite(s.value[0])) return;
+  const scene::Point3 got = {point.value[0], point.value[1], point.value[2]};
+  point.error_alone = reference::relative_error(
+      got, reference::enclose_exactly(ray.origin) - scaled(-Enclosure(s.value[0], 256), direction));
+}
+
 }  // namespace
 
 MethodReport judge_rays(const fast::PixelRayMethod& method, const scene::Conventions& conventions,
@@ -61,6 +95,7 @@ MethodReport judge_rays(const fast::PixelRayMethod& method, const scene::Convent
   constexpr double kNoBound = std::numeric_limits<double>::infinity();
   const auto position = fast::plane_position(camera, conventions, pixel);
   const Enclosure3 exact_position = exact_camera.plane_position(pixel);
+  const Enclosure3 own_along = along_own_axes(frame, exact_position);
   report.steps.push_back(step("alpha", {position.alpha},
                               reference::ulp_error(position.alpha, exact_position.x), "ulp",
                               kNoBound));
@@ -75,6 +110,9 @@ MethodReport judge_rays(const fast::PixelRayMethod& method, const scene::Convent
         step("P", numbers(got), reference::relative_error(got, exact.pixel_point()), "u",
              method.max_point_ulp *
                  properties::bound_growth(reference::condition_of_pixel_point(exact))));
+    const Enclosure3 minus_along = scaled(Enclosure(-1), own_along);
+    report.steps.back().error_alone =
+        reference::relative_error(got, reference::enclose_exactly(camera.eye) - minus_along);
   }
   fast::Rays rays;
   method.focal_rays(camera, conventions, pixels, rays);
@@ -83,6 +121,7 @@ MethodReport judge_rays(const fast::PixelRayMethod& method, const scene::Convent
       step("D", numbers(got), reference::angle_error(got, exact.direction()), "u",
            method.max_direction_ulp *
                properties::bound_growth(reference::condition_of_direction(exact))));
+  report.steps.back().error_alone = reference::angle_error(got, own_along);
   const bool any_wrong = std::any_of(report.steps.begin(), report.steps.end(),
                                      [](const MethodStep& one) { return one.wrong; });
   if (any_wrong) report.goes_wrong_at = first_wrong(report);
@@ -119,8 +158,9 @@ MethodReport judge_intersection(const fast::IntersectMethod& method, const scene
                scene::UnitVector3{to_centre.x, to_centre.y, to_centre.z},
                reference::enclose_exactly(sphere.centre) - reference::enclose_exactly(ray.origin)),
            "u", properties::kDefaultMaxError));
+  std::optional<fast::Roots> own_roots;
   if (method.roots != nullptr) {
-    const fast::Roots roots = method.roots(ray, sphere);
+    const fast::Roots roots = own_roots.emplace(method.roots(ray, sphere));
     const auto enclosed = own.enclose(1024);
     report.steps.push_back(
         step("v", {roots.axial_distance},
@@ -151,6 +191,7 @@ MethodReport judge_intersection(const fast::IntersectMethod& method, const scene
         method.max_point_ulp *
             properties::bound_growth(reference::condition_of_point(own, sphere, own_at)));
   }
+  if (hit && own_hit) judge_alone(ray, own_at, own_roots ? &*own_roots : nullptr, s, point);
   report.steps.push_back(s);
   report.steps.push_back(point);
 

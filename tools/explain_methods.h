@@ -25,6 +25,13 @@ struct Subject {
   double inherited_bound;  ///< What a hit's bound gains by its ray; 0 for a given ray.
 };
 
+/// Notes the condition numbers of the steps of a ray (`camera` null for a given one) and of a
+/// sphere.
+void add_ray_conditions(const Subject& subject, const reference::ExactCamera* camera,
+                        std::vector<Step>& steps);
+void add_sphere_conditions(const Subject& subject, const scene::Sphere& sphere,
+                           const reference::Intersection& intersection, std::vector<Step>& steps);
+
 /// A ray method's frame, pixel point and direction at one pixel.
 MethodReport judge_rays(const fast::PixelRayMethod& method, const scene::Conventions& conventions,
                         const scene::Camera& camera, const scene::Pixel& pixel);

@@ -55,13 +55,21 @@ void append_steps(const ExplainReport& report, std::string& text) {
       text += fmt::format("  {:<{}} = {}\n", "", width, listed(step.closed_form));
     }
     text += fmt::format("  {:<{}} = {}\n", "", width, decimals(step.rounded));
+    if (step.condition) {
+      text +=
+          fmt::format("  {:<{}}   condition number {}{}\n", "", width, error_text(step.condition),
+                      step.condition_alone
+                          ? fmt::format(", of this step alone {}", error_text(step.condition_alone))
+                          : "");
+    }
     for (const MethodReport& method : report.methods) {
       for (const MethodStep& mine : method.steps) {
         if (mine.symbol != step.symbol) continue;
         text += fmt::format(
-            "  {:<{}}   {:<17} {}{}{}\n", "", width, method.name,
+            "  {:<{}}   {:<17} {}{}{}{}\n", "", width, method.name,
             mine.value.empty() ? "miss" : decimals(mine.value),
             mine.error ? fmt::format("  off by {} {}", error_text(mine.error), mine.unit) : "",
+            mine.error_alone ? fmt::format(" ({} alone)", error_text(mine.error_alone)) : "",
             method.goes_wrong_at == step.symbol ? "  <- goes wrong here" : "");
       }
     }
