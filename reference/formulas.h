@@ -217,26 +217,31 @@ typename K::FT half_chord_sq(const LineAndSphere<K>& pair) {
   return discriminant(pair) / pair.line.a;
 }
 
-/// b -+ sqrt(b^2 - a c), by the root's sign; a tangent's is 0.
-template <class K>
-typename K::FT root_numerator(const LineAndSphere<K>& pair, int root_sign) {
+/// middle -+ sqrt(half_sq), by the root's sign; a tangent's is 0.
+template <class FT>
+FT root_of(const FT& middle, const FT& half_sq, int root_sign) {
   using CGAL::sqrt;
-  if (root_sign == 0) return linear_coefficient(pair);
-  const typename K::FT root = sqrt(discriminant(pair));
-  return root_sign < 0 ? linear_coefficient(pair) - root : linear_coefficient(pair) + root;
+  if (root_sign == 0) return middle;
+  return root_sign < 0 ? FT(middle - sqrt(half_sq)) : FT(middle + sqrt(half_sq));
+}
+
+/// (v -+ d) |g|
+template <class K>
+typename K::FT scaled_distance(const LineAndSphere<K>& pair, int root_sign) {
+  return root_of(linear_coefficient(pair), discriminant(pair), root_sign);
 }
 
 /// s: v -+ d of a camera's ray, (v -+ d)/|g| of a given one.
 template <class K>
 typename K::FT ray_parameter(const LineAndSphere<K>& pair, int root_sign) {
-  const typename K::FT numerator = root_numerator(pair, root_sign);
+  const typename K::FT numerator = scaled_distance(pair, root_sign);
   return numerator / (pair.line.is_unit ? ray_length(pair.line) : pair.line.a);
 }
 
 /// Q = L + s D
 template <class K>
 typename K::Vector_3 hit_point(const LineAndSphere<K>& pair, int root_sign) {
-  const typename K::FT mu = root_numerator(pair, root_sign) / pair.line.a;
+  const typename K::FT mu = scaled_distance(pair, root_sign) / pair.line.a;
   return ray_origin(pair.line) + mu * pair.line.g;
 }
 

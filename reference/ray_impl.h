@@ -15,6 +15,17 @@ inline int root_sign(const Intersection& intersection) {
   return intersection.root == WhichRoot::kSmaller ? -1 : 1;
 }
 
+// A camera under each approximate kernel.
+inline const CameraNumbers<IntervalKernel>& numbers_of(const IntervalLift& /*lift*/,
+                                                       const ExactCamera::Impl& camera) {
+  return camera.intervals;
+}
+inline CameraNumbers<EnclosureKernel> numbers_of(const EnclosureLift& lift,
+                                                 const ExactCamera::Impl& camera) {
+  std::optional<CameraNumbers<EnclosureKernel>> scratch;
+  return camera.enclosed(lift, scratch);
+}
+
 // The line of a ray under each kernel: through a camera's pixel, or given.
 template <class K, class Lift>
 Line<K> line_of(const Lift& lift, const CameraNumbers<K>& numbers, const ExactRay::Source& source) {

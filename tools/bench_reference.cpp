@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "reference/condition.h"
 #include "reference/error_measure.h"
 #include "reference/exact_ray.h"
 
@@ -168,6 +169,31 @@ void given_parameter(benchmark::State& state) {
   }
 }
 
+void condition_of_given_parameter(benchmark::State& state) {
+  const auto cases = hitting_cases();
+  for (std::size_t k = 0; k < 200; ++k) {
+    const auto& [given, sphere, answer] = cases[k];
+    const reference::ExactRay ray(given);
+    const auto at = ray.intersect(sphere);
+    const double balls =
+        reference::condition_of_parameter(ray, sphere, at, reference::Arithmetic::kBallsOnly);
+    const double ratio = reference::condition_of_parameter(ray, sphere, at) / balls;
+    if (!(ratio >= 1 - 2 * reference::kConditionWidth) ||
+        !(ratio <= 1 + 2 * reference::kConditionWidth)) {
+      state.SkipWithError("intervals and balls disagree about a condition number");
+      return;
+    }
+  }
+  std::size_t k = 0;
+  for (auto _ : state) {
+    const auto& [given, sphere, answer] = cases[k++ % cases.size()];
+    const reference::ExactRay ray(given);
+    const auto at = ray.intersect(sphere);
+    benchmark::DoNotOptimize(reference::condition_of_parameter(ray, sphere, at));
+  }
+  state.SetItemsProcessed(state.iterations());
+}
+
 void camera_set_up(benchmark::State& state) {
   for (auto _ : state) {
     const reference::ExactCamera exact(camera(), {});
@@ -183,6 +209,7 @@ BENCHMARK(certified_s);
 BENCHMARK(given_ray);
 BENCHMARK(given_class);
 BENCHMARK(given_parameter);
+BENCHMARK(condition_of_given_parameter);
 BENCHMARK(camera_set_up);
 
 }  // namespace
