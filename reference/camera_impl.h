@@ -15,16 +15,17 @@ inline constexpr int kMiddleBits = 256;
 struct ExactCamera::Impl {
   Impl(const scene::Camera& its_camera, const scene::Conventions& its_conventions);
 
-  /// Axes at any precision: stored for the two usual ones, computed into `scratch` for the others.
-  const Axes<EnclosureKernel>& enclosed_axes(int bits, double relative_change,
-                                             std::optional<Axes<EnclosureKernel>>& scratch) const;
+  /// The camera at any precision: stored for the two usual ones, computed into `scratch` for the
+  /// others.
+  const CameraNumbers<EnclosureKernel>& enclosed(
+      const EnclosureLift& lift, std::optional<CameraNumbers<EnclosureKernel>>& scratch) const;
 
   scene::Camera camera;
   scene::Conventions conventions;
-  Axes<EnclosureKernel> axes_first_bits;
-  Axes<EnclosureKernel> axes_middle_bits;
-  Axes<IntervalKernel> axes_interval;
-  Axes<ExactKernel> axes_exact;
+  CameraNumbers<EnclosureKernel> first_bits;
+  CameraNumbers<EnclosureKernel> middle_bits;
+  CameraNumbers<IntervalKernel> intervals;
+  CameraNumbers<ExactKernel> exact;
 };
 
 /// Throws std::invalid_argument unless the camera's image has the pixel.

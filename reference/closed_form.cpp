@@ -36,10 +36,7 @@ struct ClosedFormRay::Impl {
 
   LineAndSphere<SymbolicKernel> with(const scene::Sphere& sphere) const {
     scene::require_valid(sphere);
-    return line_and_sphere(SymbolicLift{}, line, sphere);
-  }
-  SymbolicVector start() const {
-    return line.starts_at_g ? SymbolicVector(line.base + line.g) : line.base;
+    return line_and_sphere(line, lift_sphere<SymbolicKernel>(SymbolicLift{}, sphere));
   }
   /// (v -+ d) / unit
   std::string root_over(const RadicalSum& unit, const scene::Sphere& sphere,
@@ -52,7 +49,7 @@ struct ClosedFormRay::Impl {
 
 ClosedFormFrame closed_form_frame(const scene::Camera& camera) {
   scene::require_valid(camera);
-  const auto axes = camera_axes<SymbolicKernel>(SymbolicLift{}, camera);
+  const auto axes = camera_numbers<SymbolicKernel>(SymbolicLift{}, camera).axes;
   return {texts(axes.U), texts(axes.V), texts(axes.W)};
 }
 
@@ -64,16 +61,17 @@ ClosedFormRay::ClosedFormRay(const scene::Camera& camera, const scene::Conventio
   scene::require_valid(scene);
   require_pixel_of(camera, pixel);
   const SymbolicLift lift;
-  const auto axes = camera_axes<SymbolicKernel>(lift, camera);
-  auto line = camera_line<SymbolicKernel>(lift, camera, conventions, axes, pixel);
+  const auto numbers = camera_numbers<SymbolicKernel>(lift, camera);
+  auto line = camera_line<SymbolicKernel>(lift, numbers, camera, conventions, pixel);
   const RadicalSum length = first_root(line.a);
-  impl_ = std::make_shared<const Impl>(Impl{
-      std::move(line), length, plane_position<SymbolicKernel>(lift, camera, conventions, pixel)});
+  impl_ = std::make_shared<const Impl>(
+      Impl{std::move(line), length,
+           plane_position<SymbolicKernel>(lift, numbers.inputs, camera, conventions, pixel)});
 }
 
 ClosedFormRay::ClosedFormRay(const scene::Ray& ray) {
   scene::require_valid(ray);
-  auto line = given_line<SymbolicKernel>(SymbolicLift{}, ray);
+  auto line = given_line(lift_ray<SymbolicKernel>(SymbolicLift{}, ray));
   const RadicalSum length = first_root(line.a);
   impl_ = std::make_shared<const Impl>(Impl{std::move(line), length, std::nullopt});
 }
@@ -81,7 +79,7 @@ ClosedFormRay::ClosedFormRay(const scene::Ray& ray) {
 std::string ClosedFormRay::alpha() const { return impl_->position.value().alpha.text(); }
 std::string ClosedFormRay::beta() const { return impl_->position.value().beta.text(); }
 ClosedForm3 ClosedFormRay::pixel_point() const { return texts(impl_->line.base + impl_->line.g); }
-ClosedForm3 ClosedFormRay::origin() const { return texts(impl_->start()); }
+ClosedForm3 ClosedFormRay::origin() const { return texts(ray_origin(impl_->line)); }
 ClosedForm3 ClosedFormRay::direction() const { return texts(impl_->line.g / impl_->length); }
 std::string ClosedFormRay::length() const { return impl_->length.text(); }
 
@@ -108,7 +106,7 @@ std::string ClosedFormRay::parameter(const scene::Sphere& sphere,
 ClosedForm3 ClosedFormRay::point(const scene::Sphere& sphere,
                                  const Intersection& intersection) const {
   const auto pair = impl_->with(sphere);
-  const SymbolicVector start = impl_->start();
+  const SymbolicVector start = ray_origin(impl_->line);
   const RadicalSum mu = linear_coefficient(pair) / impl_->line.a;
   const RadicalSum half_chord_sq = discriminant(pair) / impl_->line.a;
   const auto coordinate = [&](int k) {

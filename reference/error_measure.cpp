@@ -4,6 +4,8 @@
 #include <cmath>
 #include <limits>
 
+#include "scene/validate.h"
+
 namespace raycheck::reference {
 namespace {
 
@@ -64,6 +66,35 @@ double angle_error(const scene::UnitVector3& given, const Enclosure3& exact) {
 double unit_defect(const scene::UnitVector3& given) {
   if (!is_finite(given)) return kInfinity;
   return in_units_of_u(norm(lifted(given)) - Enclosure(1));
+}
+
+double backward_error(const scene::Ray& ray, const scene::Sphere& sphere, double parameter) {
+  scene::require_valid(ray);
+  scene::require_valid(sphere);
+  if (!std::isfinite(parameter)) return kInfinity;
+  // Doubles span 2098 bits, q at most 4200 and p 8500, where the balls are exact and the loop ends.
+  for (int bits = 2 * kBits;; bits *= 2) {
+    const Enclosure s(parameter, bits);
+    const Enclosure r_sq = Enclosure(sphere.radius, bits) * Enclosure(sphere.radius, bits);
+    Enclosure p = -r_sq;
+    Enclosure half_change = r_sq;
+    const auto add_coordinate = [&](double origin, double direction, double centre) {
+      const Enclosure L(origin, bits);
+      const Enclosure C(centre, bits);
+      const Enclosure step = s * Enclosure(direction, bits);
+      const Enclosure q = L + step - C;
+      p += q * q;
+      half_change += abs(q) * (abs(L) + abs(C) + abs(step));
+    };
+    add_coordinate(ray.origin.x, ray.direction.x, sphere.centre.x);
+    add_coordinate(ray.origin.y, ray.direction.y, sphere.centre.y);
+    add_coordinate(ray.origin.z, ray.direction.z, sphere.centre.z);
+    if (p.certain_sign() == 0) return 0;
+    Enclosure error = abs(p) / half_change;
+    if (!error.is_within(1 - std::ilogb(kBackwardErrorWidth))) continue;
+    arb_mul_2exp_si(error.ball(), error.ball(), std::numeric_limits<double>::digits - 1);
+    return std::min(error.upper(), kMostBackwardError);
+  }
 }
 
 Enclosure3 enclose_exactly(const scene::Point3& given) { return lifted(given); }

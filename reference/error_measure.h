@@ -24,6 +24,21 @@ double angle_error(const scene::UnitVector3& given, const Enclosure3& exact);
 /// | |given| - 1 | in units of u.
 double unit_defect(const scene::UnitVector3& given);
 
+/// Backward error of a root: the smallest relative change of the ray's and the sphere's doubles
+/// that makes `parameter` an exact root, to first order.
+/// Shape:  one ray, one sphere, one s (of either root, of either sign) -> one number.
+/// Units:  u = 2^-53.
+/// Domain: as ExactRay; infinite for a parameter that is not finite, else at most
+///         kMostBackwardError: p is at most half of what it is divided by.
+/// Error:  an upper bound, too large by at most kBackwardErrorWidth relatively; 0 is exact.
+/// Source: relative changes of at most e move p = |q|^2 - r^2, q = L + s d - C, by at most
+///         e (2 sum_k |q_k| (|L_k| + |C_k| + |s d_k|) + 2 r^2) to first order, so that the e that
+///         makes p vanish is |p| over that sum. No square root occurs: all of it is exact in enough
+///         bits, at a tangent too.
+double backward_error(const scene::Ray& ray, const scene::Sphere& sphere, double parameter);
+inline constexpr double kBackwardErrorWidth = 0x1p-29;
+inline constexpr double kMostBackwardError = 0x1p52;
+
 /// An enclosure of the given doubles themselves, at a precision that keeps short products exact.
 Enclosure3 enclose_exactly(const scene::Point3& given);
 Enclosure3 enclose_exactly(const scene::Vector3& given);

@@ -35,17 +35,18 @@ void require_pixel_of(const scene::Camera& camera, const scene::Pixel& pixel) {
 ExactCamera::Impl::Impl(const scene::Camera& its_camera, const scene::Conventions& its_conventions)
     : camera(validated(its_camera, its_conventions)),
       conventions(its_conventions),
-      axes_first_bits(camera_axes<EnclosureKernel>(EnclosureLift{kFirstBits}, camera)),
-      axes_middle_bits(camera_axes<EnclosureKernel>(EnclosureLift{kMiddleBits}, camera)),
-      axes_interval{outward(axes_middle_bits.U), outward(axes_middle_bits.V),
-                    outward(axes_middle_bits.W)},
-      axes_exact(camera_axes<ExactKernel>(ExactLift{}, camera)) {}
+      first_bits(camera_numbers<EnclosureKernel>(EnclosureLift{kFirstBits}, camera)),
+      middle_bits(camera_numbers<EnclosureKernel>(EnclosureLift{kMiddleBits}, camera)),
+      intervals{
+          lift_camera<IntervalKernel>(IntervalLift{}, camera),
+          {outward(middle_bits.axes.U), outward(middle_bits.axes.V), outward(middle_bits.axes.W)}},
+      exact(camera_numbers<ExactKernel>(ExactLift{}, camera)) {}
 
-const Axes<EnclosureKernel>& ExactCamera::Impl::enclosed_axes(
-    int bits, double relative_change, std::optional<Axes<EnclosureKernel>>& scratch) const {
-  if (relative_change == 0 && bits == kFirstBits) return axes_first_bits;
-  if (relative_change == 0 && bits == kMiddleBits) return axes_middle_bits;
-  scratch = camera_axes<EnclosureKernel>(EnclosureLift{bits, relative_change}, camera);
+const CameraNumbers<EnclosureKernel>& ExactCamera::Impl::enclosed(
+    const EnclosureLift& lift, std::optional<CameraNumbers<EnclosureKernel>>& scratch) const {
+  if (lift.relative_change == 0 && lift.bits == kFirstBits) return first_bits;
+  if (lift.relative_change == 0 && lift.bits == kMiddleBits) return middle_bits;
+  scratch = camera_numbers<EnclosureKernel>(lift, camera);
   return *scratch;
 }
 
@@ -66,13 +67,13 @@ Result finish_axis(const ExactCamera::Impl& impl, AxisOf axis, ExactAxisOf exact
                    Finish finish) {
   const auto coordinate = [&](int k) {
     return finish(
-        (impl.axes_first_bits.*axis)[k],
+        (impl.first_bits.axes.*axis)[k],
         [&, k](int bits) {
-          std::optional<Axes<EnclosureKernel>> scratch;
-          return (impl.enclosed_axes(bits, 0, scratch).*axis)[k];
+          std::optional<CameraNumbers<EnclosureKernel>> scratch;
+          return (impl.enclosed(EnclosureLift{bits}, scratch).axes.*axis)[k];
         },
         [&, k](const Rational& m) {
-          return *certain_sign((impl.axes_exact.*exact_axis)[k] - ExactNumber(FirstExtension(m)));
+          return *certain_sign((impl.exact.axes.*exact_axis)[k] - ExactNumber(FirstExtension(m)));
         });
   };
   return {coordinate(0), coordinate(1), coordinate(2)};
@@ -101,17 +102,18 @@ RoundedFrame ExactCamera::rounded_frame() const {
 }
 
 EnclosedFrame ExactCamera::frame_within(double relative_change, int bits) const {
-  std::optional<Axes<EnclosureKernel>> scratch;
-  const auto& axes = impl_->enclosed_axes(bits, relative_change, scratch);
+  std::optional<CameraNumbers<EnclosureKernel>> scratch;
+  const auto& axes = impl_->enclosed(EnclosureLift{bits, relative_change}, scratch).axes;
   return {coordinates(axes.U), coordinates(axes.V), coordinates(axes.W)};
 }
 
 Enclosure3 ExactCamera::plane_position(const scene::Pixel& pixel, int bits) const {
   require_pixel_of(impl_->camera, pixel);
   const EnclosureLift lift{bits};
-  auto position =
-      reference::plane_position<EnclosureKernel>(lift, impl_->camera, impl_->conventions, pixel);
-  return {std::move(position.alpha), std::move(position.beta), lift(impl_->camera.near)};
+  const auto inputs = lift_camera<EnclosureKernel>(lift, impl_->camera);
+  auto position = reference::plane_position<EnclosureKernel>(lift, inputs, impl_->camera,
+                                                             impl_->conventions, pixel);
+  return {std::move(position.alpha), std::move(position.beta), inputs.near};
 }
 
 }  // namespace raycheck::reference

@@ -47,19 +47,18 @@ std::optional<Intersection> classify(Sign sign, scene::Root convention) {
 }  // namespace
 
 ExactRay::ExactRay(const ExactCamera& camera, const scene::Pixel& pixel)
-    : camera_(camera.impl()), pixel_(pixel) {
-  require_pixel_of(camera_->camera, pixel);
+    : source_{camera.impl(), pixel, {}} {
+  require_pixel_of(source_.camera->camera, pixel);
   const IntervalGuard guard;
-  const auto line = line_of<IntervalKernel>(IntervalLift{}, camera_.get(), &camera_->axes_interval,
-                                            pixel_, given_);
+  const auto line = line_of(IntervalLift{}, source_);
   bounds_ = {line.g.x().inf(), line.g.x().sup(), line.g.y().inf(), line.g.y().sup(),
              line.g.z().inf(), line.g.z().sup(), line.a.inf(),     line.a.sup()};
 }
 
-ExactRay::ExactRay(const scene::Ray& ray) : given_(ray) {
+ExactRay::ExactRay(const scene::Ray& ray) : source_{nullptr, {}, ray} {
   scene::require_valid(ray);
   const IntervalGuard guard;
-  const auto line = given_line<IntervalKernel>(IntervalLift{}, ray);
+  const auto line = line_of(IntervalLift{}, source_);
   bounds_ = {ray.direction.x, ray.direction.x, ray.direction.y, ray.direction.y,
              ray.direction.z, ray.direction.z, line.a.inf(),    line.a.sup()};
 }
@@ -69,30 +68,30 @@ ExactRay::ExactRay(const scene::Ray& ray) : given_(ray) {
 template <class F>
 int ExactRay::decide(const scene::Sphere& first, const scene::Sphere& second, Engine engine,
                      F sign) const {
+  const auto sign_under = [&]<class K>(const auto& lift, const Line<K>& line) {
+    return sign(line_and_sphere(line, lift_sphere<K>(lift, first)),
+                line_and_sphere(line, lift_sphere<K>(lift, second)));
+  };
   if (engine == Engine::kFiltered) {
     {
       const IntervalGuard guard;
-      const scene::Point3& base = camera_ ? camera_->camera.eye : given_.origin;
+      const bool from_camera = source_.camera != nullptr;
+      const scene::Point3& base = from_camera ? source_.camera->camera.eye : source_.given.origin;
       const IntervalLift lift;
       const Line<IntervalKernel> line{
           lift_vector<IntervalKernel>(lift, base),
           {Interval(bounds_[0], bounds_[1]), Interval(bounds_[2], bounds_[3]),
            Interval(bounds_[4], bounds_[5])},
           Interval(bounds_[6], bounds_[7]),
-          camera_ && camera_->conventions.origin == scene::Origin::kPixel};
-      const auto answer =
-          sign(line_and_sphere(lift, line, first), line_and_sphere(lift, line, second));
-      if (answer) return *answer;
+          from_camera && source_.camera->conventions.origin == scene::Origin::kPixel,
+          from_camera};
+      if (const auto answer = sign_under(lift, line)) return *answer;
     }
     const EnclosureLift lift{kMiddleBits};
-    const auto line = enclosed_line(lift, camera_.get(), pixel_, given_);
-    const auto answer =
-        sign(line_and_sphere(lift, line, first), line_and_sphere(lift, line, second));
-    if (answer) return *answer;
+    if (const auto answer = sign_under(lift, line_of(lift, source_))) return *answer;
   }
   const ExactLift lift;
-  const auto line = exact_line(camera_.get(), pixel_, given_);
-  return *sign(line_and_sphere(lift, line, first), line_and_sphere(lift, line, second));
+  return *sign_under(lift, line_of(lift, source_));
 }
 
 Intersection ExactRay::intersect(const scene::Sphere& sphere, scene::Root root,
@@ -115,12 +114,8 @@ int ExactRay::compare(const scene::Sphere& first, const Intersection& at_first,
   return decide(first, second, engine, [&](const auto& one, const auto& other) {
     const auto difference = linear_coefficient(one) - linear_coefficient(other);
     using Number = std::decay_t<decltype(difference)>;
-    // A tangent's discriminant is 0; leaving it out keeps approximations from widening.
-    const auto scale = [](const Intersection& at, int sign) {
-      return Number(at.hit_class == HitClass::kTangent ? 0 : sign * root_sign(at));
-    };
-    return sign_of_radical_sum(difference, scale(at_first, 1), Number(discriminant(one)),
-                               scale(at_second, -1), Number(discriminant(other)));
+    return sign_of_radical_sum(difference, Number(root_sign(at_first)), Number(discriminant(one)),
+                               Number(-root_sign(at_second)), Number(discriminant(other)));
   });
 }
 
@@ -142,8 +137,8 @@ bool ExactRay::may_flip_within(const scene::Sphere& sphere, scene::Root root,
                                double relative_change) const {
   scene::require_valid(sphere);
   const EnclosureLift lift{kMiddleBits, relative_change};
-  const auto line = enclosed_line(lift, camera_.get(), pixel_, given_);
-  const auto pair = line_and_sphere(lift, line, sphere);
+  const auto line = line_of(lift, source_);
+  const auto pair = line_and_sphere(line, lift_sphere<EnclosureKernel>(lift, sphere));
   const auto sign = [&](Coefficient coefficient) { return sign_of(coefficient, pair); };
   return !classify(sign, root).has_value();
 }

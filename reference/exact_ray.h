@@ -77,6 +77,14 @@ class ExactRay {
   ExactRay(const ExactCamera& camera, const scene::Pixel& pixel);
   explicit ExactRay(const scene::Ray& ray);
 
+  /// What the ray was made of: a camera and its pixel, or a given ray.
+  struct Source {
+    std::shared_ptr<const ExactCamera::Impl> camera;  ///< Null for a given ray.
+    scene::Pixel pixel;
+    scene::Ray given;
+  };
+  const Source& source() const { return source_; }
+
   /// Hit, miss or tangent, and at which root, under a `root` convention.
   Intersection intersect(const scene::Sphere& sphere, scene::Root root = scene::Root::kNearest,
                          Engine engine = Engine::kFiltered) const;
@@ -115,9 +123,7 @@ class ExactRay {
   template <class F>
   int decide(const scene::Sphere& first, const scene::Sphere& second, Engine engine, F sign) const;
 
-  std::shared_ptr<const ExactCamera::Impl> camera_;  ///< Null for a given ray.
-  scene::Pixel pixel_;
-  scene::Ray given_;
+  Source source_;
   std::array<double, 8> bounds_;  ///< Lower and upper bounds of g and |g|^2: the filter's line.
 };
 

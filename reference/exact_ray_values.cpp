@@ -41,15 +41,13 @@ auto rounded() {
 /// Exact comparisons of a line's values with rationals; the line is made on first use.
 class ExactValues {
  public:
-  ExactValues(const ExactCamera::Impl* camera, const scene::Pixel& pixel, const scene::Ray& given)
-      : camera_(camera), pixel_(pixel), given_(given) {}
+  explicit ExactValues(const ExactRay& ray) : source_(ray.source()) {}
 
   int compare_pixel_point(int k, const Rational& m) {
     return *certain_sign(line().base[k] + line().g[k] - exact(m));
   }
   int compare_origin(int k, const Rational& m) {
-    return line().starts_at_g ? compare_pixel_point(k, m)
-                              : *certain_sign(line().base[k] - exact(m));
+    return *certain_sign(ray_origin(line())[k] - exact(m));
   }
   /// g_k / sqrt(a) - m
   int compare_direction(int k, const Rational& m) {
@@ -57,10 +55,10 @@ class ExactValues {
   }
   /// (b +- sqrt(disc)) / sqrt(a) - m for a camera's ray, (b +- sqrt(disc)) / a - m for a given one.
   int compare_parameter(const scene::Sphere& sphere, const Intersection& at, const Rational& m) {
-    const auto pair = line_and_sphere(ExactLift{}, line(), sphere);
+    const auto pair = line_and_sphere(line(), lift_sphere<ExactKernel>(ExactLift{}, sphere));
     const ExactNumber b = linear_coefficient(pair);
     const ExactNumber sign(root_sign(at));
-    if (camera_) {
+    if (line().is_unit) {
       return *sign_of_radical_sum(b, exact(-m), line().a, sign, discriminant(pair));
     }
     return *sign_of_radical_sum(b - exact(m) * line().a, sign, discriminant(pair), ExactNumber(0),
@@ -68,23 +66,20 @@ class ExactValues {
   }
   /// L_k + (b +- sqrt(disc)) g_k / a - m
   int compare_point(const scene::Sphere& sphere, const Intersection& at, int k, const Rational& m) {
-    const auto pair = line_and_sphere(ExactLift{}, line(), sphere);
+    const auto pair = line_and_sphere(line(), lift_sphere<ExactKernel>(ExactLift{}, sphere));
     const ExactNumber& g = line().g[k];
-    const ExactNumber start = line().starts_at_g ? ExactNumber(line().base[k] + g) : line().base[k];
-    return *sign_of_radical_sum((start - exact(m)) * line().a + linear_coefficient(pair) * g,
-                                ExactNumber(root_sign(at)) * g, discriminant(pair), ExactNumber(0),
-                                ExactNumber(0));
+    return *sign_of_radical_sum(
+        (ray_origin(line())[k] - exact(m)) * line().a + linear_coefficient(pair) * g,
+        ExactNumber(root_sign(at)) * g, discriminant(pair), ExactNumber(0), ExactNumber(0));
   }
 
  private:
   const Line<ExactKernel>& line() {
-    if (!line_) line_ = exact_line(camera_, pixel_, given_);
+    if (!line_) line_ = line_of(ExactLift{}, source_);
     return *line_;
   }
 
-  const ExactCamera::Impl* camera_;
-  const scene::Pixel& pixel_;
-  const scene::Ray& given_;
+  const ExactRay::Source& source_;
   std::optional<Line<ExactKernel>> line_;
 };
 
@@ -129,45 +124,41 @@ auto finish_parameter(const ExactRay& ray, ExactValues values, const scene::Sphe
 }  // namespace
 
 Enclosure3 ExactRay::pixel_point(int relative_bits) const {
-  return finish_pixel_point<Enclosure3>(*this, {camera_.get(), pixel_, given_},
-                                        narrow_to(relative_bits));
+  return finish_pixel_point<Enclosure3>(*this, ExactValues(*this), narrow_to(relative_bits));
 }
 Enclosure3 ExactRay::origin(int relative_bits) const {
-  return finish_origin<Enclosure3>(*this, {camera_.get(), pixel_, given_},
-                                   narrow_to(relative_bits));
+  return finish_origin<Enclosure3>(*this, ExactValues(*this), narrow_to(relative_bits));
 }
 Enclosure3 ExactRay::direction(int relative_bits) const {
-  return finish_direction<Enclosure3>(*this, {camera_.get(), pixel_, given_},
-                                      narrow_to(relative_bits));
+  return finish_direction<Enclosure3>(*this, ExactValues(*this), narrow_to(relative_bits));
 }
 Enclosure ExactRay::parameter(const scene::Sphere& sphere, const Intersection& intersection,
                               int relative_bits) const {
-  return finish_parameter(*this, {camera_.get(), pixel_, given_}, sphere, intersection,
+  return finish_parameter(*this, ExactValues(*this), sphere, intersection,
                           narrow_to(relative_bits));
 }
 Enclosure3 ExactRay::point(const scene::Sphere& sphere, const Intersection& intersection,
                            int relative_bits) const {
-  return finish_point<Enclosure3>(*this, {camera_.get(), pixel_, given_}, sphere, intersection,
+  return finish_point<Enclosure3>(*this, ExactValues(*this), sphere, intersection,
                                   narrow_to(relative_bits));
 }
 
 scene::Point3 ExactRay::rounded_pixel_point() const {
-  return finish_pixel_point<scene::Point3>(*this, {camera_.get(), pixel_, given_}, rounded());
+  return finish_pixel_point<scene::Point3>(*this, ExactValues(*this), rounded());
 }
 scene::Point3 ExactRay::rounded_origin() const {
-  return finish_origin<scene::Point3>(*this, {camera_.get(), pixel_, given_}, rounded());
+  return finish_origin<scene::Point3>(*this, ExactValues(*this), rounded());
 }
 scene::UnitVector3 ExactRay::rounded_direction() const {
-  return finish_direction<scene::UnitVector3>(*this, {camera_.get(), pixel_, given_}, rounded());
+  return finish_direction<scene::UnitVector3>(*this, ExactValues(*this), rounded());
 }
 double ExactRay::rounded_parameter(const scene::Sphere& sphere,
                                    const Intersection& intersection) const {
-  return finish_parameter(*this, {camera_.get(), pixel_, given_}, sphere, intersection, rounded());
+  return finish_parameter(*this, ExactValues(*this), sphere, intersection, rounded());
 }
 scene::Point3 ExactRay::rounded_point(const scene::Sphere& sphere,
                                       const Intersection& intersection) const {
-  return finish_point<scene::Point3>(*this, {camera_.get(), pixel_, given_}, sphere, intersection,
-                                     rounded());
+  return finish_point<scene::Point3>(*this, ExactValues(*this), sphere, intersection, rounded());
 }
 
 }  // namespace raycheck::reference

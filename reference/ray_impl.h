@@ -9,44 +9,53 @@
 
 namespace raycheck::reference {
 
+/// Of the root of a discriminant: 0 for a tangent, whose two roots are one.
 inline int root_sign(const Intersection& intersection) {
+  if (intersection.hit_class == HitClass::kTangent) return 0;
   return intersection.root == WhichRoot::kSmaller ? -1 : 1;
 }
 
-/// The line of a ray under one kernel: through a camera's pixel, or given.
+// A camera under each approximate kernel.
+inline const CameraNumbers<IntervalKernel>& numbers_of(const IntervalLift& /*lift*/,
+                                                       const ExactCamera::Impl& camera) {
+  return camera.intervals;
+}
+inline CameraNumbers<EnclosureKernel> numbers_of(const EnclosureLift& lift,
+                                                 const ExactCamera::Impl& camera) {
+  std::optional<CameraNumbers<EnclosureKernel>> scratch;
+  return camera.enclosed(lift, scratch);
+}
+
+// The line of a ray under each kernel: through a camera's pixel, or given.
 template <class K, class Lift>
-Line<K> line_of(const Lift& lift, const ExactCamera::Impl* camera, const Axes<K>* axes,
-                const scene::Pixel& pixel, const scene::Ray& given) {
-  if (camera == nullptr) return given_line<K>(lift, given);
-  return camera_line<K>(lift, camera->camera, camera->conventions, *axes, pixel);
+Line<K> line_of(const Lift& lift, const CameraNumbers<K>& numbers, const ExactRay::Source& source) {
+  return camera_line<K>(lift, numbers, source.camera->camera, source.camera->conventions,
+                        source.pixel);
 }
 
-inline Line<ExactKernel> exact_line(const ExactCamera::Impl* camera, const scene::Pixel& pixel,
-                                    const scene::Ray& given) {
-  return line_of<ExactKernel>(ExactLift{}, camera, camera ? &camera->axes_exact : nullptr, pixel,
-                              given);
+inline Line<IntervalKernel> line_of(const IntervalLift& lift, const ExactRay::Source& source) {
+  if (source.camera == nullptr) return given_line(lift_ray<IntervalKernel>(lift, source.given));
+  return line_of(lift, source.camera->intervals, source);
 }
 
-inline Line<EnclosureKernel> enclosed_line(const EnclosureLift& lift,
-                                           const ExactCamera::Impl* camera,
-                                           const scene::Pixel& pixel, const scene::Ray& given) {
-  if (camera == nullptr) return given_line<EnclosureKernel>(lift, given);
-  std::optional<Axes<EnclosureKernel>> scratch;
-  const auto& axes = camera->enclosed_axes(lift.bits, lift.relative_change, scratch);
-  return line_of<EnclosureKernel>(lift, camera, &axes, pixel, given);
+inline Line<EnclosureKernel> line_of(const EnclosureLift& lift, const ExactRay::Source& source) {
+  if (source.camera == nullptr) return given_line(lift_ray<EnclosureKernel>(lift, source.given));
+  std::optional<CameraNumbers<EnclosureKernel>> scratch;
+  return line_of(lift, source.camera->enclosed(lift, scratch), source);
+}
+
+inline Line<ExactKernel> line_of(const ExactLift& lift, const ExactRay::Source& source) {
+  if (source.camera == nullptr) return given_line(lift_ray<ExactKernel>(lift, source.given));
+  return line_of(lift, source.camera->exact, source);
 }
 
 struct EnclosedRay::Impl {
   Line<EnclosureKernel> line;
-  bool from_camera;
   EnclosureLift lift;
 
   LineAndSphere<EnclosureKernel> with(const scene::Sphere& sphere) const {
     scene::require_valid(sphere);
-    return line_and_sphere(lift, line, sphere);
-  }
-  EnclosureKernel::Vector_3 start() const {
-    return line.starts_at_g ? EnclosureKernel::Vector_3(line.base + line.g) : line.base;
+    return line_and_sphere(line, lift_sphere<EnclosureKernel>(lift, sphere));
   }
 };
 

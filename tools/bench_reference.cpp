@@ -6,6 +6,8 @@
 #include <cstdint>
 #include <vector>
 
+#include "reference/condition.h"
+#include "reference/error_measure.h"
 #include "reference/exact_ray.h"
 
 namespace {
@@ -78,6 +80,120 @@ void rounded_values(benchmark::State& state) {
   state.SetItemsProcessed(state.iterations());
 }
 
+/// A given ray that hits, and an answer that is off by a few ulps.
+struct GivenCase {
+  scene::Ray ray;
+  scene::Sphere sphere;
+  double answer;
+};
+
+double between(std::uint64_t& state, double low, double high) {
+  state = state * 6364136223846793005u + 1442695040888963407u;
+  return low + static_cast<double>(state >> 11) * 0x1p-53 * (high - low);
+}
+
+std::vector<GivenCase> hitting_cases() {
+  std::vector<GivenCase> result;
+  std::uint64_t state = 7;
+  const auto triple = [&state](double size) {
+    const double x = between(state, -size, size);
+    const double y = between(state, -size, size);
+    return scene::Point3{x, y, between(state, -size, size)};
+  };
+  while (result.size() < 1 << 14) {
+    const auto origin = triple(9);
+    const auto direction = triple(1);
+    const auto centre = triple(12);
+    const scene::Ray ray{origin, {direction.x, direction.y, direction.z}};
+    const scene::Sphere sphere{centre, between(state, 0, 12)};
+    const reference::ExactRay exact(ray);
+    const auto at = exact.intersect(sphere);
+    if (at.hit_class != reference::HitClass::kHit) continue;
+    const double noise = between(state, -8, 8) * 0x1p-52;
+    result.push_back({ray, sphere, exact.rounded_parameter(sphere, at) * (1 + noise)});
+  }
+  return result;
+}
+
+/// Class, narrow enclosure and certified error in ulp of one s.
+void certified_s(benchmark::State& state) {
+  const auto cases = hitting_cases();
+  for (std::size_t k = 0; k < 200; ++k) {
+    const auto& [given, sphere, answer] = cases[k];
+    const reference::ExactRay ray(given);
+    const auto at = ray.intersect(sphere);
+    const auto exact_at =
+        ray.intersect(sphere, scene::Root::kNearest, reference::Engine::kFieldOnly);
+    const double error = reference::ulp_error(answer, ray.parameter(sphere, at));
+    const double exact_error = reference::ulp_error(answer, ray.parameter(sphere, at, 400));
+    if (!(at == exact_at) || error < exact_error || error > exact_error + 0x1p-10) {
+      state.SkipWithError("a certified error is not what the exact field and 400 bits say");
+      return;
+    }
+  }
+  std::size_t k = 0;
+  for (auto _ : state) {
+    const auto& [given, sphere, answer] = cases[k++ % cases.size()];
+    const reference::ExactRay ray(given);
+    const auto at = ray.intersect(sphere);
+    benchmark::DoNotOptimize(reference::ulp_error(answer, ray.parameter(sphere, at)));
+  }
+  state.SetItemsProcessed(state.iterations());
+}
+
+/// The parts of certified_s.
+void given_ray(benchmark::State& state) {
+  const auto cases = hitting_cases();
+  std::size_t k = 0;
+  for (auto _ : state) {
+    const reference::ExactRay ray(cases[k++ % cases.size()].ray);
+    benchmark::DoNotOptimize(&ray);
+  }
+}
+void given_class(benchmark::State& state) {
+  const auto cases = hitting_cases();
+  std::size_t k = 0;
+  for (auto _ : state) {
+    const auto& [given, sphere, answer] = cases[k++ % cases.size()];
+    const reference::ExactRay ray(given);
+    benchmark::DoNotOptimize(ray.intersect(sphere));
+  }
+}
+void given_parameter(benchmark::State& state) {
+  const auto cases = hitting_cases();
+  std::size_t k = 0;
+  for (auto _ : state) {
+    const auto& [given, sphere, answer] = cases[k++ % cases.size()];
+    const reference::ExactRay ray(given);
+    benchmark::DoNotOptimize(ray.parameter(sphere, ray.intersect(sphere)));
+  }
+}
+
+void condition_of_given_parameter(benchmark::State& state) {
+  const auto cases = hitting_cases();
+  for (std::size_t k = 0; k < 200; ++k) {
+    const auto& [given, sphere, answer] = cases[k];
+    const reference::ExactRay ray(given);
+    const auto at = ray.intersect(sphere);
+    const double balls =
+        reference::condition_of_parameter(ray, sphere, at, reference::Arithmetic::kBallsOnly);
+    const double ratio = reference::condition_of_parameter(ray, sphere, at) / balls;
+    if (!(ratio >= 1 - 2 * reference::kConditionWidth) ||
+        !(ratio <= 1 + 2 * reference::kConditionWidth)) {
+      state.SkipWithError("intervals and balls disagree about a condition number");
+      return;
+    }
+  }
+  std::size_t k = 0;
+  for (auto _ : state) {
+    const auto& [given, sphere, answer] = cases[k++ % cases.size()];
+    const reference::ExactRay ray(given);
+    const auto at = ray.intersect(sphere);
+    benchmark::DoNotOptimize(reference::condition_of_parameter(ray, sphere, at));
+  }
+  state.SetItemsProcessed(state.iterations());
+}
+
 void camera_set_up(benchmark::State& state) {
   for (auto _ : state) {
     const reference::ExactCamera exact(camera(), {});
@@ -89,6 +205,11 @@ void camera_set_up(benchmark::State& state) {
 BENCHMARK_CAPTURE(exact_decisions, filtered, reference::Engine::kFiltered);
 BENCHMARK_CAPTURE(exact_decisions, field_only, reference::Engine::kFieldOnly);
 BENCHMARK(rounded_values)->Name("rounded_P_D_s");
+BENCHMARK(certified_s);
+BENCHMARK(given_ray);
+BENCHMARK(given_class);
+BENCHMARK(given_parameter);
+BENCHMARK(condition_of_given_parameter);
 BENCHMARK(camera_set_up);
 
 }  // namespace

@@ -1,0 +1,271 @@
+// Condition numbers of camera's rays, against differences of enclosures at changed inputs, and
+// intervals against balls.
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cmath>
+#include <functional>
+#include <vector>
+
+#include "reference/condition.h"
+#include "tests/reference/condition_cases.h"
+#include "tests/reference/random_cases.h"
+
+namespace raycheck::reference {
+namespace {
+
+using scene::Camera;
+using scene::Sphere;
+
+/// A camera's ray and a sphere: what a condition number is asked of.
+struct CameraCase {
+  Camera camera;
+  scene::Conventions conventions;
+  scene::Pixel pixel;
+  Sphere sphere;
+
+  /// The 18 inputs.
+  std::vector<double*> inputs() {
+    auto& [eye, look_at, up, near, far, left, right, bottom, top, width, height] = camera;
+    return {&eye.x,
+            &eye.y,
+            &eye.z,
+            &look_at.x,
+            &look_at.y,
+            &look_at.z,
+            &up.x,
+            &up.y,
+            &up.z,
+            &near,
+            &left,
+            &right,
+            &bottom,
+            &top,
+            &sphere.centre.x,
+            &sphere.centre.y,
+            &sphere.centre.z,
+            &sphere.radius};
+  }
+  ExactRay ray() const { return {ExactCamera(camera, conventions), pixel}; }
+};
+
+CameraCase random_case(Random& random, Sizes sizes) {
+  CameraCase result;
+  result.camera = random_camera(random, sizes);
+  result.conventions = random_conventions(random);
+  result.pixel = random_pixel(random, result.camera);
+  result.sphere = random_sphere(random, sizes);
+  return result;
+}
+
+using Value = std::function<std::vector<Enclosure>(const CameraCase&)>;
+
+double norm_of(const std::vector<Enclosure>& v) {
+  double squares = 0;
+  for (const Enclosure& x : v) squares += x.upper() * x.upper();
+  return std::sqrt(squares);
+}
+
+/// sum |dq/dx|_2 |x| / |q|_2 by central differences of doubles 2^-21 |x| apart, whose values are
+/// enclosed at 400 bits: what a second derivative leaves is far below kDifferenceError.
+double condition_by_differences(const CameraCase& at, const Value& value) {
+  double sum = 0;
+  CameraCase moved = at;
+  for (double* const input : moved.inputs()) {
+    const double x = *input;
+    if (x == 0) continue;
+    const double high = x * (1 + 0x1p-22);
+    const double low = x * (1 - 0x1p-22);
+    *input = high;
+    std::vector<Enclosure> difference = value(moved);
+    *input = low;
+    const std::vector<Enclosure> other = value(moved);
+    *input = x;
+    for (std::size_t k = 0; k < difference.size(); ++k) difference[k] -= other[k];
+    sum += norm_of(difference) * std::abs(x / (high - low));
+  }
+  return sum / norm_of(value(at));
+}
+constexpr double kDifferenceError = 0x1p-8;
+/// Beyond, differences would leave too much; small ones lack nothing.
+constexpr double kMostComparedCondition = 0x1p12;
+
+std::vector<Enclosure> listed(const Enclosure3& v) { return {v.x, v.y, v.z}; }
+
+constexpr int kDifferenceBits = 400;
+
+EnclosedRay enclosed(const CameraCase& at) { return at.ray().enclose(kDifferenceBits); }
+
+void expect_close(double condition, const CameraCase& at, const Value& value, const char* what,
+                  int& compared) {
+  if (condition > kMostComparedCondition) return;
+  const double differences = condition_by_differences(at, value);
+  EXPECT_LE(std::abs(condition - differences), kDifferenceError * differences)
+      << what << " of " << spelled(at.camera) << spelled(at.sphere);
+  ++compared;
+}
+
+TEST(CameraCondition, IsThatOfSmallDifferences) {
+  Random random(1);
+  int compared = 0;
+  int hits = 0;
+  for (int k = 0; k < 40; ++k) {
+    const CameraCase at = random_case(random, Sizes::kOrdinary);
+    const ExactRay ray = at.ray();
+    const ExactCamera camera(at.camera, at.conventions);
+    double worst = 0;
+    for (const auto axis : {&EnclosedFrame::U, &EnclosedFrame::V, &EnclosedFrame::W}) {
+      worst = std::max(worst, condition_by_differences(at, [axis](const CameraCase& moved) {
+                         const ExactCamera other(moved.camera, moved.conventions);
+                         return listed(other.frame_within(0, kDifferenceBits).*axis);
+                       }));
+    }
+    if (worst < kMostComparedCondition) {
+      EXPECT_LE(std::abs(condition_of_frame(camera) - worst), kDifferenceError * worst);
+    }
+    expect_close(
+        condition_of_pixel_point(ray), at,
+        [](const CameraCase& moved) { return listed(enclosed(moved).pixel_point()); }, "P",
+        compared);
+    expect_close(
+        condition_of_direction(ray), at,
+        [](const CameraCase& moved) { return listed(enclosed(moved).direction()); }, "D", compared);
+    expect_close(
+        condition_of_axial_distance(ray, at.sphere), at,
+        [](const CameraCase& moved) {
+          return std::vector<Enclosure>{enclosed(moved).axial_distance(moved.sphere)};
+        },
+        "v", compared);
+    expect_close(
+        condition_of_half_chord_sq(ray, at.sphere), at,
+        [](const CameraCase& moved) {
+          return std::vector<Enclosure>{enclosed(moved).half_chord_sq(moved.sphere)};
+        },
+        "d^2", compared);
+    const Intersection met = ray.intersect(at.sphere);
+    if (met.hit_class != HitClass::kHit) continue;
+    ++hits;
+    expect_close(
+        condition_of_parameter(ray, at.sphere, met), at,
+        [met](const CameraCase& moved) {
+          return std::vector<Enclosure>{enclosed(moved).parameter(moved.sphere, met)};
+        },
+        "s", compared);
+    expect_close(
+        condition_of_point(ray, at.sphere, met), at,
+        [met](const CameraCase& moved) { return listed(enclosed(moved).point(moved.sphere, met)); },
+        "Q", compared);
+  }
+  EXPECT_GE(hits, 5);
+  EXPECT_GE(compared, 150);
+}
+
+/// Every condition number of a ray and a sphere.
+std::vector<double> all_conditions(const ExactRay& ray, const Sphere& sphere, Arithmetic by) {
+  std::vector<double> result = {condition_of_direction(ray, by),
+                                condition_of_axial_distance(ray, sphere, by),
+                                condition_of_half_chord_sq(ray, sphere, by)};
+  if (ray.source().camera) result.push_back(condition_of_pixel_point(ray, by));
+  const Intersection at = ray.intersect(sphere);
+  if (at.hit_class != HitClass::kMiss) {
+    result.push_back(condition_of_parameter(ray, sphere, at, by));
+    result.push_back(condition_of_point(ray, sphere, at, by));
+  }
+  const RayStageConditions of_ray = stage_conditions(ray, by);
+  const SphereStageConditions of_sphere = stage_conditions(ray, sphere, at, by);
+  result.push_back(of_ray.direction);
+  result.push_back(of_sphere.axial_distance);
+  result.push_back(of_sphere.half_chord_sq);
+  for (const auto& one : {of_ray.pixel_point, of_sphere.root, of_sphere.point}) {
+    if (one) result.push_back(*one);
+  }
+  return result;
+}
+
+/// How many finite condition numbers agreed.
+int compare_arithmetics(const ExactRay& ray, const Sphere& sphere, const std::string& what) {
+  const auto filtered = all_conditions(ray, sphere, Arithmetic::kFiltered);
+  const auto balls = all_conditions(ray, sphere, Arithmetic::kBallsOnly);
+  int finite = 0;
+  for (std::size_t k = 0; k < balls.size(); ++k) {
+    expect_same_condition(filtered[k], balls[k], std::to_string(k) + " of " + what);
+    if (std::isfinite(balls[k])) ++finite;
+  }
+  return finite;
+}
+
+TEST(ConditionArithmetics, AgreeAboutGivenRays) {
+  for (const Sizes sizes : {Sizes::kSmallIntegers, Sizes::kOrdinary, Sizes::kAll}) {
+    Random random(2);
+    int finite = 0;
+    for (int k = 0; k < 200; ++k) {
+      const scene::Ray ray = random_ray(random, sizes);
+      const Sphere sphere = random_sphere(random, sizes);
+      finite += compare_arithmetics(ExactRay(ray), sphere, spelled(ray) + spelled(sphere));
+    }
+    EXPECT_GE(finite, 1000);
+  }
+}
+
+TEST(ConditionArithmetics, AgreeAboutCamerasRays) {
+  for (const Sizes sizes : {Sizes::kSmallIntegers, Sizes::kOrdinary, Sizes::kAll}) {
+    Random random(3);
+    int finite = 0;
+    for (int k = 0; k < 60; ++k) {
+      const CameraCase at = random_case(random, sizes);
+      finite += compare_arithmetics(at.ray(), at.sphere, spelled(at.camera) + spelled(at.sphere));
+      const ExactCamera camera(at.camera, at.conventions);
+      expect_same_condition(condition_of_frame(camera),
+                            condition_of_frame(camera, Arithmetic::kBallsOnly),
+                            "frame of " + spelled(at.camera));
+    }
+    EXPECT_GE(finite, 300);
+  }
+}
+
+Camera camera_at(double x) {
+  return {{x, 0, 10}, {x, 0, 0}, {0, 1, 0}, -1, {}, -1, 1, -1, 1, 3, 3};
+}
+
+TEST(CameraCondition, OfThePixelPointWhoseCameraIsFarIsTheEyes) {
+  // P = (x, 0, 9): W turns by |E_x| + |A_x| over |E - A|, E moves by (x, 0, 10), near and the bounds
+  // in pairs by 1.
+  for (const double x : {1e3, 1e6, 1e9}) {
+    const ExactRay ray(ExactCamera(camera_at(x), {}), {1, 1});
+    const double exact = ((1 - 0.1) * x + 0.1 * x + 10 + 3) / std::hypot(x, 9);
+    expect_condition(condition_of_pixel_point(ray), Big(exact), "P");
+  }
+}
+
+TEST(CameraCondition, OfThePixelPointGrowsLikeTheEyeWhenThePlaneCrossesTheOrigin) {
+  // E = (x, 0, 0) and the plane 1 from the world's origin: P = (1, 0, 0), moved by E_x and near.
+  for (const double x : {1e3, 1e6, 1e9}) {
+    const Camera camera{{x, 0, 0}, {0, 0, 0}, {0, 1, 0}, -(x - 1), {}, -1, 1, -1, 1, 3, 3};
+    const ExactRay ray(ExactCamera(camera, {}), {1, 1});
+    expect_condition(condition_of_pixel_point(ray), Big(x) + (x - 1), "P");
+  }
+}
+
+TEST(CameraCondition, OfTheDirectionGrowsLikeTheEyeOverItsDistanceToTheTarget) {
+  // |E - A| = 10 at distance x from the world's origin: W turns by x / 10 with E, and with A.
+  for (const double x : {1e3, 1e6, 1e9}) {
+    const ExactCamera camera(camera_at(x), {});
+    expect_condition(condition_of_frame(camera), Big(2 * x) / 10, "the frame");
+    // Of the middle pixel, D = -W; alpha and beta are sums that cancel to 0: 1 and 1 of each bound.
+    expect_condition(condition_of_direction(ExactRay(camera, {1, 1})), Big(2 * x) / 10 + 2, "D");
+  }
+}
+
+TEST(CameraCondition, OfTheFrameGrowsAsUpNearsTheViewDirection) {
+  // w = (1 - 1, 0, 10) and u = up x w = (10 angle, up_z w_x - up_x w_z, ...): changes of E_x and
+  // A_x move w_x by 1 each, so that U turns by 1 / (10 angle) with each.
+  for (const double angle : {0x1p-10, 0x1p-20, 0x1p-30}) {
+    const Camera camera{{1, 0, 10}, {1, 0, 0}, {0, angle, 1}, -1, {}, -1, 1, -1, 1, 3, 3};
+    expect_condition(condition_of_frame(ExactCamera(camera, {})), Big(2) / (10 * Big(angle)),
+                     "the frame");
+  }
+}
+
+}  // namespace
+}  // namespace raycheck::reference
