@@ -53,10 +53,10 @@ TEST(Verdict, CountsMeasuredErrors) {
 
 TEST(Verdict, CountsRightAndWrongAnswersWithoutAveragingThem) {
   Verdict verdict;
-  verdict.judged(Quantity::kClass, at_ray(0), Wrong::kNot, false);
-  verdict.judged(Quantity::kClass, at_ray(1), Wrong::kMissed, true);
-  verdict.judged(Quantity::kClass, at_ray(2), Wrong::kFalseHit, false);
-  verdict.judged(Quantity::kClass, at_ray(3), Wrong::kMissed, false);
+  verdict.judged(Quantity::kClass, at_ray(0), Wrong::kNot, Excuse::kNone);
+  verdict.judged(Quantity::kClass, at_ray(1), Wrong::kMissed, Excuse::kSmallChangeFlips);
+  verdict.judged(Quantity::kClass, at_ray(2), Wrong::kFalseHit, Excuse::kNone);
+  verdict.judged(Quantity::kClass, at_ray(3), Wrong::kMissed, Excuse::kNone);
   const Tally& tally = verdict.tallies().at(Quantity::kClass);
   EXPECT_EQ(tally.cases, 4u);
   EXPECT_EQ(tally.class_errors(), 3u);
@@ -135,12 +135,12 @@ TEST(Verdict, ForgetsNoneOfTheWorstAndCountsAll) {
 TEST(Verdict, MergesCountsErrorsAndTheWorst) {
   Verdict first;
   first.measured(Quantity::kParameter, at_ray(1), 4);
-  first.judged(Quantity::kClass, at_ray(1), Wrong::kMissed, false);
+  first.judged(Quantity::kClass, at_ray(1), Wrong::kMissed, Excuse::kNone);
   first.add(discrepancy(4, 1));
   Verdict second;
   second.measured(Quantity::kParameter, at_ray(2), 9);
   second.measured(Quantity::kParameter, at_ray(3), 2);
-  second.judged(Quantity::kClass, at_ray(2), Wrong::kMissed, true);
+  second.judged(Quantity::kClass, at_ray(2), Wrong::kMissed, Excuse::kSmallChangeFlips);
   second.add(discrepancy(9, 2, Excuse::kIllConditioned));
   second.shift_rays(100);
   first.merge(second);
