@@ -6,6 +6,7 @@
 #include <functional>
 #include <utility>
 
+#include "properties/scene_numbers.h"
 #include "scene/validate.h"
 
 namespace raycheck::properties {
@@ -25,33 +26,6 @@ double rounded_to_bits(double value, int bits) {
   int exponent = 0;
   const double fraction = std::frexp(value, &exponent);
   return std::ldexp(std::round(std::ldexp(fraction, bits)), exponent - bits);
-}
-
-/// Every number of a scene that may be made simpler.
-template <class Visit>
-void for_each_number(scene::Scene& scene, Visit visit) {
-  const auto visit_triple = [&](auto& triple) {
-    visit(triple.x);
-    visit(triple.y);
-    visit(triple.z);
-  };
-  if (scene.camera) {
-    scene::Camera& camera = *scene.camera;
-    visit_triple(camera.eye);
-    visit_triple(camera.look_at);
-    visit_triple(camera.up);
-    for (double* x : {&camera.near, &camera.left, &camera.right, &camera.bottom, &camera.top}) {
-      visit(*x);
-    }
-  }
-  for (scene::Ray& ray : scene.rays) {
-    visit_triple(ray.origin);
-    visit_triple(ray.direction);
-  }
-  for (scene::Sphere& sphere : scene.spheres) {
-    visit_triple(sphere.centre);
-    visit(sphere.radius);
-  }
 }
 
 bool is_valid(const Case& the_case) {
