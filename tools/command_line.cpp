@@ -272,8 +272,8 @@ void add_properties(CLI::App& app, Arguments& arguments) {
                      "only this intersection method; several "
                      "times for several");
   command.add_option("--source", arguments.sources,
-                     "only cases of this source; several times for "
-                     "several");
+                     "only cases of this source, or of this severity (SOURCE@SEVERITY); several "
+                     "times for several");
   command
       .add_option("--max-ulp", arguments.max_ulp,
                   "the bound on every error (default: the method's documented bounds)")
