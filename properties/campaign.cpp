@@ -19,7 +19,7 @@ namespace {
 
 /// Where a generated case came from.
 struct Provenance {
-  const CaseSource* source = nullptr;
+  ChosenSource source;
   std::uint64_t seed = 0;
 };
 
@@ -29,23 +29,22 @@ rc::Gen<Case> generator(Choose choose, Provenance& noted) {
   return [choose, &noted](const rc::Random& random, int) {
     rc::Random stream = random;
     noted = choose(stream);
-    return rc::shrinkable::shrinkRecur(noted.source->make(noted.seed), [](const Case& from) {
+    return rc::shrinkable::shrinkRecur(noted.source.make(noted.seed), [](const Case& from) {
       return rc::seq::fromContainer(simpler(from));
     });
   };
 }
 
-bool suits(const Law& law, const CaseSource& source) {
+bool suits(const Law& law, const ChosenSource& chosen) {
   const bool needs_camera =
       law.subject == Law::Subject::kCamera || law.subject == Law::Subject::kCameraAndIntersection;
-  return !needs_camera || source.has_camera;
+  return !needs_camera || chosen.source->has_camera;
 }
 
 std::string replay_text(const Law& law, const Candidate& candidate, const Provenance& from) {
   char digits[17] = {};
   std::to_chars(digits, digits + 16, from.seed, 16);
-  return std::string(law.name) + ":" + candidate.name + ":" + std::string(from.source->name) + ":" +
-         digits;
+  return std::string(law.name) + ":" + candidate.name + ":" + from.source.name() + ":" + digits;
 }
 
 template <class Choose>
@@ -91,18 +90,18 @@ CampaignResult run(const Law& law, const Candidate& candidate, const CampaignOpt
 
 CampaignResult run_campaign(const Law& law, const Candidate& candidate,
                             const CampaignOptions& options) {
-  std::vector<const CaseSource*> sources = options.sources;
+  std::vector<ChosenSource> sources = options.sources;
   if (sources.empty()) {
-    for (const CaseSource& source : case_sources()) sources.push_back(&source);
+    for (const CaseSource& source : case_sources()) sources.push_back({&source});
   }
-  std::erase_if(sources, [&](const CaseSource* source) { return !suits(law, *source); });
+  std::erase_if(sources, [&](const ChosenSource& source) { return !suits(law, source); });
   if (sources.empty()) {
     CampaignResult none;
     none.reason = "no source of cases has a camera";
     return none;
   }
   return run(law, candidate, options, [sources](rc::Random& random) {
-    const CaseSource* source = sources[random.next() % sources.size()];
+    const ChosenSource& source = sources[random.next() % sources.size()];
     return Provenance{source, random.next()};
   });
 }
@@ -118,13 +117,11 @@ Replay parse_replay(std::string_view text) {
     throw std::invalid_argument("a replay string is LAW:RAYS/INTERSECT:SOURCE:SEED, not '" +
                                 std::string(text) + "'");
   }
-  Replay replay{find_law(parts[0]), std::string(parts[1]), find_case_source(parts[2]), 0};
+  Replay replay{find_law(parts[0]), std::string(parts[1]), {}, 0};
   if (replay.law == nullptr) {
     throw std::invalid_argument("no law is called '" + std::string(parts[0]) + "'");
   }
-  if (replay.source == nullptr) {
-    throw std::invalid_argument("no source of cases is called '" + std::string(parts[2]) + "'");
-  }
+  replay.source = chosen_source(parts[2]);
   const char* const end = parts[3].data() + parts[3].size();
   const auto [last, error] = std::from_chars(parts[3].data(), end, replay.seed, 16);
   if (error != std::errc{} || last != end) {

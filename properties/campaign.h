@@ -18,7 +18,8 @@ namespace raycheck::properties {
 struct Failure {
   Case shrunk;
   Verdict verdict;
-  std::string replay;  ///< Finds it again: "LAW:RAYS/INTERSECT:SOURCE:SEED".
+  std::string replay;  ///< Finds it again: "LAW:RAYS/INTERSECT:SOURCE:SEED"; a SOURCE may be
+                       ///< SOURCE@SEVERITY.
 };
 
 struct CampaignOptions {
@@ -26,7 +27,7 @@ struct CampaignOptions {
   std::uint64_t seed = 1;
   std::optional<double> max_error;
   /// Where cases come from; empty: every source that suits the law.
-  std::vector<const CaseSource*> sources;
+  std::vector<ChosenSource> sources;
   /// Asked between cases; true ends the campaign early.
   std::function<bool()> interrupted = [] { return false; };
 };
@@ -48,7 +49,7 @@ CampaignResult run_campaign(const Law& law, const Candidate& candidate,
 struct Replay {
   const Law* law;
   std::string candidate;
-  const CaseSource* source;
+  ChosenSource source;
   std::uint64_t seed;
 };
 Replay parse_replay(std::string_view text);

@@ -7,6 +7,7 @@
 #include <string>
 
 #include "properties/law_list.h"
+#include "properties/scene_numbers.h"
 #include "reference/condition.h"
 #include "reference/error_measure.h"
 #include "scene/validate.h"
@@ -89,30 +90,12 @@ void compare_directions(Trial& trial, Trial& transformed, Verdict& verdict, cons
 /// would round.
 std::optional<Scene> scaled(Scene scene, int exponent) {
   bool exact = true;
-  const auto scale = [&](double& x) {
+  for_each_length(scene, [&](double& x) {
     const double result = std::ldexp(x, exponent);
     exact = exact && std::isfinite(result) && std::ldexp(result, -exponent) == x;
     x = result;
-  };
-  const auto scale_point = [&](scene::Point3& p) {
-    scale(p.x);
-    scale(p.y);
-    scale(p.z);
-  };
-  if (scene.camera) {
-    scene::Camera& camera = *scene.camera;
-    scale_point(camera.eye);
-    scale_point(camera.look_at);
-    for (double* x : {&camera.near, &camera.left, &camera.right, &camera.bottom, &camera.top}) {
-      scale(*x);
-    }
-    camera.far.reset();
-  }
-  for (scene::Ray& ray : scene.rays) scale_point(ray.origin);
-  for (scene::Sphere& sphere : scene.spheres) {
-    scale_point(sphere.centre);
-    scale(sphere.radius);
-  }
+  });
+  if (scene.camera) scene.camera->far.reset();
   return exact ? std::optional(scene) : std::nullopt;
 }
 

@@ -74,21 +74,31 @@ double relative(const Enclosure& error, const Enclosure& size) {
   return size.contains_zero() ? kInfinity : reference::in_units_of_u(error / size);
 }
 
-/// Measures an error at a pixel of `answers`, with the condition number of all its pixel points: a
-/// relation is no better determined than the points that it relates.
+/// A relation is no better determined than the points that it relates.
+double worst_condition(const PlaneAnswers& answers) {
+  double worst = 0;
+  for (std::size_t k = 0; k < answers.size(); ++k) worst = std::max(worst, answers.condition(k));
+  return worst;
+}
+
+/// Whether positions that far apart stay so when their points are as far off as they may be, by a
+/// margin that keeps errors of their ratios linear.
+bool is_told_apart(const Trial& trial, const PlaneAnswers& answers, const Enclosure& distance) {
+  const double allowed =
+      trial.bound(Quantity::kPixelPoint) * bound_growth(worst_condition(answers)) * 0x1p-53;
+  if (!std::isfinite(allowed)) return false;
+  const Enclosure off = Enclosure(16 * allowed, kBits) * answers.size_of_point(0);
+  return (abs(distance) - off).certain_sign().value_or(0) > 0;
+}
+
+/// Measures an error at a pixel of `answers`, with the condition number of all its pixel points.
 void measure_at(Trial& trial, Verdict& verdict, const Law& law, const PlaneAnswers& answers,
                 std::size_t k, double error, double bound, const std::string& what) {
   Place place;
   place.pixel = answers.pixel(k);
   trial.measure(
       verdict, law.name, Quantity::kPixelPoint, place, error, bound,
-      [&] {
-        double worst = 0;
-        for (std::size_t at = 0; at < answers.size(); ++at) {
-          worst = std::max(worst, answers.condition(at));
-        }
-        return worst;
-      },
+      [&] { return worst_condition(answers); },
       [&](Discrepancy& d) {
         d.what = what;
         d.got = numbers(answers.point(k));
@@ -228,8 +238,12 @@ Verdict judge_pixel_zero_zero(Trial& trial) {
   if (camera.width < 2 || camera.height < 2) {
     return Verdict::left_out("an image of one row or column has no distinct corners");
   }
-  Verdict verdict;
   const PlaneAnswers answers(trial, camera, {{0, 0}, {camera.width - 1, camera.height - 1}});
+  const Enclosure3 extent = answers.exact_position(1) - answers.exact_position(0);
+  if (!is_told_apart(trial, answers, extent.x) || !is_told_apart(trial, answers, extent.y)) {
+    return Verdict::left_out("the image is too small for the rounding of its pixel points");
+  }
+  Verdict verdict;
   const Enclosure3 got = answers.position(0);
   const Enclosure3 own = got - answers.exact_position(0);
   const Enclosure3 opposite = got - answers.exact_position(1);
@@ -285,6 +299,9 @@ Verdict judge_square_pixels(Trial& trial) {
   const Enclosure3 origin = answers.exact_position(0);
   const Enclosure across = abs(answers.exact_position(1).x - origin.x);
   const Enclosure down = abs(answers.exact_position(2).y - origin.y);
+  if (!is_told_apart(trial, answers, across) || !is_told_apart(trial, answers, down)) {
+    return Verdict::left_out("a pixel is too small for the rounding of its points");
+  }
   // got ratio / exact ratio - 1; squares are the scenes whose exact ratio is 1.
   const Enclosure got_down = step(2);
   const double error =
@@ -300,10 +317,7 @@ Verdict judge_square_pixels(Trial& trial) {
       [&] {
         // A step is a difference of two points: their rounding weighs |P| / step.
         const Enclosure size = answers.size_of_point(0);
-        double worst = kModerateCondition;
-        for (std::size_t at = 0; at < answers.size(); ++at) {
-          worst = std::max(worst, answers.condition(at));
-        }
+        const double worst = std::max(kModerateCondition, worst_condition(answers));
         return worst * (size / across + size / down + Enclosure(1)).upper();
       },
       [&](Discrepancy& d) {

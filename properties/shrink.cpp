@@ -6,6 +6,7 @@
 #include <functional>
 #include <utility>
 
+#include "properties/scene_numbers.h"
 #include "scene/validate.h"
 
 namespace raycheck::properties {
@@ -25,33 +26,6 @@ double rounded_to_bits(double value, int bits) {
   int exponent = 0;
   const double fraction = std::frexp(value, &exponent);
   return std::ldexp(std::round(std::ldexp(fraction, bits)), exponent - bits);
-}
-
-/// Every number of a scene that may be made simpler.
-template <class Visit>
-void for_each_number(scene::Scene& scene, Visit visit) {
-  const auto visit_triple = [&](auto& triple) {
-    visit(triple.x);
-    visit(triple.y);
-    visit(triple.z);
-  };
-  if (scene.camera) {
-    scene::Camera& camera = *scene.camera;
-    visit_triple(camera.eye);
-    visit_triple(camera.look_at);
-    visit_triple(camera.up);
-    for (double* x : {&camera.near, &camera.left, &camera.right, &camera.bottom, &camera.top}) {
-      visit(*x);
-    }
-  }
-  for (scene::Ray& ray : scene.rays) {
-    visit_triple(ray.origin);
-    visit_triple(ray.direction);
-  }
-  for (scene::Sphere& sphere : scene.spheres) {
-    visit_triple(sphere.centre);
-    visit(sphere.radius);
-  }
 }
 
 bool is_valid(const Case& the_case) {
@@ -88,19 +62,30 @@ void reset(const Case& the_case, Convention scene::Conventions::*member, std::ve
   if (!(plain.scene.conventions == the_case.scene.conventions)) out.push_back(std::move(plain));
 }
 
+/// 2, then counts ever closer below `count`: the least that will do is found by halving.
+std::vector<std::int64_t> smaller_counts(std::int64_t count) {
+  std::vector<std::int64_t> result = {2};
+  for (std::int64_t step = count / 2; step > 0; step /= 2) result.push_back(count - step);
+  std::erase_if(result, [count](std::int64_t smaller) { return smaller >= count; });
+  return result;
+}
+
 void shrink_image(const Case& the_case, std::vector<Case>& out) {
   const scene::Camera& camera = *the_case.scene.camera;
   for (const bool across : {true, false}) {
     const std::int64_t count = across ? camera.width : camera.height;
-    for (const std::int64_t smaller : {std::int64_t{2}, count / 2, count - 1}) {
-      if (smaller >= count || smaller < 1) continue;
-      Case less = the_case;
-      (across ? less.scene.camera->width : less.scene.camera->height) = smaller;
-      for (scene::Pixel& pixel : less.pixels) {
-        std::int64_t& index = across ? pixel.i : pixel.j;
-        index = std::min(index, smaller - 1);
+    for (const std::int64_t smaller : smaller_counts(count)) {
+      // Pixels stay where they are in the image, or keep their indices as far as there are such.
+      for (const bool in_proportion : {true, false}) {
+        Case less = the_case;
+        (across ? less.scene.camera->width : less.scene.camera->height) = smaller;
+        for (scene::Pixel& pixel : less.pixels) {
+          std::int64_t& index = across ? pixel.i : pixel.j;
+          index =
+              in_proportion ? index * (smaller - 1) / (count - 1) : std::min(index, smaller - 1);
+        }
+        out.push_back(std::move(less));
       }
-      out.push_back(std::move(less));
     }
   }
   for (std::size_t k = 0; k < the_case.pixels.size(); ++k) {

@@ -97,11 +97,8 @@ Case neighbour(const Case& the_case, Random& random) {
 std::vector<WorstCase> random_phase(const Climber& climber, Stage stage, const Candidate& candidate,
                                     const SearchOptions& options, Random& random) {
   std::vector<WorstCase> best;
-  const int severities = options.source->dial ? options.source->dial->highest + 1 : 1;
   for (int k = 0; k < options.cases && !options.interrupted(); ++k) {
-    const std::uint64_t seed = random.bits();
-    const Case made = options.source->make(options.severity.value_or(k % severities), seed);
-    const std::optional<Case> asked = alone(made, stage, candidate);
+    const std::optional<Case> asked = alone(options.source.make(random.bits()), stage, candidate);
     if (!asked) continue;
     std::optional<WorstCase> seen = climber.look(*asked);
     if (!seen) continue;

@@ -18,8 +18,7 @@ enum class Climb { kError, kOverGrowth, kRatio };
 inline constexpr std::array<std::string_view, 3> kClimbNames = {"error", "bound", "rho"};
 
 struct SearchOptions {
-  const CaseSource* source = nullptr;  ///< Where the search starts.
-  std::optional<int> severity;         ///< Empty: the source's severities in turn.
+  ChosenSource source;  ///< Where the search starts.
   Quantity quantity = Quantity::kParameter;
   Climb climb = Climb::kError;
   int cases = 2000;  ///< Random ones, of which the worst few are climbed from.

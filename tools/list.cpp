@@ -49,9 +49,11 @@ std::string list_text() {
   for (const properties::Law& law : properties::laws()) {
     text += fmt::format("  {:<17} {}\n", law.name, law.sentence);
   }
-  text += "\nsources of random cases (--source):\n";
+  text += "\nsources of random cases (--source), those with severities as NAME or NAME@SEVERITY:\n";
   for (const properties::CaseSource& source : properties::case_sources()) {
     text += fmt::format("  {:<17} {}\n", source.name, source.sentence);
+    if (!source.dial) continue;
+    text += fmt::format("  {:<17} @0 to @{}: {}\n", "", source.dial->highest, source.dial->meaning);
   }
   text += "\nconventions (the first is the default):\n";
   text += fmt::format("  rows              {}\n", joined(scene::kRowsNames));
@@ -88,7 +90,13 @@ std::string list_json() {
   }
   json["sources"] = Json::array();
   for (const properties::CaseSource& source : properties::case_sources()) {
-    json["sources"].push_back({{"name", source.name}, {"sentence", source.sentence}});
+    Json entry = {{"name", source.name}, {"sentence", source.sentence}, {"dial", nullptr}};
+    if (source.dial) {
+      entry["dial"] = {{"meaning", source.dial->meaning},
+                       {"base", source.dial->base},
+                       {"highest", source.dial->highest}};
+    }
+    json["sources"].push_back(std::move(entry));
   }
   json["conventions"] = {{"rows", scene::kRowsNames},
                          {"samples", scene::kSamplesNames},

@@ -63,8 +63,8 @@ Command add_properties(CLI::App& program) {
                      "only this intersection method; several "
                      "times for several");
   command.add_option("--source", arguments.sources,
-                     "only cases of this source; several times for "
-                     "several");
+                     "only cases of this source, or of this severity (SOURCE@SEVERITY); several "
+                     "times for several");
   command
       .add_option("--max-ulp", arguments.max_ulp,
                   "the bound on every error (default: the method's documented bounds)")

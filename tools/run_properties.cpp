@@ -13,7 +13,7 @@ namespace {
 using properties::CampaignOptions;
 using properties::CampaignResult;
 using properties::Candidate;
-using properties::CaseSource;
+using properties::ChosenSource;
 using properties::Failure;
 using properties::Law;
 
@@ -29,17 +29,17 @@ std::vector<const Law*> filtered_laws(const std::string& filter) {
   return found;
 }
 
-std::vector<const CaseSource*> named_sources(const std::vector<std::string>& names) {
-  std::vector<const CaseSource*> found;
+std::vector<ChosenSource> chosen_sources(const std::vector<std::string>& names) {
+  std::vector<ChosenSource> chosen;
   for (const std::string& name : names) {
-    const CaseSource* source = properties::find_case_source(name);
-    if (source == nullptr) {
-      throw std::invalid_argument("--source " + name +
-                                  ": no such source; `raycheck list` shows the sources");
+    try {
+      chosen.push_back(properties::chosen_source(name));
+    } catch (const std::invalid_argument& error) {
+      throw std::invalid_argument("--source " + name + ": " + error.what() +
+                                  "; `raycheck list` shows the sources");
     }
-    found.push_back(source);
   }
-  return found;
+  return chosen;
 }
 
 /// Whether a law can tell this pair from one that is already asked: laws of the camera alone do not
@@ -93,7 +93,7 @@ PropertiesReport run_properties(const PropertiesOptions& options) {
   campaign.cases = options.cases;
   campaign.seed = options.seed;
   campaign.max_error = options.max_error;
-  campaign.sources = named_sources(options.sources);
+  campaign.sources = chosen_sources(options.sources);
   campaign.interrupted = interrupted;
   const bool chosen = !options.methods.empty();
   const auto laws = filtered_laws(options.filter);

@@ -24,7 +24,6 @@ struct Arguments {
   std::string method;
   std::string family;
   std::string quantity;
-  std::string severity;
   std::string climb = "error";
   properties::SearchOptions options;
   std::string save;
@@ -59,12 +58,13 @@ Quantity chosen_quantity(const std::string& given, Stage stage) {
 StagedMethod resolve(Arguments& arguments) {
   const StagedMethod method = chosen_method(arguments.method);
   properties::SearchOptions& options = arguments.options;
-  options.source = properties::find_case_source(arguments.family);
-  if (options.source == nullptr) {
-    throw std::invalid_argument("--family " + arguments.family +
-                                ": no such source of cases; see raycheck list");
+  try {
+    options.source = properties::chosen_source(arguments.family);
+  } catch (const std::invalid_argument& error) {
+    throw std::invalid_argument("--family " + arguments.family + ": " + error.what() +
+                                "; see raycheck list");
   }
-  if (method.stage == Stage::kRays && !options.source->has_camera) {
+  if (method.stage == Stage::kRays && !options.source.source->has_camera) {
     throw std::invalid_argument(fmt::format("--family {}: has no camera, and {} makes rays",
                                             arguments.family, method.name()));
   }
@@ -72,15 +72,6 @@ StagedMethod resolve(Arguments& arguments) {
   const auto* const climb =
       std::find(properties::kClimbNames.begin(), properties::kClimbNames.end(), arguments.climb);
   options.climb = static_cast<properties::Climb>(climb - properties::kClimbNames.begin());
-  if (!arguments.severity.empty()) {
-    const int highest = options.source->dial ? options.source->dial->highest : 0;
-    const std::int64_t severity = parse_index("--severity", arguments.severity, 0);
-    if (severity > highest) {
-      throw std::invalid_argument(fmt::format("--severity {}: the severities of {} are 0..{}",
-                                              arguments.severity, arguments.family, highest));
-    }
-    options.severity = static_cast<int>(severity);
-  }
   options.interrupted = interrupted;
   return method;
 }
@@ -88,7 +79,7 @@ StagedMethod resolve(Arguments& arguments) {
 std::string headline(const WorstCase& worst, const StagedMethod& method,
                      const properties::SearchOptions& options) {
   return fmt::format("{} {} on {}: off by {} {}, condition number {}, rho {}: {}", method.name(),
-                     info(options.quantity).name, options.source->name, error_text(worst.error),
+                     info(options.quantity).name, options.source.name(), error_text(worst.error),
                      info(options.quantity).unit, error_text(worst.stability.condition),
                      error_text(worst.stability.ratio), name(worst.stability.outcome));
 }
@@ -108,7 +99,7 @@ std::string json_of(const WorstCase& worst, const StagedMethod& method,
                     const properties::SearchOptions& options) {
   Json json = json_header("worst");
   json["method"] = method.name();
-  json["family"] = options.source->name;
+  json["family"] = options.source.name();
   json["seed"] = options.seed;
   json["climbed_on"] = properties::kClimbNames[static_cast<std::size_t>(options.climb)];
   json["random"] = error_json(worst.height_random);
@@ -154,12 +145,13 @@ Command add_worst(CLI::App& program) {
   CLI::App& command = *program.add_subcommand(
       "worst", "Search for the input on which a method's certified error is worst");
   command.add_option("--method", given->method, "the method, of either kind")->required();
-  command.add_option("--family", given->family, "the family or other source to start from")
+  command
+      .add_option("--family", given->family,
+                  "the family or other source to start from, or FAMILY@SEVERITY")
       ->required();
   command.add_option("--quantity", given->quantity,
                      "direction or pixel-point; parameter, backward-error or hit-point (default: "
                      "direction or parameter)");
-  command.add_option("--severity", given->severity, "start from this severity (default: all)");
   command
       .add_option("--by", given->climb,
                   "what to climb on: the error, the error over what the documented bound grows by, "

@@ -37,9 +37,9 @@ TEST(CameraFrame, IsUnmovedByTheLengthOfUpAndOfTheView) {
 
 TEST(CameraFrame, IsWithinItsBoundOnRandomCameras) {
   int judged = 0;
-  for (const char* source : {"cameras", "plain-cameras", "far-cameras"}) {
+  for (const char* source : {"cameras", "plain-cameras", "far-camera", "up"}) {
     for (std::uint64_t seed = 0; seed < 1000; ++seed) {
-      const auto the_case = properties::find_case_source(source)->make(seed);
+      const auto the_case = properties::chosen_source(source).make(seed);
       const Camera& camera = *the_case.scene.camera;
       const reference::ExactCamera exact(camera, the_case.scene.conventions);
       if (reference::condition_of_frame(exact) > properties::kModerateCondition) continue;

@@ -182,7 +182,7 @@ int audit(const IntersectMethod& method, double bound, std::initializer_list<con
   int judged = 0;
   for (const char* source : sources) {
     for (std::uint64_t seed = 0; seed < 1500; ++seed) {
-      const auto the_case = properties::find_case_source(source)->make(seed);
+      const auto the_case = properties::chosen_source(source).make(seed);
       const Ray& ray = the_case.scene.rays.front();
       const reference::ExactRay exact(ray);
       for (const Sphere& sphere : the_case.scene.spheres) {
@@ -204,13 +204,13 @@ int audit(const IntersectMethod& method, double bound, std::initializer_list<con
 }
 
 TEST(IntersectBounds, OfCrossHold) {
-  EXPECT_GT(audit(kCross, kCrossMaxUlp, {"rays", "far", "grazing", "surface", "ties"}), 2500);
+  EXPECT_GT(audit(kCross, kCrossMaxUlp, {"rays", "distance", "tangency", "surface", "ties"}), 2500);
 }
 
 TEST(IntersectBounds, OfPerpendicularHold) {
-  EXPECT_GT(
-      audit(kPerpendicular, kPerpendicularMaxUlp, {"rays", "far", "grazing", "surface", "ties"}),
-      2500);
+  EXPECT_GT(audit(kPerpendicular, kPerpendicularMaxUlp,
+                  {"rays", "distance", "tangency", "surface", "ties"}),
+            2500);
 }
 
 TEST(IntersectBounds, OfTheOthersHoldNextToTheSurface) {

@@ -142,9 +142,9 @@ TEST(PixelRay, RefusesByTheNameOfTheField) {
 /// Calls visit(ray method's case, exact ray, pixel) for pixels of random cameras.
 template <class Visit>
 void for_each_pixel(Visit visit) {
-  for (const char* source : {"cameras", "plain-cameras", "far-cameras"}) {
+  for (const char* source : {"cameras", "plain-cameras", "far-camera", "up"}) {
     for (std::uint64_t seed = 0; seed < 400; ++seed) {
-      const auto the_case = properties::find_case_source(source)->make(seed);
+      const auto the_case = properties::chosen_source(source).make(seed);
       const scene::Scene& scene = the_case.scene;
       const reference::ExactCamera camera(*scene.camera, scene.conventions);
       for (const Pixel& pixel : the_case.pixels) {
@@ -189,7 +189,7 @@ TEST(PixelRay, IsWithinItsBoundsOnRandomCameras) {
 TEST(PixelRay, OfPlainEyesIsWithinTheLecturesBound) {
   int judged = 0;
   for (std::uint64_t seed = 0; seed < 600; ++seed) {
-    const auto the_case = properties::find_case_source("plain-cameras")->make(seed);
+    const auto the_case = properties::chosen_source("plain-cameras").make(seed);
     const reference::ExactCamera camera(*the_case.scene.camera, the_case.scene.conventions);
     Rays rays;
     kLectureRays.focal_rays(*the_case.scene.camera, the_case.scene.conventions, the_case.pixels,

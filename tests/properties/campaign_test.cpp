@@ -59,7 +59,7 @@ TEST(Campaign, JudgesEveryCaseOfALawThatHolds) {
 
 TEST(Campaign, SaysWhenNoSourceSuitsTheLaw) {
   CampaignOptions rays_only = options(100);
-  rays_only.sources = {find_case_source("rays")};
+  rays_only.sources = {chosen_source("rays")};
   const CampaignResult result = run_campaign(*find_law("frame"), kGood, rays_only);
   EXPECT_EQ(result.cases, 0);
   EXPECT_FALSE(result.reason.empty());
@@ -76,7 +76,7 @@ TEST(Campaign, EndsWhenItIsInterrupted) {
 
 TEST(Campaign, StopsAtTheFirstFailureAndShrinksIt) {
   CampaignOptions far = options(500);
-  far.sources = {find_case_source("far")};
+  far.sources = {chosen_source("distance")};
   const CampaignResult result = run_campaign(*find_law("class"), kBad, far);
   ASSERT_TRUE(result.failure);
   EXPECT_LT(result.cases, 500);
@@ -118,14 +118,15 @@ std::string error_of(std::string_view replay) {
 }
 
 TEST(Replay, NamesThePartThatIsWrong) {
-  EXPECT_EQ(parse_replay("class:a/b:far:00ff").seed, 255u);
+  EXPECT_EQ(parse_replay("class:a/b:distance:00ff").seed, 255u);
   EXPECT_NE(error_of("").find("LAW:RAYS/INTERSECT:SOURCE:SEED"), std::string::npos);
-  EXPECT_NE(error_of("class:a/b:far").find("'class:a/b:far'"), std::string::npos);
-  EXPECT_NE(error_of("class:a/b:far:1:2").find("LAW:RAYS"), std::string::npos);
-  EXPECT_NE(error_of("clas:a/b:far:1").find("law is called 'clas'"), std::string::npos);
-  EXPECT_NE(error_of("class:a/b:fa:1").find("source of cases is called 'fa'"), std::string::npos);
+  EXPECT_NE(error_of("class:a/b:distance").find("'class:a/b:distance'"), std::string::npos);
+  EXPECT_NE(error_of("class:a/b:distance:1:2").find("LAW:RAYS"), std::string::npos);
+  EXPECT_NE(error_of("clas:a/b:distance:1").find("law is called 'clas'"), std::string::npos);
+  EXPECT_NE(error_of("class:a/b:dist:1").find("source of cases is called 'dist'"),
+            std::string::npos);
   for (const char* seed : {"", "x1", "1x", "-1", "0x1", "10000000000000000"}) {
-    EXPECT_NE(error_of("class:a/b:far:" + std::string(seed)).find("hexadecimal seed"),
+    EXPECT_NE(error_of("class:a/b:distance:" + std::string(seed)).find("hexadecimal seed"),
               std::string::npos)
         << seed;
   }
@@ -134,7 +135,7 @@ TEST(Replay, NamesThePartThatIsWrong) {
 TEST(CaseText, IsASceneThatReadsBack) {
   for (const CaseSource& source : case_sources()) {
     for (std::uint64_t seed = 0; seed < 50; ++seed) {
-      const Case the_case = source.make(seed);
+      const Case the_case = any_case(source, seed);
       const std::string lines = text(the_case, "why");
       EXPECT_EQ(scene::read_toml(lines, "case").scene, the_case.scene) << source.name;
       EXPECT_EQ(lines.rfind("# why\n", 0), 0u);

@@ -124,7 +124,7 @@ TEST(Shrink, MakesValidCasesThatAreSimplerInTotal) {
   for (const CaseSource& source : case_sources()) {
     SCOPED_TRACE(source.name);
     for (std::uint64_t seed = 0; seed < 20; ++seed) {
-      const Case from = source.make(seed);
+      const Case from = any_case(source, seed);
       for (const Case& offer : simpler(from)) {
         ++offered;
         ASSERT_TRUE(scene::problems(offer.scene).empty());
@@ -145,7 +145,7 @@ TEST(Shrink, MakesValidCasesThatAreSimplerInTotal) {
 TEST(Shrink, EndsAtAPlainCase) {
   for (const CaseSource& source : case_sources()) {
     SCOPED_TRACE(source.name);
-    Case the_case = source.make(7);
+    Case the_case = any_case(source, 7);
     int steps = 0;
     for (auto offers = simpler(the_case); !offers.empty(); offers = simpler(the_case)) {
       the_case = offers.front();

@@ -20,7 +20,7 @@ TEST(PropertiesCommand, reports_that_cross_holds_the_class_law) {
 
 TEST(PropertiesCommand, reports_a_broken_law_with_a_case_that_check_and_replay_accept) {
   const Outcome result =
-      run("properties --filter class --source far --intersect quadratic --format json");
+      run("properties --filter class --source distance --intersect quadratic --format json");
   EXPECT_EQ(result.exit_code, 1);
   const json report = json::parse(result.out);
   const json& campaign = report["campaigns"][0];
@@ -51,16 +51,16 @@ TEST(PropertiesCommand, fails_with_2_and_says_why) {
   fails("--filter nothing", "--filter nothing");
   fails("--cases 0", "--cases");
   fails("--source moon", "--source moon");
-  fails("--replay class:direct/cross:far", "LAW:");
-  fails("--replay klass:direct/cross:far:1", "klass");
-  fails("--replay class:direct/none:far:1", "direct/none");
+  fails("--replay class:direct/cross:distance", "LAW:");
+  fails("--replay klass:direct/cross:distance:1", "klass");
+  fails("--replay class:direct/none:distance:1", "direct/none");
 }
 
 TEST(List, names_every_method_law_and_convention) {
   const Outcome result = run("list");
   EXPECT_EQ(result.exit_code, 0);
   for (const char* name : {"lecture", "direct", "focal", "quadratic", "stable-quadratic",
-                           "perpendicular", "cross", "nearest-sphere", "top-first", "grazing"}) {
+                           "perpendicular", "cross", "nearest-sphere", "top-first", "tangency"}) {
     EXPECT_NE(result.out.find(name), std::string::npos) << name;
   }
   const json report = json::parse(run("list --format json").out);

@@ -149,7 +149,7 @@ TEST(WorstCommand, fails_with_2_and_says_why) {
   expect_fails("worst --method lecture --family rays", "rays/lecture or intersect/lecture");
   expect_fails("worst --method direct --family rays", "has no camera");
   expect_fails("worst --method cross --family rays --quantity colour", "--quantity colour");
-  expect_fails("worst --method cross --family distance --severity 77", "0..15");
+  expect_fails("worst --method cross --family distance@77", "0..15");
   expect_fails("worst --method cross", "--family");
 }
 
