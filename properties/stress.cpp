@@ -125,6 +125,11 @@ std::optional<double> error_slope(int base, int first, std::span<const double> e
     points.emplace_back(severity * std::log10(base), std::log10(errors[k]));
   }
   if (points.size() < 3) return std::nullopt;
+  const auto lower = [](const auto& a, const auto& b) { return a.second < b.second; };
+  const double largest = std::max_element(points.begin(), points.end(), lower)->second;
+  const auto grown = std::find_if(points.begin(), points.end(),
+                                  [&](const auto& point) { return point.second >= largest - 1; });
+  if (grown - points.begin() >= 2) points.erase(grown + 1, points.end());
   double mean_x = 0;
   double mean_y = 0;
   for (const auto& [x, y] : points) {

@@ -71,8 +71,10 @@ double worst_ratio(const Verdict& verdict);
 /// No defect, and no stability ratio above kStableRatio.
 bool is_stable(const Verdict& verdict);
 
-/// The slope of the line that fits log10(error) against log10(base^severity) best, over the
-/// severities where the 99.9% error is positive and finite; empty for fewer than three of them.
+/// The slope of the line that fits log10(error) against log10(base^severity) best, while the error
+/// still grows: up to the first that is at least a tenth of the largest (it stops growing when no
+/// digit is right any more), or over all where none grows tenfold. Errors that are 0 or not finite
+/// are left out; empty for fewer than three others.
 /// Shape: one error a severity, from severity `first` on.
 std::optional<double> error_slope(int base, int first, std::span<const double> errors);
 

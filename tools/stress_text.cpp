@@ -17,8 +17,9 @@ using properties::StressResult;
 using properties::Tally;
 using properties::Verdict;
 
-/// Above this many curves the report gives the first failing severities only.
-constexpr std::size_t kMostDetailed = 12;
+/// Above these many curves the report says nothing of single ones, or of single severities.
+constexpr std::size_t kMostSummed = 40;
+constexpr std::size_t kMostDetailed = 4;
 
 std::string failing_text(const StressCurve& curve) {
   if (!curve.is_judged()) return "-";
@@ -198,8 +199,10 @@ std::string rendered(const StressReport& report, Render render, std::string_view
         fmt::format("\n{}first failing severity, {}\n\n{}", heading, name(stage), render(table));
   }
   const std::size_t curves = count_curves(report);
-  if (curves <= kMostDetailed) {
+  if (curves <= kMostSummed) {
     text += fmt::format("\n{}by method\n\n{}", heading, render(summary_table(report)));
+  }
+  if (curves <= kMostDetailed) {
     text += fmt::format("\n{}by severity\n\n{}", heading, render(detail_table(report)));
   }
   text += "\n";
