@@ -25,6 +25,7 @@ struct ExactCamera::Impl {
   CameraNumbers<EnclosureKernel> first_bits;
   CameraNumbers<EnclosureKernel> middle_bits;
   CameraNumbers<IntervalKernel> intervals;
+  CameraNumbers<DoubleDoubleKernel> double_doubles;
   CameraNumbers<ExactKernel> exact;
 };
 

@@ -9,6 +9,8 @@ namespace {
 constexpr int kDoubleBits = std::numeric_limits<double>::digits;
 /// The smallest subnormal is 2^kSmallestExponent.
 constexpr int kSmallestExponent = -1074;
+/// Normal doubles are at least 2^kSmallestNormalExponent.
+constexpr int kSmallestNormalExponent = -1022;
 /// Finite doubles are below 2^kOverflowExponent.
 constexpr int kOverflowExponent = 1024;
 
@@ -30,6 +32,11 @@ class Float {
 double to_double(arf_srcptr x, arf_rnd_t rounding) {
   if (arf_is_zero(x)) return 0.0;
   if (!arf_is_finite(x)) return arf_get_d(x, ARF_RND_DOWN);
+  const fmpz exponent = ARF_EXP(x);
+  if (!COEFF_IS_MPZ(exponent) && exponent > kSmallestNormalExponent &&
+      exponent < kOverflowExponent) {
+    return arf_get_d(x, rounding);
+  }
   const bool negative = arf_sgn(x) < 0;
   const bool to_nearest = rounding == ARF_RND_NEAR;
   const bool toward_zero = !to_nearest && (rounding == ARF_RND_FLOOR) != negative;
@@ -90,6 +97,27 @@ Enclosure Enclosure::within(double value, double relative_change, int bits) {
 Enclosure& Enclosure::operator=(const Enclosure& other) {
   arb_set(ball_, other.ball_);
   bits_ = other.bits_;
+  return *this;
+}
+
+Enclosure& Enclosure::operator+=(const Enclosure& other) {
+  bits_ = std::max(bits_, other.bits_);
+  arb_add(ball_, ball_, other.ball_, bits_);
+  return *this;
+}
+Enclosure& Enclosure::operator-=(const Enclosure& other) {
+  bits_ = std::max(bits_, other.bits_);
+  arb_sub(ball_, ball_, other.ball_, bits_);
+  return *this;
+}
+Enclosure& Enclosure::operator*=(const Enclosure& other) {
+  bits_ = std::max(bits_, other.bits_);
+  arb_mul(ball_, ball_, other.ball_, bits_);
+  return *this;
+}
+Enclosure& Enclosure::operator/=(const Enclosure& other) {
+  bits_ = std::max(bits_, other.bits_);
+  arb_div(ball_, ball_, other.ball_, bits_);
   return *this;
 }
 

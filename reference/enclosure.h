@@ -4,6 +4,7 @@
 #include <arb.h>
 
 #include <optional>
+#include <utility>
 
 namespace raycheck::reference {
 
@@ -21,18 +22,28 @@ class Enclosure {
   static Enclosure within(double value, double relative_change, int bits);
 
   Enclosure(const Enclosure& other) : Enclosure() { *this = other; }
-  Enclosure(Enclosure&& other) noexcept : Enclosure() { swap(other); }
+  /// Takes the ball over, bit by bit: nothing points into one.
+  Enclosure(Enclosure&& other) noexcept : bits_(other.bits_) {
+    *ball_ = *other.ball_;
+    arb_init(other.ball_);
+  }
   Enclosure& operator=(const Enclosure& other);
   Enclosure& operator=(Enclosure&& other) noexcept {
     swap(other);
     return *this;
   }
-  ~Enclosure() { arb_clear(ball_); }
+  /// Most balls own no memory, and are dropped without a call.
+  ~Enclosure() {
+    const bool owns_memory = ARF_HAS_PTR(arb_midref(ball_)) ||
+                             COEFF_IS_MPZ(ARF_EXP(arb_midref(ball_))) ||
+                             COEFF_IS_MPZ(MAG_EXP(arb_radref(ball_)));
+    if (owns_memory) arb_clear(ball_);
+  }
 
-  Enclosure& operator+=(const Enclosure& other) { return *this = *this + other; }
-  Enclosure& operator-=(const Enclosure& other) { return *this = *this - other; }
-  Enclosure& operator*=(const Enclosure& other) { return *this = *this * other; }
-  Enclosure& operator/=(const Enclosure& other) { return *this = *this / other; }
+  Enclosure& operator+=(const Enclosure& other);
+  Enclosure& operator-=(const Enclosure& other);
+  Enclosure& operator*=(const Enclosure& other);
+  Enclosure& operator/=(const Enclosure& other);
   Enclosure operator-() const;
 
   int bits() const { return bits_; }
@@ -78,6 +89,11 @@ Enclosure operator+(const Enclosure& a, const Enclosure& b);
 Enclosure operator-(const Enclosure& a, const Enclosure& b);
 Enclosure operator*(const Enclosure& a, const Enclosure& b);
 Enclosure operator/(const Enclosure& a, const Enclosure& b);
+// A result that nothing else needs makes room for the next.
+inline Enclosure operator+(Enclosure&& a, const Enclosure& b) { return std::move(a += b); }
+inline Enclosure operator-(Enclosure&& a, const Enclosure& b) { return std::move(a -= b); }
+inline Enclosure operator*(Enclosure&& a, const Enclosure& b) { return std::move(a *= b); }
+inline Enclosure operator/(Enclosure&& a, const Enclosure& b) { return std::move(a /= b); }
 /// The square root of a number known not to be negative; what of the ball is negative is cut off.
 Enclosure sqrt(const Enclosure& value);
 Enclosure abs(const Enclosure& value);

@@ -35,11 +35,14 @@ double relative_error_of(const Triple& given, const Enclosure3& exact) {
 
 double ulp_error(double given, const Enclosure& exact) {
   if (!std::isfinite(given)) return kInfinity;
-  Enclosure error = abs(Enclosure(given, kBits) - exact);
   if (exact.certain_sign() == 0) return given == 0 ? 0 : kInfinity;
+  // 128 bits are two words, the most that need no memory from the heap.
+  Enclosure error(given, 128);
+  arb_sub(error.ball(), error.ball(), exact.ball(), 128);
+  arb_abs(error.ball(), error.ball());
   arf_t magnitude;
   arf_init(magnitude);
-  arb_get_abs_lbound_arf(magnitude, exact.ball(), kBits);
+  arb_get_abs_lbound_arf(magnitude, exact.ball(), 64);
   // 2^(exponent-1) <= |exact| < 2^exponent, so that the gap is 2^(exponent-53).
   const slong exponent = arf_is_zero(magnitude) ? -1074 : arf_abs_bound_lt_2exp_si(magnitude);
   arf_clear(magnitude);

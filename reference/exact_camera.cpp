@@ -18,9 +18,15 @@ const scene::Camera& validated(const scene::Camera& camera, const scene::Convent
   return camera;
 }
 
-IntervalKernel::Vector_3 outward(const EnclosureKernel::Vector_3& v) {
-  const auto bounds = [](const Enclosure& x) { return Interval(x.lower(), x.upper()); };
-  return {bounds(v.x()), bounds(v.y()), bounds(v.z())};
+Interval bounds(const Enclosure& x) { return {x.lower(), x.upper()}; }
+
+/// Axes known to balls, under another kernel: convert(coordinate) encloses.
+template <class K, class Convert>
+Axes<K> converted(const Axes<EnclosureKernel>& axes, Convert convert) {
+  const auto vector = [&](const EnclosureKernel::Vector_3& v) {
+    return typename K::Vector_3(convert(v.x()), convert(v.y()), convert(v.z()));
+  };
+  return {vector(axes.U), vector(axes.V), vector(axes.W)};
 }
 
 }  // namespace
@@ -37,9 +43,11 @@ ExactCamera::Impl::Impl(const scene::Camera& its_camera, const scene::Convention
       conventions(its_conventions),
       first_bits(camera_numbers<EnclosureKernel>(EnclosureLift{kFirstBits}, camera)),
       middle_bits(camera_numbers<EnclosureKernel>(EnclosureLift{kMiddleBits}, camera)),
-      intervals{
-          lift_camera<IntervalKernel>(IntervalLift{}, camera),
-          {outward(middle_bits.axes.U), outward(middle_bits.axes.V), outward(middle_bits.axes.W)}},
+      intervals{lift_camera<IntervalKernel>(IntervalLift{}, camera),
+                converted<IntervalKernel>(middle_bits.axes, bounds)},
+      double_doubles{lift_camera<DoubleDoubleKernel>(DoubleDoubleLift{}, camera),
+                     converted<DoubleDoubleKernel>(
+                         middle_bits.axes, [](const Enclosure& x) { return DoubleDouble(x); })},
       exact(camera_numbers<ExactKernel>(ExactLift{}, camera)) {}
 
 const CameraNumbers<EnclosureKernel>& ExactCamera::Impl::enclosed(

@@ -63,8 +63,18 @@ ExactRay::ExactRay(const scene::Ray& ray) : source_{nullptr, {}, ray} {
              ray.direction.z, ray.direction.z, line.a.inf(),    line.a.sup()};
 }
 
-/// The ladder: `sign` of the ray and two spheres under intervals, balls, the exact field, until one
-/// is certain; the last always is.
+/// A sign by double-doubles. A function of its own, so that no operation moves to where doubles
+/// round upward.
+template <class SignUnder>
+[[gnu::noinline]] std::optional<int> sign_by_double_doubles(const ExactRay::Source& source,
+                                                            const SignUnder& sign_under) {
+  const NearestGuard guard;
+  const DoubleDoubleLift lift;
+  return sign_under(lift, line_of(lift, source));
+}
+
+/// The ladder: `sign` of the ray and two spheres under intervals, double-doubles, balls, the exact
+/// field, until one is certain; the last always is.
 template <class F>
 int ExactRay::decide(const scene::Sphere& first, const scene::Sphere& second, Engine engine,
                      F sign) const {
@@ -87,6 +97,7 @@ int ExactRay::decide(const scene::Sphere& first, const scene::Sphere& second, En
           from_camera};
       if (const auto answer = sign_under(lift, line)) return *answer;
     }
+    if (const auto answer = sign_by_double_doubles(source_, sign_under)) return *answer;
     const EnclosureLift lift{kMiddleBits};
     if (const auto answer = sign_under(lift, line_of(lift, source_))) return *answer;
   }

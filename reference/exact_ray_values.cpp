@@ -1,5 +1,5 @@
-// Narrow enclosures and correctly rounded values of a ray: balls first, the exact field for zeros
-// and ties.
+// Narrow enclosures and correctly rounded values of a ray: double-doubles first, balls where these
+// are too wide, the exact field for zeros and ties.
 
 #include <optional>
 #include <utility>
@@ -11,32 +11,67 @@ namespace {
 
 ExactNumber exact(const Rational& value) { return ExactNumber(FirstExtension(value)); }
 
-/// Applies narrow() or round_to_nearest() to the three coordinates of an EnclosedRay's value;
-/// compare(k, m) is the exact sign of coordinate k - m.
+/// value(lift, line) by double-doubles. A function of its own, so that no operation moves to where
+/// doubles round upward.
+template <class Value>
+[[gnu::noinline]] auto by_double_doubles(const ExactRay::Source& source, const Value& value) {
+  const NearestGuard guard;
+  const DoubleDoubleLift lift;
+  return value(lift, line_of(lift, source));
+}
+
+template <class Value>
+auto by_balls(const ExactRay::Source& source, const Value& value, int bits) {
+  const EnclosureLift lift{bits};
+  return value(lift, line_of(lift, source));
+}
+
+/// Applies narrow() or round_to_nearest() to value(lift, line), a number; compare(m) is the exact
+/// sign of value - m.
+template <class Value, class Compare, class Finish>
+auto finish_number(const ExactRay::Source& source, const Value& value, Compare compare,
+                   Finish finish) {
+  const DoubleDouble first = by_double_doubles(source, value);
+  return finish(
+      first.is_within(finish.relative_bits) ? first.enclosure()
+                                            : by_balls(source, value, kFirstBits),
+      [&](int bits) { return by_balls(source, value, bits); }, compare);
+}
+
+/// The same of a vector's three coordinates; compare(k, m) is the exact sign of coordinate k - m.
 template <class Result, class Value, class Compare, class Finish>
-Result finish_vector(const ExactRay& ray, Value value, Compare compare, Finish finish) {
-  Enclosure3 first = value(ray.enclose(kFirstBits));
-  const auto coordinate = [&](int k, Enclosure Enclosure3::*member) {
+Result finish_vector(const ExactRay::Source& source, const Value& value, Compare compare,
+                     Finish finish) {
+  const DoubleDoubleKernel::Vector_3 first = by_double_doubles(source, value);
+  std::optional<EnclosureKernel::Vector_3> balls;
+  const auto coordinate = [&](int k) {
+    const bool is_narrow = first[k].is_within(finish.relative_bits);
+    if (!is_narrow && !balls) balls = by_balls(source, value, kFirstBits);
     return finish(
-        std::move(first.*member),
-        [&, member](int bits) { return value(ray.enclose(bits)).*member; },
+        is_narrow ? first[k].enclosure() : (*balls)[k],
+        [&, k](int bits) { return by_balls(source, value, bits)[k]; },
         [&, k](const Rational& m) { return compare(k, m); });
   };
-  return {coordinate(0, &Enclosure3::x), coordinate(1, &Enclosure3::y),
-          coordinate(2, &Enclosure3::z)};
+  return {coordinate(0), coordinate(1), coordinate(2)};
 }
 
-auto narrow_to(int relative_bits) {
-  return [relative_bits](Enclosure first, auto enclose, auto compare) {
+/// narrow() to a relative width.
+struct Narrow {
+  int relative_bits;
+  template <class Enclose, class Compare>
+  Enclosure operator()(Enclosure first, Enclose enclose, Compare compare) const {
     return narrow(std::move(first), relative_bits, enclose, compare);
-  };
-}
+  }
+};
 
-auto rounded() {
-  return [](Enclosure first, auto enclose, auto compare) {
+/// round_to_nearest(), starting from an enclosure that leaves few values undecided.
+struct Round {
+  static constexpr int relative_bits = ExactRay::kValueBits;
+  template <class Enclose, class Compare>
+  double operator()(Enclosure first, Enclose enclose, Compare compare) const {
     return round_to_nearest(std::move(first), enclose, compare);
-  };
-}
+  }
+};
 
 /// Exact comparisons of a line's values with rationals; the line is made on first use.
 class ExactValues {
@@ -84,81 +119,91 @@ class ExactValues {
 };
 
 template <class Result, class Finish>
-Result finish_pixel_point(const ExactRay& ray, ExactValues values, Finish finish) {
+Result finish_pixel_point(const ExactRay& ray, Finish finish) {
+  ExactValues values(ray);
   return finish_vector<Result>(
-      ray, [](const EnclosedRay& at) { return at.pixel_point(); },
+      ray.source(), [](const auto& /*lift*/, const auto& line) { return line.base + line.g; },
       [&](int k, const Rational& m) { return values.compare_pixel_point(k, m); }, finish);
 }
 
 template <class Result, class Finish>
-Result finish_origin(const ExactRay& ray, ExactValues values, Finish finish) {
+Result finish_origin(const ExactRay& ray, Finish finish) {
+  ExactValues values(ray);
   return finish_vector<Result>(
-      ray, [](const EnclosedRay& at) { return at.origin(); },
+      ray.source(), [](const auto& /*lift*/, const auto& line) { return ray_origin(line); },
       [&](int k, const Rational& m) { return values.compare_origin(k, m); }, finish);
 }
 
 template <class Result, class Finish>
-Result finish_direction(const ExactRay& ray, ExactValues values, Finish finish) {
+Result finish_direction(const ExactRay& ray, Finish finish) {
+  ExactValues values(ray);
   return finish_vector<Result>(
-      ray, [](const EnclosedRay& at) { return at.direction(); },
+      ray.source(), [](const auto& /*lift*/, const auto& line) { return unit_direction(line); },
       [&](int k, const Rational& m) { return values.compare_direction(k, m); }, finish);
 }
 
-template <class Result, class Finish>
-Result finish_point(const ExactRay& ray, ExactValues values, const scene::Sphere& sphere,
-                    const Intersection& at, Finish finish) {
-  return finish_vector<Result>(
-      ray, [&](const EnclosedRay& enclosed) { return enclosed.point(sphere, at); },
-      [&](int k, const Rational& m) { return values.compare_point(sphere, at, k, m); }, finish);
+template <class Finish>
+auto finish_parameter(const ExactRay& ray, const scene::Sphere& sphere, const Intersection& at,
+                      Finish finish) {
+  scene::require_valid(sphere);
+  ExactValues values(ray);
+  return finish_number(
+      ray.source(),
+      [&]<class K>(const auto& lift, const Line<K>& line) {
+        return ray_parameter(line_and_sphere(line, lift_sphere<K>(lift, sphere)), root_sign(at));
+      },
+      [&](const Rational& m) { return values.compare_parameter(sphere, at, m); }, finish);
 }
 
-template <class Finish>
-auto finish_parameter(const ExactRay& ray, ExactValues values, const scene::Sphere& sphere,
-                      const Intersection& at, Finish finish) {
-  return finish(
-      ray.enclose(kFirstBits).parameter(sphere, at),
-      [&](int bits) { return ray.enclose(bits).parameter(sphere, at); },
-      [&](const Rational& m) { return values.compare_parameter(sphere, at, m); });
+template <class Result, class Finish>
+Result finish_point(const ExactRay& ray, const scene::Sphere& sphere, const Intersection& at,
+                    Finish finish) {
+  scene::require_valid(sphere);
+  ExactValues values(ray);
+  return finish_vector<Result>(
+      ray.source(),
+      [&]<class K>(const auto& lift, const Line<K>& line) {
+        return hit_point(line_and_sphere(line, lift_sphere<K>(lift, sphere)), root_sign(at));
+      },
+      [&](int k, const Rational& m) { return values.compare_point(sphere, at, k, m); }, finish);
 }
 
 }  // namespace
 
 Enclosure3 ExactRay::pixel_point(int relative_bits) const {
-  return finish_pixel_point<Enclosure3>(*this, ExactValues(*this), narrow_to(relative_bits));
+  return finish_pixel_point<Enclosure3>(*this, Narrow{relative_bits});
 }
 Enclosure3 ExactRay::origin(int relative_bits) const {
-  return finish_origin<Enclosure3>(*this, ExactValues(*this), narrow_to(relative_bits));
+  return finish_origin<Enclosure3>(*this, Narrow{relative_bits});
 }
 Enclosure3 ExactRay::direction(int relative_bits) const {
-  return finish_direction<Enclosure3>(*this, ExactValues(*this), narrow_to(relative_bits));
+  return finish_direction<Enclosure3>(*this, Narrow{relative_bits});
 }
 Enclosure ExactRay::parameter(const scene::Sphere& sphere, const Intersection& intersection,
                               int relative_bits) const {
-  return finish_parameter(*this, ExactValues(*this), sphere, intersection,
-                          narrow_to(relative_bits));
+  return finish_parameter(*this, sphere, intersection, Narrow{relative_bits});
 }
 Enclosure3 ExactRay::point(const scene::Sphere& sphere, const Intersection& intersection,
                            int relative_bits) const {
-  return finish_point<Enclosure3>(*this, ExactValues(*this), sphere, intersection,
-                                  narrow_to(relative_bits));
+  return finish_point<Enclosure3>(*this, sphere, intersection, Narrow{relative_bits});
 }
 
 scene::Point3 ExactRay::rounded_pixel_point() const {
-  return finish_pixel_point<scene::Point3>(*this, ExactValues(*this), rounded());
+  return finish_pixel_point<scene::Point3>(*this, Round{});
 }
 scene::Point3 ExactRay::rounded_origin() const {
-  return finish_origin<scene::Point3>(*this, ExactValues(*this), rounded());
+  return finish_origin<scene::Point3>(*this, Round{});
 }
 scene::UnitVector3 ExactRay::rounded_direction() const {
-  return finish_direction<scene::UnitVector3>(*this, ExactValues(*this), rounded());
+  return finish_direction<scene::UnitVector3>(*this, Round{});
 }
 double ExactRay::rounded_parameter(const scene::Sphere& sphere,
                                    const Intersection& intersection) const {
-  return finish_parameter(*this, ExactValues(*this), sphere, intersection, rounded());
+  return finish_parameter(*this, sphere, intersection, Round{});
 }
 scene::Point3 ExactRay::rounded_point(const scene::Sphere& sphere,
                                       const Intersection& intersection) const {
-  return finish_point<scene::Point3>(*this, ExactValues(*this), sphere, intersection, rounded());
+  return finish_point<scene::Point3>(*this, sphere, intersection, Round{});
 }
 
 }  // namespace raycheck::reference

@@ -13,6 +13,7 @@
 #include <cstdint>
 #include <optional>
 
+#include "reference/double_double.h"
 #include "reference/enclosure.h"
 #include "scene/geometry.h"
 
@@ -22,6 +23,14 @@ namespace raycheck::reference {
 using Interval = CGAL::Interval_nt<false>;
 using IntervalGuard = CGAL::Protect_FPU_rounding<true>;
 using IntervalKernel = CGAL::Simple_cartesian<Interval>;
+
+/// Between intervals and balls: double-doubles. Valid only while a NearestGuard lives, which makes
+/// doubles round to nearest whatever the caller's rounding mode is.
+using DoubleDoubleKernel = CGAL::Simple_cartesian<DoubleDouble>;
+class NearestGuard : CGAL::Protect_FPU_rounding<true> {
+ public:
+  NearestGuard() : Protect_FPU_rounding(CGAL_FE_TONEAREST) {}
+};
 
 using EnclosureKernel = CGAL::Simple_cartesian<Enclosure>;
 
@@ -39,6 +48,10 @@ using ExactKernel = CGAL::Simple_cartesian<ExactNumber>;
 struct IntervalLift {
   Interval operator()(double value) const { return Interval(value); }
   Interval constant(double value) const { return Interval(value); }
+};
+struct DoubleDoubleLift {
+  DoubleDouble operator()(double value) const { return DoubleDouble(value); }
+  DoubleDouble constant(double value) const { return DoubleDouble(value); }
 };
 struct EnclosureLift {
   int bits;
@@ -77,6 +90,7 @@ inline std::optional<int> certain_sign(const Interval& value) {
   if (value.inf() == 0 && value.sup() == 0) return 0;
   return std::nullopt;
 }
+inline std::optional<int> certain_sign(const DoubleDouble& value) { return value.certain_sign(); }
 inline std::optional<int> certain_sign(const Enclosure& value) { return value.certain_sign(); }
 std::optional<int> certain_sign(const ExactNumber& value);
 

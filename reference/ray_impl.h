@@ -38,6 +38,12 @@ inline Line<IntervalKernel> line_of(const IntervalLift& lift, const ExactRay::So
   return line_of(lift, source.camera->intervals, source);
 }
 
+inline Line<DoubleDoubleKernel> line_of(const DoubleDoubleLift& lift,
+                                        const ExactRay::Source& source) {
+  if (source.camera == nullptr) return given_line(lift_ray<DoubleDoubleKernel>(lift, source.given));
+  return line_of(lift, source.camera->double_doubles, source);
+}
+
 inline Line<EnclosureKernel> line_of(const EnclosureLift& lift, const ExactRay::Source& source) {
   if (source.camera == nullptr) return given_line(lift_ray<EnclosureKernel>(lift, source.given));
   std::optional<CameraNumbers<EnclosureKernel>> scratch;

@@ -1,0 +1,143 @@
+#ifndef RAYCHECK_REFERENCE_DOUBLE_DOUBLE_H_
+#define RAYCHECK_REFERENCE_DOUBLE_DOUBLE_H_
+
+#include <cmath>
+#include <optional>
+
+#include "reference/enclosure.h"
+
+namespace raycheck::reference {
+
+/// A closed interval that certainly holds one real number x: |x - (high + low)| <= radius, with
+/// high the double nearest to high + low. About 104 bits, without memory or unlimited exponents:
+/// what over- or underflows gets a radius that says so (infinite or NaN where nothing is known).
+/// Valid only while doubles round to nearest.
+/// Error:  each operation encloses the exact result. With u = 2^-53, what it adds to the radius of
+///         its operands is at most kDoubleDoubleError of the result, or of the larger operand of a
+///         sum, and kDoubleDoubleUnderflow.
+/// Source: T. J. Dekker, A floating-point technique for extending the available precision, 1971;
+///         M. Joldes, J.-M. Muller, V. Popescu, Tight and rigorous error bounds for basic building
+///         blocks of double-word arithmetic, 2017. The bounds here are simpler, and proved below.
+class DoubleDouble {
+ public:
+  DoubleDouble() = default;
+  explicit DoubleDouble(int value) : high_(value) {}
+  explicit DoubleDouble(double value) : high_(value) {}
+  explicit DoubleDouble(const Enclosure& value);
+
+  double high() const { return high_; }
+  double low() const { return low_; }
+  double radius() const { return radius_; }
+  Enclosure enclosure() const;
+
+  /// True when radius <= 2^-relative_bits |every number within|, and for an exact 0.
+  bool is_within(int relative_bits) const {
+    return is_exact_zero() ||
+           (std::isfinite(high_) && radius_ < std::ldexp(std::abs(high_) / 2, -relative_bits));
+  }
+  /// The sign of every number within; empty where they may differ.
+  std::optional<int> certain_sign() const {
+    if (is_exact_zero()) return 0;
+    if (!std::isfinite(high_) || !(radius_ < std::abs(high_) / 2)) return std::nullopt;
+    return high_ > 0 ? 1 : -1;
+  }
+  bool is_exact_zero() const { return high_ == 0 && radius_ == 0; }
+
+  DoubleDouble operator-() const { return {{-high_, -low_}, radius_}; }
+  DoubleDouble& operator+=(const DoubleDouble& other) { return *this = *this + other; }
+  DoubleDouble& operator-=(const DoubleDouble& other) { return *this = *this - other; }
+  DoubleDouble& operator*=(const DoubleDouble& other) { return *this = *this * other; }
+  DoubleDouble& operator/=(const DoubleDouble& other) { return *this = *this / other; }
+
+  friend DoubleDouble operator+(const DoubleDouble& a, const DoubleDouble& b);
+  friend DoubleDouble operator-(const DoubleDouble& a, const DoubleDouble& b) { return a + -b; }
+  friend DoubleDouble operator*(const DoubleDouble& a, const DoubleDouble& b);
+  friend DoubleDouble operator/(const DoubleDouble& a, const DoubleDouble& b);
+  /// The square root of a number known not to be negative.
+  friend DoubleDouble sqrt(const DoubleDouble& a);
+
+ private:
+  struct Sum {
+    double high;
+    double low;
+  };
+  DoubleDouble(Sum sum, double radius) : high_(sum.high), low_(sum.low), radius_(radius) {}
+
+  /// a + b exactly (Knuth), unless it overflows.
+  static Sum two_sum(double a, double b) {
+    const double sum = a + b;
+    const double of_b = sum - a;
+    return {sum, (a - (sum - of_b)) + (b - of_b)};
+  }
+  /// An upper bound of a radius of numbers >= 0 that is too small by at most 14 u relatively.
+  static double up(double radius) { return radius * (1 + 0x1p-49); }
+
+  double high_ = 0;
+  double low_ = 0;
+  double radius_ = 0;
+};
+
+/// 16 u^2
+inline constexpr double kDoubleDoubleError = 0x1p-102;
+/// More than what underflow takes from one operation (a few times 2^-1075); far enough above the
+/// subnormal doubles that radii do not become subnormal themselves, which would be slow.
+inline constexpr double kDoubleDoubleUnderflow = 0x1p-900;
+
+/// The two low parts and the error of the high ones are rounded twice, by u |w| and u |r|; twice as
+/// much outweighs that a product underflows.
+inline DoubleDouble operator+(const DoubleDouble& a, const DoubleDouble& b) {
+  const auto sum = DoubleDouble::two_sum(a.high_, b.high_);
+  const double w = a.low_ + b.low_;
+  const double r = sum.low + w;
+  const double rounding = 0x1p-52 * (std::abs(w) + std::abs(r));
+  return {DoubleDouble::two_sum(sum.high, r), DoubleDouble::up(a.radius_ + b.radius_ + rounding)};
+}
+
+/// With |low| <= u |high|, in units of u^2 |a.high b.high|: what is left out, a.low b.low, is 1;
+/// the roundings of two products are 1 each; of their sum, below 2u, 2; of r, below 3u, 3.
+inline DoubleDouble operator*(const DoubleDouble& a, const DoubleDouble& b) {
+  const double p = a.high_ * b.high_;
+  const double error = std::fma(a.high_, b.high_, -p);
+  const double r = error + (a.high_ * b.low_ + a.low_ * b.high_);
+  const double rounding = kDoubleDoubleError * std::abs(p);
+  const double underflow = a.is_exact_zero() || b.is_exact_zero() ? 0 : kDoubleDoubleUnderflow;
+  const double carried =
+      std::abs(a.high_) * b.radius_ + std::abs(b.high_) * a.radius_ + a.radius_ * b.radius_;
+  return {DoubleDouble::two_sum(p, r), DoubleDouble::up(carried + rounding + underflow)};
+}
+
+/// a/b = q + (a - q b)/b. The remainder a.high - q b.high, below u |a.high|, is exact; in units of
+/// u^2 |q|: the rounding of its sum with a.low, below 2u, is 2; of q b.low 1; of their difference,
+/// below 3u, 3; of the last quotient 3; and dividing by b.high for b, 3.
+/// Operands carry |a'/b' - a/b| <= (a.radius + |a/b| b.radius)/(|b| - b.radius).
+inline DoubleDouble operator/(const DoubleDouble& a, const DoubleDouble& b) {
+  const double q = a.high_ / b.high_;
+  const double remainder = (std::fma(-q, b.high_, a.high_) + a.low_) - q * b.low_;
+  const double rounding = kDoubleDoubleError * std::abs(q);
+  const double underflow = a.is_exact_zero() ? 0 : kDoubleDoubleUnderflow;
+  const double size = std::abs(b.high_);
+  // Nothing is known of a quotient by what may be 0.
+  const double distance = b.radius_ < size / 4 ? size - b.radius_ : 0;
+  const double carried = (a.radius_ + std::abs(q) * b.radius_ + underflow) / distance;
+  return {DoubleDouble::two_sum(q, remainder / b.high_),
+          DoubleDouble::up(carried + rounding + underflow)};
+}
+
+/// sqrt(a) = h + (a - h^2)/(sqrt(a) + h). The remainder a.high - h^2, below 2u h^2, is exact; in
+/// units of u^2 h: the rounding of its sum with a.low, below 3u h^2, is 1.5; of the quotient 1.5;
+/// and dividing by 2h for sqrt(a) + h, 1.2.
+/// Operands carry |sqrt(a') - sqrt(a)| <= a.radius/sqrt(a).
+inline DoubleDouble sqrt(const DoubleDouble& a) {
+  if (a.is_exact_zero()) return a;
+  const double h = std::sqrt(a.high_);
+  const double remainder = std::fma(-h, h, a.high_) + a.low_;
+  // Nothing is known of the root of what may be 0.
+  const double distance = a.radius_ < a.high_ / 4 ? h : 0;
+  const double carried = (a.radius_ + kDoubleDoubleUnderflow) / distance;
+  return {DoubleDouble::two_sum(h, remainder / (2 * h)),
+          DoubleDouble::up(carried + kDoubleDoubleError * h)};
+}
+
+}  // namespace raycheck::reference
+
+#endif  // RAYCHECK_REFERENCE_DOUBLE_DOUBLE_H_
