@@ -1,5 +1,6 @@
 #include <embree3/rtcore.h>
 
+#include <cmath>
 #include <limits>
 #include <memory>
 #include <stdexcept>
@@ -59,11 +60,23 @@ RTCScene kept_scene_of(const scene::Sphere& sphere) {
   return kept.scene.get();
 }
 
+/// Beyond this Embree leaves spheres out of its scenes, and may abort when asked about a ray.
+constexpr double kEmbreeLargest = 1e18;
+
+bool is_within_embree(const scene::Ray& ray) {
+  for (const double x : {ray.origin.x, ray.origin.y, ray.origin.z, ray.direction.x, ray.direction.y,
+                         ray.direction.z}) {
+    if (!(std::abs(x) <= kEmbreeLargest)) return false;
+  }
+  return true;
+}
+
 struct Embree {
   explicit Embree(const scene::Sphere& sphere) : scene(kept_scene_of(sphere)) {}
 
   std::optional<fast::Hit> answer(const scene::Ray& ray, scene::Root /*root*/,
                                   scene::Tangent /*tangent*/) const {
+    if (!is_within_embree(ray)) return std::nullopt;
     RTCIntersectContext context;
     rtcInitIntersectContext(&context);
     RTCRayHit query = {};
@@ -99,7 +112,7 @@ const fast::IntersectMethod kEmbree = {
     .intersect_one = fast::intersect_one_ray<Embree>,
     .max_ulp = kEmbreeMaxUlp,
     .max_point_ulp = kEmbreeMaxUlp,
-    .not_kept = "far spheres, grazing rays",
+    .not_kept = "far spheres, grazing rays; beyond 1e18 everything is a miss",
     .domain = kSingleDomain,
     .contract = {.root = scene::Root::kNearest, .tangent = scene::Tangent::kHit},
     .unit_roundoff = 0x1p-24,
