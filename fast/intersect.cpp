@@ -3,7 +3,7 @@
 #include <stdexcept>
 #include <string>
 
-#include "fast/intersect_batch.h"
+#include "fast/ray_by_ray.h"
 #include "scene/validate.h"
 
 namespace raycheck::fast {

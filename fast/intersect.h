@@ -32,6 +32,9 @@ struct Hit {
 struct Contract {
   bool unit_direction = false;
   bool origin_outside = false;
+  // The conventions that it fixes: it answers by these, whichever it is asked for.
+  std::optional<scene::Root> root = {};
+  std::optional<scene::Tangent> tangent = {};
 };
 
 /// A way to intersect rays with a sphere. All methods share one contract:

@@ -7,13 +7,11 @@
 
 #include "fast/eigen.h"
 #include "fast/intersect.h"
+#include "fast/ray_by_ray.h"
 
 namespace raycheck::fast {
 
 using Eigen::Vector3d;
-
-/// Throws std::invalid_argument naming the first field that keeps the input from having an answer.
-void require_valid(const Rays& rays, const scene::Sphere& sphere);
 
 /// The roots of a t^2 - 2 b t + c = 0 from its discriminant: q = b + sign(b) sqrt(disc) does not
 /// cancel, the roots are q/a and c/q (Numerical Recipes 5.6). q = 0 only for a double root 0. A

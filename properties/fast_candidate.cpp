@@ -110,6 +110,8 @@ Candidate fast_candidate(const fast::PixelRayMethod& rays, const fast::Intersect
   candidate.unit_roundoff = intersect.unit_roundoff;
   candidate.needs_unit_direction = intersect.contract.unit_direction;
   candidate.needs_origin_outside = intersect.contract.origin_outside;
+  candidate.declared.root = intersect.contract.root;
+  candidate.declared.tangent = intersect.contract.tangent;
   candidate.smallest_length = intersect.domain.smallest_length;
   candidate.largest_length = intersect.domain.largest_length;
   candidate.smallest_camera_length = rays.domain.smallest_length;

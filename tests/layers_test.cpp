@@ -79,6 +79,23 @@ TEST(Layers, HaveArrowsOneWay) {
   }
 }
 
+TEST(Layers, LetPeersSeeScenesAndMethodsOnly) {
+  std::size_t found = 0;
+  for (const Include& include : includes_of("tools/peers")) {
+    if (starts_with(include.target, "tools/peers/")) continue;
+    for (const std::string& other : kFolders) {
+      if (!starts_with(include.target, other + "/")) continue;
+      ++found;
+      EXPECT_TRUE(other == "scene" || other == "fast")
+          << include.from << " includes " << include.target;
+    }
+    if (starts_with(include.target, "CGAL/")) {
+      EXPECT_EQ(include.from, "tools/peers/core.cpp");
+    }
+  }
+  EXPECT_GT(found, 5u);
+}
+
 TEST(Layers, LinkOnlyWhatTheyMaySee) {
   for (const std::string folder : {"reference", "fast", "properties"}) {
     std::ifstream file(root() / folder / "CMakeLists.txt");

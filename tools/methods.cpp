@@ -3,7 +3,11 @@
 #include <algorithm>
 #include <stdexcept>
 
+#include "properties/exact_methods.h"
 #include "properties/fast_candidate.h"
+#ifdef RAYCHECK_HAS_PEERS
+#include "tools/peers/peers.h"
+#endif
 
 namespace raycheck::tools {
 namespace {
@@ -30,8 +34,16 @@ const fast::IntersectMethod& find_intersect(const std::string& name) {
 }
 
 std::vector<const fast::IntersectMethod*> all_intersect_methods() {
-  const auto fast = fast::intersect_methods();
-  return {fast.begin(), fast.end()};
+  std::vector<const fast::IntersectMethod*> all;
+  const auto append = [&all](std::span<const fast::IntersectMethod* const> methods) {
+    all.insert(all.end(), methods.begin(), methods.end());
+  };
+  append(fast::intersect_methods());
+  append(properties::exact_methods());
+#ifdef RAYCHECK_HAS_PEERS
+  append(peers::peers());
+#endif
+  return all;
 }
 
 std::vector<StagedMethod> find_methods(const std::vector<std::string>& names) {

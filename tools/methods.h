@@ -36,7 +36,7 @@ struct StagedMethod {
   }
 };
 
-/// Every intersection method, those of fast/ first.
+/// Every intersection method: those of fast/, the exact ones, then those of other libraries.
 std::vector<const fast::IntersectMethod*> all_intersect_methods();
 
 /// The methods of those names, of either kind ("rays/NAME" and "intersect/NAME" tell them apart);

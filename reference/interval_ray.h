@@ -1,0 +1,32 @@
+#ifndef RAYCHECK_REFERENCE_INTERVAL_RAY_H_
+#define RAYCHECK_REFERENCE_INTERVAL_RAY_H_
+
+#include <optional>
+
+#include "reference/exact_ray.h"
+#include "scene/conventions.h"
+#include "scene/geometry.h"
+
+namespace raycheck::reference {
+
+/// What intervals of doubles say of a ray and a sphere.
+struct IntervalIntersection {
+  Intersection intersection;  ///< The exact one.
+  // Bounds of s, of hits and tangents.
+  double lower = 0;
+  double upper = 0;
+};
+
+/// The first step of ExactRay's ladder alone, and the bounds of s that it gives.
+/// Shape:  a given ray and a sphere -> their intersection; empty where intervals do not decide.
+/// Units:  s in multiples of the ray's direction.
+/// Domain: every valid input; otherwise throws std::invalid_argument naming the field.
+/// Error:  an intersection is exact, s lies within its bounds (infinite where intervals overflow).
+/// Source: reference/formulas.h.
+std::optional<IntervalIntersection> intersect_by_intervals(const scene::Ray& ray,
+                                                           const scene::Sphere& sphere,
+                                                           scene::Root root);
+
+}  // namespace raycheck::reference
+
+#endif  // RAYCHECK_REFERENCE_INTERVAL_RAY_H_
