@@ -22,6 +22,7 @@
 #include "tools/check.h"
 #include "tools/explain.h"
 #include "tools/list.h"
+#include "tools/output_file.h"
 #include "tools/properties_command.h"
 #include "tools/terminal.h"
 #include "tools/version.h"
@@ -39,6 +40,7 @@ struct Arguments {
   std::string pixels = "all";
   std::size_t top = 10;
   std::optional<double> max_ulp;
+  std::optional<std::string> certificates;
   std::string format = "text";
   std::string filter;
   int cases = 100;
@@ -143,10 +145,13 @@ int run_check(const Arguments& arguments) {
   if (arguments.pixels != "all") options.pixels = parse_index("--pixels", arguments.pixels, 1);
   options.top = arguments.top;
   options.max_error = arguments.max_ulp;
+  std::optional<OutputFile> certificates;
+  if (arguments.certificates) certificates.emplace("--certificates", *arguments.certificates);
   const CheckReport report = check(options);
   print_warnings(report.warnings);
   print_report(arguments.format == "json" ? check_json(report)
                                           : check_text(report, stdout_takes_colours()));
+  if (certificates) certificates->write(check_certificates(report));
   return exit_code(report.interrupted, report.discrepancies() > 0, report.compared() > 0);
 }
 
@@ -253,6 +258,11 @@ void add_check(CLI::App& app, Arguments& arguments) {
       .add_option("--max-ulp", arguments.max_ulp,
                   "errors above are discrepancies (default: the method's documented bound)")
       ->check(kBound);
+  command
+      .add_option("--certificates", arguments.certificates,
+                  "takes a proof of each discrepancy shown; tools/verify_certificates.py confirms "
+                  "them without raycheck")
+      ->type_name("FILE");
   add_format(command, arguments);
 }
 
