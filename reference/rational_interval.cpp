@@ -1,11 +1,8 @@
 #include "reference/rational_interval.h"
 
 namespace raycheck::reference {
-namespace {
 
 namespace mp = boost::multiprecision;
-
-}  // namespace
 
 Rational power_of_two(std::int64_t exponent) {
   const auto shift = static_cast<unsigned long>(exponent < 0 ? -exponent : exponent);
