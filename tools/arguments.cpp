@@ -83,6 +83,14 @@ void add_format(CLI::App& command, std::string& format, const std::vector<std::s
       ->capture_default_str();
 }
 
+void add_certificates(CLI::App& command, std::optional<std::string>& path) {
+  command
+      .add_option("--certificates", path,
+                  "takes a proof of each discrepancy shown; tools/verify_certificates.py confirms "
+                  "them without raycheck")
+      ->type_name("FILE");
+}
+
 void add_seed(CLI::App& command, std::uint64_t& seed) {
   command.add_option("--seed", seed, "the same seed gives the same cases")
       ->check(CLI::Range(std::uint64_t{0}, std::numeric_limits<std::uint64_t>::max()))

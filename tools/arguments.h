@@ -32,6 +32,8 @@ std::vector<MethodPair> chosen_methods(const std::string& rays,
 
 /// --format, one of those names.
 void add_format(CLI::App& command, std::string& format, const std::vector<std::string>& formats);
+/// --certificates FILE
+void add_certificates(CLI::App& command, std::optional<std::string>& path);
 /// --seed
 void add_seed(CLI::App& command, std::uint64_t& seed);
 

@@ -64,6 +64,8 @@ CheckReport check(const CheckOptions& options);
 
 std::string check_text(const CheckReport& report, bool colours);
 std::string check_json(const CheckReport& report);
+/// Certificates of the worst discrepancies of each candidate, those of check_json: a line each.
+std::string check_certificates(const CheckReport& report);
 
 }  // namespace raycheck::tools
 

@@ -4,6 +4,7 @@
 #include "tools/arguments.h"
 #include "tools/check.h"
 #include "tools/commands.h"
+#include "tools/output_file.h"
 #include "tools/terminal.h"
 
 namespace raycheck::tools {
@@ -18,6 +19,7 @@ struct Arguments {
   std::string pixels = "all";
   std::size_t top = 10;
   std::optional<double> max_ulp;
+  std::optional<std::string> certificates;
   std::string format = "text";
 };
 
@@ -34,10 +36,13 @@ int run_check(const Arguments& arguments) {
   if (arguments.pixels != "all") options.pixels = parse_index("--pixels", arguments.pixels, 1);
   options.top = arguments.top;
   options.max_error = arguments.max_ulp;
+  std::optional<OutputFile> certificates;
+  if (arguments.certificates) certificates.emplace("--certificates", *arguments.certificates);
   const CheckReport report = check(options);
   print_warnings(report.warnings);
   print_report(arguments.format == "json" ? check_json(report)
                                           : check_text(report, stdout_takes_colours()));
+  if (certificates) certificates->write(check_certificates(report));
   return exit_code(report.interrupted, report.discrepancies() > 0, report.compared() > 0);
 }
 
@@ -63,6 +68,7 @@ Command add_check(CLI::App& program) {
       .add_option("--max-ulp", arguments.max_ulp,
                   "errors above are discrepancies (default: the method's documented bound)")
       ->check(kBound);
+  add_certificates(command, arguments.certificates);
   add_format(command, arguments.format, {"text", "json"});
   return {&command, [given] { return run_check(*given); }};
 }

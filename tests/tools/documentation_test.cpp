@@ -16,6 +16,7 @@ namespace {
 /// A command in a fenced block, and the lines shown below it.
 struct Shown {
   std::string where;
+  bool is_python;  ///< `python3 ARGUMENTS`, not `./run ARGUMENTS`.
   std::string arguments;
   std::vector<std::string> lines;
 };
@@ -32,9 +33,11 @@ std::vector<Shown> shown_in(const std::filesystem::path& path) {
       continue;
     }
     if (!inside) continue;
+    const std::string where = path.filename().string() + ":" + std::to_string(number);
     if (line.rfind("$ ./run ", 0) == 0) {
-      result.push_back(
-          {path.filename().string() + ":" + std::to_string(number), line.substr(8), {}});
+      result.push_back({where, false, line.substr(8), {}});
+    } else if (line.rfind("$ python3 ", 0) == 0) {
+      result.push_back({where, true, line.substr(10), {}});
     } else if (!result.empty()) {
       result.back().lines.push_back(line);
     }
@@ -86,7 +89,7 @@ TEST(Documentation, shows_what_the_program_prints) {
   for (const auto& page : pages) {
     for (const Shown& shown : shown_in(page)) {
       if (shown.arguments == "test" || shown.arguments.rfind("bench", 0) == 0) continue;
-      const Outcome result = run(shown.arguments);
+      const Outcome result = shown.is_python ? run_python(shown.arguments) : run(shown.arguments);
       EXPECT_TRUE(result.exit_code == 0 || result.exit_code == 1)
           << shown.where << ": " << result.err;
       expect_shown(shown, lines_of(result.out));

@@ -14,23 +14,15 @@
 namespace raycheck::tests {
 namespace {
 
-std::string contents(const std::string& path) {
-  std::ifstream file(path, std::ios::binary);
-  std::ostringstream text;
-  text << file.rdbuf();
-  return text.str();
-}
-
 std::string temporary_path(const std::string& name) {
   return testing::TempDir() + "raycheck_" + std::to_string(getpid()) + "_" + name;
 }
 
-Outcome start(const std::string& arguments, int interrupt_after_ms) {
+Outcome start(const std::string& program, const std::string& arguments, int interrupt_after_ms) {
   const std::string out = temporary_path("out");
   const std::string err = temporary_path("err");
-  const std::string command = std::string("cd '") + RAYCHECK_SOURCE_DIR + "' && exec '" +
-                              RAYCHECK_BINARY + "' " + arguments + " >'" + out + "' 2>'" + err +
-                              "'";
+  const std::string command = std::string("cd '") + RAYCHECK_SOURCE_DIR + "' && exec '" + program +
+                              "' " + arguments + " >'" + out + "' 2>'" + err + "'";
   const pid_t child = fork();
   if (child == 0) {
     execl("/bin/sh", "sh", "-c", command.c_str(), static_cast<char*>(nullptr));
@@ -53,10 +45,19 @@ Outcome start(const std::string& arguments, int interrupt_after_ms) {
 
 }  // namespace
 
-Outcome run(const std::string& arguments) { return start(arguments, -1); }
+std::string contents(const std::string& path) {
+  std::ifstream file(path, std::ios::binary);
+  std::ostringstream text;
+  text << file.rdbuf();
+  return text.str();
+}
+
+Outcome run(const std::string& arguments) { return start(RAYCHECK_BINARY, arguments, -1); }
+
+Outcome run_python(const std::string& arguments) { return start("python3", arguments, -1); }
 
 Outcome run_interrupted(const std::string& arguments, int milliseconds) {
-  return start(arguments, milliseconds);
+  return start(RAYCHECK_BINARY, arguments, milliseconds);
 }
 
 std::string temporary_file(const std::string& name, const std::string& text) {

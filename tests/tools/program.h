@@ -15,11 +15,17 @@ struct Outcome {
 /// Runs `raycheck ARGUMENTS` by the shell, in the source folder.
 Outcome run(const std::string& arguments);
 
+/// Runs `python3 ARGUMENTS` in the same way.
+Outcome run_python(const std::string& arguments);
+
 /// Starts it, sends SIGINT after `milliseconds`, and waits for its end.
 Outcome run_interrupted(const std::string& arguments, int milliseconds);
 
 /// Writes a file into the test's temporary folder and returns its path.
 std::string temporary_file(const std::string& name, const std::string& text);
+
+/// The text of a file; empty when there is none.
+std::string contents(const std::string& path);
 
 }  // namespace raycheck::tests
 

@@ -1,0 +1,179 @@
+#include "reference/proof.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+#include <vector>
+
+namespace raycheck::reference {
+namespace {
+
+using scene::Camera;
+using scene::Conventions;
+using scene::Ray;
+using scene::Sphere;
+
+void expect_dyadic(const Dyadic& got, const char* integer, std::int64_t exponent) {
+  EXPECT_EQ(got.integer, integer);
+  EXPECT_EQ(got.exponent, exponent);
+}
+
+void expect_bracket(const Bracket& got, const char* low, const char* high, std::int64_t exponent) {
+  EXPECT_EQ(got.low, low);
+  EXPECT_EQ(got.high, high);
+  EXPECT_EQ(got.exponent, exponent);
+}
+
+TEST(Proof, WritesDoublesAsOddIntegersTimesPowersOfTwo) {
+  expect_dyadic(dyadic(0), "0", 0);
+  expect_dyadic(dyadic(-0.0), "0", 0);
+  expect_dyadic(dyadic(1), "1", 0);
+  expect_dyadic(dyadic(-0.75), "-3", -2);
+  expect_dyadic(dyadic(48), "3", 4);
+  expect_dyadic(dyadic(0.1), "3602879701896397", -55);
+  expect_dyadic(dyadic(std::numeric_limits<double>::denorm_min()), "1", -1074);
+  expect_dyadic(dyadic(std::numeric_limits<double>::max()), "9007199254740991", 971);
+}
+
+TEST(Proof, BracketsABall) {
+  expect_bracket(bracket(Enclosure(2.5, 64)), "5", "5", -1);
+  const Bracket root = bracket(sqrt(Enclosure(2.0, 64)));
+  const double low = std::ldexp(std::stod(root.low), static_cast<int>(root.exponent));
+  const double high = std::ldexp(std::stod(root.high), static_cast<int>(root.exponent));
+  EXPECT_NE(root.low, root.high);
+  EXPECT_NEAR(low, std::sqrt(2.0), 1e-15);
+  EXPECT_NEAR(high, std::sqrt(2.0), 1e-15);
+  EXPECT_THROW(bracket(Enclosure(std::numeric_limits<double>::quiet_NaN(), 64)),
+               std::invalid_argument);
+}
+
+// From (1, 1, 3) along (4, 3, 0) to the sphere about (5, 5, 5) of radius 3: T = (4, 4, 2),
+// a = 25, b = 28, c = 36 - 9, and b^2 - a c = 784 - 675.
+TEST(Proof, StatesTheIntegersOfAGivenRay) {
+  const Prover prover(Ray{{1, 1, 3}, {4, 3, 0}}, Conventions{});
+  const std::vector<Sphere> spheres = {{{5, 5, 5}, 3}};
+  Proposition wanted;
+  wanted.spheres = spheres;
+  const auto proof = prover.prove(wanted);
+  ASSERT_TRUE(proof.has_value());
+  EXPECT_FALSE(proof->roots.has_value());
+  ASSERT_EQ(proof->meetings.size(), 1u);
+  const ProvenMeeting& met = proof->meetings[0];
+  EXPECT_TRUE(met.met);
+  EXPECT_EQ(met.intersection, (Intersection{HitClass::kHit, WhichRoot::kSmaller}));
+  expect_bracket(met.discriminant, "109", "109", 0);
+  ASSERT_TRUE(met.c && met.b && met.s);
+  expect_bracket(*met.c, "27", "27", 0);
+  expect_bracket(*met.b, "7", "7", 2);
+  EXPECT_NE(met.s->low, met.s->high) << "it is (28 - sqrt(109))/25";
+  EXPECT_FALSE(met.other_s.has_value()) << "it was not wanted";
+}
+
+TEST(Proof, StatesOnlyWhatDecides) {
+  const auto proven = [](const Sphere& sphere, scene::Tangent tangent) {
+    Conventions conventions;
+    conventions.tangent = tangent;
+    const std::vector<Sphere> spheres = {sphere};
+    Proposition wanted;
+    wanted.spheres = spheres;
+    wanted.other_roots = true;
+    return Prover(Ray{{0, 0, 0}, {1, 0, 0}}, conventions).prove(wanted).value().meetings.at(0);
+  };
+  const ProvenMeeting beside = proven({{9, 5, 0}, 4}, scene::Tangent::kHit);
+  EXPECT_FALSE(beside.met);
+  expect_bracket(beside.discriminant, "-9", "-9", 0);
+  EXPECT_FALSE(beside.c || beside.b || beside.s || beside.other_s);
+
+  const ProvenMeeting inside = proven({{1, 0, 0}, 4}, scene::Tangent::kHit);
+  EXPECT_TRUE(inside.met);
+  EXPECT_EQ(inside.intersection.root, WhichRoot::kLarger);
+  EXPECT_TRUE(inside.c.has_value());
+  EXPECT_FALSE(inside.b.has_value()) << "c < 0 says it all";
+  expect_bracket(inside.s.value(), "5", "5", 0);
+  expect_bracket(inside.other_s.value(), "-3", "-3", 0);
+
+  const ProvenMeeting behind = proven({{-9, 0, 0}, 4}, scene::Tangent::kHit);
+  EXPECT_FALSE(behind.met);
+  EXPECT_TRUE(behind.c && behind.b && !behind.s);
+
+  const ProvenMeeting touched = proven({{9, 4, 0}, 4}, scene::Tangent::kHit);
+  EXPECT_TRUE(touched.met);
+  expect_bracket(touched.discriminant, "0", "0", 0);
+  expect_bracket(touched.s.value(), "9", "9", 0);
+  EXPECT_FALSE(touched.other_s.has_value()) << "a double root";
+
+  const ProvenMeeting missed = proven({{9, 4, 0}, 4}, scene::Tangent::kMiss);
+  EXPECT_FALSE(missed.met);
+  EXPECT_FALSE(missed.c || missed.b || missed.s);
+}
+
+/// An eye at the origin; pixel (0, 0) is at 3 U along U, 4 in front of the eye and 5 away from it.
+Camera camera_345(const scene::Point3& look_at) {
+  Camera camera;
+  camera.look_at = look_at;
+  camera.up = {0, 1, 0};
+  camera.near = -4;
+  camera.left = 3;
+  camera.right = 6;
+  camera.bottom = 0;
+  camera.top = 1;
+  camera.width = 2;
+  camera.height = 2;
+  return camera;
+}
+
+TEST(Proof, BracketsTheSquareRootsOfACamera) {
+  Proposition wanted;
+  wanted.axes = wanted.pixel_point = wanted.direction = true;
+  const auto plain = Prover(camera_345({0, 0, -2}), {}, scene::Pixel{0, 0}).prove(wanted);
+  ASSERT_TRUE(plain.has_value() && plain->roots.has_value());
+  expect_bracket(plain->roots->w, "1", "1", 1);
+  expect_bracket(plain->roots->u, "1", "1", 1);
+  expect_bracket(plain->roots->length.value(), "5", "5", 0);
+  const auto oblique = Prover(camera_345({1, 1, 1}), {}, scene::Pixel{0, 0}).prove(wanted);
+  ASSERT_TRUE(oblique.has_value() && oblique->roots.has_value());
+  EXPECT_NE(oblique->roots->w.low, oblique->roots->w.high);
+}
+
+// The pixel point lies on the sphere about the eye of radius 5: of an oblique camera because
+// orthonormal axes make |3 U - 4 W| 5, which no bracket of sqrt(3) and sqrt(2) shows.
+TEST(Proof, IsEmptyWhereOnlySquareRootsMakeATie) {
+  const std::vector<Sphere> spheres = {{{0, 0, 0}, 5}};
+  Proposition wanted;
+  wanted.spheres = spheres;
+  const auto plain = Prover(camera_345({0, 0, -2}), {}, scene::Pixel{0, 0}).prove(wanted);
+  ASSERT_TRUE(plain.has_value());
+  EXPECT_TRUE(plain->meetings.at(0).met);
+  expect_bracket(plain->meetings.at(0).s.value(), "0", "0", 0);
+  EXPECT_FALSE(Prover(camera_345({1, 1, 1}), {}, scene::Pixel{0, 0}).prove(wanted).has_value());
+  const std::vector<Sphere> larger = {{{0, 0, 0}, std::nextafter(5.0, 6.0)}};
+  wanted.spheres = larger;
+  EXPECT_TRUE(Prover(camera_345({1, 1, 1}), {}, scene::Pixel{0, 0}).prove(wanted).has_value());
+}
+
+TEST(Proof, ShowsTheOrderOfSpheres) {
+  const Prover prover(Ray{{-5, 0, 0}, {3, 0, 0}}, Conventions{});
+  Proposition wanted;
+  wanted.order = true;
+  const std::vector<Sphere> equal = {{{0, 0, 0}, 1}, {{0, 0, 0}, 1}};
+  wanted.spheres = equal;
+  EXPECT_TRUE(prover.prove(wanted).has_value()) << "the same sphere twice";
+  const std::vector<Sphere> an_ulp_apart = {{{0, 0, 0}, 1}, {{0, 0, 0}, std::nextafter(1.0, 2.0)}};
+  wanted.spheres = an_ulp_apart;
+  EXPECT_TRUE(prover.prove(wanted).has_value());
+  // Both at s = 4/3, which no dyadic bracket shows.
+  const std::vector<Sphere> touching = {{{0, 0, 0}, 1}, {{1, 0, 0}, 2}};
+  wanted.spheres = touching;
+  EXPECT_FALSE(prover.prove(wanted).has_value());
+}
+
+TEST(Proof, RefusesWhatIsNoProblem) {
+  EXPECT_THROW(Prover(Ray{{0, 0, 0}, {0, 0, 0}}, Conventions{}), std::invalid_argument);
+  EXPECT_THROW(Prover(camera_345({0, 0, 0}), {}, scene::Pixel{0, 0}), std::invalid_argument);
+  EXPECT_THROW(Prover(camera_345({0, 0, -2}), {}, scene::Pixel{2, 0}), std::invalid_argument);
+}
+
+}  // namespace
+}  // namespace raycheck::reference

@@ -1,0 +1,34 @@
+#ifndef RAYCHECK_TOOLS_OUTPUT_FILE_H_
+#define RAYCHECK_TOOLS_OUTPUT_FILE_H_
+
+#include <fstream>
+#include <string>
+#include <string_view>
+
+namespace raycheck::tools {
+
+/// A file that an option names, which appears whole or not at all: it is written beside its place
+/// and then moved there. Making the object already opens it, so that hours of work do not end in a
+/// file that cannot be written.
+class OutputFile {
+ public:
+  /// Throws std::invalid_argument naming the option, the path and what is wrong with it.
+  OutputFile(std::string option, std::string path);
+  OutputFile(const OutputFile&) = delete;
+  OutputFile& operator=(const OutputFile&) = delete;
+  /// Leaves no trace unless the text was written.
+  ~OutputFile();
+
+  /// Throws std::runtime_error when it could not be done.
+  void write(std::string_view text);
+
+ private:
+  std::string option_;
+  std::string path_;
+  std::string beside_;  ///< Where it is written first; empty once it was moved.
+  std::ofstream file_;
+};
+
+}  // namespace raycheck::tools
+
+#endif  // RAYCHECK_TOOLS_OUTPUT_FILE_H_
