@@ -126,14 +126,13 @@ inline DoubleDouble operator/(const DoubleDouble& a, const DoubleDouble& b) {
 /// sqrt(a) = h + (a - h^2)/(sqrt(a) + h). The remainder a.high - h^2, below 2u h^2, is exact; in
 /// units of u^2 h: the rounding of its sum with a.low, below 3u h^2, is 1.5; of the quotient 1.5;
 /// and dividing by 2h for sqrt(a) + h, 1.2.
-/// Operands carry |sqrt(a') - sqrt(a)| <= a.radius/sqrt(a).
+/// The operand carries |sqrt(a') - sqrt(a)| <= a.radius/sqrt(a); the root of a negative centre is
+/// NaN, and knows nothing.
 inline DoubleDouble sqrt(const DoubleDouble& a) {
   if (a.is_exact_zero()) return a;
   const double h = std::sqrt(a.high_);
   const double remainder = std::fma(-h, h, a.high_) + a.low_;
-  // Nothing is known of the root of what may be 0.
-  const double distance = a.radius_ < a.high_ / 4 ? h : 0;
-  const double carried = (a.radius_ + kDoubleDoubleUnderflow) / distance;
+  const double carried = (a.radius_ + kDoubleDoubleUnderflow) / h;
   return {DoubleDouble::two_sum(h, remainder / (2 * h)),
           DoubleDouble::up(carried + kDoubleDoubleError * h)};
 }

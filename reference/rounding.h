@@ -15,8 +15,9 @@ namespace raycheck::reference {
 
 inline constexpr int kFirstBits = 128;
 
-/// Narrows `enclosure` = enclose(kFirstBits) to relative width 2^-relative_bits. Refining an
-/// enclosure of 0 would never end, so zero is asked of `compare`, the exact sign of x - rational.
+/// Narrows `enclosure`, a first one, about as narrow as enclose(kFirstBits), to relative width
+/// 2^-relative_bits. Refining an enclosure of 0 would never end, so zero is asked of `compare`, the
+/// exact sign of x - rational.
 template <class Enclose, class Compare>
 Enclosure narrow(Enclosure enclosure, int relative_bits, Enclose enclose, Compare compare) {
   bool known_nonzero = false;
