@@ -6,8 +6,8 @@
 
 #include <cmath>
 
+#include "fast/chosen.h"
 #include "fast/eigen.h"
-#include "fast/intersect.h"
 
 namespace raycheck::fast {
 
@@ -30,12 +30,6 @@ struct RootsOf {
   Number half_chord_sq;
   Number smaller;
   Number larger;
-};
-
-/// The answer to one ray; without a hit `at` means nothing.
-struct Chosen {
-  bool hit;
-  Hit at;
 };
 
 /// Throws std::invalid_argument naming the first field that keeps the input from having an answer.

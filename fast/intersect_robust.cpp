@@ -1,4 +1,5 @@
 #include "fast/error_free.h"
+#include "fast/intersect_batch.h"
 #include "fast/robust.h"
 
 namespace raycheck::fast {
@@ -21,8 +22,8 @@ constexpr double kLargestSquare = 0x1p400;
 // The first root s0, of relative error e. Let t = disc/(a r^2) <= 1; on a hit |m| <= |d| r, hence
 // f|d| <= |b| + |d| r <= 2q/sqrt(t), and
 //   |disc^ - disc| <= 8.6u f|d| |d| r + 9u a r^2 + 19u^2 f^2 |d|^2
-// moves q by at most 13.2u/t of itself (0.1 of it from the last term, as f|d| < 2^20 sqrt(disc)),
-// b^ by 8u/sqrt(t): e <= 24u/t + 6u (f^2 + r^2)/|c|, the latter only through c.
+// moves q by at most 13.2u/t of itself (next to nothing from the last term, as f|d| < 2^20.1
+// sqrt(disc)), b^ by 8u/sqrt(t): e <= 24u/t + 6u (f^2 + r^2)/|c|, the latter only through c.
 //
 // Newton's step leaves e^2 g, g = a s/(2 sqrt(disc)), of s. With c > 0, g <= f|d|/(2 sqrt(disc))
 // <= 2^19 and g <= a c/(2 disc); with c < 0, g <= 1/sqrt(t) <= 2^5 and, through c, the same.
@@ -117,10 +118,10 @@ struct Robust {
   [[gnu::noinline]] static Chosen carefully(const Vector3d& origin, const Vector3d& direction,
                                             const Vector3d& centre, double radius, scene::Root root,
                                             scene::Tangent tangent) {
-    if (const auto proven = answer_by_pairs(origin, direction, centre, radius, root)) {
-      return *proven;
-    }
-    return answer_by_integers(origin, direction, centre, radius, root, tangent);
+    const scene::Ray ray = {plain<scene::Point3>(origin), plain<scene::Vector3>(direction)};
+    const scene::Sphere sphere = {plain<scene::Point3>(centre), radius};
+    if (const auto proven = answer_by_pairs(ray, sphere, root)) return *proven;
+    return answer_by_integers(ray, sphere, root, tangent);
   }
 };
 

@@ -12,20 +12,20 @@
 
 #include <optional>
 
-#include "fast/intersect_batch.h"
+#include "fast/chosen.h"
 
 namespace raycheck::fast {
 
 /// An answer in pairs of doubles, after scaling by powers of two; empty where it proves none.
-std::optional<Chosen> answer_by_pairs(const Vector3d& origin, const Vector3d& direction,
-                                      const Vector3d& centre, double radius, scene::Root root);
+std::optional<Chosen> answer_by_pairs(const scene::Ray& ray, const scene::Sphere& sphere,
+                                      scene::Root root);
 
 /// The answer in integers.
 /// Domain: all doubles; what has no answer (scene/validate.h) is missed.
 /// Error:  none in the class. s and the coordinates of Q are rounded once, from values off by at
 ///         most 2^-120 of s and of s d; s is correctly rounded where sqrt(disc) is an integer.
-Chosen answer_by_integers(const Vector3d& origin, const Vector3d& direction, const Vector3d& centre,
-                          double radius, scene::Root root, scene::Tangent tangent);
+Chosen answer_by_integers(const scene::Ray& ray, const scene::Sphere& sphere, scene::Root root,
+                          scene::Tangent tangent);
 
 }  // namespace raycheck::fast
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <bit>
+#include <cmath>
 #include <cstdint>
 
 #include "fast/robust.h"
@@ -122,24 +123,28 @@ bool set_fraction(Scratch& n) {
   return n.rest.sign() == 0;
 }
 
-bool all_finite(const Vector3d& v) { return (v - v).isZero(0); }
+template <class Triple>
+bool is_finite(const Triple& v) {
+  return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
+}
 
 }  // namespace
 
-Chosen answer_by_integers(const Vector3d& origin, const Vector3d& direction, const Vector3d& centre,
-                          double radius, scene::Root root, scene::Tangent tangent) {
+Chosen answer_by_integers(const scene::Ray& ray, const scene::Sphere& sphere, scene::Root root,
+                          scene::Tangent tangent) {
   const Chosen miss{};
-  if (!all_finite(origin) || !all_finite(direction) || !all_finite(centre) ||
-      !std::isfinite(radius)) {
+  const auto& [origin, direction] = ray;
+  const auto& [centre, radius] = sphere;
+  if (!is_finite(origin) || !is_finite(direction) || !is_finite(centre) || !std::isfinite(radius)) {
     return miss;
   }
   thread_local Scratch n;
   const int length_exponent =
       set<7>({&n.origin[0], &n.origin[1], &n.origin[2], &n.to_centre[0], &n.to_centre[1],
               &n.to_centre[2], &n.radius},
-             {origin.x(), origin.y(), origin.z(), centre.x(), centre.y(), centre.z(), radius});
+             {origin.x, origin.y, origin.z, centre.x, centre.y, centre.z, radius});
   const int direction_exponent = set<3>({&n.direction[0], &n.direction[1], &n.direction[2]},
-                                        {direction.x(), direction.y(), direction.z()});
+                                        {direction.x, direction.y, direction.z});
   set_coefficients(n);
   const int c = n.c.sign();
   const int b = n.b.sign();
@@ -148,7 +153,7 @@ Chosen answer_by_integers(const Vector3d& origin, const Vector3d& direction, con
   if (c == 0) {  // roots 0 and 2b/a
     const bool met =
         b > 0 || (b < 0 && larger_counts) || (b == 0 && tangent != scene::Tangent::kMiss);
-    return {met, {0, {origin.x(), origin.y(), origin.z()}}};
+    return {met, {0, origin}};
   }
   mpz_mul(n.discriminant, n.b, n.b);
   mpz_submul(n.discriminant, n.a, n.c);

@@ -1,7 +1,9 @@
 #include <algorithm>
 #include <array>
+#include <cmath>
 
 #include "fast/double_double.h"
+#include "fast/eigen.h"
 #include "fast/robust.h"
 
 namespace raycheck::fast {
@@ -10,10 +12,10 @@ namespace {
 // After scaling, max(|T_i|, r) and max |d_i| lie in [1, 2), so that f^2 + r^2 < 16, a < 12 and
 // f |d| < 12. What underflows then is below 2^-1000 and counts for nothing.
 //
-// b, c and disc are polynomials in which every term passes at most 8 operations, each off by at
-// most kDoubleDoubleError = 2^-102 of its result: they are off by at most 2^-98 of the sums of
-// their terms' sizes, f |d|, f^2 + r^2 and a (f^2 + r^2) (|m| <= f |d|). Signs are certain beyond
-// twice that.
+// b, c and disc are sums in which every term passes at most 8 operations, each off by at most
+// kDoubleDoubleError = 2^-102 of its result, and the sizes of the terms add up to at most f |d|,
+// f^2 + r^2 and 2 a (f^2 + r^2): they are off by at most 2^-99 of the first two, and by 2^-98
+// a (f^2 + r^2). Signs are certain beyond twice that.
 constexpr double kPairMargin = 0x1p-97;
 constexpr double kPairMarginOfB = 12 * kPairMargin;
 
@@ -24,13 +26,15 @@ constexpr double kPreciseShare = 0x1p-58;
 /// c is precise enough for s where |c| is beyond this share of f^2 + r^2.
 constexpr double kPreciseC = kPairMargin / kPreciseShare;
 
-/// Of the sum of 17 products below: off by at most 2^-143 of the sum of their sizes, f^2 + r^2 (but
-/// for 2^-100 of itself, the pair's own rounding). (n - 1 = 16; 2 (n - 1) u = 2^-48, cubed, and 15
-/// more roundings of what two passes leave; Ogita, Rump and Oishi, 2005, on their SumK.)
+/// Of the sum of 17 terms below, whose sizes add up to f^2 + r^2: a pass leaves errors of at most
+/// 16 u times the sizes it began with, so two leave 2^-49 of the sum and 2^-97 (f^2 + r^2), of
+/// which the last, plain summation loses 2^-49 again: 2^-98 of the sum and 2^-146 (f^2 + r^2).
+/// (Ogita, Rump and Oishi, Accurate sum and dot product, 2005, on their SumK.)
 constexpr double kLongSumMargin = 0x1p-142;
 constexpr double kPreciseLongSum = kLongSumMargin / kPreciseShare;
 
-using Pair3 = Vector3Of<DoubleDouble>;
+using Eigen::Vector3d;
+using Pair3 = Eigen::Matrix<DoubleDouble, 3, 1>;
 
 /// c from exact products, in two passes of exact sums: where the origin is so near the surface that
 /// pairs of doubles lose too much.
@@ -81,9 +85,12 @@ DoubleDouble absolute(const DoubleDouble& x) { return x.high < 0 ? -x : x; }
 
 }  // namespace
 
-std::optional<Chosen> answer_by_pairs(const Vector3d& origin, const Vector3d& direction,
-                                      const Vector3d& centre, double radius, scene::Root root) {
+std::optional<Chosen> answer_by_pairs(const scene::Ray& ray, const scene::Sphere& sphere,
+                                      scene::Root root) {
   const Chosen miss{};
+  const Vector3d origin = eigen(ray.origin);
+  const Vector3d centre = eigen(sphere.centre);
+  double radius = sphere.radius;
   Pair3 T = difference(centre, origin);
   int length_exponent = 0;
   if (!std::isfinite(largest(T))) {  // lengths so large that what these quarters lose is nothing
@@ -91,7 +98,7 @@ std::optional<Chosen> answer_by_pairs(const Vector3d& origin, const Vector3d& di
     T = difference(centre / 4, origin / 4);
     radius /= 4;
   }
-  const Pair3 given_direction = direction.cast<DoubleDouble>();
+  const Pair3 given_direction = eigen(ray.direction).cast<DoubleDouble>();
   const double length = std::max(largest(T), radius);
   const double direction_size = largest(given_direction);
   if (!(length > 0 && std::isfinite(length) && direction_size > 0 &&
@@ -139,6 +146,8 @@ std::optional<Chosen> answer_by_pairs(const Vector3d& origin, const Vector3d& di
   const DoubleDouble s = through_c ? absolute(c) / q : q / a;
   const auto coordinate = [&](int k) {  // Q = C - (T - s d)
     const DoubleDouble from_point = scaled(T[k] - s * d[k], length_exponent);
+    const double point = centre[k] - from_point.high;  // an infinity if Q is out of range
+    if (!std::isfinite(point)) return point;
     return static_cast<double>(DoubleDouble(centre[k]) - from_point);
   };
   return Chosen{true,
