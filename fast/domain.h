@@ -14,6 +14,13 @@ struct Domain {
   bool operator==(const Domain&) const = default;
 };
 
+/// Lengths whose products of four stay in the range of floats, with all their 24 bits.
+inline constexpr Domain kSingleDomain = {0x1p-25, 0x1p25};
+
+/// Lengths whose quotients are normal doubles: what a method whose intermediate values never over-
+/// or underflow can answer with full precision.
+inline constexpr Domain kWideDomain = {0x1p-500, 0x1p500};
+
 }  // namespace raycheck::fast
 
 #endif  // RAYCHECK_FAST_DOMAIN_H_

@@ -9,8 +9,10 @@
 namespace raycheck::fast {
 namespace {
 
-constexpr const IntersectMethod* kMethods[] = {&kQuadratic, &kLecture, &kStableQuadratic,
-                                               &kPerpendicular, &kCross};
+constexpr const IntersectMethod* kMethods[] = {
+    &kQuadratic,  &kLecture,  &kStableQuadratic, &kKahan,         &kPerpendicular,
+    &kCross,      &kCross2,   &kSingleQuadratic, &kSingleLecture, &kDoubleDouble,
+    &kLongDouble, &kFloat128, &kRobust};
 
 bool all_finite(const Vectors& vectors) {
   // x - x is 0 for a finite x and NaN otherwise; the sums stay free of branches.

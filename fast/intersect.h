@@ -67,12 +67,33 @@ struct IntersectMethod {
   double unit_roundoff = 0x1p-53;  ///< Of the arithmetic that it computes in.
 };
 
-// The bounds; audited by the campaigns of `raycheck properties`.
+// The bounds; audited by the tests of fast/ and the campaigns of `raycheck properties`.
 inline constexpr double kQuadraticMaxUlp = 96;
+inline constexpr double kQuadraticMaxPointUlp = 96;
 inline constexpr double kLectureMaxUlp = 96;
+inline constexpr double kLectureMaxPointUlp = 96;
 inline constexpr double kStableQuadraticMaxUlp = 96;
+inline constexpr double kStableQuadraticMaxPointUlp = 96;
+inline constexpr double kKahanMaxUlp = 96;
+inline constexpr double kKahanMaxPointUlp = 96;
 inline constexpr double kPerpendicularMaxUlp = 96;
+inline constexpr double kPerpendicularMaxPointUlp = 96;
 inline constexpr double kCrossMaxUlp = 96;
+inline constexpr double kCrossMaxPointUlp = 96;
+inline constexpr double kCross2MaxUlp = 96;
+inline constexpr double kCross2MaxPointUlp = 96;
+inline constexpr double kSingleQuadraticMaxUlp = 96 * 0x1p29;
+inline constexpr double kSingleQuadraticMaxPointUlp = 96 * 0x1p29;
+inline constexpr double kSingleLectureMaxUlp = 96 * 0x1p29;
+inline constexpr double kSingleLectureMaxPointUlp = 96 * 0x1p29;
+inline constexpr double kDoubleDoubleMaxUlp = 2;
+inline constexpr double kDoubleDoubleMaxPointUlp = 2;
+inline constexpr double kLongDoubleMaxUlp = 2;
+inline constexpr double kLongDoubleMaxPointUlp = 2;
+inline constexpr double kFloat128MaxUlp = 2;
+inline constexpr double kFloat128MaxPointUlp = 2;
+inline constexpr double kRobustMaxUlp = 1;
+inline constexpr double kRobustMaxPointUlp = 2;
 
 /// `quadratic`: the general parametric approach as textbooks print it, b^2 - 4ac.
 extern const IntersectMethod kQuadratic;
@@ -80,10 +101,29 @@ extern const IntersectMethod kQuadratic;
 extern const IntersectMethod kLecture;
 /// `stable-quadratic`: the same coefficients, roots by q = b + sign(b) sqrt(disc).
 extern const IntersectMethod kStableQuadratic;
+/// `kahan`: the same coefficients, the discriminant by Kahan's difference of products.
+extern const IntersectMethod kKahan;
 /// `perpendicular`: disc from |T - (T.D) D|^2, which does not cancel; roots by q.
 extern const IntersectMethod kPerpendicular;
 /// `cross`: disc = |d|^2 r^2 - |T x d|^2 with Kahan's products; roots by q.
 extern const IntersectMethod kCross;
+/// `cross2`: cross with T as an exact pair and c = |T|^2 - r^2 compensated.
+extern const IntersectMethod kCross2;
+/// `single-quadratic`, `single-lecture`: the same in single precision; lengths are in
+/// kSingleDomain.
+extern const IntersectMethod kSingleQuadratic;
+extern const IntersectMethod kSingleLecture;
+/// `double-double`: disc = |d|^2 r^2 - |T x d|^2 and roots by q, in pairs of doubles (about 106
+/// bits).
+extern const IntersectMethod kDoubleDouble;
+/// `long-double`: the same in the processor's 64 bits; lengths are in kWideDomain.
+extern const IntersectMethod kLongDouble;
+/// `float128`: the same in 113 bits by software; lengths are in kWideDomain.
+extern const IntersectMethod kFloat128;
+/// `robust`: the class is exact and s within kRobustMaxUlp on every valid input, also where s is
+/// subnormal; it overflows to infinity as IEEE-754. kWideDomain is where Q's relative error means
+/// something.
+extern const IntersectMethod kRobust;
 
 /// Every method, in the order of reports.
 std::span<const IntersectMethod* const> intersect_methods();

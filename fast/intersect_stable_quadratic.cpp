@@ -4,13 +4,15 @@ namespace raycheck::fast {
 namespace {
 
 struct StableQuadratic {
-  static Roots roots(const Vector3d& origin, const Vector3d& direction, const Vector3d& centre,
-                     double radius) {
+  using Number = double;
+
+  static RootsOf<double> roots(const Vector3d& origin, const Vector3d& direction,
+                               const Vector3d& centre, double radius) {
     const Vector3d T = centre - origin;
     const double a = direction.dot(direction);
     const double b = T.dot(direction);
     const double c = T.dot(T) - radius * radius;
-    return roots_by_q(a, b, c, b * b - a * c);
+    return roots_by_q<double>(a, b, c, b * b - a * c);
   }
 };
 
@@ -19,11 +21,11 @@ struct StableQuadratic {
 const IntersectMethod kStableQuadratic = {
     .name = "stable-quadratic",
     .sentence = "disc = b^2 - ac, q = b + sign(b) sqrt(disc), roots q/a and c/q",
-    .intersect = intersect_batch<StableQuadratic>,
-    .intersect_one = intersect_one<StableQuadratic>,
-    .roots = roots_of<StableQuadratic>,
+    .intersect = intersect_batch<FromRoots<StableQuadratic>>,
+    .intersect_one = intersect_one<FromRoots<StableQuadratic>>,
+    .roots = roots_of<FromRoots<StableQuadratic>>,
     .max_ulp = kStableQuadraticMaxUlp,
-    .max_point_ulp = kStableQuadraticMaxUlp,
+    .max_point_ulp = kStableQuadraticMaxPointUlp,
     .not_kept = "far spheres, grazing rays",
 };
 

@@ -1,0 +1,31 @@
+#include "fast/intersect_formulas.h"
+
+namespace raycheck::fast {
+namespace {
+
+__extension__ typedef __float128 Float128;
+
+}  // namespace
+
+/// From 64 bits by one of Newton's steps to all but the last of 113. The library with the type's
+/// own square root, libquadmath, has a header that only one of the compilers finds; the rest of its
+/// arithmetic is the compilers' own.
+template <>
+Float128 square_root(const Float128& x) {
+  if (!(x > 0)) return static_cast<Float128>(std::sqrt(static_cast<long double>(x)));
+  const Float128 guess = std::sqrt(static_cast<long double>(x));
+  return guess + (x - guess * guess) / (2 * guess);
+}
+
+const IntersectMethod kFloat128 = {
+    .name = "float128",
+    .sentence = "disc = a r^2 - |T x d|^2 and roots by q, in 113 bits (software)",
+    .intersect = intersect_batch<FromRoots<Lagrange<Float128>>>,
+    .intersect_one = intersect_one<FromRoots<Lagrange<Float128>>>,
+    .roots = roots_of<FromRoots<Lagrange<Float128>>>,
+    .max_ulp = kFloat128MaxUlp,
+    .max_point_ulp = kFloat128MaxPointUlp,
+    .domain = kWideDomain,
+};
+
+}  // namespace raycheck::fast

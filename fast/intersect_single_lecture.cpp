@@ -1,0 +1,17 @@
+#include "fast/intersect_formulas.h"
+
+namespace raycheck::fast {
+
+const IntersectMethod kSingleLecture = {
+    .name = "single-lecture",
+    .sentence = "lecture, everything in single precision",
+    .intersect = intersect_batch<FromRoots<LectureFormula<float>>>,
+    .intersect_one = intersect_one<FromRoots<LectureFormula<float>>>,
+    .roots = roots_of<FromRoots<LectureFormula<float>>>,
+    .max_ulp = kSingleLectureMaxUlp,
+    .max_point_ulp = kSingleLectureMaxPointUlp,
+    .not_kept = "far spheres, grazing rays",
+    .domain = kSingleDomain,
+};
+
+}  // namespace raycheck::fast

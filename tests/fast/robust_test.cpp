@@ -1,0 +1,328 @@
+// The method `robust` held to the letter of its promise: no wrong class and no s off by more than
+// kRobustMaxUlp, on any valid input.
+
+#include "fast/robust.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <string>
+
+#include "fast/intersect.h"
+#include "properties/case_source.h"
+#include "properties/random.h"
+#include "reference/error_measure.h"
+#include "scene/validate.h"
+
+namespace raycheck::fast {
+namespace {
+
+using properties::Random;
+using reference::HitClass;
+using scene::Ray;
+using scene::Root;
+using scene::Sphere;
+using scene::Tangent;
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+/// What was compared, so that no test passes for want of cases.
+struct Audit {
+  int pairs = 0;
+  int hits = 0;
+  int tangents = 0;
+  int subnormal = 0;
+  int overflows = 0;
+  int wrong_classes = 0;
+  double worst_s = 0;
+  std::string worst;  ///< Where worst_s or the last wrong class was.
+};
+
+std::string text(const Ray& ray, const Sphere& sphere) {
+  char buffer[512];
+  std::snprintf(buffer, sizeof buffer, "(%a, %a, %a) + s (%a, %a, %a), (%a, %a, %a), %a",
+                ray.origin.x, ray.origin.y, ray.origin.z, ray.direction.x, ray.direction.y,
+                ray.direction.z, sphere.centre.x, sphere.centre.y, sphere.centre.z, sphere.radius);
+  return buffer;
+}
+
+using Answer = std::optional<Hit> (*)(const Ray&, const Sphere&, Root, Tangent);
+
+void compare(Answer answer, const Ray& ray, const Sphere& sphere, Root root, Tangent tangent,
+             Audit& audit) {
+  if (!scene::problems(ray).empty() || !scene::problems(sphere).empty()) return;
+  const reference::ExactRay exact(ray);
+  const reference::Intersection at = exact.intersect(sphere, root);
+  const auto hit = answer(ray, sphere, root, tangent);
+  ++audit.pairs;
+  audit.tangents += at.hit_class == HitClass::kTangent ? 1 : 0;
+  if (hit.has_value() != reference::counts_as_hit(at.hit_class, tangent)) {
+    ++audit.wrong_classes;
+    audit.worst = text(ray, sphere);
+  }
+  if (!hit || at.hit_class == HitClass::kMiss) return;
+  ++audit.hits;
+  const double rounded = exact.rounded_parameter(sphere, at);
+  audit.subnormal += rounded != 0 && rounded < std::numeric_limits<double>::min() ? 1 : 0;
+  double error = 0;
+  if (!std::isfinite(rounded)) {
+    ++audit.overflows;
+    error = hit->parameter == kInfinity ? 0 : kInfinity;
+  } else if (hit->parameter != rounded) {
+    error = reference::ulp_error(hit->parameter, exact.parameter(sphere, at));
+  }
+  if (error > audit.worst_s) {
+    audit.worst_s = error;
+    audit.worst = text(ray, sphere);
+  }
+}
+
+/// Under every convention that can make a difference.
+void compare_all(Answer answer, const Ray& ray, const Sphere& sphere, Audit& audit) {
+  compare(answer, ray, sphere, Root::kNearest, Tangent::kHit, audit);
+  compare(answer, ray, sphere, Root::kNearest, Tangent::kMiss, audit);
+  compare(answer, ray, sphere, Root::kSmaller, Tangent::kHit, audit);
+}
+
+void expect_kept(const Audit& audit, int least_pairs, int least_hits) {
+  EXPECT_EQ(audit.wrong_classes, 0) << audit.worst;
+  EXPECT_LE(audit.worst_s, kRobustMaxUlp) << audit.worst;
+  EXPECT_GE(audit.pairs, least_pairs);
+  EXPECT_GE(audit.hits, least_hits);
+}
+
+/// Turns the axes, which must make no difference.
+template <class Triple>
+Triple turned(const Triple& v, std::int64_t turns) {
+  return turns == 0 ? v : turned(Triple{v.z, v.x, v.y}, turns - 1);
+}
+void turn(Random& random, Ray& ray, Sphere& sphere) {
+  const auto turns = random.integer(0, 2);
+  ray = {turned(ray.origin, turns), turned(ray.direction, turns)};
+  sphere.centre = turned(sphere.centre, turns);
+}
+
+/// x moved by up to two ulps.
+double nudged(Random& random, double x) {
+  for (auto steps = random.integer(-2, 2); steps != 0; steps += steps < 0 ? 1 : -1) {
+    x = std::nextafter(x, steps < 0 ? -kInfinity : kInfinity);
+  }
+  return x;
+}
+
+void scale(Ray& ray, Sphere& sphere, int lengths, int direction) {
+  for (double* x : {&ray.origin.x, &ray.origin.y, &ray.origin.z, &sphere.centre.x, &sphere.centre.y,
+                    &sphere.centre.z, &sphere.radius}) {
+    *x = std::ldexp(*x, lengths);
+  }
+  for (double* x : {&ray.direction.x, &ray.direction.y, &ray.direction.z}) {
+    *x = std::ldexp(*x, direction);
+  }
+}
+
+void scale_anywhere(Random& random, Ray& ray, Sphere& sphere) {
+  const int lengths = random.one_in(2) ? 0 : static_cast<int>(random.integer(-1074, 1015));
+  scale(ray, sphere, lengths, random.one_in(2) ? 0 : static_cast<int>(random.integer(-1074, 1015)));
+}
+
+TEST(Robust, IsRightOnEverySourceOfGivenRays) {
+  Audit audit;
+  for (const properties::CaseSource& source : properties::case_sources()) {
+    if (source.has_camera) continue;
+    const int before = audit.hits;
+    for (std::uint64_t seed = 0; seed < 20000; ++seed) {
+      const auto the_case = source.make(seed);
+      const scene::Conventions& conventions = the_case.scene.conventions;
+      for (const Sphere& sphere : the_case.scene.spheres) {
+        compare(kRobust.intersect_one, the_case.scene.rays.front(), sphere, conventions.root,
+                conventions.tangent, audit);
+      }
+    }
+    EXPECT_GT(audit.hits - before, 5000) << source.name;
+  }
+  expect_kept(audit, 200000, 80000);
+  EXPECT_GT(audit.tangents, 2000);
+  EXPECT_GT(audit.subnormal, 100);
+  EXPECT_GT(audit.overflows, 1000);
+}
+
+/// Small integers: tangents, origins on the surface and at the centre, points for spheres.
+void small_integers(Random& random, Ray& ray, Sphere& sphere) {
+  for (double* x : {&ray.origin.x, &ray.origin.y, &ray.origin.z, &ray.direction.x, &ray.direction.y,
+                    &ray.direction.z, &sphere.centre.x, &sphere.centre.y, &sphere.centre.z}) {
+    *x = random.small_integer(4);
+  }
+  sphere.radius = static_cast<double>(random.integer(0, 5));
+}
+
+/// Pythagorean numbers: exact tangents and surface origins that are not on an axis.
+void pythagorean(Random& random, Ray& ray, Sphere& sphere) {
+  const double way = random.small_integer(1000);
+  const auto place = [&](const scene::Vector3& v) { return scene::Point3{v.x, v.y, v.z}; };
+  if (random.one_in(2)) {  // the normal (2, 3, 6)/7, along (3, -2, 0) or (6, 0, -2)
+    const double radius = 7 * static_cast<double>(random.integer(1, 1000));
+    sphere = {{0, 0, 0}, radius};
+    ray.direction = random.one_in(2) ? scene::Vector3{3, -2, 0} : scene::Vector3{6, 0, -2};
+    const double n = radius / 7;
+    ray.origin = place({2 * n + way * ray.direction.x, 3 * n + way * ray.direction.y,
+                        6 * n + way * ray.direction.z});
+  } else {  // on the surface, anywhere to
+    sphere = {{0, 0, 0}, 5};
+    ray.origin = random.one_in(2) ? place({3, 4, 0}) : place({0, -4, 3});
+    ray.direction = {random.small_integer(9), random.small_integer(9), random.small_integer(9)};
+  }
+}
+
+TEST(Robust, IsRightOnTangentsAndSurfacesAndTheirNeighbours) {
+  Random random(1);
+  Audit audit;
+  for (int k = 0; k < 30000; ++k) {
+    Ray ray;
+    Sphere sphere;
+    random.one_in(2) ? small_integers(random, ray, sphere) : pythagorean(random, ray, sphere);
+    if (random.one_in(2)) {
+      for (double* x : {&ray.origin.x, &ray.origin.y, &ray.origin.z, &ray.direction.x,
+                        &ray.direction.y, &ray.direction.z, &sphere.radius}) {
+        if (random.one_in(4)) *x = nudged(random, *x);
+      }
+    }
+    turn(random, ray, sphere);
+    scale_anywhere(random, ray, sphere);
+    compare_all(kRobust.intersect_one, ray, sphere, audit);
+  }
+  expect_kept(audit, 70000, 20000);
+  EXPECT_GT(audit.tangents, 5000);
+}
+
+/// A double of any size: the exponents of a case are all over the range, or near each other.
+double any_double(Random& random, std::int64_t middle, std::int64_t spread) {
+  if (random.one_in(8)) return 0;
+  const auto exponent = middle + random.integer(-spread, spread);
+  const double significand =
+      random.one_in(2) ? random.between(1, 2) : static_cast<double>(random.integer(1, 8));
+  return random.sign() * std::ldexp(significand, static_cast<int>(exponent));
+}
+
+TEST(Robust, IsRightOnComponentsOfAnyExponents) {
+  Random random(2);
+  Audit audit;
+  for (int k = 0; k < 40000; ++k) {
+    const std::int64_t spreads[] = {0, 3, 30, 60, 300, 1000};
+    const std::int64_t spread = spreads[random.integer(0, 5)];
+    const std::int64_t middle = random.one_in(2) ? 0 : random.integer(-1000, 950);
+    const std::int64_t direction_middle = random.one_in(2) ? 0 : random.integer(-1000, 950);
+    Ray ray;
+    Sphere sphere;
+    for (double* x : {&ray.origin.x, &ray.origin.y, &ray.origin.z, &sphere.centre.x,
+                      &sphere.centre.y, &sphere.centre.z}) {
+      *x = any_double(random, middle, spread);
+    }
+    for (double* x : {&ray.direction.x, &ray.direction.y, &ray.direction.z}) {
+      *x = any_double(random, direction_middle, spread);
+    }
+    sphere.radius = random.one_in(8) ? 0 : std::abs(any_double(random, middle + 2, spread));
+    if (random.one_in(8)) ray.origin = sphere.centre;
+    compare_all(kRobust.intersect_one, ray, sphere, audit);
+  }
+  expect_kept(audit, 80000, 20000);
+  EXPECT_GT(audit.subnormal, 50);
+  EXPECT_GT(audit.overflows, 300);
+}
+
+/// A direction aimed at a point of the sphere, or just beside its edge, from anywhere: near
+/// tangency to the last bit that doubles can express.
+TEST(Robust, IsRightBesideTangentsThatAreNoRoundNumbers) {
+  Random random(3);
+  Audit audit;
+  for (int k = 0; k < 30000; ++k) {
+    const double radius = random.power_of_ten(-3, 3);
+    const double distance = radius * random.power_of_ten(-2, 9);
+    const scene::Vector3 n = random.direction();
+    const scene::Vector3 v = random.direction();
+    const scene::Vector3 across = {n.y * v.z - n.z * v.y, n.z * v.x - n.x * v.z,
+                                   n.x * v.y - n.y * v.x};
+    const scene::Vector3 world = random.in_cube(random.one_in(2) ? 10 : 1e8);
+    const Sphere sphere = {{world.x, world.y, world.z}, radius};
+    const double off = random.one_in(3) ? 0 : random.signed_power_of_ten(-17, -8);
+    const double from_centre = radius * (1 + off);
+    const Ray ray = {{world.x + from_centre * n.x - distance * across.x,
+                      world.y + from_centre * n.y - distance * across.y,
+                      world.z + from_centre * n.z - distance * across.z},
+                     {across.x, across.y, across.z}};
+    compare_all(kRobust.intersect_one, ray, sphere, audit);
+  }
+  expect_kept(audit, 90000, 20000);
+}
+
+TEST(Robust, IsRightOnWhatPeopleReported) {
+  Audit audit;
+  const Sphere unit = {{0, 0, 0}, 1};
+  const double below = std::nextafter(1.0, 0.0);
+  const double above = std::nextafter(1.0, 2.0);
+  for (const double height : {1.0, below, above, 0.0, 0.3}) {
+    for (const int exponent : {0, 531, -531, 1020, -1022}) {
+      Ray ray = {{-5, height, 0}, {1, 0, 0}};
+      Sphere sphere = unit;
+      scale(ray, sphere, exponent, 0);
+      compare_all(kRobust.intersect_one, ray, sphere, audit);
+    }
+  }
+  compare_all(kRobust.intersect_one, {{-1, 0, 0}, {1, 0, 0}}, unit, audit);
+  compare_all(kRobust.intersect_one, {{1, 0, 0}, {1, 0, 0}}, unit, audit);
+  compare_all(kRobust.intersect_one, {{-1e7, .095, 0}, {1, 0, 0}}, {{0, 0, 0}, .1}, audit);
+  const Sphere planet = {{0, -6371000, 0}, 6371000};
+  const double slope = -0.0007305260126504702;
+  compare_all(kRobust.intersect_one, {{0, 1.7, 0}, {1, slope, 0}}, planet, audit);
+  compare_all(kRobust.intersect_one, {{0, 1.7, 0}, {1, std::nextafter(slope, 0.0), 0}}, planet,
+              audit);
+  expect_kept(audit, 90, 40);
+  const auto horizon =
+      kRobust.intersect_one({{0, 1.7, 0}, {1, slope, 0}}, planet, Root::kNearest, Tangent::kHit);
+  EXPECT_EQ(horizon->parameter, 4654.1799293292679);
+}
+
+/// Of the exact case: a step that answers must be right by itself.
+TEST(Robust, IsRightInEachOfItsSteps) {
+  const Answer integers = [](const Ray& ray, const Sphere& sphere, Root root, Tangent tangent) {
+    const Chosen chosen = answer_by_integers(ray, sphere, root, tangent);
+    return chosen.hit ? std::optional(chosen.at) : std::nullopt;
+  };
+  static int proven = 0;
+  const Answer pairs = [](const Ray& ray, const Sphere& sphere, Root root, Tangent tangent) {
+    const auto chosen = answer_by_pairs(ray, sphere, root);
+    if (!chosen) return kRobust.intersect_one(ray, sphere, root, tangent);
+    ++proven;
+    return chosen->hit ? std::optional(chosen->at) : std::nullopt;
+  };
+  Audit by_integers;
+  Audit by_pairs;
+  for (const properties::CaseSource& source : properties::case_sources()) {
+    if (source.has_camera) continue;
+    for (std::uint64_t seed = 0; seed < 4000; ++seed) {
+      const auto the_case = source.make(seed);
+      const scene::Conventions& conventions = the_case.scene.conventions;
+      const Ray& ray = the_case.scene.rays.front();
+      const Sphere& sphere = the_case.scene.spheres.front();
+      compare(integers, ray, sphere, conventions.root, conventions.tangent, by_integers);
+      compare(pairs, ray, sphere, conventions.root, conventions.tangent, by_pairs);
+    }
+  }
+  expect_kept(by_integers, 20000, 8000);
+  expect_kept(by_pairs, 20000, 8000);
+  // All but exact tangents and origins exactly on the surface.
+  EXPECT_GT(proven, by_pairs.pairs * 8 / 10);
+}
+
+TEST(Robust, AnswersWhatIsNoProblemWithAMiss) {
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  const Sphere unit = {{0, 0, 0}, 1};
+  for (const Ray& ray : {Ray{{nan, 0, 0}, {1, 0, 0}}, Ray{{0, 0, 0}, {0, 0, 0}},
+                         Ray{{0, 0, 0}, {kInfinity, 0, 0}}, Ray{{kInfinity, 0, 0}, {1, 0, 0}}}) {
+    EXPECT_FALSE(kRobust.intersect_one(ray, unit, Root::kNearest, Tangent::kHit));
+  }
+}
+
+}  // namespace
+}  // namespace raycheck::fast
