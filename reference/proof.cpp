@@ -138,7 +138,7 @@ struct Prover::Attempt {
   const Proposition& proposition;
   RationalLift lift;
   int value_bits;
-  std::optional<Axes<RationalKernel>> axes = {};
+  std::optional<CameraNumbers<RationalKernel>> numbers = {};
   std::optional<Line<RationalKernel>> line = {};
   RationalInterval unit{1};  ///< s = unit mu
   std::vector<RationalInterval> parameters = {};
@@ -149,13 +149,13 @@ struct Prover::Attempt {
 
   ProvenRoots follow_camera() {
     const scene::Camera& camera = *prover.camera_;
-    axes = camera_axes<RationalKernel>(lift, camera);
-    const auto w = lift_vector<RationalKernel>(lift, camera.eye) -
-                   lift_vector<RationalKernel>(lift, camera.look_at);
-    const auto u = CGAL::cross_product(lift_vector<RationalKernel>(lift, camera.up), w);
+    numbers = camera_numbers<RationalKernel>(lift, camera);
+    const RationalKernel::Vector_3 w = numbers->inputs.eye - numbers->inputs.look_at;
+    const RationalKernel::Vector_3 u = CGAL::cross_product(numbers->inputs.up, w);
     ProvenRoots roots{exact_bracket(first_root(w * w)), exact_bracket(second_root(u * u)), {}};
     if (prover.pixel_) {
-      line = camera_line<RationalKernel>(lift, camera, prover.conventions_, *axes, *prover.pixel_);
+      line =
+          camera_line<RationalKernel>(lift, *numbers, camera, prover.conventions_, *prover.pixel_);
       unit = first_root(line->a);
       roots.length = exact_bracket(unit);
     }
@@ -178,7 +178,8 @@ struct Prover::Attempt {
   }
 
   std::optional<ProvenMeeting> meeting(const scene::Sphere& sphere) {
-    const auto pair = line_and_sphere(lift, *line, sphere);
+    const auto pair =
+        line_and_sphere<RationalKernel>(*line, lift_sphere<RationalKernel>(lift, sphere));
     ProvenMeeting result;
     result.intersection = prover.exact_->intersect(sphere, prover.conventions_.root);
     const HitClass hit_class = result.intersection.hit_class;
@@ -234,7 +235,8 @@ struct Prover::Attempt {
 
   bool shows_vectors(const std::vector<ProvenMeeting>& meetings) const {
     const Proposition& wanted = proposition;
-    if (wanted.axes && !(is_narrow(axes->U) && is_narrow(axes->V) && is_narrow(axes->W))) {
+    if (wanted.axes &&
+        !(is_narrow(numbers->axes.U) && is_narrow(numbers->axes.V) && is_narrow(numbers->axes.W))) {
       return false;
     }
     if (wanted.pixel_point && !is_narrow(line->base + line->g)) return false;
@@ -257,7 +259,7 @@ struct Prover::Attempt {
     if (prover.camera_) {
       proof.roots = follow_camera();
     } else {
-      line = given_line<RationalKernel>(lift, prover.given_);
+      line = given_line<RationalKernel>(lift_ray<RationalKernel>(lift, prover.given_));
     }
     for (const scene::Sphere& sphere : proposition.spheres) {
       auto met = meeting(sphere);
