@@ -127,7 +127,8 @@ class Trial {
 double bound_on(Quantity quantity, const Candidate& candidate,
                 const scene::Conventions& conventions, std::optional<double> max_error_asked);
 
-/// True when every nonzero length of the scene lies in [smallest, largest].
+/// True when every nonzero length of the scene lies in [smallest, largest]; the distance of a
+/// sphere of radius 0 is one, for want of another.
 bool lengths_are_within(const scene::Scene& scene, double smallest, double largest);
 
 }  // namespace raycheck::properties

@@ -82,8 +82,6 @@ std::vector<Measured> near_plane(const Case& the_case) {
   return result;
 }
 
-constexpr double kBelow = 1 - 0x1p-40;
-constexpr double kAbove = 1 + 0x1p-40;
 const DialRow kRows[] = {
     {"far-camera", Sets::kPower, 0.5 * kBelow, 2 * kAbove, 15, far_camera},
     {"camera-scale", Sets::kEither, 0x1p-3, 0x1p6, 1074, camera_scale},
@@ -97,12 +95,7 @@ const DialRow kRows[] = {
 class CameraFamily : public testing::TestWithParam<DialRow> {};
 TEST_P(CameraFamily, SetsWhatItsDialSays) { expect_dial(GetParam()); }
 
-INSTANTIATE_TEST_SUITE_P(Families, CameraFamily, testing::ValuesIn(kRows),
-                         [](const testing::TestParamInfo<DialRow>& the_test) {
-                           std::string name(the_test.param.family);
-                           std::replace(name.begin(), name.end(), '-', '_');
-                           return name;
-                         });
+INSTANTIATE_TEST_SUITE_P(Families, CameraFamily, testing::ValuesIn(kRows), test_name);
 
 TEST(CameraFamily, OfImageSizesReachesTheMostPixelsAndEveryCorner) {
   const CaseSource& source = *find_case_source("image-size");

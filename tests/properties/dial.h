@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <ostream>
 #include <string>
 #include <vector>
 
@@ -35,6 +36,10 @@ struct Measured {
   double noise = 0;
 };
 
+/// Factors for what two roundings may move.
+inline constexpr double kBelow = 1 - 0x1p-40;
+inline constexpr double kAbove = 1 + 0x1p-40;
+
 /// A family whose severity k sets a value to base^k (or its inverse, or either) up to a factor.
 struct DialRow {
   std::string_view family;
@@ -44,6 +49,13 @@ struct DialRow {
   int highest;   ///< Severities above are tested on their own.
   std::vector<Measured> (*measure)(const Case&);
 };
+
+inline void PrintTo(const DialRow& row, std::ostream* out) { *out << row.family; }
+inline std::string test_name(const testing::TestParamInfo<DialRow>& the_test) {
+  std::string name(the_test.param.family);
+  std::replace(name.begin(), name.end(), '-', '_');
+  return name;
+}
 
 /// Severities to try: 0, `highest`, and others between, 16 steps at the most.
 inline std::vector<int> severities(int highest) {

@@ -118,9 +118,7 @@ std::vector<Measured> direction_length(const Case& the_case) {
   return {{norm(lift(ray_of(the_case).direction)), 0x1p-1074}};
 }
 
-/// Shares of 10^-k are between 0.4 and 0.9 of it; two roundings' margin where no noise is given.
-constexpr double kBelow = 1 - 0x1p-40;
-constexpr double kAbove = 1 + 0x1p-40;
+/// A share of 10^-k is between 0.4 and 0.9 of it.
 const DialRow kRows[] = {
     {"distance", Sets::kPower, 0.5 * kBelow, 2 * kAbove, 15, distance},
     {"tangency", Sets::kInverse, 0.4, 0.9, 16, tangency},
@@ -137,12 +135,7 @@ const DialRow kRows[] = {
 class RayFamily : public testing::TestWithParam<DialRow> {};
 TEST_P(RayFamily, SetsWhatItsDialSays) { expect_dial(GetParam()); }
 
-INSTANTIATE_TEST_SUITE_P(Families, RayFamily, testing::ValuesIn(kRows),
-                         [](const testing::TestParamInfo<DialRow>& the_test) {
-                           std::string name(the_test.param.family);
-                           std::replace(name.begin(), name.end(), '-', '_');
-                           return name;
-                         });
+INSTANTIATE_TEST_SUITE_P(Families, RayFamily, testing::ValuesIn(kRows), test_name);
 
 /// Calls visit(case, spheres as met) for many seeds of a family's highest severity.
 template <class Visit>
