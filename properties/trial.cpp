@@ -81,6 +81,11 @@ bool lengths_are_within(const scene::Scene& scene, double smallest, double large
   };
   bool inside = true;
   const auto require = [&](double size) { inside = inside && within(size); };
+  const auto require_distance_of_points = [&](const scene::Point3& from) {
+    for (const scene::Sphere& sphere : scene.spheres) {
+      if (sphere.radius == 0) require(length(sphere.centre - from));
+    }
+  };
   if (scene.camera) {
     const scene::Camera& camera = *scene.camera;
     require(length(camera.eye - camera.look_at));
@@ -88,6 +93,7 @@ bool lengths_are_within(const scene::Scene& scene, double smallest, double large
     require(camera.near);
     require(camera.right - camera.left);
     require(camera.top - camera.bottom);
+    require_distance_of_points(camera.eye);
     for (const double size : {length(camera.eye), length(camera.look_at), camera.left, camera.right,
                               camera.bottom, camera.top}) {
       inside = inside && std::abs(size) <= largest;
@@ -96,6 +102,7 @@ bool lengths_are_within(const scene::Scene& scene, double smallest, double large
   for (const scene::Ray& ray : scene.rays) {
     require(length(ray.direction));
     inside = inside && length(ray.origin) <= largest;
+    require_distance_of_points(ray.origin);
   }
   for (const scene::Sphere& sphere : scene.spheres) {
     require(sphere.radius);

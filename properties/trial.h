@@ -166,7 +166,8 @@ double bound_on(Quantity quantity, const Candidate& candidate,
                 const scene::Conventions& conventions, bool has_camera,
                 std::optional<double> max_error_asked);
 
-/// True when every nonzero length of the scene lies in [smallest, largest].
+/// True when every nonzero length of the scene lies in [smallest, largest]; the distance of a
+/// sphere of radius 0 is one, for want of another.
 bool lengths_are_within(const scene::Scene& scene, double smallest, double largest);
 
 /// How far from 1 the length of a direction may be that counts as unit: what its roundings make.

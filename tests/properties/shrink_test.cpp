@@ -142,6 +142,22 @@ TEST(Shrink, MakesValidCasesThatAreSimplerInTotal) {
   EXPECT_GT(offered, 5000u);
 }
 
+TEST(Shrink, FindsTheSmallestImageByHalving) {
+  const CaseSource& source = *find_case_source("image-size");
+  Case the_case = source.make(source.dial->highest, 1);
+  ASSERT_EQ(the_case.scene.camera->width, scene::kMostPixelsAcross);
+  const auto is_wide = [](const Case& c) { return c.scene.camera->width > 46340; };
+  int steps = 0;
+  for (;;) {
+    const auto offers = simpler(the_case);
+    const auto next = std::find_if(offers.begin(), offers.end(), is_wide);
+    if (next == offers.end()) break;
+    the_case = *next;
+    ASSERT_LT(++steps, 1000);
+  }
+  EXPECT_EQ(the_case.scene.camera->width, 46341);
+}
+
 TEST(Shrink, EndsAtAPlainCase) {
   for (const CaseSource& source : case_sources()) {
     SCOPED_TRACE(source.name);

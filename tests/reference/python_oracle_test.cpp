@@ -171,7 +171,7 @@ TEST(PythonOracle, AgreesOnNearTies) {
 }
 
 TEST(PythonOracle, AgreesOnTheWholeRange) {
-  const Counts counts = expect_oracle_agrees_on(1500, 3, [](Random& random) {
+  const Counts counts = expect_oracle_agrees_on(2500, 3, [](Random& random) {
     const Ray ray = random_ray(random, Sizes::kAll);
     return Case{ray, random_sphere(random, Sizes::kAll)};
   });

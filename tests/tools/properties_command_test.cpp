@@ -33,6 +33,15 @@ TEST(PropertiesCommand, reports_a_broken_law_with_a_case_that_check_and_replay_a
   EXPECT_NE(again.out.find("BROKEN"), std::string::npos);
 }
 
+TEST(PropertiesCommand, replays_a_case_of_one_severity) {
+  const Outcome result =
+      run("properties --filter class --source distance@12 --intersect quadratic --format json");
+  EXPECT_EQ(result.exit_code, 1);
+  const std::string replay = json::parse(result.out)["campaigns"][0]["replay"];
+  EXPECT_EQ(replay.rfind("class:direct/quadratic:distance@12:", 0), 0u) << replay;
+  EXPECT_EQ(run("properties --replay " + replay).exit_code, 1);
+}
+
 TEST(PropertiesCommand, is_the_same_for_the_same_seed) {
   const std::string arguments = "properties --filter frame --cases 50 --seed 7 --format json";
   EXPECT_EQ(run(arguments).out, run(arguments).out);
@@ -51,6 +60,7 @@ TEST(PropertiesCommand, fails_with_2_and_says_why) {
   fails("--filter nothing", "--filter nothing");
   fails("--cases 0", "--cases");
   fails("--source moon", "--source moon");
+  fails("--source distance@16", "--source distance@16: severities of 'distance' are 0 to 15");
   fails("--replay class:direct/cross:distance", "LAW:");
   fails("--replay klass:direct/cross:distance:1", "klass");
   fails("--replay class:direct/none:distance:1", "direct/none");
@@ -65,6 +75,9 @@ TEST(List, names_every_method_law_and_convention) {
   }
   const json report = json::parse(run("list --format json").out);
   EXPECT_EQ(report["laws"].size(), 23u);
+  ASSERT_EQ(report["sources"].size(), 20u);
+  EXPECT_TRUE(report["sources"][0]["dial"].is_null());
+  EXPECT_EQ(report["sources"][2]["dial"]["highest"], 15);
 }
 
 }  // namespace
