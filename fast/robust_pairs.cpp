@@ -17,7 +17,6 @@ namespace {
 // f^2 + r^2 and 2 a (f^2 + r^2): they are off by at most 2^-99 of the first two, and by 2^-98
 // a (f^2 + r^2). Signs are certain beyond twice that.
 constexpr double kPairMargin = 0x1p-97;
-constexpr double kPairMarginOfB = 12 * kPairMargin;
 
 /// s = |c|/q or q/a is precise when its parts are off by at most this; with the operations left and
 /// the rounding to double that makes 0.6 ulp at most, or 0.8 where s is subnormal and so rounded
@@ -125,10 +124,8 @@ std::optional<Chosen> answer_by_pairs(const scene::Ray& ray, const scene::Sphere
   const bool outside = c.high > 0;
   if (!outside && root == scene::Root::kSmaller) return miss;
   const DoubleDouble b = T.dot(d);
-  if (outside) {
-    if (!(std::abs(b.high) > kPairMarginOfB)) return std::nullopt;
-    if (b.high < 0) return miss;
-  }
+  // Even where b's sign is not certain: then b^2 < (12 2^-98)^2 < a c, so that disc < 0.
+  if (outside && b.high < 0) return miss;
   const DoubleDouble a = d.dot(d);
   const Pair3 moment = T.cross(d);
   const DoubleDouble discriminant = a * radius_sq - moment.dot(moment);

@@ -161,7 +161,12 @@ void small_integers(Random& random, Ray& ray, Sphere& sphere) {
 void pythagorean(Random& random, Ray& ray, Sphere& sphere) {
   const double way = random.small_integer(1000);
   const auto place = [&](const scene::Vector3& v) { return scene::Point3{v.x, v.y, v.z}; };
-  if (random.one_in(2)) {  // the normal (2, 3, 6)/7, along (3, -2, 0) or (6, 0, -2)
+  if (random.one_in(3)) {  // c = 25 step^2: beside the surface, nearer than T's last bit
+    const double step = std::ldexp(1.0, -static_cast<int>(random.integer(20, 300)));
+    sphere = {{3, 4, 0}, 5};
+    ray.origin = place({-4 * step, 3 * step, 0});
+    ray.direction = {random.small_integer(9), random.small_integer(9), random.small_integer(2)};
+  } else if (random.one_in(2)) {  // the normal (2, 3, 6)/7, along (3, -2, 0) or (6, 0, -2)
     const double radius = 7 * static_cast<double>(random.integer(1, 1000));
     sphere = {{0, 0, 0}, radius};
     ray.direction = random.one_in(2) ? scene::Vector3{3, -2, 0} : scene::Vector3{6, 0, -2};
@@ -193,7 +198,7 @@ TEST(Robust, IsRightOnTangentsAndSurfacesAndTheirNeighbours) {
     compare_all(kRobust.intersect_one, ray, sphere, audit);
   }
   expect_kept(audit, 70000, 20000);
-  EXPECT_GT(audit.tangents, 5000);
+  EXPECT_GT(audit.tangents, 3000);
 }
 
 /// A double of any size: the exponents of a case are all over the range, or near each other.
@@ -238,7 +243,8 @@ TEST(Robust, IsRightBesideTangentsThatAreNoRoundNumbers) {
   Audit audit;
   for (int k = 0; k < 30000; ++k) {
     const double radius = random.power_of_ten(-3, 3);
-    const double distance = radius * random.power_of_ten(-2, 9);
+    const double farthest = random.one_in(2) ? 3 : 18;
+    const double distance = radius * random.power_of_ten(-2, farthest);
     const scene::Vector3 n = random.direction();
     const scene::Vector3 v = random.direction();
     const scene::Vector3 across = {n.y * v.z - n.z * v.y, n.z * v.x - n.x * v.z,
