@@ -107,6 +107,7 @@ const fast::IntersectMethod kReference = {
     .intersect_one = fast::intersect_one_ray<Ladder<Engine::kFiltered>>,
     .max_ulp = kCorrectlyRoundedUlp,
     .max_point_ulp = kCorrectlyRoundedPointUlp,
+    .not_kept = "s or Q beyond the double range: it is infinite",
     .domain = kWholeRange,
     .exact_class = true,
 };
@@ -118,6 +119,7 @@ const fast::IntersectMethod kReferenceField = {
     .intersect_one = fast::intersect_one_ray<Ladder<Engine::kFieldOnly>>,
     .max_ulp = kCorrectlyRoundedUlp,
     .max_point_ulp = kCorrectlyRoundedPointUlp,
+    .not_kept = "s or Q beyond the double range: it is infinite",
     .domain = kWholeRange,
     .exact_class = true,
 };
