@@ -1,7 +1,5 @@
 #include "properties/exact_methods.h"
 
-#include <limits>
-
 #include "fast/ray_by_ray.h"
 #include "reference/exact_ray.h"
 #include "reference/interval_ray.h"
@@ -16,8 +14,9 @@ using reference::HitClass;
 using reference::Intersection;
 using reference::WhichRoot;
 
-constexpr fast::Domain kWholeRange = {.smallest_length = 0,
-                                      .largest_length = std::numeric_limits<double>::infinity()};
+/// Classes are exact beyond these too. Quotients of such lengths are normal doubles, so that errors
+/// may be counted in ulp of s and u of |Q|.
+constexpr fast::Domain kWideDomain = {.smallest_length = 0x1p-500, .largest_length = 0x1p500};
 
 template <Engine engine>
 struct Ladder {
@@ -87,7 +86,7 @@ const fast::IntersectMethod kArb = {
     .max_ulp = kArbMaxUlp,
     .max_point_ulp = kArbMaxPointUlp,
     .not_kept = "what 128 bits do not tell apart: tangents, sizes 2^60 apart",
-    .domain = kWholeRange,
+    .domain = kWideDomain,
 };
 
 const fast::IntersectMethod kReferenceIntervals = {
@@ -96,7 +95,7 @@ const fast::IntersectMethod kReferenceIntervals = {
     .intersect = fast::intersect_ray_by_ray<Intervals>,
     .intersect_one = fast::intersect_one_ray<Intervals>,
     .max_ulp = kIntervalsMaxUlp,
-    .max_point_ulp = kIntervalsMaxUlp,
+    .max_point_ulp = kIntervalsMaxPointUlp,
     .not_kept = "what intervals do not decide: grazing rays, origins on the surface",
 };
 
@@ -107,7 +106,7 @@ const fast::IntersectMethod kReference = {
     .intersect_one = fast::intersect_one_ray<Ladder<Engine::kFiltered>>,
     .max_ulp = kCorrectlyRoundedUlp,
     .max_point_ulp = kCorrectlyRoundedPointUlp,
-    .domain = kWholeRange,
+    .domain = kWideDomain,
     .exact_class = true,
 };
 
@@ -118,7 +117,7 @@ const fast::IntersectMethod kReferenceField = {
     .intersect_one = fast::intersect_one_ray<Ladder<Engine::kFieldOnly>>,
     .max_ulp = kCorrectlyRoundedUlp,
     .max_point_ulp = kCorrectlyRoundedPointUlp,
-    .domain = kWholeRange,
+    .domain = kWideDomain,
     .exact_class = true,
 };
 

@@ -21,8 +21,9 @@ inline constexpr double kCorrectlyRoundedPointUlp = 1;
 /// numbers that bounds are about.
 inline constexpr double kArbMaxUlp = kCorrectlyRoundedUlp + 0x1p-30;
 inline constexpr double kArbMaxPointUlp = kCorrectlyRoundedPointUlp + 0x1p-30;
-/// The middle of an interval of doubles.
+/// The middle of an interval of doubles; Q in doubles.
 inline constexpr double kIntervalsMaxUlp = 96;
+inline constexpr double kIntervalsMaxPointUlp = 192;
 
 /// `arb-128`: balls of 128 bits; where they do not decide, their midpoints do.
 extern const fast::IntersectMethod kArb;

@@ -96,13 +96,13 @@ TEST_P(EachExactMethod, AnswersOneRayAsItDoesABatch) {
 
 TEST_P(EachExactMethod, RefusesByTheNameOfTheField) { expect_refusals(*GetParam()); }
 
-/// Holds a method against its bounds; a class that it leaves open must be one that it names.
 struct Counts {
   int hits = 0;
   int misses = 0;
   int wrong = 0;
   int parameters = 0;
 };
+/// Holds a method against its bound on s; wrong classes are counted.
 Counts audit(const fast::IntersectMethod& method, Sizes sizes, int cases) {
   Counts counts;
   Random random(2);
@@ -145,7 +145,6 @@ TEST(ExactMethods, KeepTheClassOfSmallIntegersTiesIncluded) {
   }
 }
 
-/// The largest double below which s overflows for no ray is no bound of the class.
 TEST(ExactMethods, KeepTheClassOverTheWholeRangeWhereTheyPromiseTo) {
   int promised = 0;
   for (const auto* method : exact_methods()) {
