@@ -9,7 +9,7 @@ namespace raycheck::fast {
 
 /// The largest relative error of an axis, in units of u = 2^-53, while the axes' condition number
 /// is at most kModerateCondition (properties/quantity.h), growing in proportion beyond.
-inline constexpr double kFrameMaxUlp = 32;
+inline constexpr double kFrameMaxUlp = 64;
 
 struct CameraFrame {
   scene::UnitVector3 U, V, W;

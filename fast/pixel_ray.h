@@ -42,9 +42,9 @@ struct PixelRayMethod {
 };
 
 // The bounds of all methods; audited by the campaigns of `raycheck properties`.
-inline constexpr double kPixelPointMaxUlp = 32;
-inline constexpr double kLectureDirectionMaxUlp = 32;  ///< P - E cancels where |E| is large.
-inline constexpr double kDirectDirectionMaxUlp = 24;
+inline constexpr double kPixelPointMaxUlp = 128;
+inline constexpr double kLectureDirectionMaxUlp = 64;  ///< P - E cancels where |E| is large.
+inline constexpr double kDirectDirectionMaxUlp = 64;
 inline constexpr double kUnitDefectMaxUlp = 4;
 inline constexpr double kFocalUnitDefectMaxUlp = 8;  ///< It takes the axes for orthonormal.
 

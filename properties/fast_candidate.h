@@ -10,7 +10,7 @@ namespace raycheck::properties {
 /// What a hit's bound gains where its ray comes from a camera, in multiples of the ray's bound: the
 /// ray's origin and direction are each off by that much, and so then are s and Q, in proportion to
 /// their condition numbers; audited by the campaigns.
-inline constexpr double kRayShare = 4;
+inline constexpr double kRayShare = 1;
 double inherited_bound(const fast::PixelRayMethod& rays);
 
 /// A ray method and an intersection method of fast/ as one candidate, "RAYS/INTERSECT". On given

@@ -117,12 +117,12 @@ bool is_stable(const Verdict& verdict) {
   return defects(verdict) == 0 && worst_ratio(verdict) <= kStableRatio;
 }
 
-std::optional<double> error_slope(int base, int first, std::span<const double> errors) {
+std::optional<double> error_slope(int base, std::span<const int> severities,
+                                  std::span<const double> errors) {
   std::vector<std::pair<double, double>> points;
   for (std::size_t k = 0; k < errors.size(); ++k) {
     if (!(errors[k] > 0) || !std::isfinite(errors[k])) continue;
-    const double severity = first + static_cast<double>(k);
-    points.emplace_back(severity * std::log10(base), std::log10(errors[k]));
+    points.emplace_back(severities[k] * std::log10(base), std::log10(errors[k]));
   }
   if (points.size() < 3) return std::nullopt;
   const auto lower = [](const auto& a, const auto& b) { return a.second < b.second; };

@@ -75,8 +75,9 @@ bool is_stable(const Verdict& verdict);
 /// still grows: up to the first that is at least a tenth of the largest (it stops growing when no
 /// digit is right any more), or over all where none grows tenfold. Errors that are 0 or not finite
 /// are left out; empty for fewer than three others.
-/// Shape: one error a severity, from severity `first` on.
-std::optional<double> error_slope(int base, int first, std::span<const double> errors);
+/// Shape: one error a severity.
+std::optional<double> error_slope(int base, std::span<const int> severities,
+                                  std::span<const double> errors);
 
 }  // namespace raycheck::properties
 

@@ -54,7 +54,15 @@ std::vector<StagedMethod> find_methods(const std::vector<std::string>& names) {
   for (const auto* method : all_intersect_methods()) {
     all.push_back({properties::Stage::kIntersection, kDefaultMethods.rays, method});
   }
-  if (names.empty()) return all;
+  if (std::find(names.begin(), names.end(), "all") != names.end()) return all;
+  if (names.empty()) {
+    const auto fast = fast::intersect_methods();
+    std::erase_if(all, [&](const StagedMethod& method) {
+      return method.stage == properties::Stage::kIntersection &&
+             std::find(fast.begin(), fast.end(), method.intersect) == fast.end();
+    });
+    return all;
+  }
   const auto is_called = [](const StagedMethod& method, const std::string& name) {
     const bool makes_rays = method.stage == properties::Stage::kRays;
     return name == method.name() ||

@@ -39,8 +39,9 @@ struct StagedMethod {
 /// Every intersection method: those of fast/, the exact ones, then those of other libraries.
 std::vector<const fast::IntersectMethod*> all_intersect_methods();
 
-/// The methods of those names, of either kind ("rays/NAME" and "intersect/NAME" tell them apart);
-/// all when there are none. Throws std::invalid_argument naming the option and the known names.
+/// The methods of those names, of either kind ("rays/NAME" and "intersect/NAME" tell them apart;
+/// "all" is every one); when there are none those of fast/, which is what a renderer may use.
+/// Throws std::invalid_argument naming the option and the known names.
 std::vector<StagedMethod> find_methods(const std::vector<std::string>& names);
 
 properties::Candidate candidate_of(const MethodPair& pair);

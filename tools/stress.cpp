@@ -48,6 +48,15 @@ std::pair<int, int> range_of(const CaseSource& family, const StressOptions& opti
   return {from, std::min(to, highest)};
 }
 
+std::vector<int> severities_of(const CaseSource& family, const StressOptions& options) {
+  const auto [from, to] = range_of(family, options);
+  const int step = (to - from) / kMostSeverities + 1;
+  std::vector<int> severities;
+  for (int severity = from; severity < to; severity += step) severities.push_back(severity);
+  severities.push_back(to);
+  return severities;
+}
+
 /// The stages that a family's cases ask something of.
 std::vector<Stage> stages_of(const CaseSource& family) {
   if (family.has_camera) return {Stage::kRays, Stage::kIntersection};
@@ -59,18 +68,19 @@ std::vector<StressCurve> run_stage(const CaseSource& family, Stage stage,
                                    const StressOptions& options, Progress& progress) {
   std::vector<StressCurve> curves;
   std::vector<properties::Candidate> candidates;
-  const auto [from, to] = range_of(family, options);
+  const std::vector<int> severities = severities_of(family, options);
   for (const StagedMethod& method : methods) {
     if (method.stage != stage) continue;
-    curves.push_back({method, from, {}});
+    curves.push_back({method, severities, {}});
     candidates.push_back(candidate_of(method));
   }
   if (curves.empty()) return curves;
   properties::StressOptions each;
   each.cases = options.cases;
   each.interrupted = interrupted;
-  for (int severity = from; severity <= to && !interrupted(); ++severity) {
-    progress.show(fmt::format("{} at severity {} of {}", family.name, severity, to));
+  for (const int severity : severities) {
+    if (interrupted()) break;
+    progress.show(fmt::format("{} at severity {} of {}", family.name, severity, severities.back()));
     each.seed = options.seed + static_cast<std::uint64_t>(severity);
     std::vector<StressResult> results = stress(family, severity, stage, candidates, each);
     for (std::size_t k = 0; k < curves.size(); ++k) {
@@ -95,7 +105,7 @@ bool StressCurve::is_judged() const {
 
 std::optional<int> StressCurve::first_failing() const {
   for (std::size_t k = 0; k < results.size(); ++k) {
-    if (!is_stable(results[k].inside)) return first + static_cast<int>(k);
+    if (!is_stable(results[k].inside)) return severities[k];
   }
   return std::nullopt;
 }
@@ -114,7 +124,7 @@ std::optional<double> StressCurve::slope(int base) const {
     const properties::Tally* const at = tally(k);
     errors.push_back(at == nullptr ? 0 : at->quantile(0.999).value_or(0));
   }
-  return properties::error_slope(base, first, errors);
+  return properties::error_slope(base, severities, errors);
 }
 
 bool StressReport::all_stable() const {

@@ -24,7 +24,7 @@ struct StressOptions {
 /// One method on one family.
 struct StressCurve {
   StagedMethod method;
-  int first = 0;                                  ///< The severity of the first result.
+  std::vector<int> severities;
   std::vector<properties::StressResult> results;  ///< One a severity.
 
   properties::Quantity quantity() const { return properties::main_quantity(method.stage); }
@@ -53,6 +53,9 @@ struct StressReport {
   bool all_stable() const;
   std::uint64_t compared() const;
 };
+
+/// Of a family with more severities only every so manieth is judged, and the last.
+inline constexpr int kMostSeverities = 64;
 
 /// Judges methods on families of cases of growing severity, each stage alone.
 /// Throws std::invalid_argument naming the option.

@@ -59,8 +59,10 @@ Command add_stress(CLI::App& program) {
   command.add_option("--family", options.families, "only these families, separated by commas")
       ->delimiter(',');
   command
-      .add_option("--method,--methods", options.methods,
-                  "only these methods, of either kind, separated by commas (default: all)")
+      .add_option(
+          "--method,--methods", options.methods,
+          "only these methods, of either kind, separated by commas, or all (default: those of "
+          "fast/, without the reference and peers)")
       ->delimiter(',');
   command.add_option("--severity", given->severity,
                      "only these severities, A..B (default: the family's own range)");

@@ -27,7 +27,7 @@ std::string stress_json(const StressReport& report) {
       method["max_ratio"] =
           error_json(curve.worst_ratio() < 0 ? std::nullopt : std::optional(curve.worst_ratio()));
       for (std::size_t k = 0; k < curve.results.size(); ++k) {
-        method["severities"].push_back({{"severity", curve.first + static_cast<int>(k)},
+        method["severities"].push_back({{"severity", curve.severities[k]},
                                         {"inside", weighed_json(curve.results[k].inside)},
                                         {"outside", weighed_json(curve.results[k].outside)}});
       }

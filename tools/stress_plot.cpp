@@ -31,7 +31,7 @@ std::vector<Plot> stress_plots(const StressReport& report) {
         for (std::size_t k = 0; k < curve.results.size(); ++k) {
           const Tally* const tally = curve.tally(k);
           if (tally == nullptr) continue;
-          const double severity = curve.first + static_cast<double>(k);
+          const double severity = curve.severities[k];
           const double error = tally->quantile(0.999).value_or(0);
           if (std::isfinite(error)) {
             series.points.push_back({severity, std::max(error, kSmallestPlotted), 0, 0});

@@ -34,8 +34,9 @@ Table first_failing_table(const StressReport& report, Stage stage) {
   for (const FamilyReport& family : report.families) {
     std::vector<std::string> row = {
         std::string(family.family->name),
-        fmt::format("{}..{}", family.curves.empty() ? 0 : family.curves.front().first,
-                    family.family->dial->highest)};
+        family.curves.empty() ? ""
+                              : fmt::format("{}..{}", family.curves.front().severities.front(),
+                                            family.curves.front().severities.back())};
     for (const StressCurve& curve : family.curves) {
       if (curve.method.stage != stage) continue;
       if (rows.empty()) {
@@ -95,7 +96,7 @@ std::vector<std::string> detail_row(const FamilyReport& family, const StressCurv
   const double ratio = properties::worst_ratio(result.inside);
   return {std::string(family.family->name),
           std::string(curve.method.name()),
-          std::to_string(curve.first + static_cast<int>(k)),
+          std::to_string(curve.severities[k]),
           std::to_string(decisions),
           std::to_string(properties::defects(result.inside)),
           std::to_string(excused),

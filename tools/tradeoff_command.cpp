@@ -55,8 +55,10 @@ Command add_tradeoff(CLI::App& program) {
       ->delimiter(',');
   command.add_flag("--all-families", options.all_families, "cases of every family");
   command
-      .add_option("--method,--methods", options.methods,
-                  "only these methods, of either kind, separated by commas (default: all)")
+      .add_option(
+          "--method,--methods", options.methods,
+          "only these methods, of either kind, separated by commas, or all (default: those of "
+          "fast/, without the reference and peers)")
       ->delimiter(',');
   command.add_option("--cases", options.cases, "how many cases, or pixels of a scene")
       ->check(CLI::Range(1, 1000000000))
