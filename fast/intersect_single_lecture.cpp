@@ -12,6 +12,7 @@ const IntersectMethod kSingleLecture = {
     .max_point_ulp = kSingleLectureMaxPointUlp,
     .not_kept = "far spheres, grazing rays",
     .domain = kSingleDomain,
+    .unit_roundoff = 0x1p-24,
 };
 
 }  // namespace raycheck::fast

@@ -62,7 +62,7 @@ void for_each_common_hit(Trial& trial, Visit visit) {
 
 bool may_flip(Trial& trial, std::size_t ray, std::size_t sphere) {
   return trial.exact_ray(ray).may_flip_within(trial.scene().spheres[sphere],
-                                              trial.conventions().root, kExcusedChange);
+                                              trial.conventions().root, trial.excused_change());
 }
 
 void describe_parameters(Trial& trial, std::size_t ray, std::size_t sphere,

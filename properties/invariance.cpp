@@ -45,7 +45,7 @@ void compare_hits(Trial& trial, Trial& transformed, Verdict& verdict, const Law&
                                                                        : Wrong::kFalseHit;
       const auto may_flip = [&] {
         return trial.exact_ray(k).may_flip_within(the_sphere, trial.conventions().root,
-                                                  kExcusedChange);
+                                                  trial.excused_change());
       };
       trial.judge(verdict, law.name, Quantity::kClass, place, wrong, may_flip, describe);
       if (!hits[k] || !others[k]) continue;
@@ -308,7 +308,7 @@ Verdict judge_growing_radius(Trial& trial) {
             grown.at(k) ? Wrong::kNot : Wrong::kMissed,
             [&] {
               return trial.exact_ray(k).may_flip_within(the_sphere, trial.conventions().root,
-                                                        kExcusedChange);
+                                                        trial.excused_change());
             },
             [&](Discrepancy& d) {
               d.what = "after the radius grew";

@@ -26,13 +26,13 @@ bool may_flip(Trial& trial, const Choice& choice) {
   const auto& spheres = trial.scene().spheres;
   const reference::ExactRay& ray = trial.exact_ray(choice.ray);
   const auto class_may_flip = [&](std::size_t sphere) {
-    return ray.may_flip_within(spheres[sphere], trial.conventions().root, kExcusedChange);
+    return ray.may_flip_within(spheres[sphere], trial.conventions().root, trial.excused_change());
   };
   if (choice.got && class_may_flip(*choice.got)) return true;
   if (!choice.exact) return false;
   if (class_may_flip(choice.exact->index)) return true;
   if (!choice.got || !trial.exact_hit(choice.ray, *choice.got)) return false;
-  const auto widened = ray.enclose(256, kExcusedChange);
+  const auto widened = ray.enclose(256, trial.excused_change());
   return (widened.parameter(spheres[*choice.got],
                             trial.exact_intersection(choice.ray, *choice.got)) -
           widened.parameter(spheres[choice.exact->index], choice.exact->intersection))

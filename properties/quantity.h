@@ -71,7 +71,8 @@ constexpr double bound_growth(double condition) {
 }
 
 /// A class error is excused when a relative change of the inputs by this much may flip the exact
-/// class: what the roundings of a handful of operations amount to.
+/// class: what the roundings of a handful of operations amount to. (A method that computes in
+/// another precision is excused as many of its own u.)
 inline constexpr double kExcusedChange = 16 * kDoubleRoundoff;
 
 }  // namespace raycheck::properties

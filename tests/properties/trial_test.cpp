@@ -177,7 +177,7 @@ TEST(Trial, TakesTheBoundFromEndToEndWhereThereIsACamera) {
   candidate.max_error[static_cast<std::size_t>(Quantity::kParameter)] = 0;
   candidate.max_error_end_to_end[static_cast<std::size_t>(Quantity::kParameter)] = 7;
   EXPECT_EQ(Trial(camera_case(), candidate).bound(Quantity::kParameter), 7);
-  EXPECT_EQ(Trial(camera_case(), candidate, 5.0).bound(Quantity::kParameter), 5);
+  EXPECT_EQ(Trial(camera_case(), candidate, {.max_error = 5.0}).bound(Quantity::kParameter), 5);
   EXPECT_EQ(Trial(at_height(0), candidate).bound(Quantity::kParameter), 0);
 }
 
