@@ -101,8 +101,8 @@ Candidate fast_candidate(const fast::PixelRayMethod& rays, const fast::Intersect
   };
   promise_hit(Quantity::kParameter, intersect.max_ulp);
   promise_hit(Quantity::kHitPoint, intersect.max_point_ulp);
-  promise_hit(Quantity::kSphereResidual, intersect.max_point_ulp);
-  promise_hit(Quantity::kRayResidual, intersect.max_point_ulp);
+  promise_hit(Quantity::kSphereResidual, intersect.max_point_ulp + kRoundedPointResidual);
+  promise_hit(Quantity::kRayResidual, intersect.max_point_ulp + kRoundedPointResidual);
   candidate.exact_class = intersect.exact_class;
   candidate.smallest_length = intersect.domain.smallest_length;
   candidate.largest_length = intersect.domain.largest_length;
