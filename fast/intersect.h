@@ -68,32 +68,32 @@ struct IntersectMethod {
 };
 
 // The bounds; audited by the tests of fast/ and the campaigns of `raycheck properties`.
-inline constexpr double kQuadraticMaxUlp = 96;
-inline constexpr double kQuadraticMaxPointUlp = 96;
-inline constexpr double kLectureMaxUlp = 96;
-inline constexpr double kLectureMaxPointUlp = 96;
-inline constexpr double kStableQuadraticMaxUlp = 96;
-inline constexpr double kStableQuadraticMaxPointUlp = 96;
-inline constexpr double kKahanMaxUlp = 96;
-inline constexpr double kKahanMaxPointUlp = 96;
+inline constexpr double kQuadraticMaxUlp = 128;
+inline constexpr double kQuadraticMaxPointUlp = 160;
+inline constexpr double kLectureMaxUlp = 128;
+inline constexpr double kLectureMaxPointUlp = 160;
+inline constexpr double kStableQuadraticMaxUlp = 128;
+inline constexpr double kStableQuadraticMaxPointUlp = 160;
+inline constexpr double kKahanMaxUlp = 128;
+inline constexpr double kKahanMaxPointUlp = 160;
 inline constexpr double kPerpendicularMaxUlp = 96;
-inline constexpr double kPerpendicularMaxPointUlp = 96;
-inline constexpr double kCrossMaxUlp = 96;
-inline constexpr double kCrossMaxPointUlp = 96;
-inline constexpr double kCross2MaxUlp = 96;
-inline constexpr double kCross2MaxPointUlp = 96;
-inline constexpr double kSingleQuadraticMaxUlp = 96 * 0x1p29;
-inline constexpr double kSingleQuadraticMaxPointUlp = 96 * 0x1p29;
-inline constexpr double kSingleLectureMaxUlp = 96 * 0x1p29;
-inline constexpr double kSingleLectureMaxPointUlp = 96 * 0x1p29;
-inline constexpr double kDoubleDoubleMaxUlp = 2;
-inline constexpr double kDoubleDoubleMaxPointUlp = 2;
-inline constexpr double kLongDoubleMaxUlp = 2;
-inline constexpr double kLongDoubleMaxPointUlp = 2;
-inline constexpr double kFloat128MaxUlp = 2;
-inline constexpr double kFloat128MaxPointUlp = 2;
+inline constexpr double kPerpendicularMaxPointUlp = 112;
+inline constexpr double kCrossMaxUlp = 88;
+inline constexpr double kCrossMaxPointUlp = 104;
+inline constexpr double kCross2MaxUlp = 88;
+inline constexpr double kCross2MaxPointUlp = 104;
+inline constexpr double kSingleQuadraticMaxUlp = kQuadraticMaxUlp * 0x1p29;
+inline constexpr double kSingleQuadraticMaxPointUlp = kQuadraticMaxPointUlp * 0x1p29;
+inline constexpr double kSingleLectureMaxUlp = kLectureMaxUlp * 0x1p29;
+inline constexpr double kSingleLectureMaxPointUlp = kLectureMaxPointUlp * 0x1p29;
+inline constexpr double kDoubleDoubleMaxUlp = 1;
+inline constexpr double kDoubleDoubleMaxPointUlp = 1.5;
+inline constexpr double kLongDoubleMaxUlp = 1;
+inline constexpr double kLongDoubleMaxPointUlp = 1.5;
+inline constexpr double kFloat128MaxUlp = 1;
+inline constexpr double kFloat128MaxPointUlp = 1.5;
 inline constexpr double kRobustMaxUlp = 1;
-inline constexpr double kRobustMaxPointUlp = 2;
+inline constexpr double kRobustMaxPointUlp = 1.5;
 
 /// `quadratic`: the general parametric approach as textbooks print it, b^2 - 4ac.
 extern const IntersectMethod kQuadratic;

@@ -29,7 +29,7 @@ const IntersectMethod kKahan = {
     .roots = roots_of<FromRoots<Kahan>>,
     .max_ulp = kKahanMaxUlp,
     .max_point_ulp = kKahanMaxPointUlp,
-    .not_kept = "far spheres, grazing rays",
+    .not_kept = "spheres many radii away, grazing rays",
 };
 
 }  // namespace raycheck::fast

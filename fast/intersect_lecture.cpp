@@ -10,7 +10,7 @@ const IntersectMethod kLecture = {
     .roots = roots_of<FromRoots<LectureFormula<double>>>,
     .max_ulp = kLectureMaxUlp,
     .max_point_ulp = kLectureMaxPointUlp,
-    .not_kept = "far spheres, grazing rays",
+    .not_kept = "spheres many radii away, grazing rays",
 };
 
 }  // namespace raycheck::fast

@@ -10,7 +10,7 @@ const IntersectMethod kQuadratic = {
     .roots = roots_of<FromRoots<Textbook<double>>>,
     .max_ulp = kQuadraticMaxUlp,
     .max_point_ulp = kQuadraticMaxPointUlp,
-    .not_kept = "far spheres, grazing rays",
+    .not_kept = "spheres many radii away, grazing rays",
 };
 
 }  // namespace raycheck::fast

@@ -10,7 +10,8 @@ const IntersectMethod kSingleLecture = {
     .roots = roots_of<FromRoots<LectureFormula<float>>>,
     .max_ulp = kSingleLectureMaxUlp,
     .max_point_ulp = kSingleLectureMaxPointUlp,
-    .not_kept = "far spheres, grazing rays",
+    .not_kept =
+        "spheres many radii away, grazing rays, origins near the surface or far from the world's",
     .domain = kSingleDomain,
     .unit_roundoff = 0x1p-24,
 };

@@ -10,7 +10,8 @@ const IntersectMethod kSingleQuadratic = {
     .roots = roots_of<FromRoots<Textbook<float>>>,
     .max_ulp = kSingleQuadraticMaxUlp,
     .max_point_ulp = kSingleQuadraticMaxPointUlp,
-    .not_kept = "far spheres, grazing rays",
+    .not_kept =
+        "spheres many radii away, grazing rays, origins near the surface or far from the world's",
     .domain = kSingleDomain,
     .unit_roundoff = 0x1p-24,
 };

@@ -26,7 +26,7 @@ const IntersectMethod kStableQuadratic = {
     .roots = roots_of<FromRoots<StableQuadratic>>,
     .max_ulp = kStableQuadraticMaxUlp,
     .max_point_ulp = kStableQuadraticMaxPointUlp,
-    .not_kept = "far spheres, grazing rays",
+    .not_kept = "spheres many radii away, grazing rays",
 };
 
 }  // namespace raycheck::fast

@@ -5,7 +5,8 @@
 namespace raycheck::fast {
 namespace {
 
-constexpr const PixelRayMethod* kMethods[] = {&kLectureRays, &kDirectRays, &kFocalRays};
+constexpr const PixelRayMethod* kMethods[] = {&kLectureRays, &kDirectRays, &kFocalRays,
+                                              &kIncrementalRays, &kSingleRays};
 
 }  // namespace
 

@@ -1,6 +1,7 @@
 #ifndef RAYCHECK_FAST_PIXEL_RAY_H_
 #define RAYCHECK_FAST_PIXEL_RAY_H_
 
+#include <cstdint>
 #include <span>
 #include <string_view>
 
@@ -46,7 +47,17 @@ inline constexpr double kPixelPointMaxUlp = 128;
 inline constexpr double kLectureDirectionMaxUlp = 64;  ///< P - E cancels where |E| is large.
 inline constexpr double kDirectDirectionMaxUlp = 64;
 inline constexpr double kUnitDefectMaxUlp = 4;
-inline constexpr double kFocalUnitDefectMaxUlp = 8;  ///< It takes the axes for orthonormal.
+inline constexpr double kFocalUnitDefectMaxUlp = 8;     ///< It takes the axes for orthonormal.
+inline constexpr double kIncrementalPointMaxUlp = 256;  ///< kIncrementalTile additions.
+inline constexpr double kIncrementalDirectionMaxUlp = 96;
+inline constexpr double kSinglePointMaxUlp = 56 * 0x1p29;
+inline constexpr double kSingleDirectionMaxUlp = 32 * 0x1p29;
+inline constexpr double kSingleUnitDefectMaxUlp = 4 * 0x1p29;
+
+/// How many pixels of a row `incremental` steps over before it starts anew, by multiplication, as a
+/// renderer in tiles does. A pixel's answer then depends on its column alone, not on which pixels
+/// are asked for; a batch in the order of rows costs an addition a pixel.
+inline constexpr std::int64_t kIncrementalTile = 64;
 
 /// `lecture`: literally P = E + n W + alpha U + beta V, then D = (P - E)/|P - E|.
 extern const PixelRayMethod kLectureRays;
@@ -54,6 +65,11 @@ extern const PixelRayMethod kLectureRays;
 extern const PixelRayMethod kDirectRays;
 /// `focal`: rays from E only, with all that the pixels share computed once per scene.
 extern const PixelRayMethod kFocalRays;
+/// `incremental`: `direct` with g stepped along a row by du = (right - left)/(w-1) U;
+/// kIncrementalTile.
+extern const PixelRayMethod kIncrementalRays;
+/// `single`: `direct` in single precision, axes included; lengths are in kSingleDomain.
+extern const PixelRayMethod kSingleRays;
 
 /// Where on the image plane a pixel is: alpha along U, beta along V, as every method computes them.
 struct PlanePosition {

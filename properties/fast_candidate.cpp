@@ -101,10 +101,8 @@ Candidate fast_candidate(const fast::PixelRayMethod& rays, const fast::Intersect
   };
   promise_hit(Quantity::kParameter, intersect.max_ulp);
   promise_hit(Quantity::kHitPoint, intersect.max_point_ulp);
-  // Residuals are measured in r and s, which may be less than |Q| by about the condition number.
-  const double residual = std::max(intersect.max_point_ulp, kModerateCondition);
-  promise_hit(Quantity::kSphereResidual, residual);
-  promise_hit(Quantity::kRayResidual, residual);
+  promise_hit(Quantity::kSphereResidual, intersect.max_point_ulp + kRoundedPointResidual);
+  promise_hit(Quantity::kRayResidual, intersect.max_point_ulp + kRoundedPointResidual);
   // A root off by so much is at most twice that many u off, and kappa is at least 1: scaling all
   // lengths scales s.
   promise(Quantity::kBackwardError, 2 * intersect.max_ulp);

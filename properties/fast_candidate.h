@@ -13,6 +13,11 @@ namespace raycheck::properties {
 inline constexpr double kRayShare = 1;
 double inherited_bound(const fast::PixelRayMethod& rays);
 
+/// What the residuals' bounds gain over the point's: a point rounded to doubles is off by up to
+/// u |Q|, which is half the residual's condition number, (|Q| + |C| + |L| + r)/r or over s |D|, in
+/// units of u of r or s |D|.
+inline constexpr double kRoundedPointResidual = kModerateCondition / 2;
+
 /// A ray method and an intersection method of fast/ as one candidate, "RAYS/INTERSECT". On given
 /// rays it promises what the intersection method does, in that method's domain; end to end from a
 /// camera its hits promise inherited_bound() more, in both methods' domains.
