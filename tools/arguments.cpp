@@ -86,7 +86,7 @@ void add_format(CLI::App& command, std::string& format, const std::vector<std::s
 void add_certificates(CLI::App& command, std::optional<std::string>& path) {
   command
       .add_option("--certificates", path,
-                  "takes a proof of each discrepancy shown; tools/verify_certificates.py confirms "
+                  "takes proofs of the discrepancies found; tools/verify_certificates.py confirms "
                   "them without raycheck")
       ->type_name("FILE");
 }

@@ -65,6 +65,8 @@ std::string stress_text(const StressReport& report);
 std::string stress_markdown(const StressReport& report);
 std::string stress_csv(const StressReport& report);
 std::string stress_json(const StressReport& report);
+/// Certificates of the first discrepancy of each kind at each severity: a line each.
+std::string stress_certificates(const StressReport& report);
 /// Error against severity, a plot for each family and stage.
 std::vector<Plot> stress_plots(const StressReport& report);
 

@@ -6,6 +6,7 @@
 #include "tools/arguments.h"
 #include "tools/command_line.h"
 #include "tools/commands.h"
+#include "tools/output_file.h"
 #include "tools/stress.h"
 #include "tools/terminal.h"
 
@@ -16,6 +17,7 @@ struct Arguments {
   StressOptions options;
   std::string severity;
   std::string plot;
+  std::optional<std::string> certificates;
   std::string format = "text";
 };
 
@@ -43,9 +45,12 @@ int run(Arguments& arguments) {
   catch_interrupts();
   if (!arguments.severity.empty()) arguments.options.severities = parse_range(arguments.severity);
   if (!arguments.plot.empty()) require_plottable(arguments.plot);
+  std::optional<OutputFile> certificates;
+  if (arguments.certificates) certificates.emplace("--certificates", *arguments.certificates);
   const StressReport report = run_stress(arguments.options);
   print_report(rendered(report, arguments.format));
   if (!arguments.plot.empty()) draw_or_say(stress_plots(report), arguments.plot);
+  if (certificates) certificates->write(stress_certificates(report));
   return exit_code(report.interrupted, !report.all_stable(), report.compared() > 0);
 }
 
@@ -72,6 +77,7 @@ Command add_stress(CLI::App& program) {
   add_seed(command, options.seed);
   command.add_option("--plot", given->plot,
                      "draw error against severity to a file, .svg, .png or .pdf");
+  add_certificates(command, given->certificates);
   add_format(command, given->format, {"text", "json", "csv", "markdown"});
   return {&command, [given] { return run(*given); }};
 }

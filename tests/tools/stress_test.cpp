@@ -90,6 +90,19 @@ TEST(StressCommand, draws_a_plot_or_says_that_there_is_no_gnuplot) {
   std::filesystem::remove(path);
 }
 
+TEST(StressCommand, proves_what_it_found) {
+  const std::string path = temporary_file("stress.certificates", "");
+  EXPECT_EQ(run("stress --family distance,up --method quadratic,rays/lecture --certificates " +
+                path + kFew)
+                .exit_code,
+            1);
+  const std::string proofs = contents(path);
+  EXPECT_GT(std::count(proofs.begin(), proofs.end(), '\n'), 20);
+  const Outcome confirmed = run_python("tools/verify_certificates.py " + path);
+  EXPECT_EQ(confirmed.exit_code, 0) << confirmed.out;
+  std::filesystem::remove(path);
+}
+
 TEST(TradeoffCommand, reports_error_and_time_of_each_method) {
   const Outcome result = run("tradeoff --methods quadratic,cross,direct --cases 300 --format json");
   EXPECT_EQ(result.exit_code, 0) << result.err;
