@@ -183,7 +183,11 @@ Verdict judge_hit_point(Trial& trial) {
     trial.measure(
         verdict, kHitPointLaw.name, Quantity::kHitPoint, trial.place(ray, sphere),
         reference::relative_error(answer.point, exact_ray.point(the_sphere, at)),
-        [&] { return reference::condition_of_point(exact_ray, the_sphere, at); },
+        // Every method adds s D to L, a step that loses |L|/|Q| of its own.
+        [&] {
+          return reference::condition_of_point(exact_ray, the_sphere, at) +
+                 *reference::stage_conditions(exact_ray, the_sphere, at).point;
+        },
         [&](Discrepancy& d) {
           d.got = numbers(answer.point);
           d.exact = numbers(exact_ray.rounded_point(the_sphere, at));

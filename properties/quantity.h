@@ -65,7 +65,7 @@ inline constexpr double kDoubleRoundoff = 0x1p-53;
 inline constexpr double kDefaultMaxError = 16;
 
 /// Up to this condition number documented bounds hold as they stand; beyond, in proportion to it.
-inline constexpr double kModerateCondition = 100;
+inline constexpr double kModerateCondition = 16;
 constexpr double bound_growth(double condition) {
   return condition > kModerateCondition ? condition / kModerateCondition : 1;
 }
