@@ -57,7 +57,7 @@ struct Discrepancy {
   std::vector<double> exact;  ///< Correctly rounded; empty as for got.
   double error = 0;           ///< In the quantity's unit; infinite where right or wrong.
   Wrong wrong = Wrong::kNot;
-  std::optional<double> condition;  ///< An upper estimate of the condition number.
+  std::optional<double> condition;  ///< The condition number, where it was asked for.
   Excuse excuse = Excuse::kNone;
 };
 

@@ -2,8 +2,8 @@
 #define RAYCHECK_REFERENCE_FORMULAS_H_
 
 // The formulas of cameras, rays and spheres, written once over a CGAL kernel K and instantiated
-// with the kernels of reference/kernels.h and the symbolic one of reference/closed_form.cpp.
-// Internal to reference/.
+// with the kernels of reference/kernels.h, the differentiating ones of reference/dual.h and the
+// symbolic one of reference/closed_form.cpp. Internal to reference/.
 
 #include <cstdint>
 

@@ -229,8 +229,8 @@ Camera camera_at(double x) {
 }
 
 TEST(CameraCondition, OfThePixelPointWhoseCameraIsFarIsTheEyes) {
-  // P = (x, 0, 9): W turns by |E_x| + |A_x| over |E - A|, E moves by (x, 0, 10), near and the bounds
-  // in pairs by 1.
+  // P = (x, 0, 9): W turns by |E_x| + |A_x| over |E - A|, E moves by (x, 0, 10), near and the
+  // bounds in pairs by 1.
   for (const double x : {1e3, 1e6, 1e9}) {
     const ExactRay ray(ExactCamera(camera_at(x), {}), {1, 1});
     const double exact = ((1 - 0.1) * x + 0.1 * x + 10 + 3) / std::hypot(x, 9);
