@@ -5,7 +5,10 @@
 
 #include <map>
 #include <set>
+#include <stdexcept>
 #include <string>
+#include <tuple>
+#include <vector>
 
 #include "properties/campaign.h"
 #include "properties/fast_candidate.h"
@@ -15,17 +18,26 @@ namespace {
 
 constexpr int kCases = 900;
 
+// The sources that methods are told apart by.
+constexpr const char* kOrdinaryCameras = "cameras";
+constexpr const char* kPlainCameras = "plain-cameras";
+constexpr const char* kFarCameras = "far-camera";
+constexpr const char* kOrdinaryRays = "rays";
+constexpr const char* kFar = "distance";
+constexpr const char* kGrazing = "tangency";
+constexpr const char* kSurface = "surface";
+
 /// What a law must compare in kCases cases of direct/cross, at the least: about two thirds of what
 /// it does compare.
 const std::map<std::string_view, std::uint64_t> kLeastCompared = {
-    {"frame", 2400},          {"pixel-point", 1700},   {"bounds", 2500},
-    {"image-plane", 4500},    {"centre-pixel", 60},    {"pixel-zero-zero", 550},
-    {"density", 2600},        {"square-pixels", 530},  {"unit-direction", 1700},
-    {"direction", 1700},      {"ray-origin", 1700},    {"class", 1750},
-    {"nearest-root", 510},    {"parameter", 510},      {"hit-point", 1500},
-    {"focal-and-pixel", 970}, {"nearest-sphere", 560}, {"scaling", 13000},
-    {"axes", 10500},          {"look-at", 2900},       {"up", 1300},
-    {"growing-radius", 1300}, {"refusal", 16000}};
+    {"frame", 2400},       {"pixel-point", 1700},    {"bounds", 2500},
+    {"image-plane", 4500}, {"centre-pixel", 60},     {"pixel-zero-zero", 550},
+    {"density", 2600},     {"square-pixels", 530},   {"unit-direction", 1700},
+    {"direction", 1700},   {"ray-origin", 1700},     {"class", 1750},
+    {"nearest-root", 510}, {"backward-error", 510},  {"parameter", 510},
+    {"hit-point", 1500},   {"focal-and-pixel", 970}, {"nearest-sphere", 560},
+    {"scaling", 13000},    {"axes", 10500},          {"look-at", 2900},
+    {"up", 1300},          {"growing-radius", 1300}, {"refusal", 16000}};
 
 CampaignResult campaign(std::string_view law, const Candidate& candidate,
                         std::string_view source = {}, int cases = kCases) {
@@ -66,21 +78,27 @@ std::vector<std::string> laws_of_intersections() {
   return names;
 }
 
-/// All but the laws that measure directions and hits, or relate hits from two origins: P - E
-/// cancels, and a hit inherits the error of its ray's direction.
-std::vector<std::string> laws_of_lecture_rays() {
+std::vector<std::string> laws_but(const std::set<std::string>& broken) {
   std::vector<std::string> names = law_names();
-  const std::set<std::string> broken = {"direction", "parameter", "hit-point", "focal-and-pixel"};
   std::erase_if(names, [&](const std::string& name) { return broken.contains(name); });
   return names;
 }
 
-std::string test_name(const testing::TestParamInfo<std::string>& the_test) {
-  std::string name = the_test.param;
+/// All but the laws that measure directions and hits: P - E cancels, and a hit inherits the error
+/// of its ray's direction.
+std::vector<std::string> laws_of_lecture_rays() {
+  return laws_but({"direction", "parameter", "hit-point", "axes", "focal-and-pixel"});
+}
+
+std::string identifier(std::string name) {
   for (char& letter : name) {
     if (letter == '-') letter = '_';
   }
   return name;
+}
+
+std::string test_name(const testing::TestParamInfo<std::string>& the_test) {
+  return identifier(the_test.param);
 }
 
 class EachLaw : public testing::TestWithParam<std::string> {};
@@ -105,14 +123,61 @@ TEST_P(EachLaw, HoldsForFocalCross) {
 
 INSTANTIATE_TEST_SUITE_P(Laws, EachLaw, testing::ValuesIn(law_names()), test_name);
 
-class EachIntersectionLaw : public testing::TestWithParam<std::string> {};
-
-TEST_P(EachIntersectionLaw, HoldsForDirectPerpendicular) {
-  expect_holds(*find_law(GetParam()), fast_candidate(fast::kDirectRays, fast::kPerpendicular));
+Candidate with_direct_rays(std::string_view intersection) {
+  for (const fast::IntersectMethod* method : fast::intersect_methods()) {
+    if (method->name == intersection) return fast_candidate(fast::kDirectRays, *method);
+  }
+  throw std::invalid_argument(std::string(intersection));
 }
 
-INSTANTIATE_TEST_SUITE_P(Laws, EachIntersectionLaw, testing::ValuesIn(laws_of_intersections()),
-                         test_name);
+/// The methods that keep their promises everywhere, or those that do not.
+std::vector<std::string> methods(bool keep) {
+  std::vector<std::string> names;
+  for (const fast::IntersectMethod* method : fast::intersect_methods()) {
+    if (method->not_kept.empty() == keep) names.emplace_back(method->name);
+  }
+  return names;
+}
+
+/// `cross` aside, which has its own test.
+std::vector<std::string> keepers() {
+  std::vector<std::string> names = methods(true);
+  std::erase(names, fast::kCross.name);
+  return names;
+}
+
+class KeptEverywhere : public testing::TestWithParam<std::tuple<std::string, std::string>> {};
+
+TEST_P(KeptEverywhere, Holds) {
+  const auto& [method, law] = GetParam();
+  expect_holds(*find_law(law), with_direct_rays(method));
+}
+
+INSTANTIATE_TEST_SUITE_P(MethodsAndLaws, KeptEverywhere,
+                         testing::Combine(testing::ValuesIn(keepers()),
+                                          testing::ValuesIn(laws_of_intersections())),
+                         [](const testing::TestParamInfo<KeptEverywhere::ParamType>& the_test) {
+                           return identifier(std::get<0>(the_test.param) + "_" +
+                                             std::get<1>(the_test.param));
+                         });
+
+TEST(Keepers, AreTheStableMethods) {
+  EXPECT_EQ(keepers(), (std::vector<std::string>{"perpendicular", "cross2", "double-double",
+                                                 "long-double", "float128", "robust"}));
+}
+
+/// Its class has no excuse on given rays: not tangents, not surfaces, not the ends of the range.
+TEST(Robust, HasTheExactClassOnEverySourceOfGivenRays) {
+  const Candidate candidate = with_direct_rays("robust");
+  ASSERT_TRUE(candidate.exact_class);
+  for (const CaseSource& source : case_sources()) {
+    if (source.has_camera) continue;
+    const CampaignResult result = campaign("class", candidate, source.name, kCasesUntilCaught);
+    EXPECT_FALSE(result.failure.has_value()) << text(result.failure->shrunk);
+    EXPECT_EQ(result.verdict.discrepancies(), 0u) << source.name;
+    EXPECT_GT(result.verdict.compared(), 20000u) << source.name;
+  }
+}
 
 class EachLawOfLectureRays : public testing::TestWithParam<std::string> {};
 
@@ -125,39 +190,70 @@ INSTANTIATE_TEST_SUITE_P(Laws, EachLawOfLectureRays, testing::ValuesIn(laws_of_l
 
 class LessStableMethod : public testing::TestWithParam<std::string> {
  protected:
-  Candidate candidate() const {
-    for (const fast::IntersectMethod* method : fast::intersect_methods()) {
-      if (method->name == GetParam()) return fast_candidate(fast::kDirectRays, *method);
-    }
-    throw std::invalid_argument(GetParam());
-  }
+  Candidate candidate() const { return with_direct_rays(GetParam()); }
 };
 
 TEST_P(LessStableMethod, IsCaughtByTheClassOfFarAndGrazingSpheres) {
-  expect_caught("class", candidate(), "distance");
-  expect_caught("class", candidate(), "tangency");
+  expect_caught("class", candidate(), kFar);
+  expect_caught("class", candidate(), kGrazing);
 }
 
-TEST_P(LessStableMethod, IsCaughtByTheParameterOfFarSpheres) {
-  expect_caught("parameter", candidate(), "distance");
+TEST_P(LessStableMethod, IsCaughtByTheParameterOfSpheresManyRadiiAway) {
+  expect_caught("parameter", candidate(), kOrdinaryRays);
+  expect_caught("parameter", candidate(), kFar);
 }
 
 TEST_P(LessStableMethod, HoldsOnOrdinaryCameras) {
   for (const std::string& law : laws_of_intersections()) {
-    expect_holds(*find_law(law), candidate(), "cameras");
+    expect_holds(*find_law(law), candidate(), kOrdinaryCameras);
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Methods, LessStableMethod,
-                         testing::Values("quadratic", "lecture", "stable-quadratic"), test_name);
+INSTANTIATE_TEST_SUITE_P(Methods, LessStableMethod, testing::ValuesIn(methods(false)), test_name);
+
+class SinglePrecision : public testing::TestWithParam<std::string> {};
+
+TEST_P(SinglePrecision, IsCaughtByOriginsNearTheSurfaceAndFarFromTheWorlds) {
+  expect_caught("class", with_direct_rays(GetParam()), kSurface);
+  expect_caught("class", with_direct_rays(GetParam()), kFarCameras);
+}
+
+INSTANTIATE_TEST_SUITE_P(Methods, SinglePrecision,
+                         testing::Values("single-quadratic", "single-lecture"), test_name);
 
 TEST(LectureRays, AreCaughtByTheDirectionFromFarEyes) {
-  expect_caught("direction", fast_candidate(fast::kLectureRays, fast::kCross), "far-camera");
+  expect_caught("direction", fast_candidate(fast::kLectureRays, fast::kCross), kFarCameras);
 }
 
 TEST(LectureRays, HaveTheRightDirectionFromPlainEyes) {
   expect_holds(*find_law("direction"), fast_candidate(fast::kLectureRays, fast::kCross),
-               "plain-cameras");
+               kPlainCameras);
+}
+
+class EachLawOfIncrementalRays : public testing::TestWithParam<std::string> {};
+
+TEST_P(EachLawOfIncrementalRays, Holds) {
+  expect_holds(*find_law(GetParam()), fast_candidate(fast::kIncrementalRays, fast::kCross));
+}
+
+INSTANTIATE_TEST_SUITE_P(Laws, EachLawOfIncrementalRays, testing::ValuesIn(laws_but({"bounds"})),
+                         test_name);
+
+TEST(IncrementalRays, AreCaughtByTheBitsOfTheLastColumn) {
+  expect_caught("bounds", fast_candidate(fast::kIncrementalRays, fast::kCross), kPlainCameras);
+}
+
+class EachLawOfSingleRays : public testing::TestWithParam<std::string> {};
+
+TEST_P(EachLawOfSingleRays, HoldsNearTheWorldsOrigin) {
+  expect_holds(*find_law(GetParam()), fast_candidate(fast::kSingleRays, fast::kCross),
+               kOrdinaryCameras);
+}
+
+INSTANTIATE_TEST_SUITE_P(Laws, EachLawOfSingleRays, testing::ValuesIn(law_names()), test_name);
+
+TEST(SingleRays, AreCaughtByTheDirectionFromFarEyes) {
+  expect_caught("direction", fast_candidate(fast::kSingleRays, fast::kCross), kFarCameras);
 }
 
 TEST(FocalRays, LeaveOutWhatSpeaksOfPixelPoints) {
