@@ -18,7 +18,8 @@ struct Law {
   /// What it speaks of decides which cases are worth making for it.
   enum class Subject { kCamera, kIntersection, kCameraAndIntersection, kAny } subject;
   /// It compares single answers with the truth, one quantity at a time, as `check` reports them;
-  /// the others relate several answers to each other.
+  /// the others relate several answers to each other, or an answer to the ray that its own
+  /// candidate made.
   bool judges_values;
   Verdict (*judge)(Trial&);
 };

@@ -171,11 +171,15 @@ Json norms_json(const Discrepancy& d, const std::vector<scene::Sphere>& spheres)
 }
 
 /// Why no proof is tried; empty when one is.
-std::string not_provable(const Discrepancy& d) {
+std::string not_provable(const Discrepancy& d, bool from_camera) {
   const properties::Law* law = properties::find_law(d.law);
   if (d.quantity == Quantity::kRefusal) return "no value is stated";
-  if (law == nullptr || !law->judges_values) {
+  const bool is_own = d.quantity == Quantity::kBackwardError;
+  if (law == nullptr || !(law->judges_values || is_own)) {
     return "the law relates several answers of the method: no exact value is stated";
+  }
+  if (is_own && from_camera) {
+    return "a backward error is that of the very ray which the method made itself";
   }
   return {};
 }
@@ -186,7 +190,7 @@ constexpr const char* kTie =
 /// Adds the inputs and their proof; returns why there is none, if so.
 std::string add_proof(const scene::Scene& scene, const scene::Conventions& conventions,
                       const Discrepancy& d, Json& json) {
-  if (auto reason = not_provable(d); !reason.empty()) return reason;
+  if (auto reason = not_provable(d, scene.camera.has_value()); !reason.empty()) return reason;
   const std::vector<scene::Sphere> spheres = spheres_of(scene, d);
   const reference::Prover prover =
       scene.camera ? reference::Prover(*scene.camera, conventions, d.place.pixel)

@@ -309,6 +309,15 @@ def angle_sq(got, g):
     return norm_sq(cross(got, g)) / cosine**2 / U**2 if cosine > 0 else INFINITE
 
 
+def backward_sq(s, ray, met):
+    """The square of the relative change of the inputs that makes s a root, in units of u."""
+    way = times(s, ray.g)
+    off = minus(plus(ray.start, way), met.centre)
+    sizes = [sum(map(abs, parts)) for parts in zip(ray.start, met.centre, way)]
+    scale = 2 * dot(list(map(abs, off)), sizes) + 2 * met.radius**2
+    return relative_sq((norm_sq(off) - met.radius**2) ** 2, scale**2)
+
+
 def orthonormality_sq(axes, norms):
     """The square of the largest defect of length and of mutual cosines."""
     if not dot(cross(axes[0], axes[1]), axes[2]) > 0:
@@ -342,6 +351,8 @@ def measured(certificate, ray, meetings, got):
         exact = met.point()
     if quantity == "parameter":
         return [met.s], lambda: ulps_sq(got[0], met.s)
+    if quantity == "backward error":
+        return [], lambda: [backward_sq(got[0], ray, met)]
     if quantity == "sphere residual":
         distance = lambda: square_root(proof["norms"][0], norm_sq(minus(got, met.centre)))
         return [], lambda: [relative_sq((distance() - met.radius) ** 2, met.radius**2)]

@@ -246,7 +246,7 @@ TEST(IntersectBounds, OfTheOthersHoldNextToTheSurface) {
   for (const IntersectMethod* method : {&kQuadratic, &kLecture, &kStableQuadratic, &kKahan}) {
     Audit found;
     audit(*method, *properties::find_case_source("surface"), found);
-    expect_within_bounds(*method, found, 300);
+    expect_within_bounds(*method, found, 200);
   }
 }
 
@@ -254,7 +254,7 @@ TEST(IntersectBounds, OfSinglePrecisionHoldOnTies) {
   for (const IntersectMethod* method : {&kSingleQuadratic, &kSingleLecture}) {
     Audit found;
     audit(*method, *properties::find_case_source("ties"), found);
-    expect_within_bounds(*method, found, 300);
+    expect_within_bounds(*method, found, 200);
   }
 }
 

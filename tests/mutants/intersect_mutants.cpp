@@ -201,7 +201,7 @@ std::vector<Mutant> value_mutants() {
                    return hit;
                  })},
       {"s is kept in single precision",
-       {"parameter"},
+       {"parameter", "backward-error"},
        with_hits("single-parameter",
                  [](const Ray& ray, const Sphere&, const Hit& hit) -> Hit {
                    if (!hit || !(hit->parameter < 1e30)) return hit;
@@ -248,7 +248,9 @@ Candidate by_file_order(std::string name, bool first) {
 
 std::vector<Mutant> intersect_mutants() {
   std::vector<Mutant> all = {
-      {"the textbook's b^2 - 4ac", {"class", "parameter", "nearest-sphere"}, naive_discriminant()},
+      {"the textbook's b^2 - 4ac",
+       {"class", "parameter", "backward-error", "nearest-sphere"},
+       naive_discriminant()},
       {"the first sphere of the file wins", {"nearest-sphere"}, by_file_order("first-wins", true)},
       {"the last sphere of the file wins", {"nearest-sphere"}, by_file_order("last-wins", false)}};
   for (auto& more : {choice_mutants(), value_mutants()})

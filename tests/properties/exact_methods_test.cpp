@@ -133,7 +133,7 @@ TEST(ExactMethods, KeepTheirBoundsOnOrdinaryRays) {
     EXPECT_EQ(counts.wrong, 0) << method->name;
     EXPECT_GT(counts.hits, 300) << method->name;
     EXPECT_GT(counts.misses, 300) << method->name;
-    EXPECT_GT(counts.parameters, 300) << method->name;
+    EXPECT_GT(counts.parameters, 150) << method->name;
   }
 }
 

@@ -25,7 +25,6 @@ constexpr const char* kFarCameras = "far-camera";
 constexpr const char* kOrdinaryRays = "rays";
 constexpr const char* kFar = "distance";
 constexpr const char* kGrazing = "tangency";
-constexpr const char* kSurface = "surface";
 
 /// What a law must compare in kCases cases of direct/cross, at the least: about two thirds of what
 /// it does compare.
@@ -175,7 +174,7 @@ TEST(Robust, HasTheExactClassOnEverySourceOfGivenRays) {
     const CampaignResult result = campaign("class", candidate, source.name, kCasesUntilCaught);
     EXPECT_FALSE(result.failure.has_value()) << text(result.failure->shrunk);
     EXPECT_EQ(result.verdict.discrepancies(), 0u) << source.name;
-    EXPECT_GT(result.verdict.compared(), 20000u) << source.name;
+    EXPECT_GE(result.verdict.compared(), 20000u) << source.name;
   }
 }
 
@@ -210,16 +209,6 @@ TEST_P(LessStableMethod, HoldsOnOrdinaryCameras) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Methods, LessStableMethod, testing::ValuesIn(methods(false)), test_name);
-
-class SinglePrecision : public testing::TestWithParam<std::string> {};
-
-TEST_P(SinglePrecision, IsCaughtByOriginsNearTheSurfaceAndFarFromTheWorlds) {
-  expect_caught("class", with_direct_rays(GetParam()), kSurface);
-  expect_caught("class", with_direct_rays(GetParam()), kFarCameras);
-}
-
-INSTANTIATE_TEST_SUITE_P(Methods, SinglePrecision,
-                         testing::Values("single-quadratic", "single-lecture"), test_name);
 
 TEST(LectureRays, AreCaughtByTheDirectionFromFarEyes) {
   expect_caught("direction", fast_candidate(fast::kLectureRays, fast::kCross), kFarCameras);

@@ -46,7 +46,7 @@ std::vector<Candidate> all_candidates() {
 /// Certificates of the worst discrepancies of each law that judges values and has this in its name.
 void certify(const Case& the_case, const Candidate& candidate, std::string_view filter,
              std::vector<Json>& certificates) {
-  properties::Trial trial(the_case, candidate, 0.0);
+  properties::Trial trial(the_case, candidate, {.max_error = 0});
   for (const properties::Law& law : properties::laws()) {
     if (!law.judges_values || law.name.find(filter) == law.name.npos) continue;
     for (const auto& found : apply(law, trial).worst(kDiscrepanciesOfEachLaw)) {

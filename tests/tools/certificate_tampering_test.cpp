@@ -117,7 +117,7 @@ TEST(TamperedCertificates, of_the_nearest_sphere_are_refuted) {
                                {"/got", "[[1, 0]]"},
                                {"/wrong", R"("missed")"},
                                {"/inputs/spheres/1/radius/0"},
-                               {"/proof/spheres/1/s/0"},
+                               {"/proof/spheres/1/s/0", R"("99999999999999999999")"},
                                {"/proof/spheres/0/root", "null"}});
 }
 

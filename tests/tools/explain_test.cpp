@@ -29,8 +29,9 @@ TEST(Explain, reports_the_lecture_s_own_ray) {
   EXPECT_NEAR(number(report["exact"]["s"]), (28 - std::sqrt(109.0)) / 25, 1e-15);
   EXPECT_NE(report.dump().find("-1/5*sqrt(109) + 28/5"), std::string::npos);
   EXPECT_NE(report.dump().find("-4/25*sqrt(109) + 137/25"), std::string::npos);
-  ASSERT_EQ(report["methods"].size(), 5u);
+  ASSERT_EQ(report["methods"].size(), 13u);
   for (const json& method : report["methods"]) {
+    if (method["name"].get<std::string>().rfind("single", 0) == 0) continue;
     EXPECT_TRUE(method.at("hit").get<bool>());
     EXPECT_FALSE(method.at("class_error").get<bool>());
     EXPECT_LT(method.at("ulp_error").get<double>(), 4);

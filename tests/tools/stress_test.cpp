@@ -64,7 +64,8 @@ TEST(StressCommand, prints_csv_and_markdown_with_as_many_cells_in_every_line) {
 }
 
 TEST(StressCommand, fails_with_2_and_says_why) {
-  expect_fails("stress --family moon", "--family moon: no such family; the families are distance");
+  expect_fails("stress --family moon",
+               "--family moon: no such family; the families are far-camera");
   expect_fails("stress --method magic", "--method magic: no such method");
   expect_fails("stress --severity 5..2", "--severity 5..2");
   expect_fails("stress --family distance --severity 99", "the severities of distance are 0..");
@@ -162,7 +163,7 @@ TEST(WorstCommand, fails_with_2_and_says_why) {
   expect_fails("worst --method lecture --family rays", "rays/lecture or intersect/lecture");
   expect_fails("worst --method direct --family rays", "has no camera");
   expect_fails("worst --method cross --family rays --quantity colour", "--quantity colour");
-  expect_fails("worst --method cross --family distance@77", "0..15");
+  expect_fails("worst --method cross --family distance@77", "0 to 15");
   expect_fails("worst --method cross", "--family");
 }
 
