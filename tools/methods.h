@@ -18,7 +18,7 @@ struct MethodPair {
   bool operator==(const MethodPair&) const = default;
 };
 
-/// What is judged when nothing is asked for: the most accurate of each kind.
+/// What is judged when nothing is asked for: stable and plain.
 inline constexpr MethodPair kDefaultMethods = {&fast::kDirectRays, &fast::kCross};
 
 /// The method of that name; throws std::invalid_argument naming the option and the known names.

@@ -115,6 +115,8 @@ TEST_P(EachSource, HasItsDiscrepanciesConfirmedWithoutTheProgram) {
   const auto confirmed =
       confirmed_of(certificates_of(all_candidates(), *source, source->has_camera ? 1 : 8));
   for (const std::string& quantity : kOfIntersections) {
+    // A planet is alone: its class says which sphere is nearest.
+    if (quantity == "nearest sphere" && source->name == "horizon") continue;
     EXPECT_GE(confirmed.contains(quantity) ? confirmed.at(quantity) : 0, 1) << quantity;
   }
   if (!source->has_camera) return;
