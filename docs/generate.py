@@ -25,9 +25,20 @@ def printed(arguments):
     return result.stdout
 
 
+def worst_table():
+    """The worst inputs known, from the first lines of tests/regressions/worst/."""
+    rows = ["| method | worst known | file |", "|---|---|---|"]
+    for path in sorted((ROOT / "tests/regressions/worst").glob("*.toml")):
+        line = path.read_text().splitlines()[0]
+        method, what = re.match(r"# (\S+) (.*)", line).groups()
+        rows.append(f"| `{method}` | {what} | {path.name} |")
+    return "\n".join(rows)
+
+
 def from_template(name):
     template = (ROOT / "docs" / f"{name}.in.md").read_text()
-    text = re.sub(r"^\{\{(.*)\}\}$", lambda match: printed(match[1]).strip(), template,
+    text = template.replace("{{worst-table}}", worst_table())
+    text = re.sub(r"^\{\{(.*)\}\}$", lambda match: printed(match[1]).strip(), text,
                   flags=re.MULTILINE)
     (ROOT / "docs" / f"{name}.md").write_text(text)
 

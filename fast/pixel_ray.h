@@ -40,6 +40,7 @@ struct PixelRayMethod {
   double max_unit_defect_ulp;
   std::string_view not_kept = {};  ///< Where it does not keep them (a test pins that).
   Domain domain = {};
+  double unit_roundoff = 0x1p-53;  ///< Of the arithmetic that it computes in.
 };
 
 // The bounds of all methods; audited by the campaigns of `raycheck properties`.
@@ -51,7 +52,7 @@ inline constexpr double kFocalUnitDefectMaxUlp = 8;     ///< It takes the axes f
 inline constexpr double kIncrementalPointMaxUlp = 256;  ///< kIncrementalTile additions.
 inline constexpr double kIncrementalDirectionMaxUlp = 96;
 inline constexpr double kSinglePointMaxUlp = 56 * 0x1p29;
-inline constexpr double kSingleDirectionMaxUlp = 32 * 0x1p29;
+inline constexpr double kSingleDirectionMaxUlp = 128 * 0x1p29;
 inline constexpr double kSingleUnitDefectMaxUlp = 4 * 0x1p29;
 
 /// How many pixels of a row `incremental` steps over before it starts anew, by multiplication, as a

@@ -24,14 +24,19 @@ void pixel_points_batch(const scene::Camera& camera, const scene::Conventions& c
   }
 }
 
+/// Flattened: a call would pass the trace's vectors through memory.
 template <class Method, scene::Origin kOrigin>
-void rays_batch(const scene::Camera& camera, const scene::Conventions& conventions,
-                std::span<const scene::Pixel> pixels, Rays& rays) {
+[[gnu::flatten]] void rays_batch(const scene::Camera& camera, const scene::Conventions& conventions,
+                                 std::span<const scene::Pixel> pixels, Rays& rays) {
   const PixelPlane plane(camera, conventions);
   rays.resize(pixels.size());
   for (std::size_t k = 0; k < pixels.size(); ++k) {
     const PixelTrace trace = Method::trace(plane, pixels[k]);
-    store(rays.origin, k, kOrigin == scene::Origin::kPixel ? trace.point : plane.E);
+    if constexpr (kOrigin == scene::Origin::kPixel) {
+      store(rays.origin, k, trace.point);
+    } else {
+      store(rays.origin, k, plane.E);
+    }
     store(rays.direction, k, trace.along / trace.along.norm());
   }
 }

@@ -5,9 +5,12 @@ namespace {
 
 struct Direct {
   static PixelTrace trace(const PixelPlane& plane, const scene::Pixel& pixel) {
-    const Eigen::Vector3d g =
+    // In place: copied, g would be stored by coordinates and loaded in pairs, which waits.
+    PixelTrace trace;
+    trace.along =
         plane.camera.near * plane.W + plane.alpha(pixel) * plane.U + plane.beta(pixel) * plane.V;
-    return {plane.E + g, g};
+    trace.point = plane.E + trace.along;
+    return trace;
   }
 };
 

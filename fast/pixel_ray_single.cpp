@@ -92,6 +92,7 @@ const PixelRayMethod kSingleRays = {
     .max_unit_defect_ulp = kSingleUnitDefectMaxUlp,
     .not_kept = "eyes far from the origin",
     .domain = kSingleDomain,
+    .unit_roundoff = 0x1p-24,
 };
 
 }  // namespace raycheck::fast

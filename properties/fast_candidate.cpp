@@ -107,7 +107,7 @@ Candidate fast_candidate(const fast::PixelRayMethod& rays, const fast::Intersect
   // lengths scales s.
   promise(Quantity::kBackwardError, 2 * intersect.max_ulp);
   candidate.exact_class = intersect.exact_class;
-  candidate.unit_roundoff = intersect.unit_roundoff;
+  candidate.unit_roundoff = std::max(rays.unit_roundoff, intersect.unit_roundoff);
   candidate.needs_unit_direction = intersect.contract.unit_direction;
   candidate.needs_origin_outside = intersect.contract.origin_outside;
   candidate.declared.root = intersect.contract.root;

@@ -76,6 +76,15 @@ void Verdict::measured(Quantity quantity, const Place& place, double error) {
   }
 }
 
+std::optional<double> Tally::max_over_growth() const {
+  if (conditions.empty()) return std::nullopt;
+  double largest = 0;
+  for (std::size_t k = 0; k < conditions.size(); ++k) {
+    largest = std::max(largest, errors[k] / bound_growth(conditions[k]));
+  }
+  return largest;
+}
+
 void Verdict::weighed(Quantity quantity, const Stability& stability) {
   Tally& tally = tallies_[quantity];
   tally.conditions.push_back(stability.condition);

@@ -87,7 +87,10 @@ struct Tally {
   std::optional<double> quantile(double share) const;
   std::optional<double> median() const { return quantile(0.5); }
   std::optional<double> max() const;
-  /// The same of the condition numbers.
+  /// The largest error over what a documented bound grows by, which is what that bound holds for;
+  /// empty unless errors were weighed.
+  std::optional<double> max_over_growth() const;
+  /// A quantile of the condition numbers.
   std::optional<double> condition_quantile(double share) const;
 };
 

@@ -161,7 +161,9 @@ std::optional<WorstCase> find_worst_case(const Candidate& candidate, Stage stage
   WorstCase worst =
       *std::max_element(starts.begin(), starts.end(),
                         [](const WorstCase& a, const WorstCase& b) { return a.height < b.height; });
+  const double height_climbed = worst.height;
   shrink(worst, climber, options);
+  worst.height_climbed = height_climbed;
   worst.height_random = height_random;
   return worst;
 }

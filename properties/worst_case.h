@@ -32,9 +32,10 @@ struct WorstCase {
   Case the_case;
   double error = 0;
   Stability stability;
-  double height = 0;         ///< What was climbed on.
-  double height_random = 0;  ///< The same of the worst random case.
-  Discrepancy shown;         ///< Its place, what the candidate answered and what is exact.
+  double height = 0;          ///< What was climbed on.
+  double height_random = 0;   ///< The same of the worst random case.
+  double height_climbed = 0;  ///< The same before it was shrunk.
+  Discrepancy shown;          ///< Its place, what the candidate answered and what is exact.
 };
 
 /// Searches for the input on which a stage's certified error is worst, within the candidate's

@@ -6,7 +6,9 @@
 #include <algorithm>
 #include <filesystem>
 #include <fstream>
+#include <iterator>
 #include <map>
+#include <regex>
 #include <set>
 #include <string>
 #include <vector>
@@ -69,10 +71,16 @@ const std::vector<Broken> kBroken = {
     {"far-point-textbook-sees-a-hit", "direct/stable-quadratic", {"class"}},
     {"far-sphere-lecture-misses", "direct/lecture", {"class"}},
     {"far-sphere-lecture-misses", "direct/quadratic", {"backward-error", "hit-point", "parameter"}},
-    {"far-sphere-lecture-misses", "direct/stable-quadratic", {"backward-error", "hit-point", "parameter"}},
+    {"far-sphere-lecture-misses",
+     "direct/stable-quadratic",
+     {"backward-error", "hit-point", "parameter"}},
     {"far-sphere-textbook-loses-digits", "direct/lecture", {"hit-point"}},
-    {"far-sphere-textbook-loses-digits", "direct/quadratic", {"backward-error", "hit-point", "parameter"}},
-    {"far-sphere-textbook-loses-digits", "direct/stable-quadratic", {"backward-error", "hit-point", "parameter"}},
+    {"far-sphere-textbook-loses-digits",
+     "direct/quadratic",
+     {"backward-error", "hit-point", "parameter"}},
+    {"far-sphere-textbook-loses-digits",
+     "direct/stable-quadratic",
+     {"backward-error", "hit-point", "parameter"}},
 };
 
 std::vector<std::string> stems() {
@@ -92,6 +100,20 @@ Candidate candidate_named(const std::string& name) {
     }
   }
   throw std::invalid_argument("no candidate is called " + name);
+}
+
+const fast::PixelRayMethod& ray_method(const std::string& name) {
+  for (const fast::PixelRayMethod* method : fast::pixel_ray_methods()) {
+    if (method->name == name) return *method;
+  }
+  throw std::invalid_argument(name);
+}
+
+const fast::IntersectMethod& intersect_method(const std::string& name) {
+  for (const fast::IntersectMethod* method : fast::intersect_methods()) {
+    if (method->name == name) return *method;
+  }
+  throw std::invalid_argument(name);
 }
 
 std::set<std::string> broken_laws(const Case& the_case, const Candidate& candidate) {
@@ -172,6 +194,70 @@ TEST(Regressions, FindEitherOfTwoEqualSpheres) {
   ASSERT_TRUE(nearest.has_value());
   EXPECT_EQ(nearest->ties, (std::vector<std::size_t>{0, 1}));
 }
+
+// tests/regressions/worst/: for each method the worst input known of `raycheck worst --by bound`,
+// on ordinary rays (the parameter) or cameras (the direction).
+
+/// The pixels that a saved case names in its comment.
+std::vector<scene::Pixel> pixels_named_in(const std::string& text) {
+  std::vector<scene::Pixel> pixels;
+  const std::regex pair(R"(\((\d+), (\d+)\))");
+  std::smatch line;
+  if (!std::regex_search(text, line, std::regex("# pixels:.*"))) return pixels;
+  const std::string named = line.str();
+  for (std::sregex_iterator at(named.begin(), named.end(), pair), end; at != end; ++at) {
+    pixels.push_back({std::stoll((*at)[1]), std::stoll((*at)[2])});
+  }
+  return pixels;
+}
+
+std::string text_of(const std::filesystem::path& path) {
+  std::ifstream file(path);
+  return {std::istreambuf_iterator<char>(file), {}};
+}
+
+class WorstKnown : public testing::TestWithParam<std::string> {};
+
+TEST_P(WorstKnown, IsAsFarOffAsItSaysAndWithinTheBound) {
+  const std::string stem = GetParam();
+  const std::string method = stem.substr(stem.find('-') + 1);
+  const bool makes_rays = stem.rfind("rays-", 0) == 0;
+  const Candidate candidate = candidate_named(makes_rays ? method + "/cross" : "direct/" + method);
+  const std::filesystem::path path = folder() / "worst" / (stem + ".toml");
+  const std::string text = text_of(path);
+  const Case the_case{scene::load_scene(path).scene, pixels_named_in(text)};
+  Trial trial(the_case, candidate, {.conditioning = true});
+  const Verdict verdict = apply(*find_law(makes_rays ? "direction" : "parameter"), trial);
+  const Quantity quantity = makes_rays ? Quantity::kDirection : Quantity::kParameter;
+  ASSERT_TRUE(verdict.tallies().contains(quantity));
+  const Tally& tally = verdict.tallies().at(quantity);
+  std::smatch stated;
+  ASSERT_TRUE(std::regex_search(text, stated, std::regex("off by (\\S+) ")));
+  EXPECT_NEAR(*tally.max() / std::stod(stated[1]), 1, 0.005) << *tally.max();
+  const std::string_view not_kept =
+      makes_rays ? ray_method(method).not_kept : intersect_method(method).not_kept;
+  if (not_kept.empty()) {
+    EXPECT_LE(*tally.max_over_growth(), trial.bound(quantity));
+  }
+}
+
+std::vector<std::string> worst_stems() {
+  std::vector<std::string> result;
+  for (const auto* method : fast::pixel_ray_methods()) {
+    result.push_back("rays-" + std::string(method->name));
+  }
+  for (const auto* method : fast::intersect_methods()) {
+    result.push_back("intersect-" + std::string(method->name));
+  }
+  return result;
+}
+
+INSTANTIATE_TEST_SUITE_P(Methods, WorstKnown, testing::ValuesIn(worst_stems()),
+                         [](const testing::TestParamInfo<std::string>& the_test) {
+                           std::string name = the_test.param;
+                           std::replace(name.begin(), name.end(), '-', '_');
+                           return name;
+                         });
 
 }  // namespace
 }  // namespace raycheck::properties

@@ -87,9 +87,10 @@ std::string headline(const WorstCase& worst, const StagedMethod& method,
 std::string text_of(const WorstCase& worst, const StagedMethod& method,
                     const properties::SearchOptions& options) {
   std::string text = headline(worst, method, options) + "\n";
-  text += fmt::format("climbed on {} from {} to {}; shrunk while half of it remained\n",
+  text += fmt::format("climbed on {}: {} by random cases, {} by climbing, {} when shrunk\n",
                       properties::kClimbNames[static_cast<std::size_t>(options.climb)],
-                      error_text(worst.height_random), error_text(worst.height));
+                      error_text(worst.height_random), error_text(worst.height_climbed),
+                      error_text(worst.height));
   text += fmt::format("  got   {}\n  exact {}\n\n", numbers_text(worst.shown.got),
                       numbers_text(worst.shown.exact));
   return text + properties::text(worst.the_case);
@@ -103,7 +104,8 @@ std::string json_of(const WorstCase& worst, const StagedMethod& method,
   json["seed"] = options.seed;
   json["climbed_on"] = properties::kClimbNames[static_cast<std::size_t>(options.climb)];
   json["random"] = error_json(worst.height_random);
-  json["climbed"] = error_json(worst.height);
+  json["climbed"] = error_json(worst.height_climbed);
+  json["shrunk"] = error_json(worst.height);
   json["error"] = error_json(worst.error);
   json["unit"] = info(options.quantity).unit;
   json["condition"] = error_json(worst.stability.condition);
