@@ -17,6 +17,20 @@ std::string caveat(std::string_view not_kept) {
   return fmt::format("\n  {:<17} not kept on {}\n", "", not_kept);
 }
 
+/// The lengths of a method that has its own; empty for most.
+std::string lengths(const fast::Domain& domain) {
+  if (domain == fast::Domain{}) return {};
+  return fmt::format("; lengths {:.3g} to {:.3g}", domain.smallest_length, domain.largest_length);
+}
+Json lengths_json(const fast::Domain& domain) {
+  return Json::array({domain.smallest_length, domain.largest_length});
+}
+
+/// A bound; those of single precision are large.
+std::string bound(double ulp) {
+  return ulp < 1e6 ? fmt::format("{}", ulp) : fmt::format("{:.3g}", ulp);
+}
+
 template <class Names>
 std::string joined(const Names& names) {
   std::string text;
@@ -30,20 +44,23 @@ std::string list_text() {
   std::string text = "ray methods (--rays):\n";
   for (const auto* method : fast::pixel_ray_methods()) {
     text += fmt::format("  {:<17} {}\n", method->name, method->sentence);
-    text += fmt::format(
-        "  {:<17} bounds: {}direction {} u, unit defect {} u{}", "",
-        method->pixel_points ? fmt::format("point {} u, ", method->max_point_ulp) : std::string(),
-        method->max_direction_ulp, method->max_unit_defect_ulp, caveat(method->not_kept));
+    text +=
+        fmt::format("  {:<17} bounds: {}direction {} u, unit defect {} u{}{}", "",
+                    method->pixel_points ? fmt::format("point {} u, ", bound(method->max_point_ulp))
+                                         : std::string(),
+                    bound(method->max_direction_ulp), bound(method->max_unit_defect_ulp),
+                    lengths(method->domain), caveat(method->not_kept));
   }
   text += "\nintersection methods (--intersect):\n";
   for (const auto* method : fast::intersect_methods()) {
-    text += fmt::format("  {:<17} {}\n  {:<17} bounds: parameter {} ulp, hit point {} u{}",
-                        method->name, method->sentence, "", method->max_ulp, method->max_point_ulp,
-                        caveat(method->not_kept));
+    text += fmt::format("  {:<17} {}\n  {:<17} bounds: parameter {} ulp, hit point {} u{}{}{}",
+                        method->name, method->sentence, "", bound(method->max_ulp),
+                        bound(method->max_point_ulp), method->exact_class ? "; exact class" : "",
+                        lengths(method->domain), caveat(method->not_kept));
   }
   text += fmt::format(
       "\nBounds hold up to condition number {}, in proportion beyond, for lengths from {:.3g} to "
-      "{:.3g}.\n",
+      "{:.3g} where no others are named.\n",
       properties::kModerateCondition, fast::kSmallestLength, fast::kLargestLength);
   text += "\nlaws (--filter):\n";
   for (const properties::Law& law : properties::laws()) {
@@ -74,6 +91,7 @@ std::string list_json() {
          {"max_point_ulp", method->pixel_points ? Json(method->max_point_ulp) : Json(nullptr)},
          {"max_direction_ulp", method->max_direction_ulp},
          {"max_unit_defect_ulp", method->max_unit_defect_ulp},
+         {"lengths", lengths_json(method->domain)},
          {"not_kept_on", method->not_kept}});
   }
   json["intersection_methods"] = Json::array();
@@ -82,6 +100,8 @@ std::string list_json() {
                                             {"sentence", method->sentence},
                                             {"max_ulp", method->max_ulp},
                                             {"max_point_ulp", method->max_point_ulp},
+                                            {"exact_class", method->exact_class},
+                                            {"lengths", lengths_json(method->domain)},
                                             {"not_kept_on", method->not_kept}});
   }
   json["laws"] = Json::array();
