@@ -1,6 +1,7 @@
 #include "properties/verdict.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <iterator>
 #include <tuple>
@@ -11,8 +12,9 @@ namespace {
 
 std::optional<double> quantile_of(std::vector<double> numbers, double share) {
   if (numbers.empty()) return std::nullopt;
-  const double last = static_cast<double>(numbers.size() - 1);
-  const auto at = numbers.begin() + static_cast<std::ptrdiff_t>(share * last);
+  constexpr double kRounding = 1e-9;  // share * size may be a whole number but for rounding
+  const double rank = std::ceil(share * static_cast<double>(numbers.size()) - kRounding);
+  const auto at = numbers.begin() + static_cast<std::ptrdiff_t>(std::max(rank - 1, 0.0));
   std::nth_element(numbers.begin(), at, numbers.end());
   return *at;
 }
@@ -80,7 +82,9 @@ std::optional<double> Tally::max_over_growth() const {
   if (conditions.empty()) return std::nullopt;
   double largest = 0;
   for (std::size_t k = 0; k < conditions.size(); ++k) {
-    largest = std::max(largest, errors[k] / bound_growth(conditions[k]));
+    if (std::isfinite(errors[k])) {
+      largest = std::max(largest, errors[k] / bound_growth(conditions[k]));
+    }
   }
   return largest;
 }

@@ -82,13 +82,13 @@ struct Tally {
 
   std::uint64_t class_errors() const;
   std::uint64_t count(Outcome outcome) const { return outcomes[static_cast<std::size_t>(outcome)]; }
-  /// All empty when no error was measured. The quantile is that of the error at rank
-  /// floor(share (n - 1)).
+  /// All empty when no error was measured. The quantile is the least error that is no
+  /// smaller than that share of all.
   std::optional<double> quantile(double share) const;
   std::optional<double> median() const { return quantile(0.5); }
   std::optional<double> max() const;
-  /// The largest error over what a documented bound grows by, which is what that bound holds for;
-  /// empty unless errors were weighed.
+  /// The largest error over what a documented bound grows by, which is what that bound holds for,
+  /// infinite errors aside; empty unless errors were weighed.
   std::optional<double> max_over_growth() const;
   /// A quantile of the condition numbers.
   std::optional<double> condition_quantile(double share) const;

@@ -94,12 +94,21 @@ Case neighbour(const Case& the_case, Random& random) {
   return result;
 }
 
+/// One ray and one sphere: the error, kappa and the outcome are then of one answer.
+void keep_first(Case& the_case) {
+  const auto keep = [](auto& list) { list.resize(std::min<std::size_t>(list.size(), 1)); };
+  keep(the_case.pixels);
+  keep(the_case.scene.rays);
+  keep(the_case.scene.spheres);
+}
+
 std::vector<WorstCase> random_phase(const Climber& climber, Stage stage, const Candidate& candidate,
                                     const SearchOptions& options, Random& random) {
   std::vector<WorstCase> best;
   for (int k = 0; k < options.cases && !options.interrupted(); ++k) {
-    const std::optional<Case> asked = alone(options.source.make(random.bits()), stage, candidate);
+    std::optional<Case> asked = alone(options.source.make(random.bits()), stage, candidate);
     if (!asked) continue;
+    keep_first(*asked);
     std::optional<WorstCase> seen = climber.look(*asked);
     if (!seen) continue;
     best.push_back(std::move(*seen));

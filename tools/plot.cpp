@@ -18,12 +18,13 @@ namespace raycheck::tools {
 namespace {
 
 /// Colours that differ for most colour-blind readers too; more series than these take them again.
-constexpr std::array<std::string_view, 12> kColours = {"#0072b2", "#d55e00", "#009e73", "#cc79a7",
-                                                       "#e69f00", "#56b4e9", "#000000", "#7f3c8d",
-                                                       "#80ba5a", "#e73f74", "#a5aa99", "#8c564b"};
+constexpr std::array<std::string_view, 20> kColours = {
+    "#0072b2", "#d55e00", "#009e73", "#cc79a7", "#e69f00", "#56b4e9", "#000000",
+    "#7f3c8d", "#80ba5a", "#e73f74", "#a5aa99", "#8c564b", "#1f3a93", "#b8860b",
+    "#00a6a6", "#ff6f61", "#6b8e23", "#9370db", "#c71585", "#708090"};
 
 constexpr int kWidth = 1000;         ///< Of a picture, in pixels.
-constexpr int kHeight = 560;         ///< Of each plot in it.
+constexpr int kHeight = 680;         ///< Of each plot in it.
 constexpr int kPixelsPerInch = 100;  ///< Where the file measures in inches.
 
 struct Terminal {
@@ -100,6 +101,11 @@ std::string script_of(const Plot& plot) {
           fmt::format("{:.9g} {:.9g} {:.9g} {:.9g}\n", point.x, point.y, point.x_low, point.x_high);
     }
     script += "EOD\n";
+    if (series.points.empty()) {  // a line of the legend
+      parts += fmt::format("{}keyentry {} title {}", parts.empty() ? "plot " : ", \\\n  ",
+                           style(series, ink), in_quotes(series.name));
+      continue;
+    }
     const bool spread = series.style == PlotSeries::Style::kPointsWithSpread;
     const std::string title = series.name.empty()
                                   ? "notitle"
@@ -123,7 +129,7 @@ std::string gnuplot_script(const std::vector<Plot>& plots, const std::string& pa
       fmt::format("set terminal {} size {} font 'sans,12' background rgb 'white'\nset output {}\n",
                   terminal->name, size, in_quotes(path));
   script +=
-      "set encoding utf8\nset key outside right top Left reverse noenhanced width 1\n"
+      "set encoding utf8\nset key below Left reverse noenhanced width 2\n"
       "set grid lc rgb '#dddddd'\nset border lc rgb '#444444'\nset tics nomirror\n";
   if (plots.size() > 1) script += fmt::format("set multiplot layout {},1\n", plots.size());
   for (const Plot& plot : plots) script += script_of(plot);

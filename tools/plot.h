@@ -19,7 +19,7 @@ struct PlotSeries {
   enum class Style { kLines, kPoints, kPointsWithSpread, kDashes, kSteps };
   std::string name;  ///< In the legend; empty: not there.
   Style style = Style::kLines;
-  std::vector<PlotPoint> points;
+  std::vector<PlotPoint> points;                     ///< None: only a line of the legend.
   std::vector<std::string> labels;                   ///< Beside the points; empty: none.
   int mark = 7;                                      ///< gnuplot's point type.
   std::optional<std::string> colour = std::nullopt;  ///< "#rrggbb"; empty: one of its own.
@@ -40,6 +40,8 @@ void require_plottable(const std::string& path);
 
 /// Errors below are drawn there: a logarithm has no place for 0.
 inline constexpr double kSmallestPlotted = 0.1;
+/// Infinite errors are drawn there.
+inline constexpr double kLargestPlotted = 1e20;
 
 /// There is no gnuplot to draw with.
 class GnuplotMissing : public std::runtime_error {

@@ -1,7 +1,6 @@
 #include <fmt/core.h>
 
 #include <algorithm>
-#include <cmath>
 
 #include "tools/stress.h"
 
@@ -18,9 +17,11 @@ std::vector<Plot> stress_plots(const StressReport& report) {
       plot.title =
           fmt::format("{}: 99.9% error against severity ({})", family.family->name, name(stage));
       plot.x_label = fmt::format("severity: {}", family.family->dial->meaning);
-      plot.y_label = stage == Stage::kRays ? "angle of the direction, in u" : "error of s, in ulp";
+      plot.y_label = fmt::format("{} (infinite: {:g})",
+                                 stage == Stage::kRays ? "angle of D, in u" : "error of s, in ulp",
+                                 kLargestPlotted);
       PlotSeries floor;
-      floor.name = "kappa: what the problem itself magnifies";
+      floor.name = "99.9% kappa: what the problem itself magnifies";
       floor.style = PlotSeries::Style::kDashes;
       floor.colour = "#888888";
       for (const StressCurve& curve : family.curves) {
@@ -33,13 +34,13 @@ std::vector<Plot> stress_plots(const StressReport& report) {
           if (tally == nullptr) continue;
           const double severity = curve.severities[k];
           const double error = tally->quantile(0.999).value_or(0);
-          if (std::isfinite(error)) {
-            series.points.push_back({severity, std::max(error, kSmallestPlotted), 0, 0});
-          }
+          series.points.push_back(
+              {severity, std::clamp(error, kSmallestPlotted, kLargestPlotted), 0, 0});
           if (first) {
-            floor.points.push_back(
-                {severity, std::max(tally->condition_quantile(0.999).value_or(0), kSmallestPlotted),
-                 0, 0});
+            floor.points.push_back({severity,
+                                    std::clamp(tally->condition_quantile(0.999).value_or(0),
+                                               kSmallestPlotted, kLargestPlotted),
+                                    0, 0});
           }
         }
         if (!series.points.empty()) plot.series.push_back(std::move(series));

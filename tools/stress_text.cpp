@@ -183,7 +183,8 @@ std::string explanation() {
       "A number is the first severity at which the method is not stable: a decision is wrong that\n"
       "no relative change of the inputs by {:g} u makes right, or a stability ratio\n"
       "rho = error / ((1 + kappa) u) is above {:g}. \"stable\": it is stable at all of them; "
-      "\"-\": nothing\nthere lies in its stated domain.\n",
+      "\"-\": nothing\nthere lies in its stated domain. u is that of the method's own precision. "
+      "More cases may find an\nearlier severity.\n",
       properties::kExcusedChange / properties::kDoubleRoundoff, properties::kStableRatio);
 }
 

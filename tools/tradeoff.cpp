@@ -17,6 +17,7 @@ namespace {
 using properties::Candidate;
 using properties::Case;
 using properties::CaseSource;
+using properties::ChosenSource;
 using properties::Stage;
 using properties::StressResult;
 
@@ -26,31 +27,28 @@ const std::vector<std::string> kOrdinary = {"rays", "cameras"};
 /// The rays judged at a time.
 constexpr std::uint64_t kChunk = 512;
 
-std::vector<const CaseSource*> chosen_sources(const TradeoffOptions& options) {
-  std::vector<const CaseSource*> sources;
+std::vector<ChosenSource> chosen_sources(const TradeoffOptions& options) {
+  std::vector<ChosenSource> sources;
   if (options.all_families) {
     for (const CaseSource& source : properties::case_sources()) {
-      if (source.dial) sources.push_back(&source);
+      if (source.dial) sources.push_back({&source});
     }
     return sources;
   }
   for (const std::string& name : options.sources.empty() ? kOrdinary : options.sources) {
-    const CaseSource* const source = properties::find_case_source(name);
-    if (source == nullptr) {
-      throw std::invalid_argument("--family " + name +
-                                  ": no such source of cases; see raycheck list");
+    try {
+      sources.push_back(properties::chosen_source(name));
+    } catch (const std::invalid_argument& error) {
+      throw std::invalid_argument("--family " + name + ": " + error.what() + "; see raycheck list");
     }
-    sources.push_back(source);
   }
   return sources;
 }
 
-/// A source's cases, the severities in turn.
-std::vector<Case> cases_of(const CaseSource& source, int count, std::uint64_t seed) {
+std::vector<Case> cases_of(const ChosenSource& source, int count, std::uint64_t seed) {
   properties::Random seeds(seed);
-  const int severities = source.dial ? source.dial->highest + 1 : 1;
   std::vector<Case> cases;
-  for (int k = 0; k < count; ++k) cases.push_back(source.make(k % severities, seeds.bits()));
+  for (int k = 0; k < count; ++k) cases.push_back(source.make(seeds.bits()));
   return cases;
 }
 
@@ -135,20 +133,23 @@ std::vector<MethodPair> pairs_worth_timing(const TradeoffReport& report) {
   return pairs;
 }
 
-void judge_pixels(const Case& the_case, TradeoffReport& report) {
+void judge_pixels(const std::vector<Case>& chunks, TradeoffReport& report) {
   const std::vector<MethodPair> pairs = pairs_worth_timing(report);
-  const std::vector<Duration> durations = time_pixels(the_case, pairs);
-  properties::SharedTruths truths(the_case);
+  const std::vector<Duration> durations = time_pixels(chunks.front(), pairs);
+  std::vector<Candidate> candidates;
   for (std::size_t k = 0; k < pairs.size(); ++k) {
-    const Candidate candidate = candidate_of(pairs[k]);
-    properties::Trial trial(
-        the_case, candidate,
-        {.truth = truths.under(candidate.declared.over(the_case.scene.conventions))});
-    PixelCost cost{candidate.name, durations[k], {}, false};
-    for (const char* law : {"class", "nearest-root", "parameter"}) {
-      cost.verdict.merge(apply(*properties::find_law(law), trial));
+    candidates.push_back(candidate_of(pairs[k]));
+    report.pixels.push_back({candidates.back().name, durations[k], {}, false});
+  }
+  for (const Case& chunk : chunks) {
+    properties::SharedTruths truths(chunk);
+    for (std::size_t k = 0; k < pairs.size(); ++k) {
+      const auto conventions = candidates[k].declared.over(chunk.scene.conventions);
+      properties::Trial trial(chunk, candidates[k], {.truth = truths.under(conventions)});
+      for (const char* law : {"class", "nearest-root", "parameter"}) {
+        report.pixels[k].verdict.merge(apply(*properties::find_law(law), trial));
+      }
     }
-    report.pixels.push_back(std::move(cost));
   }
   mark_pareto(report.pixels, [](const PixelCost& cost) -> std::optional<Rank> {
     const auto badness = badness_of(cost.verdict, properties::Quantity::kParameter);
@@ -167,7 +168,7 @@ std::vector<Case> asked_of(const std::vector<Case>& cases, Stage stage) {
   return asked;
 }
 
-void finish(std::vector<Case> all, TradeoffReport& report) {
+void finish(const std::vector<Case>& all, TradeoffReport& report) {
   // Sources in turn, so that what is timed is of all of them.
   for (const Stage stage : {Stage::kRays, Stage::kIntersection}) {
     std::vector<MethodCost>& costs = stage == Stage::kRays ? report.rays : report.intersections;
@@ -207,10 +208,9 @@ void run_on_scene(const TradeoffOptions& options, const std::vector<StagedMethod
     costs = costs_of(methods, stage);
     judge(all, options.scene, stage, costs);
   }
-  const Case first = all.front();
-  finish(std::move(all), report);
+  finish(all, report);
   if (!report.rays.empty() && !report.intersections.empty()) {
-    judge_pixels(first, report);
+    judge_pixels(all, report);
   } else {
     report.left_out.emplace_back("pixels end to end: the scene has no camera or no sphere");
   }
@@ -220,15 +220,15 @@ void run_on_sources(const TradeoffOptions& options, const std::vector<StagedMeth
                     TradeoffReport& report) {
   report.rays = costs_of(methods, Stage::kRays);
   report.intersections = costs_of(methods, Stage::kIntersection);
-  const std::vector<const CaseSource*> sources = chosen_sources(options);
+  const std::vector<ChosenSource> sources = chosen_sources(options);
   const int share = std::max(1, options.cases / static_cast<int>(sources.size()));
   std::vector<std::vector<Case>> by_source;
   Progress progress("tradeoff");
-  for (const CaseSource* source : sources) {
-    const std::string name(source->name);
+  for (const ChosenSource& source : sources) {
+    const std::string name = source.name();
     report.subject += (report.subject.empty() ? "" : ", ") + name;
     progress.show("judging " + name);
-    by_source.push_back(cases_of(*source, share, options.seed));
+    by_source.push_back(cases_of(source, share, options.seed));
     report.cases += by_source.back().size();
     judge(by_source.back(), name, Stage::kRays, report.rays);
     judge(by_source.back(), name, Stage::kIntersection, report.intersections);
@@ -238,7 +238,7 @@ void run_on_sources(const TradeoffOptions& options, const std::vector<StagedMeth
   for (std::size_t k = 0; k < by_source.front().size(); ++k) {
     for (const auto& cases : by_source) mixed.push_back(cases[k]);
   }
-  finish(std::move(mixed), report);
+  finish(mixed, report);
 }
 
 }  // namespace

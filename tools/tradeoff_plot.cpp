@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "tools/tradeoff.h"
 
@@ -27,13 +28,16 @@ int mark_of(const MethodCost& cost) {
 
 Plot plot_of(const std::vector<MethodCost>& costs, Stage stage, const std::string& subject) {
   Plot plot;
-  plot.title = fmt::format("{}: error against time on {}", name(stage), subject);
-  plot.x_label = "ns per item in a batch (median, and the middle half of the repetitions)";
+  const std::size_t sources =
+      static_cast<std::size_t>(std::count(subject.begin(), subject.end(), ',')) + 1;
+  plot.title = fmt::format("{}: error against time on {}", name(stage),
+                           sources > 3 ? fmt::format("{} families", sources) : subject);
+  plot.x_label = "ns per item in a batch";
   plot.y_label =
       stage == Stage::kRays ? "99.9% angle of the direction, in u" : "99.9% error of s, in ulp";
   plot.log_x = true;
   PlotSeries front;
-  front.name = "Pareto front: no method is both faster and more accurate";
+  front.name = "Pareto front of those with no wrong decision but excused ones";
   front.style = PlotSeries::Style::kSteps;
   front.colour = "#888888";
   std::vector<PlotSeries> methods;
@@ -42,18 +46,24 @@ Plot plot_of(const std::vector<MethodCost>& costs, Stage stage, const std::strin
     const auto& time = cost.batch ? cost.batch : cost.scalar;
     if (tally == nullptr || tally->errors.empty() || !time) continue;
     const double error = *tally->quantile(0.999);
-    if (!std::isfinite(error)) continue;
-    const PlotPoint point{time->median, std::max(error, kSmallestPlotted), time->low, time->high};
+    const PlotPoint point{time->median, std::clamp(error, kSmallestPlotted, kLargestPlotted),
+                          time->low, time->high};
     PlotSeries series;
     series.name = std::string(cost.method.name());
     series.style = PlotSeries::Style::kPointsWithSpread;
     series.mark = mark_of(cost);
     series.points = {point};
     methods.push_back(std::move(series));
-    if (cost.pareto) front.points.push_back(point);
+    if (mark_of(cost) != kCross) front.points.push_back(point);
   }
   std::sort(front.points.begin(), front.points.end(),
             [](const PlotPoint& a, const PlotPoint& b) { return a.x < b.x; });
+  double least = std::numeric_limits<double>::infinity();
+  std::erase_if(front.points, [&](const PlotPoint& point) {
+    const bool beaten = point.y >= least;
+    least = std::min(least, point.y);
+    return beaten;
+  });
   plot.series.push_back(std::move(front));
   std::move(methods.begin(), methods.end(), std::back_inserter(plot.series));
   // What the marks mean, drawn nowhere.

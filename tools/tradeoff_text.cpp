@@ -195,9 +195,11 @@ std::string rendered(const TradeoffReport& report, Render render, std::string_vi
     text += fmt::format("\n{}{}\n\n{}", heading, section.heading, render(section.table));
   }
   text += fmt::format(
-      "\n{0}*: no other method is as fast in a batch and as right (fewer defects, then the smaller "
-      "99.9% error)\n{0}ns: median of interleaved repetitions (and where the middle half of them "
-      "lies); ratio: of batches, to the first\n{0}/M: per million decisions; defects: wrong "
+      "\n{0}*: no other method is as fast in a batch, with as small a share of defects and as "
+      "small a "
+      "99.9% error\n{0}ns: median of interleaved repetitions (and where the middle half of them "
+      "lies); ratio: of batches, to the first; a call to make rays sets up its camera, too\n{0}/M: "
+      "per million decisions; defects: wrong "
       "decisions that no relative change of the inputs by {1:g} u makes right\n{0}bound: what the "
       "method documents up to condition number {2:g}; beyond, it grows in proportion; audited: the "
       "largest error over that growth\n{0}stable: "
@@ -232,11 +234,50 @@ std::string tradeoff_markdown(const TradeoffReport& report) {
 }
 
 std::string tradeoff_csv(const TradeoffReport& report) {
-  std::string text;
-  for (const Section& section : sections_of(report)) {
-    text += (text.empty() ? "" : "\n") + section.table.csv();
+  Table table({{"stage"},
+               {"method"},
+               {"pareto"},
+               {"call_ns"},
+               {"batch_ns"},
+               {"batch_low"},
+               {"batch_high"},
+               {"unit"},
+               {"median"},
+               {"p999"},
+               {"max"},
+               {"audited"},
+               {"bound"},
+               {"missed_per_million"},
+               {"false_per_million"},
+               {"defects"},
+               {"backward_u"},
+               {"max_rho"},
+               {"unstable_on"}});
+  const auto number = [](double x) { return fmt::format("{:.6g}", x); };
+  for (const auto* costs : {&report.rays, &report.intersections}) {
+    for (const MethodCost& cost : *costs) {
+      const Verdict& inside = cost.accuracy.inside;
+      const bool makes_rays = cost.method.stage == Stage::kRays;
+      std::string unstable;
+      for (const std::string& name : cost.unstable_on) {
+        unstable += (unstable.empty() ? "" : " ") + name;
+      }
+      table.add(
+          {std::string(name(cost.method.stage)), std::string(cost.method.name()),
+           cost.pareto ? "yes" : "no", cost.scalar ? number(cost.scalar->median) : "",
+           cost.batch ? number(cost.batch->median) : "", cost.batch ? number(cost.batch->low) : "",
+           cost.batch ? number(cost.batch->high) : "", std::string(info(cost.quantity()).unit),
+           quantile_text(inside, cost.quantity(), 0.5),
+           quantile_text(inside, cost.quantity(), 0.999), max_text(inside, cost.quantity()),
+           audited_text(inside, cost.quantity()),
+           error_text(makes_rays ? cost.method.rays->max_direction_ulp
+                                 : cost.method.intersect->max_ulp),
+           per_million(inside, Wrong::kMissed), per_million(inside, Wrong::kFalseHit),
+           std::to_string(properties::defects(inside)), max_text(inside, Quantity::kBackwardError),
+           ratio_text(inside), unstable});
+    }
   }
-  return text;
+  return table.csv();
 }
 
 }  // namespace raycheck::tools

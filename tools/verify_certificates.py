@@ -415,6 +415,9 @@ def confirm(certificate):
         (met,) = meetings
         confirm_met(certificate, met, got)
     else:
+        require(certificate["wrong"] is None, "an error is measured, not a decision")
+        unit = "ulp" if quantity == "parameter" else "u"
+        require(certificate["unit"] == unit, "the unit is another")
         exact, squares = measured(certificate, ray, meetings, got)
         require_exact(certificate["exact"], exact)
         require_error(certificate["error"], squares() if is_finite else [INFINITE])

@@ -7,6 +7,7 @@
 
 #include "properties/campaign.h"
 #include "properties/worst_case.h"
+#include "scene/number.h"
 #include "tools/arguments.h"
 #include "tools/command_line.h"
 #include "tools/commands.h"
@@ -84,6 +85,33 @@ std::string headline(const WorstCase& worst, const StagedMethod& method,
                      error_text(worst.stability.ratio), name(worst.stability.outcome));
 }
 
+/// The numbers of a case, to the bit.
+std::string in_hexfloat(const scene::Scene& scene) {
+  std::string text;
+  const auto add = [&](const char* name, std::initializer_list<double> numbers) {
+    text += fmt::format("  {:<9}", name);
+    for (const double x : numbers) text += " " + scene::hexfloat(x);
+    text += "\n";
+  };
+  if (scene.camera) {
+    const scene::Camera& c = *scene.camera;
+    add("eye", {c.eye.x, c.eye.y, c.eye.z});
+    add("look_at", {c.look_at.x, c.look_at.y, c.look_at.z});
+    add("up", {c.up.x, c.up.y, c.up.z});
+    add("near", {c.near});
+    add("bounds", {c.left, c.right, c.bottom, c.top});
+  }
+  for (const scene::Ray& ray : scene.rays) {
+    add("origin", {ray.origin.x, ray.origin.y, ray.origin.z});
+    add("direction", {ray.direction.x, ray.direction.y, ray.direction.z});
+  }
+  for (const scene::Sphere& sphere : scene.spheres) {
+    add("centre", {sphere.centre.x, sphere.centre.y, sphere.centre.z});
+    add("radius", {sphere.radius});
+  }
+  return text;
+}
+
 std::string text_of(const WorstCase& worst, const StagedMethod& method,
                     const properties::SearchOptions& options) {
   std::string text = headline(worst, method, options) + "\n";
@@ -93,7 +121,7 @@ std::string text_of(const WorstCase& worst, const StagedMethod& method,
                       error_text(worst.height));
   text += fmt::format("  got   {}\n  exact {}\n\n", numbers_text(worst.shown.got),
                       numbers_text(worst.shown.exact));
-  return text + properties::text(worst.the_case);
+  return text + in_hexfloat(worst.the_case.scene) + "\n" + properties::text(worst.the_case);
 }
 
 std::string json_of(const WorstCase& worst, const StagedMethod& method,

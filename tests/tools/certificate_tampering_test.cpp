@@ -121,6 +121,12 @@ TEST(TamperedCertificates, of_the_nearest_sphere_are_refuted) {
                                {"/proof/spheres/0/root", "null"}});
 }
 
+TEST(TamperedCertificates, of_a_unit_or_a_kind_of_error_are_refuted) {
+  const auto certificate =
+      of_quantity(certificates_of(std::string(kFarSphere) + " --intersect quadratic"), "parameter");
+  expect_refuted(certificate, {{"/wrong", R"("missed")"}, {"/unit", R"("u")"}});
+}
+
 TEST(TamperedCertificates, of_a_camera_are_refuted) {
   const auto certificates =
       certificates_of(std::string(kFarSphere) + " --intersect quadratic --top 40");
