@@ -50,9 +50,9 @@ inline constexpr double kDirectDirectionMaxUlp = 64;
 inline constexpr double kUnitDefectMaxUlp = 4;
 inline constexpr double kFocalUnitDefectMaxUlp = 8;     ///< It takes the axes for orthonormal.
 inline constexpr double kIncrementalPointMaxUlp = 256;  ///< kIncrementalTile additions.
-inline constexpr double kIncrementalDirectionMaxUlp = 96;
+inline constexpr double kIncrementalDirectionMaxUlp = 256;
 inline constexpr double kSinglePointMaxUlp = 56 * 0x1p29;
-inline constexpr double kSingleDirectionMaxUlp = 128 * 0x1p29;
+inline constexpr double kSingleDirectionMaxUlp = 256 * 0x1p29;
 inline constexpr double kSingleUnitDefectMaxUlp = 4 * 0x1p29;
 
 /// How many pixels of a row `incremental` steps over before it starts anew, by multiplication, as a

@@ -67,7 +67,7 @@ const PixelRayMethod kIncrementalRays = {
     .max_point_ulp = kIncrementalPointMaxUlp,
     .max_direction_ulp = kIncrementalDirectionMaxUlp,
     .max_unit_defect_ulp = kUnitDefectMaxUlp,
-    .not_kept = "the last column's place at `right` to the bit",
+    .not_kept = "the last column at `right` to the bit, bounds far wider than near",
 };
 
 }  // namespace raycheck::fast

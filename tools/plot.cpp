@@ -81,8 +81,8 @@ std::string style(const PlotSeries& series, const std::string& colour) {
 
 std::string script_of(const Plot& plot) {
   std::string script;
-  script += fmt::format("set title {}\nset xlabel {}\nset ylabel {}\n", in_quotes(plot.title),
-                        in_quotes(plot.x_label), in_quotes(plot.y_label));
+  script += fmt::format("set title {}\nset xlabel {} offset 0,0.5\nset ylabel {}\n",
+                        in_quotes(plot.title), in_quotes(plot.x_label), in_quotes(plot.y_label));
   script += plot.log_x ? "set logscale x\nset format x '10^{%L}'\n"
                        : "unset logscale x\nset format x '%g'\n";
   script += plot.log_y ? "set logscale y\nset format y '10^{%L}'\n"
@@ -129,7 +129,7 @@ std::string gnuplot_script(const std::vector<Plot>& plots, const std::string& pa
       fmt::format("set terminal {} size {} font 'sans,12' background rgb 'white'\nset output {}\n",
                   terminal->name, size, in_quotes(path));
   script +=
-      "set encoding utf8\nset key below Left reverse noenhanced width 2\n"
+      "set encoding utf8\nset key below maxrows 7 Left reverse noenhanced width 1\n"
       "set grid lc rgb '#dddddd'\nset border lc rgb '#444444'\nset tics nomirror\n";
   if (plots.size() > 1) script += fmt::format("set multiplot layout {},1\n", plots.size());
   for (const Plot& plot : plots) script += script_of(plot);

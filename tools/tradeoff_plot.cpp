@@ -37,7 +37,7 @@ Plot plot_of(const std::vector<MethodCost>& costs, Stage stage, const std::strin
       stage == Stage::kRays ? "99.9% angle of the direction, in u" : "99.9% error of s, in ulp";
   plot.log_x = true;
   PlotSeries front;
-  front.name = "Pareto front of those with no wrong decision but excused ones";
+  front.name = "Pareto front, no defects";
   front.style = PlotSeries::Style::kSteps;
   front.colour = "#888888";
   std::vector<PlotSeries> methods;
@@ -67,9 +67,8 @@ Plot plot_of(const std::vector<MethodCost>& costs, Stage stage, const std::strin
   plot.series.push_back(std::move(front));
   std::move(methods.begin(), methods.end(), std::back_inserter(plot.series));
   // What the marks mean, drawn nowhere.
-  const std::pair<int, const char*> marks[] = {{kFilledCircle, "every decision right"},
-                                               {kOpenTriangle, "wrong decisions, all excused"},
-                                               {kCross, "wrong decisions without an excuse"}};
+  const std::pair<int, const char*> marks[] = {
+      {kFilledCircle, "all right"}, {kOpenTriangle, "wrong, excused"}, {kCross, "wrong: defects"}};
   for (const auto& [mark, meaning] : marks) {
     PlotSeries legend;
     legend.name = meaning;
