@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 #include <limits>
 #include <string>
 
@@ -127,12 +128,19 @@ void scale_anywhere(Random& random, Ray& ray, Sphere& sphere) {
   scale(ray, sphere, lengths, random.one_in(2) ? 0 : static_cast<int>(random.integer(-1074, 1015)));
 }
 
+/// Cases of each source: 20,000, or what RAYCHECK_ROBUST_CASES says (a million, every night).
+std::uint64_t cases_of_each_source() {
+  const char* const asked = std::getenv("RAYCHECK_ROBUST_CASES");
+  return asked == nullptr ? 20000 : std::stoull(asked);
+}
+
 TEST(Robust, IsRightOnEverySourceOfGivenRays) {
   Audit audit;
+  const std::uint64_t cases = cases_of_each_source();
   for (const properties::CaseSource& source : properties::case_sources()) {
     if (source.has_camera) continue;
     const int before = audit.hits;
-    for (std::uint64_t seed = 0; seed < 20000; ++seed) {
+    for (std::uint64_t seed = 0; seed < cases; ++seed) {
       const auto the_case = properties::any_case(source, seed);
       const scene::Conventions& conventions = the_case.scene.conventions;
       for (const Sphere& sphere : the_case.scene.spheres) {
