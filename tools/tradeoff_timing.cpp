@@ -165,7 +165,12 @@ bool batch_is_single_calls(const fast::IntersectMethod& method, const Batch& bat
     const auto one =
         method.intersect_one(ray_at(batch.rays, k), batch.sphere, batch.root, batch.tangent);
     if (one.has_value() != (hits.hit[k] != 0)) return false;
-    if (one && !same_bits(one->parameter, hits.parameter[k])) return false;
+    if (one &&
+        !(same_bits(one->parameter, hits.parameter[k]) &&
+          same_bits(one->point.x, hits.point.x[k]) && same_bits(one->point.y, hits.point.y[k]) &&
+          same_bits(one->point.z, hits.point.z[k]))) {
+      return false;
+    }
   }
   return true;
 }
@@ -236,10 +241,10 @@ bool batch_is_single_calls(const fast::PixelRayMethod& method, const PixelBatch&
     make(batch.camera, batch.conventions, {&batch.pixels[k], 1}, one);
     const scene::Ray a = ray_at(all, k);
     const scene::Ray b = ray_at(one, 0);
-    if (!same_bits(a.direction.x, b.direction.x) || !same_bits(a.direction.y, b.direction.y) ||
-        !same_bits(a.direction.z, b.direction.z)) {
-      return false;
-    }
+    const auto same = [](const auto& v, const auto& w) {
+      return same_bits(v.x, w.x) && same_bits(v.y, w.y) && same_bits(v.z, w.z);
+    };
+    if (!same(a.origin, b.origin) || !same(a.direction, b.direction)) return false;
   }
   return true;
 }

@@ -51,6 +51,31 @@ TEST(Verdict, CountsMeasuredErrors) {
   EXPECT_EQ(tally.class_errors(), 0u);
 }
 
+TEST(Verdict, TakesTheLeastErrorThatIsNoSmallerThanAShareOfAll) {
+  const auto tally_of = [](int count) {
+    Verdict verdict;
+    for (int k = count; k >= 1; --k) verdict.measured(Quantity::kParameter, at_ray(0), k);
+    return verdict.tallies().at(Quantity::kParameter);
+  };
+  EXPECT_EQ(tally_of(1).quantile(0.999), 1.0);
+  EXPECT_EQ(tally_of(10).quantile(0.999), 10.0);
+  EXPECT_EQ(tally_of(1000).quantile(0.999), 999.0);
+  EXPECT_EQ(tally_of(1001).quantile(0.999), 1000.0);
+  EXPECT_EQ(tally_of(1000).quantile(1), 1000.0);
+}
+
+TEST(Verdict, HoldsABoundToErrorsOverWhatItGrowsBy) {
+  Verdict verdict;
+  const auto add = [&](double error, double condition) {
+    verdict.measured(Quantity::kParameter, at_ray(0), error);
+    verdict.weighed(Quantity::kParameter, {condition, 0, Outcome::kAccurate});
+  };
+  add(3, 1);
+  add(50, 10 * kModerateCondition);
+  add(kInfinity, kInfinity);
+  EXPECT_EQ(verdict.tallies().at(Quantity::kParameter).max_over_growth(), 5.0);
+}
+
 TEST(Verdict, CountsRightAndWrongAnswersWithoutAveragingThem) {
   Verdict verdict;
   verdict.judged(Quantity::kClass, at_ray(0), Wrong::kNot, Excuse::kNone);

@@ -39,6 +39,22 @@ TEST(Explain, reports_the_lecture_s_own_ray) {
   }
 }
 
+TEST(Explain, shows_the_conditioning_of_each_step) {
+  const json report =
+      json::parse(run("explain --ray -5,0.5,0,1,0,0 --sphere 0,0,0,1 --format json").out);
+  for (const json& step : report["exact"]["steps"]) {
+    if (step["symbol"] != "s") continue;
+    // By implicit differentiation of |L + s d - C|^2 = r^2: with q = L + s d - C = (-sqrt(3)/2,
+    // 1/2) and s = 5 - sqrt(3)/2 it is (|q_x| (5 + s) + |q_y| / 2 + 1) / (s |q_x|).
+    const double x = std::sqrt(0.75);
+    const double s = 5 - x;
+    EXPECT_NEAR(step["condition"].get<double>(), (x * (5 + s) + 0.25 + 1) / (s * x), 5e-3);
+    EXPECT_GT(step["condition_alone"].get<double>(), 1);
+    return;
+  }
+  ADD_FAILURE() << "no step s";
+}
+
 TEST(Explain, reports_the_lecture_s_miss) {
   const json report = explained("--ray 0,0,0,1,3,4 --sphere 5,5,5,3");
   EXPECT_EQ(report["exact"]["class"], "miss");

@@ -122,6 +122,17 @@ TEST(TradeoffCommand, reports_error_and_time_of_each_method) {
               report["intersections"][1]["pareto"].get<bool>());
 }
 
+TEST(TradeoffCommand, prints_one_csv_table) {
+  std::istringstream csv(
+      run("tradeoff --methods quadratic,robust,direct --cases 100 --format csv").out);
+  std::string line;
+  std::size_t lines = 0;
+  for (; std::getline(csv, line); ++lines) {
+    EXPECT_EQ(std::count(line.begin(), line.end(), ','), 18) << line;
+  }
+  EXPECT_EQ(lines, 4u);
+}
+
 TEST(TradeoffCommand, compares_only_what_a_scene_needs) {
   const auto report = [](const std::string& scene) {
     return json::parse(run("tradeoff " + scene +
