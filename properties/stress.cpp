@@ -66,7 +66,7 @@ void StressResult::merge(StressResult other) {
 }
 
 void stress(const Case& the_case, Stage stage, std::span<const Candidate> candidates,
-            std::span<const Law* const> laws, std::vector<StressResult>& results) {
+            std::vector<StressResult>& results) {
   if (candidates.empty()) return;
   const std::optional<Case> asked = alone(the_case, stage, candidates.front());
   if (!asked) return;
@@ -75,7 +75,7 @@ void stress(const Case& the_case, Stage stage, std::span<const Candidate> candid
     const Candidate& candidate = candidates[k];
     const auto conventions = candidate.declared.over(asked->scene.conventions);
     Trial trial(*asked, candidate, {.conditioning = true, .truth = truths.under(conventions)});
-    for (const Law* law : laws) {
+    for (const Law* law : laws_of(stage)) {
       if (!has_something_to_judge(*law, *asked)) continue;
       Verdict verdict = apply(*law, trial);
       if (verdict.discrepancies() > 0) keep_first_of_each(results[k], *asked, verdict);
@@ -88,11 +88,9 @@ std::vector<StressResult> stress(const CaseSource& source, int severity, Stage s
                                  std::span<const Candidate> candidates,
                                  const StressOptions& options) {
   std::vector<StressResult> results(candidates.size());
-  const std::span<const Law* const> laws =
-      options.laws.empty() ? laws_of(stage) : std::span<const Law* const>(options.laws);
   Random seeds(options.seed);
   for (int k = 0; k < options.cases && !options.interrupted(); ++k) {
-    stress(source.make(severity, seeds.bits()), stage, candidates, laws, results);
+    stress(source.make(severity, seeds.bits()), stage, candidates, results);
   }
   return results;
 }

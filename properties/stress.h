@@ -48,8 +48,6 @@ struct StressResult {
 struct StressOptions {
   int cases = 1000;
   std::uint64_t seed = 1;
-  /// Only these laws; empty: all of the stage.
-  std::vector<const Law*> laws = {};
   /// Asked between cases; true ends the work early.
   std::function<bool()> interrupted = [] { return false; };
 };
@@ -62,7 +60,7 @@ std::vector<StressResult> stress(const CaseSource& source, int severity, Stage s
                                  const StressOptions& options);
 /// The same on given cases: what they show of each candidate is added to `results`, one each.
 void stress(const Case& the_case, Stage stage, std::span<const Candidate> candidates,
-            std::span<const Law* const> laws, std::vector<StressResult>& results);
+            std::vector<StressResult>& results);
 
 /// Decisions that are wrong without an excuse.
 std::uint64_t defects(const Verdict& verdict);

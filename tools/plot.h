@@ -20,7 +20,6 @@ struct PlotSeries {
   std::string name;  ///< In the legend; empty: not there.
   Style style = Style::kLines;
   std::vector<PlotPoint> points;                     ///< None: only a line of the legend.
-  std::vector<std::string> labels;                   ///< Beside the points; empty: none.
   int mark = 7;                                      ///< gnuplot's point type.
   std::optional<std::string> colour = std::nullopt;  ///< "#rrggbb"; empty: one of its own.
 };

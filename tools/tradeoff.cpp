@@ -70,7 +70,7 @@ void judge(const std::vector<Case>& cases, const std::string& name, Stage stage,
   std::vector<StressResult> results(costs.size());
   for (const Case& one : cases) {
     if (interrupted()) break;
-    properties::stress(one, stage, candidates, properties::laws_of(stage), results);
+    properties::stress(one, stage, candidates, results);
   }
   for (std::size_t k = 0; k < costs.size(); ++k) {
     if (results[k].inside.compared() > 0 && !is_stable(results[k].inside)) {
