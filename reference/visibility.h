@@ -1,6 +1,7 @@
 #ifndef RAYCHECK_REFERENCE_VISIBILITY_H_
 #define RAYCHECK_REFERENCE_VISIBILITY_H_
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
@@ -14,7 +15,7 @@
 
 namespace raycheck::reference {
 
-/// The sphere of a pixel whose ray meets none, and its parameter.
+/// The sphere of a pixel whose ray meets none, its parameter and its coordinates of Q.
 inline constexpr std::int32_t kNoSphere = -1;
 inline constexpr double kNoParameter = std::numeric_limits<double>::infinity();
 
@@ -22,13 +23,18 @@ inline constexpr double kNoParameter = std::numeric_limits<double>::infinity();
 struct SeenRows {
   std::span<std::int32_t> sphere;  ///< The nearest sphere; the first in the file among equals.
   std::span<double> parameter;     ///< s
-  std::span<double> point_x, point_y, point_z;  ///< Q; of a pixel that sees nothing, the origin.
+  std::span<double> point_x, point_y, point_z;  ///< Q
 };
 
-/// How pixels were decided.
+/// How many pixels were decided how.
 struct DecidedBy {
   std::uint64_t filter = 0;  ///< Doubles, within bounds on their errors.
-  std::uint64_t exact = 0;   ///< ExactRay: intervals, double-doubles, balls, the exact field.
+  /// ExactRay, by the highest rung that a pixel's decisions took (index: Rung).
+  std::array<std::uint64_t, 4> rungs{};
+
+  std::uint64_t fallback() const { return rungs[0] + rungs[1] + rungs[2] + rungs[3]; }
+  DecidedBy& operator+=(const DecidedBy& other);
+  bool operator==(const DecidedBy&) const = default;
 };
 
 /// What the pixels of an image see, with every decision right: hit or miss, in front or behind,
@@ -38,8 +44,9 @@ struct DecidedBy {
 /// Domain: what its plan was made for: fewer than 2^31 spheres; a plan of another scene is an error
 ///         that is not noticed. Arrays that do not fit throw std::invalid_argument.
 /// Error:  no decision is wrong. A tangent counts as a hit unless the convention is `miss`. s is
-///         within kVisibleParameterError |Q - E|, and where the filter decided far from silhouettes
-///         within some u; Q is within kVisibleParameterError |Q - E| + 4u |Q| a coordinate.
+///         within kVisibleParameterError |Q - E|, far from silhouettes within some u of it, and
+///         correctly rounded where the filter did not decide; Q is within kVisibleParameterError
+///         |Q - E| + 4u |Q| a coordinate.
 /// Thread safety: const functions may be called from several threads.
 /// Source: reference/formulas.h; the filter's bound is proved in reference/visibility_kernel.h.
 class Visibility {
@@ -48,6 +55,7 @@ class Visibility {
   ~Visibility();
   Visibility(Visibility&&) noexcept;
 
+  const scene::Scene& scene() const;
   const scene::ScenePlan& plan() const;
 
   /// The nearest sphere of every pixel.
@@ -68,16 +76,13 @@ class Visibility {
 };
 
 /// The largest error of s, as a share of the distance between the eye and the hit point.
-inline constexpr double kVisibleParameterError = 0x1p-24;
+inline constexpr double kVisibleParameterError = 0x1p-20;
 
-/// The whole image, by all cores: bands are independent, so that the answer does not depend on
-/// their number.
-struct SeenImage {
-  std::vector<std::int32_t> sphere;
-  std::vector<double> parameter;
-  DecidedBy decided_by;
-};
-SeenImage seen_image(const Visibility& visibility, int threads);
+/// Visibility::nearest by several threads. Bands are independent of each other, so that the answer
+/// does not depend on how many.
+/// Domain: threads >= 1
+DecidedBy nearest_in_parallel(const Visibility& visibility, std::int64_t j_begin,
+                              std::int64_t j_end, const SeenRows& rows, int threads);
 
 }  // namespace raycheck::reference
 

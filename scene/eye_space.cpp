@@ -5,7 +5,7 @@
 namespace raycheck::scene {
 namespace {
 
-using Axis = std::array<Bounds, 3>;
+using Axis = EyeSpace::Axis;
 
 Bounds dot(const Axis& x, const Axis& y) { return x[0] * y[0] + x[1] * y[1] + x[2] * y[2]; }
 

@@ -34,12 +34,17 @@ struct EyeSphere {
 /// Source: docs/problem.md, section Camera.
 class EyeSpace {
  public:
+  using Axis = std::array<Bounds, 3>;
+
   /// `general` keeps even the world's axes as bounds, reckoned as any others.
   EyeSpace(const Camera& camera, const Conventions& conventions, const Scaling& scaling,
            bool general = false);
 
   /// Each of U, V, W is a world axis or its opposite.
   bool axis_aligned() const { return axis_aligned_; }
+  const Axis& U() const { return U_; }
+  const Axis& V() const { return V_; }
+  const Axis& W() const { return W_; }
   const Scaling& scaling() const { return scaling_; }
   EyeSphere sphere(const Sphere& sphere) const;
 
@@ -53,8 +58,6 @@ class EyeSpace {
   Bounds row(const Bounds& beta) const;
 
  private:
-  using Axis = std::array<Bounds, 3>;
-
   Bounds on_plane(double position) const;
 
   Camera camera_;
