@@ -30,7 +30,15 @@ HWY_INLINE Rounded<N> two_sum(N a, N b) {
   return {sum, (a - (sum - b_part)) + (b - b_part)};
 }
 
-/// The same where |a| >= |b| or a = 0 (Dekker, A floating-point technique for extending the
+/// a - b, as two_sum.
+template <class N>
+HWY_INLINE Rounded<N> two_difference(N a, N b) {
+  const N difference = a - b;
+  const N b_part = a - difference;
+  return {difference, (a - (difference + b_part)) + (b_part - b)};
+}
+
+/// two_sum where |a| >= |b| or a = 0 (Dekker, A floating-point technique for extending the
 /// available precision, 1971).
 template <class N>
 HWY_INLINE Rounded<N> fast_two_sum(N a, N b) {
@@ -52,29 +60,31 @@ template <class N>
 HWY_INLINE N square_error(N a, N square) {
   return fused_minus(a, a, square);
 }
+template <class N>
+HWY_INLINE N square_rest(N a, N /*square*/, N high) {
+  return fused_minus(a, a, high);
+}
 
 #else
 
 // Without the instruction a call of std::fma costs more than the 17 operations of Dekker's product,
-// which finds the same errors, to the bit, as long as nothing over- or underflows on the way.
+// which finds the same errors, to the bit, where nothing over- or underflows on the way.
 
 /// a b - c, rounded once.
-HWY_INLINE double fused_minus(double a, double b, double c) { return std::fma(a, b, -c); }
+inline HWY_NOINLINE double fused_minus(double a, double b, double c) { return std::fma(a, b, -c); }
 inline HWY_NOINLINE Lanes fused_minus(Lanes a, Lanes b, Lanes c) {
   double x[kLaneCount<Lanes>], y[kLaneCount<Lanes>], z[kLaneCount<Lanes>];
   store(a, x);
   store(b, y);
   store(c, z);
-  for (std::size_t k = 0; k < kLaneCount<Lanes>; ++k) x[k] = fused_minus(x[k], y[k], z[k]);
+  for (std::size_t k = 0; k < kLaneCount<Lanes>; ++k) x[k] = std::fma(x[k], y[k], -z[k]);
   return load(x);
 }
 
-/// Factors up to here are split, and their products taken, without overflow.
-inline constexpr double kLargestFactor = 0x1p500;
-/// The errors of products from here on are in the double range, and so are their parts.
+/// The errors of products from here on, and all their parts, are in the double range.
 inline constexpr double kLeastProduct = 0x1p-960;
 
-/// a as two numbers of at most 26 bits (Veltkamp; in Dekker 1971). Domain: |a| < 2^996.
+/// a as two numbers of at most 26 bits (Veltkamp; in Dekker 1971); NaN where |a| > 2^996.
 template <class N>
 HWY_INLINE Rounded<N> split(N a) {
   const N scaled = N(0x1p27 + 1) * a;
@@ -82,34 +92,31 @@ HWY_INLINE Rounded<N> split(N a) {
   return {high, a - high};
 }
 
-/// Where Dekker's product is exact, of factors of these sizes.
+/// Dekker's error of a product, unless it cannot be trusted: what overflows on the way does not
+/// come out finite.
 template <class N>
-HWY_INLINE MaskOf<N> is_in_range(N smaller, N larger, N product) {
-  return (larger < N(kLargestFactor)) &
-         ((absolute(product) > N(kLeastProduct)) | (smaller == N(0)));
+HWY_INLINE N trusted(N error, N a, N b, N product) {
+  const auto is_exact = (absolute(product) > N(kLeastProduct)) & (error - error == N(0));
+  return any(!is_exact) ? fused_minus(a, b, product) : error;
 }
 
 template <class N>
 HWY_INLINE N product_error(N a, N b, N product) {
-  const N a_size = absolute(a);
-  const N b_size = absolute(b);
-  const auto ascending = a_size < b_size;
-  const auto is_exact =
-      is_in_range(select(ascending, a_size, b_size), select(ascending, b_size, a_size), product);
-  if (any(!is_exact)) [[unlikely]]
-    return fused_minus(a, b, product);
   const Rounded<N> x = split(a);
   const Rounded<N> y = split(b);
-  return ((x.x * y.x - product) + x.x * y.error + x.error * y.x) + x.error * y.error;
+  return trusted(((x.x * y.x - product) + x.x * y.error + x.error * y.x) + x.error * y.error, a, b,
+                 product);
 }
 
 template <class N>
 HWY_INLINE N square_error(N a, N square) {
-  const N size = absolute(a);
-  if (any(!is_in_range(size, size, square))) [[unlikely]]
-    return fused_minus(a, a, square);
   const Rounded<N> x = split(a);
-  return ((x.x * x.x - square) + N(2) * (x.x * x.error)) + x.error * x.error;
+  return trusted(((x.x * x.x - square) + N(2) * (x.x * x.error)) + x.error * x.error, a, a, square);
+}
+
+template <class N>
+HWY_INLINE N square_rest(N a, N square, N high) {
+  return (square - high) + square_error(a, square);
 }
 
 #endif
@@ -127,6 +134,17 @@ template <class N>
 HWY_INLINE Rounded<N> two_square(N a) {
   const N square = a * a;
   return {square, square_error(a, square)};
+}
+
+/// a^2 as a multiple of ulp(scale), and the rest, at most ulp(scale) + ulp(a^2)/2 and rounded once:
+/// such multiples have exact sums and differences up to 2^53 ulp(scale). (As Rump, Ogita and Oishi
+/// extract leading parts, Accurate floating-point summation, 2008.)
+/// Domain: a^2 <= scale, which is at least 2^-800.
+template <class N>
+HWY_INLINE Rounded<N> coarse_square(N a, N scale) {
+  const N square = a * a;
+  const N high = (scale + square) - scale;
+  return {high, square_rest(a, square, high)};
 }
 
 /// x y - z w with no more error than a few roundings of the result (Kahan; analysed by Jeannerod,

@@ -127,21 +127,22 @@ template <class Answerer>
   }
 }
 
-/// A batch whose size is a multiple of the lanes'; a BatchKernel.
+/// A batch whose size is a multiple of the lanes'; a BatchKernel. A direction so long or short that
+/// its square is out of range may be no valid one, too.
 template <class Answerer>
 [[gnu::flatten]] HWY_NOINLINE bool answer_whole_vectors(const BatchQuestion& question,
                                                         const HitArrays& answers) {
   const Triple<Lanes> centre = triple<Lanes>(question.sphere.centre);
   const Lanes radius(question.sphere.radius);
   const Lanes zero(0.0);
-  Lanes sum = zero;  // not finite once a coordinate is not
+  Lanes sum = zero;  // not finite once a coordinate is not; nor at times when all are
   LaneMask directionless = zero < zero;
   for (std::size_t k = 0; k < question.count; k += kLaneCount<Lanes>) {
     const Triple<Lanes> origin = load(question.rays.origin, k);
     const Triple<Lanes> direction = load(question.rays.direction, k);
-    sum = sum + ((origin.x + origin.y + origin.z) + (direction.x + direction.y + direction.z));
-    directionless =
-        directionless | ((direction.x == zero) & (direction.y == zero) & (direction.z == zero));
+    const Lanes length_sq = dot(direction, direction);
+    sum = sum + ((origin.x + origin.y + origin.z) + length_sq);
+    directionless = directionless | (length_sq == zero);
     const ChosenOf<Lanes> chosen =
         Answerer::answer(origin, direction, centre, radius, question.root, question.tangent);
     store(chosen.hit, answers.hit + k);

@@ -24,9 +24,9 @@ struct Cross2 {
 
   static RootsOf<N> roots(const Triple<N>& origin, const Triple<N>& direction,
                           const Triple<N>& centre, N radius) {
-    const Rounded<N> x = two_sum(centre.x, -origin.x);
-    const Rounded<N> y = two_sum(centre.y, -origin.y);
-    const Rounded<N> z = two_sum(centre.z, -origin.z);
+    const Rounded<N> x = two_difference(centre.x, origin.x);
+    const Rounded<N> y = two_difference(centre.y, origin.y);
+    const Rounded<N> z = two_difference(centre.z, origin.z);
     const Triple<N> T = {x.x, y.x, z.x};
     const Triple<N> T_error = {x.error, y.error, z.error};
     const N a = dot(direction, direction);
@@ -38,7 +38,7 @@ struct Cross2 {
     const Rounded<N> yy = two_square(y.x);
     const Rounded<N> zz = two_square(z.x);
     const Rounded<N> rr = two_square(radius);
-    const Rounded<N> first = two_sum(xx.x, -rr.x);
+    const Rounded<N> first = two_difference(xx.x, rr.x);
     const Rounded<N> second = two_sum(first.x, yy.x);
     const Rounded<N> sum = two_sum(second.x, zz.x);
     const N c = sum.x + ((first.error + second.error + sum.error) +

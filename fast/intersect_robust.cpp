@@ -56,23 +56,21 @@ struct Remainder {  ///< T - s0 d
 template <class N>
 Rounded<N> remainder(const Rounded<N>& to_centre, N s, N direction) {
   const Rounded<N> product = two_product(s, direction);
-  const Rounded<N> rest = two_sum(to_centre.x, -product.x);
+  const Rounded<N> rest = two_difference(to_centre.x, product.x);
   return {rest.x, rest.error + (to_centre.error - product.error)};
 }
 
 /// |at|^2 - r^2
 template <class N>
 N residual(const Remainder<N>& at, N radius) {
-  const Rounded<N> xx = two_square(at.x.x);
-  const Rounded<N> yy = two_square(at.y.x);
-  const Rounded<N> zz = two_square(at.z.x);
-  const Rounded<N> rr = two_square(radius);
-  const Rounded<N> first = two_sum(xx.x, -rr.x);
-  const Rounded<N> second = two_sum(first.x, yy.x);
-  const Rounded<N> sum = two_sum(second.x, zz.x);
-  return sum.x + ((first.error + second.error + sum.error) +
-                  ((xx.error + yy.error) + (zz.error - rr.error)) +
-                  N(2) * (at.x.x * at.x.error + at.y.x * at.y.error + at.z.x * at.z.error));
+  const N scale = N(2) * (radius * radius);
+  const Rounded<N> xx = coarse_square(at.x.x, scale);
+  const Rounded<N> yy = coarse_square(at.y.x, scale);
+  const Rounded<N> zz = coarse_square(at.z.x, scale);
+  const Rounded<N> rr = coarse_square(radius, scale);
+  return (((xx.x + yy.x) + zz.x) - rr.x) +
+         (((xx.error + yy.error) + (zz.error - rr.error)) +
+          N(2) * (at.x.x * at.x.error + at.y.x * at.y.error + at.z.x * at.z.error));
 }
 
 template <class N>
@@ -82,9 +80,9 @@ struct Robust {
   static ChosenOf<N> answer(const Triple<N>& origin, const Triple<N>& direction,
                             const Triple<N>& centre, N radius, scene::Root root,
                             scene::Tangent tangent) {
-    const Rounded<N> x = two_sum(centre.x, -origin.x);
-    const Rounded<N> y = two_sum(centre.y, -origin.y);
-    const Rounded<N> z = two_sum(centre.z, -origin.z);
+    const Rounded<N> x = two_difference(centre.x, origin.x);
+    const Rounded<N> y = two_difference(centre.y, origin.y);
+    const Rounded<N> z = two_difference(centre.z, origin.z);
     const Triple<N> T = {x.x, y.x, z.x};
     const N a = dot(direction, direction);
     const N b = dot(T, direction);
@@ -93,14 +91,12 @@ struct Robust {
     const N size = distance_sq + radius_sq;
     const N c = distance_sq - radius_sq;
     const Triple<N> moment = cross(T, direction);
-    const N share = a * radius_sq;
-    const N discriminant = share - dot(moment, moment);
-    const auto in_range = (size > N(kLeastSquare)) & (size < N(kLargestSquare)) &
-                          (a > N(kLeastSquare)) & (a < N(kLargestSquare));
-    const auto certain = in_range &
-                         (absolute(discriminant) >
-                          N(kDiscriminantShare) * share + N(kFarShare) * (a * distance_sq)) &
-                         (absolute(c) > N(kSurfaceShare) * size);
+    const N discriminant = a * radius_sq - dot(moment, moment);
+    const auto in_range =
+        (smaller(size, a) > N(kLeastSquare)) & (larger(size, a) < N(kLargestSquare));
+    const N doubt = a * (N(kDiscriminantShare) * radius_sq + N(kFarShare) * distance_sq);
+    const auto certain =
+        in_range & (absolute(discriminant) > doubt) & (absolute(c) > N(kSurfaceShare) * size);
     const auto outside = c > N(0);
     const auto forward = b >= N(0);
     const auto ahead = root == scene::Root::kNearest ? (!outside) | forward : outside & forward;
@@ -113,7 +109,7 @@ struct Robust {
       const N s0 = select(through_c, absolute(c), q) / select(through_c, q, a);
       const Remainder<N> at = {remainder(x, s0, direction.x), remainder(y, s0, direction.y),
                                remainder(z, s0, direction.z)};
-      const N correction = residual(at, radius) / (N(2) * select(outside, -half_slope, half_slope));
+      const N correction = residual(at, radius) / (select(outside, N(-2), N(2)) * half_slope);
       chosen.parameter = s0 - correction;
       chosen.point = {coordinate(centre.x, at.x, correction * direction.x),
                       coordinate(centre.y, at.y, correction * direction.y),
@@ -127,7 +123,7 @@ struct Robust {
 
  private:
   static N coordinate(N from, const Rounded<N>& rest, N shift) {
-    const Rounded<N> point = two_sum(from, -rest.x);
+    const Rounded<N> point = two_difference(from, rest.x);
     return point.x + (point.error - (rest.error + shift));
   }
 

@@ -67,6 +67,11 @@ HWY_INLINE Lanes square_root(Lanes x) { return Lanes(hn::Sqrt(x.raw)); }
 HWY_INLINE double absolute(double x) { return std::abs(x); }
 HWY_INLINE Lanes absolute(Lanes x) { return Lanes(hn::Abs(x.raw)); }
 
+HWY_INLINE double smaller(double x, double y) { return x < y ? x : y; }
+HWY_INLINE Lanes smaller(Lanes x, Lanes y) { return Lanes(hn::Min(x.raw, y.raw)); }
+HWY_INLINE double larger(double x, double y) { return x > y ? x : y; }
+HWY_INLINE Lanes larger(Lanes x, Lanes y) { return Lanes(hn::Max(x.raw, y.raw)); }
+
 /// `yes` where the condition holds, else `no`.
 template <class N>
 HWY_INLINE N select(bool condition, const N& yes, const N& no) {
