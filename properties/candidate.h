@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstddef>
+#include <cstdint>
 #include <functional>
 #include <limits>
 #include <optional>
@@ -90,6 +91,8 @@ struct Candidate {
   /// It promises the same of every sphere seen through a pixel, and s within
   /// reference::kVisibleParameterError.
   bool exact_visible = false;
+  /// Images with more pixels across or down are not for `visible`.
+  std::int64_t most_visible_across = scene::kMostPixelsAcross;
   /// Of the arithmetic that it computes in.
   double unit_roundoff = kDoubleRoundoff;
   /// Its stated domain: rays of these kinds only, and nonzero lengths between these.

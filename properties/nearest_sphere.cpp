@@ -137,6 +137,10 @@ Verdict judge_visible_sphere(Trial& trial) {
   if (!trial.scene().camera) return Verdict::left_out("the scene has no camera");
   if (!trial.candidate().visible) return Verdict::left_out("the candidate sees nothing");
   if (trial.scene().spheres.empty()) return Verdict::left_out("the scene has no sphere");
+  const scene::Camera& camera = *trial.scene().camera;
+  if (std::max(camera.width, camera.height) > trial.candidate().most_visible_across) {
+    return Verdict::left_out("the image is larger than the candidate sees");
+  }
   Case wider{trial.scene(), with_spread_pixels(trial)};
   Trial seen(wider, trial.candidate());
   const auto answers = trial.candidate().visible(trial.scene(), trial.conventions(), wider.pixels);
