@@ -537,7 +537,8 @@ DecidedBy nearest_in_parallel(const Visibility& visibility, std::int64_t j_begin
                            {part(rows.sphere), part(rows.parameter), part(rows.point_x),
                             part(rows.point_y), part(rows.point_z)});
   };
-  tbb::task_arena arena(threads);
+  // More threads than cores would only make oneTBB warn.
+  tbb::task_arena arena(std::min(threads, tbb::this_task_arena::max_concurrency()));
   arena.execute([&] { tbb::parallel_for(std::int64_t{0}, bands, band_rows); });
   return std::accumulate(decided_by.begin(), decided_by.end(), DecidedBy{},
                          [](DecidedBy sum, const DecidedBy& band) { return sum += band; });

@@ -86,8 +86,10 @@ EyeSpace::EyeSpace(const Camera& camera, const Conventions& conventions, const S
   if (!axis_aligned_) {
     W_ = normalised(w);
     U_ = normalised(u);
+    V_ = cross(W_, U_);
+  } else {
+    along_world_axis(cross(W_, U_), V_);
   }
-  V_ = cross(W_, U_);
 }
 
 EyeSphere EyeSpace::sphere(const Sphere& sphere) const {
