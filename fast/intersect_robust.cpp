@@ -2,6 +2,8 @@
 #define HWY_TARGET_INCLUDE "fast/intersect_robust.cpp"
 #include <hwy/foreach_target.h>
 
+#include <cstring>
+
 #include "fast/error_free.h"
 #include "fast/intersect_batch.h"
 #include "fast/robust.h"
@@ -62,114 +64,124 @@ Rounded<N> remainder(const Rounded<N>& to_centre, N s, N direction) {
 
 /// |at|^2 - r^2
 template <class N>
-N residual(const Remainder<N>& at, N radius) {
-  const N scale = N(2) * (radius * radius);
+N residual(const Remainder<N>& at, N scale, const Rounded<N>& radius_sq) {
   const Rounded<N> xx = coarse_square(at.x.x, scale);
   const Rounded<N> yy = coarse_square(at.y.x, scale);
   const Rounded<N> zz = coarse_square(at.z.x, scale);
-  const Rounded<N> rr = coarse_square(radius, scale);
-  return (((xx.x + yy.x) + zz.x) - rr.x) +
-         (((xx.error + yy.error) + (zz.error - rr.error)) +
+  return (((xx.x + yy.x) + zz.x) - radius_sq.x) +
+         (((xx.error + yy.error) + (zz.error - radius_sq.error)) +
           N(2) * (at.x.x * at.x.error + at.y.x * at.y.error + at.z.x * at.z.error));
 }
 
+/// A coordinate of Q = C - (T - s d), s = s0 - correction.
 template <class N>
-struct Robust {
-  using Number = N;
+N coordinate(N centre, const Rounded<N>& rest, N correction, N direction) {
+  const Rounded<N> point = two_difference(centre, rest.x);
+  return point.x + (point.error - (rest.error + correction * direction));
+}
 
-  static ChosenOf<N> answer(const Triple<N>& origin, const Triple<N>& direction,
-                            const Triple<N>& centre, N radius, scene::Root root,
-                            scene::Tangent tangent) {
-    const Rounded<N> x = two_difference(centre.x, origin.x);
-    const Rounded<N> y = two_difference(centre.y, origin.y);
-    const Rounded<N> z = two_difference(centre.z, origin.z);
-    const Triple<N> T = {x.x, y.x, z.x};
-    const N a = dot(direction, direction);
-    const N b = dot(T, direction);
-    const N distance_sq = dot(T, T);
-    const N radius_sq = radius * radius;
-    const N size = distance_sq + radius_sq;
-    const N c = distance_sq - radius_sq;
-    const Triple<N> moment = cross(T, direction);
-    const N discriminant = a * radius_sq - dot(moment, moment);
-    const auto in_range =
-        (smaller(size, a) > N(kLeastSquare)) & (larger(size, a) < N(kLargestSquare));
-    const N doubt = a * (N(kDiscriminantShare) * radius_sq + N(kFarShare) * distance_sq);
-    const auto certain =
-        in_range & (absolute(discriminant) > doubt) & (absolute(c) > N(kSurfaceShare) * size);
-    const auto outside = c > N(0);
-    const auto forward = b >= N(0);
-    const auto ahead = root == scene::Root::kNearest ? (!outside) | forward : outside & forward;
-    const MaskOf<N> hit = certain & (discriminant > N(0)) & ahead;
-    ChosenOf<N> chosen = {hit, N(0), {N(0), N(0), N(0)}};
-    if (any(hit)) {
-      const N half_slope = square_root(discriminant);  // of |T - s d|^2 at the root, but for sign
-      const N q = absolute(b) + half_slope;
-      const auto through_c = outside | !forward;
-      const N s0 = select(through_c, absolute(c), q) / select(through_c, q, a);
-      const Remainder<N> at = {remainder(x, s0, direction.x), remainder(y, s0, direction.y),
-                               remainder(z, s0, direction.z)};
-      const N correction = residual(at, radius) / (select(outside, N(-2), N(2)) * half_slope);
-      chosen.parameter = s0 - correction;
-      chosen.point = {coordinate(centre.x, at.x, correction * direction.x),
-                      coordinate(centre.y, at.y, correction * direction.y),
-                      coordinate(centre.z, at.z, correction * direction.z)};
-    }
-    if (any(!certain)) [[unlikely]] {
-      answer_others(certain, origin, direction, centre, radius, root, tangent, chosen);
-    }
-    return chosen;
-  }
-
- private:
-  static N coordinate(N from, const Rounded<N>& rest, N shift) {
-    const Rounded<N> point = two_difference(from, rest.x);
-    return point.x + (point.error - (rest.error + shift));
-  }
-
-  /// Answers what the first step leaves open, one by one.
-  static HWY_NOINLINE void answer_others(MaskOf<N> certain, const Triple<N>& origin,
-                                         const Triple<N>& direction, const Triple<N>& centre,
-                                         N radius, scene::Root root, scene::Tangent tangent,
-                                         ChosenOf<N>& chosen) {
-    constexpr std::size_t kCount = kLaneCount<N>;
-    N number[] = {origin.x,
-                  origin.y,
-                  origin.z,
-                  direction.x,
-                  direction.y,
-                  direction.z,
-                  select(certain, N(1), N(0)),
-                  select(chosen.hit, N(1), N(0)),
-                  chosen.parameter,
-                  chosen.point.x,
-                  chosen.point.y,
-                  chosen.point.z};
-    double of[std::size(number)][kCount];
-    double sphere[4][kCount];
-    for (std::size_t k = 0; k < std::size(number); ++k) store(number[k], of[k]);
-    store(centre.x, sphere[0]);
-    store(centre.y, sphere[1]);
-    store(centre.z, sphere[2]);
-    store(radius, sphere[3]);
-    for (std::size_t k = 0; k < kCount; ++k) {
-      if (of[6][k] != 0) continue;
-      const Chosen answer = answer_carefully(
-          {{of[0][k], of[1][k], of[2][k]}, {of[3][k], of[4][k], of[5][k]}},
-          {{sphere[0][k], sphere[1][k], sphere[2][k]}, sphere[3][k]}, root, tangent);
-      of[7][k] = answer.hit ? 1 : 0;
-      of[8][k] = answer.at.parameter;
-      of[9][k] = answer.at.point.x;
-      of[10][k] = answer.at.point.y;
-      of[11][k] = answer.at.point.z;
-    }
-    for (std::size_t k = 0; k < std::size(number); ++k) load(of[k], number[k]);
-    chosen = {number[7] > N(0), number[8], {number[9], number[10], number[11]}};
-  }
+/// The class where it is certain, and the first root.
+template <class N>
+struct Guess {
+  MaskOf<N> hit;
+  MaskOf<N> certain;
+  N s0;
+  N slope;  ///< Of |T - s d|^2 at the root; 0 without a hit.
 };
 
+template <class N>
+Guess<N> guess(const Triple<N>& origin, const Triple<N>& direction, const Triple<N>& centre,
+               N radius, scene::Root root) {
+  const Triple<N> T = centre - origin;
+  const N a = dot(direction, direction);
+  const N b = dot(T, direction);
+  const N distance_sq = dot(T, T);
+  const N radius_sq = radius * radius;
+  const N size = distance_sq + radius_sq;
+  const N c = distance_sq - radius_sq;
+  const Triple<N> moment = cross(T, direction);
+  const N discriminant = a * radius_sq - dot(moment, moment);
+  const auto in_range =
+      (smaller(size, a) > N(kLeastSquare)) & (larger(size, a) < N(kLargestSquare));
+  const N doubt = a * (N(kDiscriminantShare) * radius_sq + N(kFarShare) * distance_sq);
+  const MaskOf<N> certain =
+      in_range & (absolute(discriminant) > doubt) & (absolute(c) > N(kSurfaceShare) * size);
+  const auto outside = c > N(0);
+  const auto behind = b < N(0);
+  const MaskOf<N> no_root = root == scene::Root::kNearest ? outside & behind : (!outside) | behind;
+  const MaskOf<N> hit = certain & (discriminant > N(0)) & !no_root;
+  if (!any(hit)) return {hit, certain, N(0), N(0)};
+  const N half_slope = square_root(discriminant);
+  const N q = absolute(b) + half_slope;
+  const MaskOf<N> through_c = outside | behind;
+  const N s0 = select(through_c, absolute(c), q) / select(through_c, q, a);
+  return {hit, certain, s0, select(hit, select(outside, N(-2), N(2)) * half_slope, N(0))};
+}
+
+/// What the sphere alone decides of a residual.
+template <class N>
+struct Level {
+  explicit Level(N radius)
+      : scale(N(2) * (radius * radius)), radius_sq(coarse_square(radius, scale)) {}
+  N scale;
+  Rounded<N> radius_sq;
+};
+
+/// Newton's step, and the point there.
+template <class N>
+ChosenOf<N> correct(const Triple<N>& origin, const Triple<N>& direction, const Triple<N>& centre,
+                    const Level<N>& level, MaskOf<N> hit, N s0, N slope) {
+  const Remainder<N> at = {remainder(two_difference(centre.x, origin.x), s0, direction.x),
+                           remainder(two_difference(centre.y, origin.y), s0, direction.y),
+                           remainder(two_difference(centre.z, origin.z), s0, direction.z)};
+  const N correction = residual(at, level.scale, level.radius_sq) / slope;
+  return {hit,
+          s0 - correction,
+          {coordinate(centre.x, at.x, correction, direction.x),
+           coordinate(centre.y, at.y, correction, direction.y),
+           coordinate(centre.z, at.z, correction, direction.z)}};
+}
+
+constexpr std::size_t kBlock = 128;
+static_assert(kBlock % kLaneCount == 0);
+
+/// A BatchKernel for multiples of kLaneCount. In two passes over what the nearest cache holds: one
+/// would be a chain of operations too long for a processor to begin the next vector before its end.
+[[gnu::flatten]] HWY_NOINLINE bool answer_whole(const BatchQuestion& question,
+                                                const HitArrays& answers) {
+  const BatchQuestion asked = question;
+  const HitArrays to = answers;
+  const Triple<Lanes> centre = triple<Lanes>(asked.sphere.centre);
+  const Lanes radius(asked.sphere.radius);
+  const Level<Lanes> level(radius);
+  Validity valid;
+  for (std::size_t first = 0; first < asked.count; first += kBlock) {
+    const std::size_t last = first + kBlock < asked.count ? first + kBlock : asked.count;
+    for (std::size_t k = first; k < last; k += kLaneCount) {
+      const Triple<Lanes> origin = load(asked.rays.origin, k);
+      const Triple<Lanes> direction = load(asked.rays.direction, k);
+      valid.see(origin, direction);
+      const Guess<Lanes> found = guess(origin, direction, centre, radius, asked.root);
+      store(hn::Or(codes(found.hit, 1), codes(!found.certain, kOpen)), to.hit + k);
+      store(found.s0, to.parameter + k);
+      store(found.slope, to.point[0] + k);
+    }
+    for (std::size_t k = first; k < last; k += kLaneCount) {
+      const Lanes slope = load(to.point[0] + k);
+      const LaneMask miss = slope == Lanes(0.0);
+      if (!any(!miss)) continue;
+      const ChosenOf<Lanes> chosen =
+          correct(load(asked.rays.origin, k), load(asked.rays.direction, k), centre, level, !miss,
+                  load(to.parameter + k), slope);
+      store(chosen.parameter, to.parameter + k);
+      store(chosen.point, to.point, k);
+    }
+  }
+  return valid.holds();
+}
+
 bool batch(const BatchQuestion& question, const HitArrays& answers) {
-  return answer_batch<Robust<Lanes>>(question, answers);
+  return answer_batch(answer_whole, question, answers);
 }
 
 }  // namespace
@@ -182,24 +194,58 @@ namespace {
 
 HWY_EXPORT(batch);
 
-void intersect(const Rays& rays, const scene::Sphere& sphere, scene::Root root,
-               scene::Tangent tangent, Hits& hits) {
-  intersect_by(HWY_DYNAMIC_DISPATCH(batch), rays, sphere, root, tangent, hits);
-}
-
-}  // namespace
-
 Chosen answer_carefully(const scene::Ray& ray, const scene::Sphere& sphere, scene::Root root,
                         scene::Tangent tangent) {
   if (const auto proven = answer_by_pairs(ray, sphere, root)) return *proven;
   return answer_by_integers(ray, sphere, root, tangent);
 }
 
+void intersect(const Rays& rays, const scene::Sphere& sphere, scene::Root root,
+               scene::Tangent tangent, Hits& hits) {
+  intersect_by(HWY_DYNAMIC_DISPATCH(batch), rays, sphere, root, tangent, hits);
+  std::uint8_t* const first = hits.hit.data();
+  std::uint8_t* const last = first + hits.size();
+  for (std::uint8_t* open = first; open != last; ++open) {
+    // Not std::find, which asks byte by byte.
+    open =
+        static_cast<std::uint8_t*>(std::memchr(open, kOpen, static_cast<std::size_t>(last - open)));
+    if (open == nullptr) return;
+    const auto k = static_cast<std::size_t>(open - first);
+    const Chosen chosen = answer_carefully(ray_at(rays, k), sphere, root, tangent);
+    *open = chosen.hit;
+    hits.parameter[k] = chosen.at.parameter;
+    hits.point.x[k] = chosen.at.point.x;
+    hits.point.y[k] = chosen.at.point.y;
+    hits.point.z[k] = chosen.at.point.z;
+  }
+}
+
+[[gnu::flatten]] std::optional<Hit> intersect_one(const scene::Ray& ray,
+                                                  const scene::Sphere& sphere, scene::Root root,
+                                                  scene::Tangent tangent) {
+  using HWY_NAMESPACE::triple;
+  const auto origin = triple<double>(ray.origin);
+  const auto direction = triple<double>(ray.direction);
+  const auto centre = triple<double>(sphere.centre);
+  const auto found = HWY_NAMESPACE::guess(origin, direction, centre, sphere.radius, root);
+  if (found.hit) {
+    return HWY_NAMESPACE::plain(HWY_NAMESPACE::correct(origin, direction, centre,
+                                                       HWY_NAMESPACE::Level<double>(sphere.radius),
+                                                       true, found.s0, found.slope))
+        .at;
+  }
+  if (found.certain) return std::nullopt;
+  const Chosen chosen = answer_carefully(ray, sphere, root, tangent);
+  return chosen.hit ? std::optional(chosen.at) : std::nullopt;
+}
+
+}  // namespace
+
 const IntersectMethod kRobust = {
     .name = "robust",
     .sentence = "cross corrected once in pairs of doubles where proven; else pairs, integers",
     .intersect = intersect,
-    .intersect_one = HWY_NAMESPACE::intersect_one<HWY_NAMESPACE::Robust<double>>,
+    .intersect_one = intersect_one,
     .max_ulp = kRobustMaxUlp,
     .max_point_ulp = kRobustMaxPointUlp,
     .domain = kWideDomain,
