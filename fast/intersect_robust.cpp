@@ -2,11 +2,13 @@
 #define HWY_TARGET_INCLUDE "fast/intersect_robust.cpp"
 #include <hwy/foreach_target.h>
 
+#include <cmath>
 #include <cstring>
 
 #include "fast/error_free.h"
 #include "fast/intersect_batch.h"
 #include "fast/robust.h"
+#include "scene/validate.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace raycheck::fast::HWY_NAMESPACE {
@@ -14,9 +16,7 @@ namespace {
 
 // The first step: coefficients in doubles, then one of Newton's steps from a residual in pairs.
 //
-// Where f^2 + r^2 and a lie between these, no product overflows, and what underflows is too small
-// to count beside the margins.
-constexpr double kLeastSquare = 0x1p-400;
+constexpr double kLeastDiscriminant = 0x1p-300;
 constexpr double kLargestSquare = 0x1p400;
 // The step answers where |disc^| > kDiscriminantShare a r^2 + kFarShare a f^2 and
 // |c^| > kSurfaceShare (f^2 + r^2).
@@ -48,7 +48,7 @@ constexpr double kLargestSquare = 0x1p400;
 // d) is made from the residual's vector and the unrounded s, and rounded once.
 constexpr double kDiscriminantShare = 0x1p-10;
 constexpr double kFarShare = 0x1p-40;
-constexpr double kSurfaceShare = 0x1p-30;
+constexpr double kSurfaceShare = 0x1p-28;
 
 template <class N>
 struct Remainder {  ///< T - s0 d
@@ -80,34 +80,53 @@ N coordinate(N centre, const Rounded<N>& rest, N correction, N direction) {
   return point.x + (point.error - (rest.error + correction * direction));
 }
 
+/// What the sphere alone decides.
+template <class N>
+struct Ball {
+  HWY_INLINE Ball(const Triple<N>& its_centre, N radius)
+      : centre(its_centre),
+        square(radius * radius),
+        doubt(N(kDiscriminantShare) * square),
+        scale(N(2) * square),
+        coarse(coarse_square(radius, scale)) {
+    // Compared with NaN, nothing is certain.
+    const N known = select(square < N(kLargestSquare), square, N(std::nan("")));
+    inside = known * N(1 - kSurfaceShare);
+    outside = known * N(1 + kSurfaceShare);
+  }
+
+  Triple<N> centre;
+  N square;
+  N doubt, scale;
+  Rounded<N> coarse;  ///< The square, in units of ulp(scale).
+  N inside, outside;  ///< f^2 below and above these is that of an origin inside, and outside.
+};
+
 /// The class where it is certain, and the first root.
 template <class N>
 struct Guess {
   MaskOf<N> hit;
   MaskOf<N> certain;
   N s0;
-  N slope;  ///< Of |T - s d|^2 at the root; 0 without a hit.
+  N slope;  ///< Of |T - s d|^2 at the root.
 };
 
 template <class N>
-Guess<N> guess(const Triple<N>& origin, const Triple<N>& direction, const Triple<N>& centre,
-               N radius, scene::Root root) {
-  const Triple<N> T = centre - origin;
+Guess<N> guess(const Triple<N>& origin, const Triple<N>& direction, const Ball<N>& ball,
+               scene::Root root) {
+  const Triple<N> T = ball.centre - origin;
   const N a = dot(direction, direction);
   const N b = dot(T, direction);
   const N distance_sq = dot(T, T);
-  const N radius_sq = radius * radius;
-  const N size = distance_sq + radius_sq;
-  const N c = distance_sq - radius_sq;
+  const N c = distance_sq - ball.square;
   const Triple<N> moment = cross(T, direction);
-  const N discriminant = a * radius_sq - dot(moment, moment);
-  const auto in_range =
-      (smaller(size, a) > N(kLeastSquare)) & (larger(size, a) < N(kLargestSquare));
-  const N doubt = a * (N(kDiscriminantShare) * radius_sq + N(kFarShare) * distance_sq);
-  const MaskOf<N> certain =
-      in_range & (absolute(discriminant) > doubt) & (absolute(c) > N(kSurfaceShare) * size);
-  const auto outside = c > N(0);
+  const N discriminant = a * ball.square - dot(moment, moment);
+  const N doubt = larger(a * (ball.doubt + N(kFarShare) * distance_sq), N(kLeastDiscriminant));
+  const auto outside = distance_sq > ball.outside;
   const auto behind = b < N(0);
+  const MaskOf<N> certain = (absolute(discriminant) > doubt) &
+                            (a + distance_sq < N(kLargestSquare)) &
+                            (outside | (distance_sq < ball.inside));
   const MaskOf<N> no_root = root == scene::Root::kNearest ? outside & behind : (!outside) | behind;
   const MaskOf<N> hit = certain & (discriminant > N(0)) & !no_root;
   if (!any(hit)) return {hit, certain, N(0), N(0)};
@@ -115,69 +134,64 @@ Guess<N> guess(const Triple<N>& origin, const Triple<N>& direction, const Triple
   const N q = absolute(b) + half_slope;
   const MaskOf<N> through_c = outside | behind;
   const N s0 = select(through_c, absolute(c), q) / select(through_c, q, a);
-  return {hit, certain, s0, select(hit, select(outside, N(-2), N(2)) * half_slope, N(0))};
+  return {hit, certain, s0, select(outside, N(-2), N(2)) * half_slope};
 }
 
-/// What the sphere alone decides of a residual.
+/// Newton's step from s0, and the point there.
 template <class N>
-struct Level {
-  explicit Level(N radius)
-      : scale(N(2) * (radius * radius)), radius_sq(coarse_square(radius, scale)) {}
-  N scale;
-  Rounded<N> radius_sq;
-};
-
-/// Newton's step, and the point there.
-template <class N>
-ChosenOf<N> correct(const Triple<N>& origin, const Triple<N>& direction, const Triple<N>& centre,
-                    const Level<N>& level, MaskOf<N> hit, N s0, N slope) {
-  const Remainder<N> at = {remainder(two_difference(centre.x, origin.x), s0, direction.x),
-                           remainder(two_difference(centre.y, origin.y), s0, direction.y),
-                           remainder(two_difference(centre.z, origin.z), s0, direction.z)};
-  const N correction = residual(at, level.scale, level.radius_sq) / slope;
-  return {hit,
-          s0 - correction,
+ChosenOf<N> correct(const Triple<N>& origin, const Triple<N>& direction, const Ball<N>& ball,
+                    const Guess<N>& found) {
+  const Triple<N>& centre = ball.centre;
+  const Remainder<N> at = {remainder(two_difference(centre.x, origin.x), found.s0, direction.x),
+                           remainder(two_difference(centre.y, origin.y), found.s0, direction.y),
+                           remainder(two_difference(centre.z, origin.z), found.s0, direction.z)};
+  const N correction = residual(at, ball.scale, ball.coarse) / found.slope;
+  return {found.hit,
+          found.s0 - correction,
           {coordinate(centre.x, at.x, correction, direction.x),
            coordinate(centre.y, at.y, correction, direction.y),
            coordinate(centre.z, at.z, correction, direction.z)}};
 }
 
-constexpr std::size_t kBlock = 128;
-static_assert(kBlock % kLaneCount == 0);
+bool any_hit(const std::uint8_t* codes) {
+  std::uint64_t all = 0;
+  std::memcpy(&all, codes, kLaneCount);
+  return all != 0;
+}
 
-/// A BatchKernel for multiples of kLaneCount. In two passes over what the nearest cache holds: one
-/// would be a chain of operations too long for a processor to begin the next vector before its end.
+constexpr std::size_t kBlock = 128;
+static_assert(kBlock % kLaneCount == 0 && kLaneCount <= sizeof(std::uint64_t));
+
+/// A BatchKernel for multiples of kLaneCount. In two passes over what the nearest cache holds: a
+/// vector's whole chain of operations is too long for the next to begin before its end.
 [[gnu::flatten]] HWY_NOINLINE bool answer_whole(const BatchQuestion& question,
                                                 const HitArrays& answers) {
   const BatchQuestion asked = question;
   const HitArrays to = answers;
-  const Triple<Lanes> centre = triple<Lanes>(asked.sphere.centre);
-  const Lanes radius(asked.sphere.radius);
-  const Level<Lanes> level(radius);
-  Validity valid;
+  const Ball<Lanes> ball(triple<Lanes>(asked.sphere.centre), Lanes(asked.sphere.radius));
   for (std::size_t first = 0; first < asked.count; first += kBlock) {
     const std::size_t last = first + kBlock < asked.count ? first + kBlock : asked.count;
     for (std::size_t k = first; k < last; k += kLaneCount) {
-      const Triple<Lanes> origin = load(asked.rays.origin, k);
-      const Triple<Lanes> direction = load(asked.rays.direction, k);
-      valid.see(origin, direction);
-      const Guess<Lanes> found = guess(origin, direction, centre, radius, asked.root);
-      store(hn::Or(codes(found.hit, 1), codes(!found.certain, kOpen)), to.hit + k);
+      const Guess<Lanes> found =
+          guess(load(asked.rays.origin, k), load(asked.rays.direction, k), ball, asked.root);
+      store(codes(found.hit, 1), to.hit + k);
+      if (any(!found.certain)) [[unlikely]] {
+        store(hn::Or(codes(found.hit, 1), codes(!found.certain, kOpen)), to.hit + k);
+      }
       store(found.s0, to.parameter + k);
       store(found.slope, to.point[0] + k);
     }
     for (std::size_t k = first; k < last; k += kLaneCount) {
+      if (!any_hit(to.hit + k)) continue;
       const Lanes slope = load(to.point[0] + k);
-      const LaneMask miss = slope == Lanes(0.0);
-      if (!any(!miss)) continue;
       const ChosenOf<Lanes> chosen =
-          correct(load(asked.rays.origin, k), load(asked.rays.direction, k), centre, level, !miss,
-                  load(to.parameter + k), slope);
+          correct(load(asked.rays.origin, k), load(asked.rays.direction, k), ball,
+                  {slope == slope, slope == slope, load(to.parameter + k), slope});
       store(chosen.parameter, to.parameter + k);
       store(chosen.point, to.point, k);
     }
   }
-  return valid.holds();
+  return true;
 }
 
 bool batch(const BatchQuestion& question, const HitArrays& answers) {
@@ -211,7 +225,9 @@ void intersect(const Rays& rays, const scene::Sphere& sphere, scene::Root root,
         static_cast<std::uint8_t*>(std::memchr(open, kOpen, static_cast<std::size_t>(last - open)));
     if (open == nullptr) return;
     const auto k = static_cast<std::size_t>(open - first);
-    const Chosen chosen = answer_carefully(ray_at(rays, k), sphere, root, tangent);
+    const scene::Ray ray = ray_at(rays, k);
+    if (!scene::problems(ray).empty()) require_valid(rays, sphere);
+    const Chosen chosen = answer_carefully(ray, sphere, root, tangent);
     *open = chosen.hit;
     hits.parameter[k] = chosen.at.parameter;
     hits.point.x[k] = chosen.at.point.x;
@@ -227,13 +243,9 @@ void intersect(const Rays& rays, const scene::Sphere& sphere, scene::Root root,
   const auto origin = triple<double>(ray.origin);
   const auto direction = triple<double>(ray.direction);
   const auto centre = triple<double>(sphere.centre);
-  const auto found = HWY_NAMESPACE::guess(origin, direction, centre, sphere.radius, root);
-  if (found.hit) {
-    return HWY_NAMESPACE::plain(HWY_NAMESPACE::correct(origin, direction, centre,
-                                                       HWY_NAMESPACE::Level<double>(sphere.radius),
-                                                       true, found.s0, found.slope))
-        .at;
-  }
+  const HWY_NAMESPACE::Ball<double> ball(centre, sphere.radius);
+  const auto found = HWY_NAMESPACE::guess(origin, direction, ball, root);
+  if (found.hit) return plain(HWY_NAMESPACE::correct(origin, direction, ball, found)).at;
   if (found.certain) return std::nullopt;
   const Chosen chosen = answer_carefully(ray, sphere, root, tangent);
   return chosen.hit ? std::optional(chosen.at) : std::nullopt;
