@@ -51,21 +51,20 @@ constexpr double kFarShare = 0x1p-40;
 constexpr double kSurfaceShare = 0x1p-28;
 constexpr double kReachShare = 0x1p-44;
 
-/// A coordinate of L + s0 d, as an unevaluated sum, and of C less that.
+/// A coordinate of L + s0 d, and of C less that, as unevaluated sums.
 template <class N>
 struct Reached {
-  N point;
-  N rest;
-  Rounded<N> to_centre;
+  N point, point_rest;
+  N away, away_rest;
 };
 
 template <class N>
-Reached<N> reached(N origin, N s0, N direction, N centre) {
+HWY_INLINE Reached<N> reached(N origin, N s0, N direction, N centre) {
   const Rounded<N> product = two_product(s0, direction);
   const Rounded<N> point = two_sum(origin, product.x);
   const N rest = point.error + product.error;
-  const Rounded<N> to_centre = two_difference(centre, point.x);
-  return {point.x, rest, {to_centre.x, to_centre.error - rest}};
+  const Rounded<N> away = two_difference(centre, point.x);
+  return {point.x, rest, away.x, away.error - rest};
 }
 
 /// What the sphere alone decides.
@@ -137,20 +136,20 @@ ChosenOf<N> correct(const Triple<N>& origin, const Triple<N>& direction, const B
   const Reached<N> x = reached(origin.x, found.s0, direction.x, ball.centre.x);
   const Reached<N> y = reached(origin.y, found.s0, direction.y, ball.centre.y);
   const Reached<N> z = reached(origin.z, found.s0, direction.z, ball.centre.z);
-  const Rounded<N> xx = coarse_square(x.to_centre.x, ball.scale);
-  const Rounded<N> yy = coarse_square(y.to_centre.x, ball.scale);
-  const Rounded<N> zz = coarse_square(z.to_centre.x, ball.scale);
+  const Rounded<N> xx = coarse_square(x.away, ball.scale);
+  const Rounded<N> yy = coarse_square(y.away, ball.scale);
+  const Rounded<N> zz = coarse_square(z.away, ball.scale);
   const N residual =
       (((xx.x + yy.x) + zz.x) - ball.coarse.x) +
       (((xx.error + yy.error) + (zz.error - ball.coarse.error)) +
-       N(2) * (x.to_centre.x * x.to_centre.error + y.to_centre.x * y.to_centre.error +
-               z.to_centre.x * z.to_centre.error));
+       N(2) * (x.away * x.away_rest + y.away * y.away_rest +
+               z.away * z.away_rest));
   const N correction = residual / found.slope;
   return {
       found.hit,
       found.s0 - correction,
-      {x.point + (x.rest - correction * direction.x), y.point + (y.rest - correction * direction.y),
-       z.point + (z.rest - correction * direction.z)}};
+      {x.point + (x.point_rest - correction * direction.x), y.point + (y.point_rest - correction * direction.y),
+       z.point + (z.point_rest - correction * direction.z)}};
 }
 
 bool any_hit(const std::uint8_t* codes) {
