@@ -12,7 +12,7 @@ using reference::NearestSphere;
 struct Choice {
   std::size_t ray;
   Index got;
-  std::optional<NearestSphere> exact;
+  const std::optional<NearestSphere>& exact;
 };
 
 bool is_right(const Choice& choice) {
@@ -39,11 +39,17 @@ bool may_flip(Trial& trial, const Choice& choice) {
       .contains_zero();
 }
 
-bool has_unjudged(Trial& trial, std::size_t ray) {
+/// The rays that meet a sphere in a tangent that is not judged.
+std::vector<bool> with_unjudged(Trial& trial) {
+  std::vector<bool> result(trial.ray_count());
   for (std::size_t sphere = 0; sphere < trial.scene().spheres.size(); ++sphere) {
-    if (trial.is_unjudged(ray, sphere)) return true;
+    for (const Meeting& meeting : trial.exact_meetings(sphere)) {
+      if (is_unjudged(meeting.intersection, trial.conventions().tangent)) {
+        result[meeting.ray] = true;
+      }
+    }
   }
-  return false;
+  return result;
 }
 
 Verdict judge_nearest_sphere(Trial& trial) {
@@ -58,10 +64,11 @@ Verdict judge_nearest_sphere(Trial& trial) {
   const std::vector<scene::Sphere> reversed(trial.scene().spheres.rbegin(),
                                             trial.scene().spheres.rend());
   const auto backwards = trial.rank(trial.rays(), reversed);
+  const std::vector<bool> is_left_out = with_unjudged(trial);
   Verdict verdict;
   for (std::size_t k = 0; k < trial.ray_count(); ++k) {
-    if (has_unjudged(trial, k)) continue;
-    const auto exact = trial.exact_ray(k).nearest(trial.scene().spheres, trial.conventions());
+    if (is_left_out[k]) continue;
+    const auto& exact = trial.exact_nearest()[k];
     const Index last_first = backwards.at(k);
     const Index reversed_got = last_first ? Index(reversed.size() - 1 - *last_first) : Index();
     // One case a ray: right in both orders.

@@ -111,7 +111,9 @@ class Verdict {
   void weighed(Quantity quantity, const Stability& stability);
   /// Counts an error, measured before, that only its condition number allows.
   void count_ill_conditioned(Quantity quantity) { ++tallies_[quantity].ill_conditioned; }
-  /// Counts an answer that is right or wrong.
+  /// Counts answers that are right.
+  void judged_right(Quantity quantity, std::uint64_t count);
+  /// Counts an answer that is wrong.
   void judged(Quantity quantity, const Place& place, Wrong wrong, Excuse excuse);
   void add(Discrepancy discrepancy);
   void merge(Verdict other);
