@@ -3,11 +3,15 @@
 
     python3 docs/generate.py            docs/error-against-run-time.md, from its template
     python3 docs/generate.py --shown    the console blocks of README.md and the others
+    python3 docs/generate.py --performance
+                                        docs/performance.md and its plot, from a run of
+                                        bench_visibility with the peers built in
 
 In a template a line `{{ARGUMENTS}}` stands for what `./run ARGUMENTS` prints. In a console block
 `$ ./run ARGUMENTS` is followed by what it prints; where the block elides lines by `...`, it stays
 as it is and must be looked after by hand.
 """
+import json
 import pathlib
 import re
 import subprocess
@@ -56,8 +60,110 @@ def shown(path):
     path.write_text(re.sub(r"```console\n\$ \./run (.*)\n((?:(?!```).*\n)*)```", again, text))
 
 
+def benchmarks():
+    """Rays per second and counters of every benchmark of bench_visibility, by name."""
+    build = ["cmake", "--build", "--preset", "peers", "--target", "bench_visibility"]
+    subprocess.run(build, cwd=ROOT, check=True, stdout=subprocess.DEVNULL)
+    command = ["build/peers/tools/bench_visibility", "--targets=avx2", "--benchmark_format=json",
+               "--benchmark_min_time=0.2"]
+    result = subprocess.run(command, cwd=ROOT, check=True, text=True, capture_output=True)
+    rows = {}
+    for row in json.loads(result.stdout)["benchmarks"]:
+        if row.get("error_occurred"):
+            sys.exit(f"{row['name']}: {row['error_message']}")
+        rows[row["name"].removesuffix("/real_time")] = row
+    return rows
+
+
+def rate(row):
+    return row["items_per_second"] / 1e6
+
+
+def spheres_table(rows):
+    lines = ["| spheres | seen | certified, M/s | of uncertified | of Embree | two threads "
+             "| fallback pixels | wrong: ours, Embree's | plan + build, ms | Embree's build, ms |",
+             "|---|---|---|---|---|---|---|---|---|---|"]
+    for name, ours in rows.items():
+        if not (name.startswith("spheres:") and name.endswith("/certified")):
+            continue
+        scene = name.split("/")[0]
+        embree = rows.get(f"{scene}/embree")
+        lines.append(
+            f"| {scene[8:]} | {ours['seen']:.0%} | {rate(ours):.0f} "
+            f"| {rate(ours) / rate(rows[f'{scene}/uncertified']):.2f} "
+            + (f"| {rate(ours) / rate(embree):.1f} " if embree else "| ") +
+            f"| {rate(rows[f'{scene}/two-threads']) / rate(ours):.2f} | {ours['fallback']:.0f} "
+            f"| {ours['wrong']:.0f}" + (f", {embree['wrong']:.0f} " if embree else " ") +
+            f"| {ours['plan_ms']:.1f} + {ours['build_ms']:.1f} "
+            + (f"| {embree['build_ms']:.1f} |" if embree else "| |"))
+    return "\n".join(lines)
+
+
+def growth_table(rows, kind, what):
+    lines = [f"| {what} | certified, M/s | of uncertified | fallback pixels |", "|---|---|---|---|"]
+    for name, ours in rows.items():
+        if name.startswith(f"{kind}:") and name.endswith("/certified"):
+            scene = name.split("/")[0]
+            lines.append(f"| {scene.split(':')[1]} | {rate(ours):.3g} "
+                         f"| {rate(ours) / rate(rows[f'{scene}/uncertified']):.3g} "
+                         f"| {ours['fallback']:.0f} |")
+    return "\n".join(lines)
+
+
+def classes_table(rows):
+    lines = ["| spheres | decisions (pixel, sphere), M/s | fallback of the last sphere |",
+             "|---|---|---|"]
+    for name, ours in rows.items():
+        if name.startswith("spheres:") and name.endswith("/classes"):
+            lines.append(f"| {name.split('/')[0][8:]} | {rate(ours):.0f} | {ours['fallback']:.0f} |")
+    return "\n".join(lines)
+
+
+def roofline_table(rows):
+    """What arithmetic and memory allow, beside what was measured."""
+    fill = rate(rows["fill"])
+    full = rate(rows["spheres:10000/certified"])
+    return "\n".join([
+        "| | bytes written a pixel | M pixels/s | GB/s |", "|---|---|---|---|",
+        f"| filling both arrays | 12 | {fill:.0f} | {12 * fill / 1e3:.1f} |",
+        f"| nothing in view | 12 | {rate(rows['nothing/certified']):.0f} "
+        f"| {12 * rate(rows['nothing/certified']) / 1e3:.1f} |",
+        f"| 10,000 spheres, all pixels see one | 12 | {full:.0f} | {12 * full / 1e3:.2f} |"])
+
+
+def plot_spheres(rows, path):
+    def series(what):
+        points = []
+        for name, row in rows.items():
+            if name.startswith("spheres:") and name.endswith("/" + what):
+                points.append(f"{name.split('/')[0][8:]} {rate(row)}")
+        return "\n".join(points)
+
+    kinds = [kind for kind in ("certified", "uncertified", "embree") if series(kind)]
+    script = [f"set terminal svg size 720,440 background 'white'; set output '{path}'",
+              "set logscale xy; set xlabel 'spheres'; set ylabel 'M rays/s'; set grid",
+              "set key bottom left"]
+    script += [f"${kind} << EOD\n{series(kind)}\nEOD" for kind in kinds]
+    script.append("plot " + ", ".join(f"${kind} with linespoints title '{kind}'" for kind in kinds))
+    subprocess.run(["gnuplot"], input="\n".join(script) + "\n", text=True, check=True)
+
+
+def performance():
+    rows = benchmarks()
+    plot_spheres(rows, ROOT / "docs/images/visibility.svg")
+    parts = {"spheres": spheres_table(rows), "pixels": growth_table(rows, "pixels", "pixels across"),
+             "grazing": growth_table(rows, "grazing", "% of pixels exactly tangent"),
+             "classes": classes_table(rows), "roofline": roofline_table(rows)}
+    text = (ROOT / "docs/performance.in.md").read_text()
+    for name, part in parts.items():
+        text = text.replace("{{" + name + "}}", part)
+    (ROOT / "docs/performance.md").write_text(text)
+
+
 if __name__ == "__main__":
-    if sys.argv[1:] == ["--shown"]:
+    if sys.argv[1:] == ["--performance"]:
+        performance()
+    elif sys.argv[1:] == ["--shown"]:
         for path in [ROOT / "README.md", ROOT / "CONTRIBUTING.md", *sorted((ROOT / "docs").glob("*.md"))]:
             shown(path)
     else:

@@ -11,6 +11,12 @@
 
 namespace raycheck::fast {
 
+using HWY_NAMESPACE::fast_two_sum;
+using HWY_NAMESPACE::two_product;
+using HWY_NAMESPACE::two_square;
+using HWY_NAMESPACE::two_sum;
+using Rounded = HWY_NAMESPACE::Rounded<double>;
+
 /// Domain: as two_product(); the double range is not extended.
 /// Error:  every operation and square root is off by at most kDoubleDoubleError of its result.
 struct DoubleDouble {

@@ -3,6 +3,7 @@
 #include <stdexcept>
 #include <string>
 
+#include "fast/batch_arrays.h"
 #include "fast/ray_by_ray.h"
 #include "scene/validate.h"
 
@@ -47,6 +48,23 @@ void require_valid(const Rays& rays, const scene::Sphere& sphere) {
       throw std::invalid_argument("ray " + std::to_string(k) + " of the batch: " + error.what());
     }
   }
+}
+
+void intersect_by(BatchKernel kernel, const Rays& rays, const scene::Sphere& sphere,
+                  scene::Root root, scene::Tangent tangent, Hits& hits) {
+  scene::require_valid(sphere);
+  hits.resize(rays.size());
+  const auto& [origin, direction] = rays;
+  const BatchQuestion question = {rays.size(),
+                                  {{origin.x.data(), origin.y.data(), origin.z.data()},
+                                   {direction.x.data(), direction.y.data(), direction.z.data()}},
+                                  sphere,
+                                  root,
+                                  tangent};
+  const HitArrays answers = {hits.hit.data(),
+                             hits.parameter.data(),
+                             {hits.point.x.data(), hits.point.y.data(), hits.point.z.data()}};
+  if (!kernel(question, answers)) require_valid(rays, sphere);
 }
 
 std::vector<std::optional<std::size_t>> nearest_spheres(const IntersectMethod& method,

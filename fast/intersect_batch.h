@@ -1,85 +1,82 @@
-#ifndef RAYCHECK_FAST_INTERSECT_BATCH_H_
-#define RAYCHECK_FAST_INTERSECT_BATCH_H_
-
 // From a method's roots of one ray and one sphere, in any type of number, to its answers to one ray
-// and to a batch. Internal to fast/.
+// and to a batch. Internal to fast/. Compiled once for each of Highway's targets (fast/lanes.h).
 
-#include <cmath>
+#if defined(RAYCHECK_FAST_INTERSECT_BATCH_H_) == defined(HWY_TARGET_TOGGLE)
+#ifdef RAYCHECK_FAST_INTERSECT_BATCH_H_
+#undef RAYCHECK_FAST_INTERSECT_BATCH_H_
+#else
+#define RAYCHECK_FAST_INTERSECT_BATCH_H_
+#endif
 
-#include "fast/chosen.h"
-#include "fast/eigen.h"
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+
+#include "fast/batch_arrays.h"
 #include "fast/ray_by_ray.h"
+#include "fast/triple.h"
 
-namespace raycheck::fast {
-
-using Eigen::Vector3d;
-
-template <class Number>
-using Vector3Of = Eigen::Matrix<Number, 3, 1>;
-
-/// A type of number that std:: and its own namespace have no square root of specialises this.
-template <class Number>
-Number square_root(const Number& x) {
-  using std::sqrt;
-  return sqrt(x);
-}
+HWY_BEFORE_NAMESPACE();
+namespace raycheck::fast::HWY_NAMESPACE {
 
 /// Roots, in the type of number that a method reckons with.
-template <class Number>
+template <class N>
 struct RootsOf {
-  Number axial_distance;
-  Number half_chord_sq;
-  Number smaller;
-  Number larger;
+  N axial_distance;
+  N half_chord_sq;
+  N smaller;
+  N larger;
+  N discriminant;  ///< A multiple of half_chord_sq, for its sign.
 };
 
 /// The roots of a t^2 - 2 b t + c = 0 from its discriminant: q = b + sign(b) sqrt(disc) does not
 /// cancel, the roots are q/a and c/q (Numerical Recipes 5.6). q = 0 only for a double root 0. A
 /// comparison chooses the sign, not the sign bit, which would exchange the roots at b = -0.
-template <class Number>
-RootsOf<Number> roots_by_q(const Number& a, const Number& b, const Number& c,
-                           const Number& discriminant) {
-  const bool forward = b >= Number(0);
-  const Number root = square_root(discriminant);
-  const Number q = forward ? b + root : b - root;
-  const Number one = q / a;
-  const Number other = q == Number(0) ? Number(0) : c / q;
-  return {b / square_root(a), discriminant / a, forward ? other : one, forward ? one : other};
+template <class N>
+HWY_INLINE RootsOf<N> roots_by_q(const N& a, const N& b, const N& c, const N& discriminant) {
+  const auto forward = b >= N(0);
+  const N root = square_root(discriminant);
+  const N q = select(forward, b + root, b - root);
+  const N one = q / a;
+  const N other = select(q == N(0), N(0), c / q);
+  return {b / square_root(a), discriminant / a, select(forward, other, one),
+          select(forward, one, other), discriminant};
 }
 
-/// The root that the conventions choose, and the point there. Free of branches where a compiler can
-/// be.
-template <class Number>
-Chosen choose(const RootsOf<Number>& found, const Vector3Of<Number>& origin,
-              const Vector3Of<Number>& direction, scene::Root root, scene::Tangent tangent) {
-  const Number zero(0);
-  const bool tangent_counts = tangent != scene::Tangent::kMiss;
-  const bool larger_counts = root == scene::Root::kNearest;
-  const bool meets = tangent_counts ? found.half_chord_sq >= zero : found.half_chord_sq > zero;
-  const bool take_larger = larger_counts && !(found.smaller >= zero);
-  const Number s = take_larger ? found.larger : found.smaller;
-  return {meets && s >= zero,
-          {static_cast<double>(s),
-           {static_cast<double>(origin.x() + s * direction.x()),
-            static_cast<double>(origin.y() + s * direction.y()),
-            static_cast<double>(origin.z() + s * direction.z())}}};
+/// An answer; without a hit its parameter and point mean nothing.
+template <class N>
+struct ChosenOf {
+  MaskOf<N> hit;
+  N parameter;
+  Triple<N> point;
+};
+
+/// The root that the conventions choose, and the point there.
+template <class N>
+HWY_INLINE ChosenOf<N> choose(const RootsOf<N>& found, const Triple<N>& origin,
+                              const Triple<N>& direction, scene::Root root,
+                              scene::Tangent tangent) {
+  const N zero(0);
+  const auto meets =
+      tangent == scene::Tangent::kMiss ? found.discriminant > zero : found.discriminant >= zero;
+  const N s = root == scene::Root::kNearest
+                  ? select(found.smaller >= zero, found.smaller, found.larger)
+                  : found.smaller;
+  const MaskOf<N> hit = meets & (s >= zero);
+  return {hit, s, origin + s * direction};
 }
 
 /// A method that has Method::roots(origin, direction, centre, radius) in the type Method::Number.
 template <class Method>
-struct FromRoots {
+struct FromRoots : Method {
   using Number = typename Method::Number;
 
-  static RootsOf<Number> roots(const Vector3d& origin, const Vector3d& direction,
-                               const Vector3d& centre, double radius) {
-    return Method::roots(origin.cast<Number>(), direction.cast<Number>(), centre.cast<Number>(),
-                         static_cast<Number>(radius));
-  }
-
-  static Chosen answer(const Vector3d& origin, const Vector3d& direction, const Vector3d& centre,
-                       double radius, scene::Root root, scene::Tangent tangent) {
-    return choose<Number>(roots(origin, direction, centre, radius), origin.cast<Number>(),
-                          direction.cast<Number>(), root, tangent);
+  HWY_INLINE static ChosenOf<Number> answer(const Triple<Number>& origin,
+                                            const Triple<Number>& direction,
+                                            const Triple<Number>& centre, const Number& radius,
+                                            scene::Root root, scene::Tangent tangent) {
+    return choose(Method::roots(origin, direction, centre, radius), origin, direction, root,
+                  tangent);
   }
 };
 
@@ -87,41 +84,109 @@ struct FromRoots {
 // Flattened: a call would pass vectors through memory, and reckon what the answer does not need.
 
 template <class Answerer>
-[[gnu::flatten]] void intersect_batch(const Rays& rays, const scene::Sphere& sphere,
-                                      scene::Root root, scene::Tangent tangent, Hits& hits) {
-  require_valid(rays, sphere);
-  const std::size_t count = rays.size();
-  hits.resize(count);
-  const Vector3d centre = eigen(sphere.centre);
-  for (std::size_t k = 0; k < count; ++k) {
-    const Vector3d origin(rays.origin.x[k], rays.origin.y[k], rays.origin.z[k]);
-    const Vector3d direction(rays.direction.x[k], rays.direction.y[k], rays.direction.z[k]);
-    const Chosen chosen = Answerer::answer(origin, direction, centre, sphere.radius, root, tangent);
-    hits.hit[k] = chosen.hit;
-    hits.parameter[k] = chosen.at.parameter;
-    hits.point.x[k] = chosen.at.point.x;
-    hits.point.y[k] = chosen.at.point.y;
-    hits.point.z[k] = chosen.at.point.z;
-  }
-}
-
-template <class Answerer>
 [[gnu::flatten]] std::optional<Hit> intersect_one(const scene::Ray& ray,
                                                   const scene::Sphere& sphere, scene::Root root,
                                                   scene::Tangent tangent) {
-  const Chosen chosen = Answerer::answer(eigen(ray.origin), eigen(ray.direction),
-                                         eigen(sphere.centre), sphere.radius, root, tangent);
-  return chosen.hit ? std::optional(chosen.at) : std::nullopt;
+  using N = typename Answerer::Number;
+  const ChosenOf<N> chosen =
+      Answerer::answer(triple<N>(ray.origin), triple<N>(ray.direction), triple<N>(sphere.centre),
+                       N(sphere.radius), root, tangent);
+  if (!chosen.hit) return std::nullopt;
+  const auto plain = [](const N& x) { return static_cast<double>(x); };
+  return Hit{plain(chosen.parameter),
+             {plain(chosen.point.x), plain(chosen.point.y), plain(chosen.point.z)}};
 }
 
-template <class Answerer>
+template <class Method>
 Roots roots_of(const scene::Ray& ray, const scene::Sphere& sphere) {
-  const auto found =
-      Answerer::roots(eigen(ray.origin), eigen(ray.direction), eigen(sphere.centre), sphere.radius);
+  using N = typename Method::Number;
+  const RootsOf<N> found = Method::roots(triple<N>(ray.origin), triple<N>(ray.direction),
+                                         triple<N>(sphere.centre), N(sphere.radius));
   return {static_cast<double>(found.axial_distance), static_cast<double>(found.half_chord_sq),
           static_cast<double>(found.smaller), static_cast<double>(found.larger)};
 }
 
-}  // namespace raycheck::fast
+/// IntersectMethod::intersect, one ray after the other.
+template <class Answerer>
+[[gnu::flatten]] void intersect_batch(const Rays& rays, const scene::Sphere& sphere,
+                                      scene::Root root, scene::Tangent tangent, Hits& hits) {
+  using N = typename Answerer::Number;
+  require_valid(rays, sphere);
+  const std::size_t count = rays.size();
+  hits.resize(count);
+  const Triple<N> centre = triple<N>(sphere.centre);
+  for (std::size_t k = 0; k < count; ++k) {
+    const scene::Ray ray = ray_at(rays, k);
+    const ChosenOf<N> chosen = Answerer::answer(triple<N>(ray.origin), triple<N>(ray.direction),
+                                                centre, N(sphere.radius), root, tangent);
+    hits.hit[k] = chosen.hit;
+    hits.parameter[k] = static_cast<double>(chosen.parameter);
+    hits.point.x[k] = static_cast<double>(chosen.point.x);
+    hits.point.y[k] = static_cast<double>(chosen.point.y);
+    hits.point.z[k] = static_cast<double>(chosen.point.z);
+  }
+}
+
+/// A batch whose size is a multiple of the lanes'; a BatchKernel. A direction so long or short that
+/// its square is out of range may be no valid one, too.
+template <class Answerer>
+[[gnu::flatten]] HWY_NOINLINE bool answer_whole_vectors(const BatchQuestion& question,
+                                                        const HitArrays& answers) {
+  const Triple<Lanes> centre = triple<Lanes>(question.sphere.centre);
+  const Lanes radius(question.sphere.radius);
+  const Lanes zero(0.0);
+  Lanes sum = zero;  // not finite once a coordinate is not; nor at times when all are
+  LaneMask directionless = zero < zero;
+  for (std::size_t k = 0; k < question.count; k += kLaneCount<Lanes>) {
+    const Triple<Lanes> origin = load(question.rays.origin, k);
+    const Triple<Lanes> direction = load(question.rays.direction, k);
+    const Lanes length_sq = dot(direction, direction);
+    sum = sum + ((origin.x + origin.y + origin.z) + length_sq);
+    directionless = directionless | (length_sq == zero);
+    const ChosenOf<Lanes> chosen =
+        Answerer::answer(origin, direction, centre, radius, question.root, question.tangent);
+    store(chosen.hit, answers.hit + k);
+    store(chosen.parameter, answers.parameter + k);
+    store(chosen.point, answers.point, k);
+  }
+  return !any(directionless | !(sum - sum == zero));
+}
+
+/// A BatchKernel.
+template <class Answerer>
+bool answer_batch(const BatchQuestion& question, const HitArrays& answers) {
+  constexpr std::size_t kLanes = kLaneCount<Lanes>;
+  const std::size_t rest = question.count % kLanes;
+  BatchQuestion part = question;
+  part.count -= rest;
+  const bool valid = answer_whole_vectors<Answerer>(part, answers);
+  if (rest == 0) return valid;
+  // The last rays fill a vector with copies of the very last.
+  const std::size_t first = part.count;
+  double given[6][kLanes];
+  double found[4][kLanes];
+  std::uint8_t hit[kLanes];
+  for (std::size_t k = 0; k < kLanes; ++k) {
+    const std::size_t ray = first + (k < rest ? k : rest - 1);
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      given[axis][k] = question.rays.origin[axis][ray];
+      given[3 + axis][k] = question.rays.direction[axis][ray];
+    }
+  }
+  part.count = kLanes;
+  part.rays = {{given[0], given[1], given[2]}, {given[3], given[4], given[5]}};
+  const bool rest_is_valid =
+      answer_whole_vectors<Answerer>(part, {hit, found[0], {found[1], found[2], found[3]}});
+  for (std::size_t k = 0; k < rest; ++k) {
+    answers.hit[first + k] = hit[k];
+    answers.parameter[first + k] = found[0][k];
+    for (std::size_t axis = 0; axis < 3; ++axis)
+      answers.point[axis][first + k] = found[1 + axis][k];
+  }
+  return valid && rest_is_valid;
+}
+
+}  // namespace raycheck::fast::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
 
 #endif  // RAYCHECK_FAST_INTERSECT_BATCH_H_

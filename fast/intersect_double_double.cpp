@@ -2,13 +2,18 @@
 #include "fast/intersect_formulas.h"
 
 namespace raycheck::fast {
+namespace {
+
+using Formula = HWY_NAMESPACE::Lagrange<DoubleDouble>;
+
+}  // namespace
 
 const IntersectMethod kDoubleDouble = {
     .name = "double-double",
     .sentence = "disc = a r^2 - |T x d|^2 and roots by q, throughout in pairs of doubles",
-    .intersect = intersect_batch<FromRoots<Lagrange<DoubleDouble>>>,
-    .intersect_one = intersect_one<FromRoots<Lagrange<DoubleDouble>>>,
-    .roots = roots_of<FromRoots<Lagrange<DoubleDouble>>>,
+    .intersect = HWY_NAMESPACE::intersect_batch<HWY_NAMESPACE::FromRoots<Formula>>,
+    .intersect_one = HWY_NAMESPACE::intersect_one<HWY_NAMESPACE::FromRoots<Formula>>,
+    .roots = HWY_NAMESPACE::roots_of<Formula>,
     .max_ulp = kDoubleDoubleMaxUlp,
     .max_point_ulp = kDoubleDoubleMaxPointUlp,
 };

@@ -1,27 +1,33 @@
-#ifndef RAYCHECK_FAST_INTERSECT_FORMULAS_H_
-#define RAYCHECK_FAST_INTERSECT_FORMULAS_H_
-
 // The formulas that several methods share, each in its own type of number. Internal to fast/.
+// Compiled once for each of Highway's targets (fast/lanes.h).
+
+#if defined(RAYCHECK_FAST_INTERSECT_FORMULAS_H_) == defined(HWY_TARGET_TOGGLE)
+#ifdef RAYCHECK_FAST_INTERSECT_FORMULAS_H_
+#undef RAYCHECK_FAST_INTERSECT_FORMULAS_H_
+#else
+#define RAYCHECK_FAST_INTERSECT_FORMULAS_H_
+#endif
 
 #include "fast/intersect_batch.h"
 
-namespace raycheck::fast {
+HWY_BEFORE_NAMESPACE();
+namespace raycheck::fast::HWY_NAMESPACE {
 
 /// The general parametric approach as textbooks print it: t = (-b -+ sqrt(b^2 - 4ac)) / 2a.
 template <class N>
 struct Textbook {
   using Number = N;
 
-  static RootsOf<N> roots(const Vector3Of<N>& origin, const Vector3Of<N>& direction,
-                          const Vector3Of<N>& centre, N radius) {
-    const Vector3Of<N> from_centre = origin - centre;
-    const N a = direction.dot(direction);
-    const N b = 2 * direction.dot(from_centre);
-    const N c = from_centre.dot(from_centre) - radius * radius;
-    const N discriminant = b * b - 4 * a * c;
+  static RootsOf<N> roots(const Triple<N>& origin, const Triple<N>& direction,
+                          const Triple<N>& centre, N radius) {
+    const Triple<N> from_centre = origin - centre;
+    const N a = dot(direction, direction);
+    const N b = N(2) * dot(direction, from_centre);
+    const N c = dot(from_centre, from_centre) - radius * radius;
+    const N discriminant = b * b - N(4) * a * c;
     const N root = square_root(discriminant);
-    return {-b / (2 * square_root(a)), discriminant / (4 * a), (-b - root) / (2 * a),
-            (-b + root) / (2 * a)};
+    return {-b / (N(2) * square_root(a)), discriminant / (N(4) * a), (-b - root) / (N(2) * a),
+            (-b + root) / (N(2) * a), discriminant};
   }
 };
 
@@ -30,15 +36,15 @@ template <class N>
 struct LectureFormula {
   using Number = N;
 
-  static RootsOf<N> roots(const Vector3Of<N>& origin, const Vector3Of<N>& direction,
-                          const Vector3Of<N>& centre, N radius) {
-    const N length = direction.norm();
-    const Vector3Of<N> U = direction / length;
-    const Vector3Of<N> T = centre - origin;
-    const N v = T.dot(U);
-    const N half_chord_sq = radius * radius - (T.dot(T) - v * v);
+  static RootsOf<N> roots(const Triple<N>& origin, const Triple<N>& direction,
+                          const Triple<N>& centre, N radius) {
+    const N length = norm(direction);
+    const Triple<N> U = direction / length;
+    const Triple<N> T = centre - origin;
+    const N v = dot(T, U);
+    const N half_chord_sq = radius * radius - (dot(T, T) - v * v);
     const N half_chord = square_root(half_chord_sq);
-    return {v, half_chord_sq, (v - half_chord) / length, (v + half_chord) / length};
+    return {v, half_chord_sq, (v - half_chord) / length, (v + half_chord) / length, half_chord_sq};
   }
 };
 
@@ -48,19 +54,22 @@ template <class N>
 struct Lagrange {
   using Number = N;
 
-  static RootsOf<N> roots(const Vector3Of<N>& origin, const Vector3Of<N>& direction,
-                          const Vector3Of<N>& centre, N radius) {
-    const Vector3Of<N> T = centre - origin;
-    const Vector3Of<N> moment = T.cross(direction);
-    const N a = direction.dot(direction);
-    const N b = T.dot(direction);
+  static RootsOf<N> roots(const Triple<N>& origin, const Triple<N>& direction,
+                          const Triple<N>& centre, N radius) {
+    const Triple<N> T = centre - origin;
+    const Triple<N> moment = cross(T, direction);
+    const N a = dot(direction, direction);
+    const N b = dot(T, direction);
     const N radius_sq = radius * radius;
-    const N discriminant = a * radius_sq - moment.dot(moment);
-    if (!(discriminant >= N(0))) return {b / square_root(a), discriminant / a, N(0), N(0)};
-    return roots_by_q<N>(a, b, T.dot(T) - radius_sq, discriminant);
+    const N discriminant = a * radius_sq - dot(moment, moment);
+    if (!(discriminant >= N(0))) {
+      return {b / square_root(a), discriminant / a, N(0), N(0), discriminant};
+    }
+    return roots_by_q<N>(a, b, dot(T, T) - radius_sq, discriminant);
   }
 };
 
-}  // namespace raycheck::fast
+}  // namespace raycheck::fast::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
 
 #endif  // RAYCHECK_FAST_INTERSECT_FORMULAS_H_

@@ -1,13 +1,18 @@
 #include "fast/intersect_formulas.h"
 
 namespace raycheck::fast {
+namespace {
+
+using Formula = HWY_NAMESPACE::Lagrange<long double>;
+
+}  // namespace
 
 const IntersectMethod kLongDouble = {
     .name = "long-double",
     .sentence = "disc = a r^2 - |T x d|^2 and roots by q, in 64 bits (x87)",
-    .intersect = intersect_batch<FromRoots<Lagrange<long double>>>,
-    .intersect_one = intersect_one<FromRoots<Lagrange<long double>>>,
-    .roots = roots_of<FromRoots<Lagrange<long double>>>,
+    .intersect = HWY_NAMESPACE::intersect_batch<HWY_NAMESPACE::FromRoots<Formula>>,
+    .intersect_one = HWY_NAMESPACE::intersect_one<HWY_NAMESPACE::FromRoots<Formula>>,
+    .roots = HWY_NAMESPACE::roots_of<Formula>,
     .max_ulp = kLongDoubleMaxUlp,
     .max_point_ulp = kLongDoubleMaxPointUlp,
     .domain = kWideDomain,

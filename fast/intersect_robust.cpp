@@ -1,8 +1,13 @@
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "fast/intersect_robust.cpp"
+#include <hwy/foreach_target.h>
+
 #include "fast/error_free.h"
 #include "fast/intersect_batch.h"
 #include "fast/robust.h"
 
-namespace raycheck::fast {
+HWY_BEFORE_NAMESPACE();
+namespace raycheck::fast::HWY_NAMESPACE {
 namespace {
 
 // The first step: coefficients in doubles, then one of Newton's steps from a residual in pairs.
@@ -43,95 +48,158 @@ constexpr double kDiscriminantShare = 0x1p-10;
 constexpr double kFarShare = 0x1p-40;
 constexpr double kSurfaceShare = 0x1p-30;
 
-/// T - s0 d and |T - s0 d|^2 - r^2.
-struct Residual {
-  Rounded x, y, z;
-  double value;
+template <class N>
+struct Remainder {  ///< T - s0 d
+  Rounded<N> x, y, z;
 };
 
-Rounded remainder(const Rounded& to_centre, double s, double direction) {
-  const Rounded product = two_product(s, direction);
-  const Rounded rest = two_sum(to_centre.x, -product.x);
+template <class N>
+Rounded<N> remainder(const Rounded<N>& to_centre, N s, N direction) {
+  const Rounded<N> product = two_product(s, direction);
+  const Rounded<N> rest = two_difference(to_centre.x, product.x);
   return {rest.x, rest.error + (to_centre.error - product.error)};
 }
 
-Residual residual_at(double s, const Rounded& x, const Rounded& y, const Rounded& z,
-                     const Vector3d& direction, double radius) {
-  Residual at{remainder(x, s, direction.x()), remainder(y, s, direction.y()),
-              remainder(z, s, direction.z()), 0};
-  const Rounded xx = two_square(at.x.x);
-  const Rounded yy = two_square(at.y.x);
-  const Rounded zz = two_square(at.z.x);
-  const Rounded rr = two_square(radius);
-  const Rounded first = two_sum(xx.x, -rr.x);
-  const Rounded second = two_sum(first.x, yy.x);
-  const Rounded sum = two_sum(second.x, zz.x);
-  at.value = sum.x + ((first.error + second.error + sum.error) +
-                      ((xx.error + yy.error) + (zz.error - rr.error)) +
-                      2 * (at.x.x * at.x.error + at.y.x * at.y.error + at.z.x * at.z.error));
-  return at;
+/// |at|^2 - r^2
+template <class N>
+N residual(const Remainder<N>& at, N radius) {
+  const N scale = N(2) * (radius * radius);
+  const Rounded<N> xx = coarse_square(at.x.x, scale);
+  const Rounded<N> yy = coarse_square(at.y.x, scale);
+  const Rounded<N> zz = coarse_square(at.z.x, scale);
+  const Rounded<N> rr = coarse_square(radius, scale);
+  return (((xx.x + yy.x) + zz.x) - rr.x) +
+         (((xx.error + yy.error) + (zz.error - rr.error)) +
+          N(2) * (at.x.x * at.x.error + at.y.x * at.y.error + at.z.x * at.z.error));
 }
 
+template <class N>
 struct Robust {
-  static Chosen answer(const Vector3d& origin, const Vector3d& direction, const Vector3d& centre,
-                       double radius, scene::Root root, scene::Tangent tangent) {
-    const Rounded x = two_sum(centre.x(), -origin.x());
-    const Rounded y = two_sum(centre.y(), -origin.y());
-    const Rounded z = two_sum(centre.z(), -origin.z());
-    const Vector3d T(x.x, y.x, z.x);
-    const double a = direction.dot(direction);
-    const double b = T.dot(direction);
-    const double distance_sq = T.dot(T);
-    const double radius_sq = radius * radius;
-    const double size = distance_sq + radius_sq;
-    const double c = distance_sq - radius_sq;
-    const Vector3d moment = T.cross(direction);
-    const double share = a * radius_sq;
-    const double discriminant = share - moment.dot(moment);
-    const bool in_range =
-        size > kLeastSquare && size < kLargestSquare && a > kLeastSquare && a < kLargestSquare;
-    const bool certain =
-        std::abs(discriminant) > kDiscriminantShare * share + kFarShare * (a * distance_sq) &&
-        std::abs(c) > kSurfaceShare * size;
-    if (!in_range || !certain) [[unlikely]] {
-      return carefully(origin, direction, centre, radius, root, tangent);
-    }
-    const bool outside = c > 0;
-    if (discriminant < 0 || (outside ? b < 0 : root == scene::Root::kSmaller)) return {};
+  using Number = N;
 
-    const double half_slope = std::sqrt(discriminant);  // of |T - s d|^2 at the root, but for sign
-    const double q = std::abs(b) + half_slope;
-    const double s0 = outside || b < 0 ? std::abs(c) / q : q / a;
-    const Residual at = residual_at(s0, x, y, z, direction, radius);
-    const double correction = at.value / (2 * (outside ? -half_slope : half_slope));
-    const auto coordinate = [&](double from, const Rounded& rest, double along) {
-      const Rounded point = two_sum(from, -rest.x);
-      return point.x + (point.error - (rest.error + correction * along));
-    };
-    return {
-        true,
-        {s0 - correction,
-         {coordinate(centre.x(), at.x, direction.x()), coordinate(centre.y(), at.y, direction.y()),
-          coordinate(centre.z(), at.z, direction.z())}}};
+  static ChosenOf<N> answer(const Triple<N>& origin, const Triple<N>& direction,
+                            const Triple<N>& centre, N radius, scene::Root root,
+                            scene::Tangent tangent) {
+    const Rounded<N> x = two_difference(centre.x, origin.x);
+    const Rounded<N> y = two_difference(centre.y, origin.y);
+    const Rounded<N> z = two_difference(centre.z, origin.z);
+    const Triple<N> T = {x.x, y.x, z.x};
+    const N a = dot(direction, direction);
+    const N b = dot(T, direction);
+    const N distance_sq = dot(T, T);
+    const N radius_sq = radius * radius;
+    const N size = distance_sq + radius_sq;
+    const N c = distance_sq - radius_sq;
+    const Triple<N> moment = cross(T, direction);
+    const N discriminant = a * radius_sq - dot(moment, moment);
+    const auto in_range =
+        (smaller(size, a) > N(kLeastSquare)) & (larger(size, a) < N(kLargestSquare));
+    const N doubt = a * (N(kDiscriminantShare) * radius_sq + N(kFarShare) * distance_sq);
+    const auto certain =
+        in_range & (absolute(discriminant) > doubt) & (absolute(c) > N(kSurfaceShare) * size);
+    const auto outside = c > N(0);
+    const auto forward = b >= N(0);
+    const auto ahead = root == scene::Root::kNearest ? (!outside) | forward : outside & forward;
+    const MaskOf<N> hit = certain & (discriminant > N(0)) & ahead;
+    ChosenOf<N> chosen = {hit, N(0), {N(0), N(0), N(0)}};
+    if (any(hit)) {
+      const N half_slope = square_root(discriminant);  // of |T - s d|^2 at the root, but for sign
+      const N q = absolute(b) + half_slope;
+      const auto through_c = outside | !forward;
+      const N s0 = select(through_c, absolute(c), q) / select(through_c, q, a);
+      const Remainder<N> at = {remainder(x, s0, direction.x), remainder(y, s0, direction.y),
+                               remainder(z, s0, direction.z)};
+      const N correction = residual(at, radius) / (select(outside, N(-2), N(2)) * half_slope);
+      chosen.parameter = s0 - correction;
+      chosen.point = {coordinate(centre.x, at.x, correction * direction.x),
+                      coordinate(centre.y, at.y, correction * direction.y),
+                      coordinate(centre.z, at.z, correction * direction.z)};
+    }
+    if (any(!certain)) [[unlikely]] {
+      answer_others(certain, origin, direction, centre, radius, root, tangent, chosen);
+    }
+    return chosen;
   }
 
-  [[gnu::noinline]] static Chosen carefully(const Vector3d& origin, const Vector3d& direction,
-                                            const Vector3d& centre, double radius, scene::Root root,
-                                            scene::Tangent tangent) {
-    const scene::Ray ray = {plain<scene::Point3>(origin), plain<scene::Vector3>(direction)};
-    const scene::Sphere sphere = {plain<scene::Point3>(centre), radius};
-    if (const auto proven = answer_by_pairs(ray, sphere, root)) return *proven;
-    return answer_by_integers(ray, sphere, root, tangent);
+ private:
+  static N coordinate(N from, const Rounded<N>& rest, N shift) {
+    const Rounded<N> point = two_difference(from, rest.x);
+    return point.x + (point.error - (rest.error + shift));
+  }
+
+  /// Answers what the first step leaves open, one by one.
+  static HWY_NOINLINE void answer_others(MaskOf<N> certain, const Triple<N>& origin,
+                                         const Triple<N>& direction, const Triple<N>& centre,
+                                         N radius, scene::Root root, scene::Tangent tangent,
+                                         ChosenOf<N>& chosen) {
+    constexpr std::size_t kCount = kLaneCount<N>;
+    N number[] = {origin.x,
+                  origin.y,
+                  origin.z,
+                  direction.x,
+                  direction.y,
+                  direction.z,
+                  select(certain, N(1), N(0)),
+                  select(chosen.hit, N(1), N(0)),
+                  chosen.parameter,
+                  chosen.point.x,
+                  chosen.point.y,
+                  chosen.point.z};
+    double of[std::size(number)][kCount];
+    double sphere[4][kCount];
+    for (std::size_t k = 0; k < std::size(number); ++k) store(number[k], of[k]);
+    store(centre.x, sphere[0]);
+    store(centre.y, sphere[1]);
+    store(centre.z, sphere[2]);
+    store(radius, sphere[3]);
+    for (std::size_t k = 0; k < kCount; ++k) {
+      if (of[6][k] != 0) continue;
+      const Chosen answer = answer_carefully(
+          {{of[0][k], of[1][k], of[2][k]}, {of[3][k], of[4][k], of[5][k]}},
+          {{sphere[0][k], sphere[1][k], sphere[2][k]}, sphere[3][k]}, root, tangent);
+      of[7][k] = answer.hit ? 1 : 0;
+      of[8][k] = answer.at.parameter;
+      of[9][k] = answer.at.point.x;
+      of[10][k] = answer.at.point.y;
+      of[11][k] = answer.at.point.z;
+    }
+    for (std::size_t k = 0; k < std::size(number); ++k) load(of[k], number[k]);
+    chosen = {number[7] > N(0), number[8], {number[9], number[10], number[11]}};
   }
 };
 
+bool batch(const BatchQuestion& question, const HitArrays& answers) {
+  return answer_batch<Robust<Lanes>>(question, answers);
+}
+
 }  // namespace
+}  // namespace raycheck::fast::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace raycheck::fast {
+namespace {
+
+HWY_EXPORT(batch);
+
+void intersect(const Rays& rays, const scene::Sphere& sphere, scene::Root root,
+               scene::Tangent tangent, Hits& hits) {
+  intersect_by(HWY_DYNAMIC_DISPATCH(batch), rays, sphere, root, tangent, hits);
+}
+
+}  // namespace
+
+Chosen answer_carefully(const scene::Ray& ray, const scene::Sphere& sphere, scene::Root root,
+                        scene::Tangent tangent) {
+  if (const auto proven = answer_by_pairs(ray, sphere, root)) return *proven;
+  return answer_by_integers(ray, sphere, root, tangent);
+}
 
 const IntersectMethod kRobust = {
     .name = "robust",
     .sentence = "cross corrected once in pairs of doubles where proven; else pairs, integers",
-    .intersect = intersect_batch<Robust>,
-    .intersect_one = intersect_one<Robust>,
+    .intersect = intersect,
+    .intersect_one = HWY_NAMESPACE::intersect_one<HWY_NAMESPACE::Robust<double>>,
     .max_ulp = kRobustMaxUlp,
     .max_point_ulp = kRobustMaxPointUlp,
     .domain = kWideDomain,
@@ -139,3 +207,4 @@ const IntersectMethod kRobust = {
 };
 
 }  // namespace raycheck::fast
+#endif

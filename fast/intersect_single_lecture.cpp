@@ -1,13 +1,18 @@
 #include "fast/intersect_formulas.h"
 
 namespace raycheck::fast {
+namespace {
+
+using Formula = HWY_NAMESPACE::LectureFormula<float>;
+
+}  // namespace
 
 const IntersectMethod kSingleLecture = {
     .name = "single-lecture",
     .sentence = "lecture, everything in single precision",
-    .intersect = intersect_batch<FromRoots<LectureFormula<float>>>,
-    .intersect_one = intersect_one<FromRoots<LectureFormula<float>>>,
-    .roots = roots_of<FromRoots<LectureFormula<float>>>,
+    .intersect = HWY_NAMESPACE::intersect_batch<HWY_NAMESPACE::FromRoots<Formula>>,
+    .intersect_one = HWY_NAMESPACE::intersect_one<HWY_NAMESPACE::FromRoots<Formula>>,
+    .roots = HWY_NAMESPACE::roots_of<Formula>,
     .max_ulp = kSingleLectureMaxUlp,
     .max_point_ulp = kSingleLectureMaxPointUlp,
     .not_kept =

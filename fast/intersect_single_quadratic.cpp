@@ -1,13 +1,18 @@
 #include "fast/intersect_formulas.h"
 
 namespace raycheck::fast {
+namespace {
+
+using Formula = HWY_NAMESPACE::Textbook<float>;
+
+}  // namespace
 
 const IntersectMethod kSingleQuadratic = {
     .name = "single-quadratic",
     .sentence = "quadratic, everything in single precision",
-    .intersect = intersect_batch<FromRoots<Textbook<float>>>,
-    .intersect_one = intersect_one<FromRoots<Textbook<float>>>,
-    .roots = roots_of<FromRoots<Textbook<float>>>,
+    .intersect = HWY_NAMESPACE::intersect_batch<HWY_NAMESPACE::FromRoots<Formula>>,
+    .intersect_one = HWY_NAMESPACE::intersect_one<HWY_NAMESPACE::FromRoots<Formula>>,
+    .roots = HWY_NAMESPACE::roots_of<Formula>,
     .max_ulp = kSingleQuadraticMaxUlp,
     .max_point_ulp = kSingleQuadraticMaxPointUlp,
     .not_kept =

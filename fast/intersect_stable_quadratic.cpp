@@ -1,32 +1,60 @@
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "fast/intersect_stable_quadratic.cpp"
+#include <hwy/foreach_target.h>
+
 #include "fast/intersect_batch.h"
 
+HWY_BEFORE_NAMESPACE();
+namespace raycheck::fast::HWY_NAMESPACE {
+namespace {
+
+template <class N>
+struct StableQuadratic {
+  using Number = N;
+
+  static RootsOf<N> roots(const Triple<N>& origin, const Triple<N>& direction,
+                          const Triple<N>& centre, N radius) {
+    const Triple<N> T = centre - origin;
+    const N a = dot(direction, direction);
+    const N b = dot(T, direction);
+    const N c = dot(T, T) - radius * radius;
+    return roots_by_q<N>(a, b, c, b * b - a * c);
+  }
+};
+
+bool batch(const BatchQuestion& question, const HitArrays& answers) {
+  return answer_batch<FromRoots<StableQuadratic<Lanes>>>(question, answers);
+}
+
+}  // namespace
+}  // namespace raycheck::fast::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
 namespace raycheck::fast {
 namespace {
 
-struct StableQuadratic {
-  using Number = double;
+HWY_EXPORT(batch);
 
-  static RootsOf<double> roots(const Vector3d& origin, const Vector3d& direction,
-                               const Vector3d& centre, double radius) {
-    const Vector3d T = centre - origin;
-    const double a = direction.dot(direction);
-    const double b = T.dot(direction);
-    const double c = T.dot(T) - radius * radius;
-    return roots_by_q<double>(a, b, c, b * b - a * c);
-  }
-};
+void intersect(const Rays& rays, const scene::Sphere& sphere, scene::Root root,
+               scene::Tangent tangent, Hits& hits) {
+  intersect_by(HWY_DYNAMIC_DISPATCH(batch), rays, sphere, root, tangent, hits);
+}
+
+using One = HWY_NAMESPACE::FromRoots<HWY_NAMESPACE::StableQuadratic<double>>;
 
 }  // namespace
 
 const IntersectMethod kStableQuadratic = {
     .name = "stable-quadratic",
     .sentence = "disc = b^2 - ac, q = b + sign(b) sqrt(disc), roots q/a and c/q",
-    .intersect = intersect_batch<FromRoots<StableQuadratic>>,
-    .intersect_one = intersect_one<FromRoots<StableQuadratic>>,
-    .roots = roots_of<FromRoots<StableQuadratic>>,
+    .intersect = intersect,
+    .intersect_one = HWY_NAMESPACE::intersect_one<One>,
+    .roots = HWY_NAMESPACE::roots_of<One>,
     .max_ulp = kStableQuadraticMaxUlp,
     .max_point_ulp = kStableQuadraticMaxPointUlp,
     .not_kept = "spheres many radii away, grazing rays",
 };
 
 }  // namespace raycheck::fast
+#endif

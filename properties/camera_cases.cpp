@@ -62,6 +62,39 @@ Case plain_cameras(int, std::uint64_t seed) {
   });
 }
 
+/// A smaller sphere about as the eye has another, before or behind it or cutting it.
+Sphere in_line_with(Random& random, const Camera& camera, const Sphere& other) {
+  const double depth = random.between(0.3, 3);
+  const double share = random.between(0.1, 1.1);
+  const Vector3 view = other.centre - camera.eye;
+  const double off = other.radius * depth * random.between(0, 1.2);
+  return {along(along(camera.eye, depth, view), off, random.direction()),
+          other.radius * depth * share};
+}
+
+/// Several spheres, some hidden by others, inside others, or equal to others.
+Case crowds(int, std::uint64_t seed) {
+  return valid_case(seed, [](Random& random, Case& result) {
+    Camera camera = ordinary_camera(random);
+    vary_bounds(random, camera);
+    if (random.one_in(8)) camera.near = -camera.near;
+    finish(random, camera, 1, result);
+    auto& spheres = result.scene.spheres;
+    for (auto more = random.integer(3, 9); more > 0; --more) {
+      const auto which = random.integer(0, static_cast<std::int64_t>(spheres.size()) - 1);
+      const Sphere other = spheres[static_cast<std::size_t>(which)];
+      if (random.one_in(2)) {
+        spheres.push_back(in_line_with(random, camera, other));
+      } else if (random.one_in(3)) {
+        const double share = random.one_in(3) ? 1 : random.between(0.3, 1.1);
+        spheres.push_back({other.centre, share * other.radius});
+      } else {
+        add_spheres_in_view(random, 1, result.scene);
+      }
+    }
+  });
+}
+
 Case far_camera(int severity, std::uint64_t seed) {
   return valid_case(seed, [severity](Random& random, Case& result) {
     Camera camera = ordinary_camera(random);
@@ -113,6 +146,8 @@ constinit const CaseSource kCamerasSource = {
     "cameras", "ordinary cameras and spheres in view", true, {}, cameras};
 constinit const CaseSource kPlainCamerasSource = {
     "plain-cameras", "axis-aligned cameras of small integers, with ties", true, {}, plain_cameras};
+constinit const CaseSource kCrowdsSource = {
+    "crowds", "ordinary cameras and spheres that hide one another", true, {}, crowds};
 constinit const CaseSource kFarCameraSource = {
     "far-camera", "ordinary cameras and spheres in view, all 10^k from the world's origin", true,
     Dial{"log10 of the distance from the world's origin", 10, 15}, far_camera};

@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstddef>
+#include <cstdint>
 #include <functional>
 #include <limits>
 #include <optional>
@@ -11,6 +12,7 @@
 #include <vector>
 
 #include "properties/quantity.h"
+#include "scene/plan.h"
 #include "scene/scene.h"
 
 namespace raycheck::properties {
@@ -34,6 +36,12 @@ struct RayHit {
 
 /// The hits of several rays with one sphere, in the order of the rays; a ray without one misses it.
 using SphereHits = std::vector<RayHit>;
+
+/// What a candidate sees through a pixel.
+struct SeenAnswer {
+  std::size_t sphere = 0;
+  double parameter = 0;  ///< s
+};
 
 /// The conventions that an implementation fixes; the others it takes from the scene.
 struct DeclaredConventions {
@@ -72,6 +80,13 @@ struct Candidate {
   std::function<std::vector<SphereHits>(Rays, Spheres, const scene::Conventions&)> intersect;
   std::function<std::vector<std::optional<std::size_t>>(Rays, Spheres, const scene::Conventions&)>
       nearest;
+  /// What it leaves out of a scene with a camera.
+  std::function<scene::ScenePlan(const scene::Scene&, const scene::Conventions&, scene::Wanted)>
+      plan;
+  /// The sphere seen through each pixel of a scene with a camera; empty: none.
+  std::function<std::vector<std::optional<SeenAnswer>>(const scene::Scene&,
+                                                       const scene::Conventions&, Pixels)>
+      visible;
 
   DeclaredConventions declared;
   /// Its documented bound on the error of a quantity, in that quantity's unit; empty: none.
@@ -82,6 +97,11 @@ struct Candidate {
   /// It promises the exact class of every given ray: no closeness to tangency and no domain excuses
   /// a wrong one.
   bool exact_class = false;
+  /// It promises the same of every sphere seen through a pixel, and s within
+  /// reference::kVisibleParameterError.
+  bool exact_visible = false;
+  /// Images with more pixels across or down are not for `visible`.
+  std::int64_t most_visible_across = scene::kMostPixelsAcross;
   /// Of the arithmetic that it computes in.
   double unit_roundoff = kDoubleRoundoff;
   /// Its stated domain: rays of these kinds only, and nonzero lengths between these.

@@ -9,6 +9,7 @@ namespace raycheck::properties {
 
 extern const CaseSource kCamerasSource;  // camera_cases.cpp
 extern const CaseSource kPlainCamerasSource;
+extern const CaseSource kCrowdsSource;
 extern const CaseSource kFarCameraSource;
 extern const CaseSource kCameraScaleSource;
 extern const CaseSource kUpSource;

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "fast/camera_frame.h"
+#include "fast/visible.h"
 
 namespace raycheck::properties {
 namespace {
@@ -59,13 +60,40 @@ auto make_rays(fast::PixelRayMethod::MakeRays make) {
   };
 }
 
+/// So many pixels around one that is asked about are rendered with it, as a renderer would: the
+/// plan is then about more than that one.
+constexpr std::int64_t kAround = 2;
+
+std::vector<std::optional<SeenAnswer>> seen_through(const scene::Scene& scene,
+                                                    const scene::ScenePlan& plan,
+                                                    const fast::PixelRayMethod& rays,
+                                                    const fast::IntersectMethod& intersect,
+                                                    Candidate::Pixels pixels) {
+  std::vector<std::optional<SeenAnswer>> answers;
+  fast::SeenPixels seen;
+  for (const auto& [i, j] : pixels) {
+    const scene::PixelRectangle around = {
+        std::max<std::int64_t>(0, i - kAround), std::min(scene.camera->width, i + kAround + 1),
+        std::max<std::int64_t>(0, j - kAround), std::min(scene.camera->height, j + kAround + 1)};
+    fast::see(scene, plan, rays, intersect, around, seen);
+    const auto at = static_cast<std::size_t>(
+        (j - around.j_begin) * (around.i_end - around.i_begin) + i - around.i_begin);
+    answers.emplace_back();
+    if (seen.sphere[at] != fast::kNothingSeen) {
+      answers.back() = {static_cast<std::size_t>(seen.sphere[at]), seen.parameter[at]};
+    }
+  }
+  return answers;
+}
+
 }  // namespace
 
 double inherited_bound(const fast::PixelRayMethod& rays) {
   return kRayShare * std::max(rays.max_point_ulp, rays.max_direction_ulp);
 }
 
-Candidate fast_candidate(const fast::PixelRayMethod& rays, const fast::IntersectMethod& intersect) {
+Candidate fast_candidate(const fast::PixelRayMethod& rays, const fast::IntersectMethod& intersect,
+                         const scene::PlanItems& items) {
   Candidate candidate;
   candidate.name = std::string(rays.name) + "/" + std::string(intersect.name);
   candidate.frame = [](const scene::Camera& camera) {
@@ -105,6 +133,16 @@ Candidate fast_candidate(const fast::PixelRayMethod& rays, const fast::Intersect
                                    const scene::Conventions& conventions) {
     return fast::nearest_spheres(intersect, batch_of(given), spheres, conventions.root,
                                  conventions.tangent);
+  };
+  candidate.plan = [items](const scene::Scene& scene, const scene::Conventions& conventions,
+                           scene::Wanted wanted) {
+    return scene::plan_scene(scene, conventions, wanted, items);
+  };
+  candidate.visible = [&rays, &intersect, plan = candidate.plan](
+                          const scene::Scene& scene, const scene::Conventions& conventions,
+                          Candidate::Pixels pixels) {
+    return seen_through(scene, plan(scene, conventions, scene::Wanted::kNearest), rays, intersect,
+                        pixels);
   };
   const auto promise = [&candidate](Quantity quantity, double bound) {
     candidate.max_error[static_cast<std::size_t>(quantity)] = bound;

@@ -20,8 +20,10 @@ inline constexpr double kRoundedPointResidual = kModerateCondition / 2;
 
 /// A ray method and an intersection method of fast/ as one candidate, "RAYS/INTERSECT". On given
 /// rays it promises what the intersection method does, in that method's domain; end to end from a
-/// camera its hits promise inherited_bound() more, in both methods' domains.
-Candidate fast_candidate(const fast::PixelRayMethod& rays, const fast::IntersectMethod& intersect);
+/// camera its hits promise inherited_bound() more, in both methods' domains. It sees by a plan that
+/// does what `items` say.
+Candidate fast_candidate(const fast::PixelRayMethod& rays, const fast::IntersectMethod& intersect,
+                         const scene::PlanItems& items = {});
 
 }  // namespace raycheck::properties
 

@@ -10,14 +10,20 @@
 namespace raycheck::properties {
 namespace {
 
-const std::array<Law, 24> kLaws = {kFrameLaw,      kPixelPointLaw,    kBoundsLaw,
-                                   kImagePlaneLaw, kCentrePixelLaw,   kPixelZeroZeroLaw,
-                                   kDensityLaw,    kSquarePixelsLaw,  kUnitDirectionLaw,
-                                   kDirectionLaw,  kRayOriginLaw,     kClassLaw,
-                                   kRootLaw,       kParameterLaw,     kBackwardErrorLaw,
-                                   kHitPointLaw,   kFocalAndPixelLaw, kNearestSphereLaw,
-                                   kScalingLaw,    kAxesLaw,          kLookAtLaw,
-                                   kUpLaw,         kGrowingRadiusLaw, kRefusalLaw};
+const std::array<Law, 28> kLaws = {kFrameLaw,          kPixelPointLaw,
+                                   kBoundsLaw,         kImagePlaneLaw,
+                                   kCentrePixelLaw,    kPixelZeroZeroLaw,
+                                   kDensityLaw,        kSquarePixelsLaw,
+                                   kUnitDirectionLaw,  kDirectionLaw,
+                                   kRayOriginLaw,      kClassLaw,
+                                   kRootLaw,           kParameterLaw,
+                                   kBackwardErrorLaw,  kHitPointLaw,
+                                   kFocalAndPixelLaw,  kNearestSphereLaw,
+                                   kVisibleSphereLaw,  kPlanLeftOutLaw,
+                                   kPlanRectanglesLaw, kPlanRootsLaw,
+                                   kScalingLaw,        kAxesLaw,
+                                   kLookAtLaw,         kUpLaw,
+                                   kGrowingRadiusLaw,  kRefusalLaw};
 
 }  // namespace
 

@@ -18,8 +18,8 @@ struct Law {
   /// What it speaks of decides which cases are worth making for it.
   enum class Subject { kCamera, kIntersection, kCameraAndIntersection, kAny } subject;
   /// It compares single answers with the truth, one quantity at a time, as `check` reports them;
-  /// the others relate several answers to each other, or an answer to the ray that its own
-  /// candidate made.
+  /// the others relate several answers to each other, an answer to the ray that its own candidate
+  /// made, or a plan to what it leaves out.
   bool judges_values;
   Verdict (*judge)(Trial&);
 };

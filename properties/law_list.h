@@ -29,6 +29,11 @@ extern const Law kHitPointLaw;
 extern const Law kFocalAndPixelLaw;
 
 extern const Law kNearestSphereLaw;  // nearest_sphere.cpp
+extern const Law kVisibleSphereLaw;
+
+extern const Law kPlanLeftOutLaw;  // scene_plan.cpp
+extern const Law kPlanRectanglesLaw;
+extern const Law kPlanRootsLaw;
 
 extern const Law kScalingLaw;  // invariance.cpp
 extern const Law kAxesLaw;

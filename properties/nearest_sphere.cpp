@@ -1,12 +1,20 @@
 #include <algorithm>
+#include <limits>
+#include <stdexcept>
 
 #include "properties/law_list.h"
+#include "reference/error_measure.h"
+#include "reference/visibility.h"
 
 namespace raycheck::properties {
 namespace {
 
 using Index = std::optional<std::size_t>;
+using reference::Enclosure;
+using reference::ExactRay;
 using reference::NearestSphere;
+
+constexpr int kDistanceBits = 256;
 
 /// The candidate's sphere and the exact one, both by the scene's order.
 struct Choice {
@@ -52,6 +60,22 @@ std::vector<bool> with_unjudged(Trial& trial) {
   return result;
 }
 
+/// The pixels of the case, and some all over the image.
+std::vector<scene::Pixel> with_spread_pixels(const Trial& trial) {
+  constexpr std::int64_t kMost = 4;
+  std::vector<scene::Pixel> pixels = trial.pixels();
+  const scene::Camera& camera = *trial.scene().camera;
+  const std::int64_t columns = std::min(camera.width, kMost);
+  const std::int64_t rows = std::min(camera.height, kMost);
+  for (std::int64_t j = 0; j < rows; ++j) {
+    for (std::int64_t i = 0; i < columns; ++i) {
+      pixels.push_back(
+          {(2 * i + 1) * camera.width / (2 * columns), (2 * j + 1) * camera.height / (2 * rows)});
+    }
+  }
+  return pixels;
+}
+
 Verdict judge_nearest_sphere(Trial& trial) {
   if (!trial.candidate().nearest) return Verdict::left_out("the candidate ranks no spheres");
   if (trial.scene().spheres.empty()) return Verdict::left_out("the scene has no sphere");
@@ -92,10 +116,79 @@ Verdict judge_nearest_sphere(Trial& trial) {
   return verdict;
 }
 
+/// The distance of a hit from the eye.
+Enclosure distance_from_eye(const ExactRay& ray, const Enclosure& s, scene::Origin origin) {
+  return origin == scene::Origin::kFocal ? s : s + ray.enclose(kDistanceBits).length();
+}
+
+void measure_parameter(const Trial& trial, Verdict& verdict, const Place& place,
+                       const ExactRay& ray, const NearestSphere& exact, double got) {
+  const scene::Sphere& sphere = trial.scene().spheres[exact.index];
+  const Enclosure s = ray.parameter(sphere, exact.intersection);
+  const Enclosure error = abs(Enclosure(got, kDistanceBits) - s);
+  const Enclosure distance = distance_from_eye(ray, s, trial.conventions().origin);
+  const double relative = error.certain_sign() == 0  ? 0
+                          : distance.contains_zero() ? std::numeric_limits<double>::infinity()
+                                                     : reference::in_units_of_u(error / distance);
+  trial.measure(
+      verdict, kVisibleSphereLaw.name, Quantity::kHitPoint, place, relative,
+      reference::kVisibleParameterError / kDoubleRoundoff, [] { return 0; },
+      [&](Discrepancy& d) {
+        d.what = "s, as a share of the distance from the eye";
+        d.got = {got};
+        d.exact = {ray.rounded_parameter(sphere, exact.intersection)};
+      });
+}
+
+Verdict judge_visible_sphere(Trial& trial) {
+  if (!trial.scene().camera) return Verdict::left_out("the scene has no camera");
+  if (!trial.candidate().visible) return Verdict::left_out("the candidate sees nothing");
+  if (trial.scene().spheres.empty()) return Verdict::left_out("the scene has no sphere");
+  const scene::Camera& camera = *trial.scene().camera;
+  if (std::max(camera.width, camera.height) > trial.candidate().most_visible_across) {
+    return Verdict::left_out("the image is larger than the candidate sees");
+  }
+  Case wider{trial.scene(), with_spread_pixels(trial)};
+  Trial seen(wider, trial.candidate());
+  const auto answers = trial.candidate().visible(trial.scene(), trial.conventions(), wider.pixels);
+  if (answers.size() != wider.pixels.size()) throw std::runtime_error("visible: answers missing");
+  const bool exactly = trial.candidate().exact_visible;
+  const std::vector<bool> is_left_out = with_unjudged(seen);
+  Verdict verdict;
+  for (std::size_t k = 0; k < answers.size(); ++k) {
+    if (is_left_out[k]) continue;
+    const ExactRay& ray = seen.exact_ray(k);
+    const auto& exact = seen.exact_nearest()[k];
+    const Choice choice{k, answers[k] ? Index(answers[k]->sphere) : Index(), exact};
+    const bool right = is_right(choice) && !(exactly && exact && exact->index != *choice.got);
+    const Place place = seen.place(k, exact ? Index(exact->index) : choice.got);
+    seen.judge(
+        verdict, kVisibleSphereLaw.name, Quantity::kNearestSphere, place,
+        right           ? Wrong::kNot
+        : !choice.exact ? Wrong::kFalseHit
+        : !choice.got   ? Wrong::kMissed
+                        : Wrong::kWrongSphere,
+        [&] { return !exactly && may_flip(seen, choice); },
+        [&](Discrepancy& d) {
+          d.what = "sphere index";
+          if (choice.got) d.got = {static_cast<double>(*choice.got)};
+          if (exact) d.exact = {static_cast<double>(exact->index)};
+        });
+    if (right && exactly && exact) {
+      measure_parameter(seen, verdict, place, ray, *exact, answers[k]->parameter);
+    }
+  }
+  return verdict;
+}
+
 }  // namespace
 
 constinit const Law kNearestSphereLaw = {"nearest-sphere",
                                          "the nearest sphere wins, whatever the order in the file",
                                          Law::Subject::kIntersection, true, judge_nearest_sphere};
+
+constinit const Law kVisibleSphereLaw = {
+    "visible-sphere", "every pixel sees the nearest sphere of its ray, by whichever plan",
+    Law::Subject::kCameraAndIntersection, false, judge_visible_sphere};
 
 }  // namespace raycheck::properties

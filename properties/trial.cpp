@@ -6,7 +6,6 @@
 #include <stdexcept>
 #include <utility>
 
-#include "reference/condition.h"
 #include "scene/validate.h"
 
 namespace raycheck::properties {
@@ -19,10 +18,6 @@ const Answers& require_count(const Answers& answers, std::size_t expected, const
                              " to " + std::to_string(expected) + " questions");
   }
   return answers;
-}
-
-std::size_t count_rays(const Case& the_case) {
-  return the_case.scene.camera ? the_case.pixels.size() : the_case.scene.rays.size();
 }
 
 /// The rays that are questions at all, and where they were among all.
@@ -51,14 +46,6 @@ void require_in_order(const SphereHits& hits, std::size_t rays) {
       throw std::runtime_error("candidate gave hits that are not in the order of the rays");
     }
   }
-}
-
-/// The element of that ray in a list in the order of the rays; null where there is none.
-template <class List>
-auto* find_ray(List& list, std::size_t ray) {
-  const auto at = std::lower_bound(list.begin(), list.end(), ray,
-                                   [](const auto& one, std::size_t it) { return one.ray < it; });
-  return at == list.end() || at->ray != ray ? nullptr : &*at;
 }
 
 template <class Triple>
@@ -145,85 +132,6 @@ bool is_inside_domain(const Candidate& candidate, const scene::Scene& scene) {
          (!candidate.needs_unit_direction || unit_directions) &&
          (!candidate.needs_origin_outside ||
           std::all_of(scene.rays.begin(), scene.rays.end(), is_outside));
-}
-
-Truth::Truth(const Case& the_case, const scene::Conventions& conventions)
-    : case_(the_case),
-      conventions_(conventions),
-      rays_(count_rays(the_case)),
-      meetings_(the_case.scene.spheres.size()) {}
-
-const reference::ExactCamera& Truth::camera() {
-  if (!camera_) camera_.emplace(case_.scene.camera.value(), conventions_);
-  return *camera_;
-}
-
-const reference::ExactRay& Truth::ray(std::size_t ray) {
-  auto& kept = rays_[ray];
-  if (!kept) {
-    if (case_.scene.camera) {
-      kept.emplace(camera(), case_.pixels[ray]);
-    } else {
-      kept.emplace(case_.scene.rays[ray]);
-    }
-  }
-  return *kept;
-}
-
-std::vector<Meeting>& Truth::known_meetings(std::size_t sphere) {
-  auto& kept = meetings_[sphere];
-  if (!kept) {
-    kept.emplace();
-    for (std::size_t k = 0; k < rays_.size(); ++k) {
-      const auto at = ray(k).intersect(case_.scene.spheres[sphere], conventions_.root);
-      if (at.hit_class != reference::HitClass::kMiss) kept->push_back({k, at});
-    }
-  }
-  return *kept;
-}
-
-Meeting* Truth::find(std::size_t ray, std::size_t sphere) {
-  return find_ray(known_meetings(sphere), ray);
-}
-
-reference::Intersection Truth::intersection(std::size_t ray, std::size_t sphere) {
-  const Meeting* meeting = find(ray, sphere);
-  return meeting == nullptr ? reference::Intersection{} : meeting->intersection;
-}
-
-double Truth::condition_of_parameter(std::size_t ray_index, std::size_t sphere) {
-  Meeting& meeting = *find(ray_index, sphere);
-  auto& kept = meeting.condition_of_parameter;
-  if (!kept) {
-    kept = reference::condition_of_parameter(ray(ray_index), case_.scene.spheres[sphere],
-                                             meeting.intersection);
-  }
-  return *kept;
-}
-
-const std::vector<std::optional<reference::NearestSphere>>& Truth::nearest() {
-  if (!nearest_) {
-    nearest_.emplace(rays_.size());
-    const auto& spheres = case_.scene.spheres;
-    for (std::size_t sphere = 0; sphere < spheres.size(); ++sphere) {
-      for (const Meeting& meeting : meetings(sphere)) {
-        if (!reference::counts_as_hit(meeting.intersection.hit_class, conventions_.tangent)) {
-          continue;
-        }
-        ray(meeting.ray)
-            .keep_nearest(spheres, sphere, meeting.intersection, (*nearest_)[meeting.ray]);
-      }
-    }
-  }
-  return *nearest_;
-}
-
-std::shared_ptr<Truth> SharedTruths::under(const scene::Conventions& conventions) {
-  for (const auto& truth : truths_) {
-    if (truth->conventions() == conventions) return truth;
-  }
-  truths_.push_back(std::make_shared<Truth>(case_, conventions));
-  return truths_.back();
 }
 
 Trial::Trial(const Case& the_case, const Candidate& candidate, TrialOptions options)

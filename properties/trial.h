@@ -10,69 +10,14 @@
 #include <vector>
 
 #include "properties/candidate.h"
+#include "properties/truth.h"
 #include "properties/verdict.h"
-#include "reference/exact_camera.h"
-#include "reference/exact_ray.h"
 #include "scene/scene.h"
 
 namespace raycheck::properties {
 
-/// What a law is asked about: a scene, and the pixels that are looked at when it has a camera (its
-/// given rays are all looked at). Where cases come from is no business of a law's.
-struct Case {
-  scene::Scene scene;
-  std::vector<scene::Pixel> pixels;
-};
-
 /// All pixels of a camera, row by row.
 std::vector<scene::Pixel> all_pixels(const scene::Camera& camera);
-
-/// A ray of a case that meets a sphere, in a hit or a tangent.
-struct Meeting {
-  std::size_t ray = 0;
-  reference::Intersection intersection;
-  std::optional<double> condition_of_parameter = {};  ///< Worked out when first asked for.
-};
-
-/// The truth about a case under some conventions, each part worked out when first asked for and
-/// kept. It never sees a candidate; candidates judged under the same conventions share it.
-class Truth {
- public:
-  Truth(const Case& the_case, const scene::Conventions& conventions);
-
-  const scene::Conventions& conventions() const { return conventions_; }
-  const reference::ExactCamera& camera();
-  const reference::ExactRay& ray(std::size_t ray);
-  /// The rays that meet a sphere, in their order; every other ray misses it.
-  std::span<const Meeting> meetings(std::size_t sphere) { return known_meetings(sphere); }
-  reference::Intersection intersection(std::size_t ray, std::size_t sphere);
-  /// kappa of the parameter of a hit or a tangent.
-  double condition_of_parameter(std::size_t ray, std::size_t sphere);
-  /// The sphere that each ray meets first.
-  const std::vector<std::optional<reference::NearestSphere>>& nearest();
-
- private:
-  std::vector<Meeting>& known_meetings(std::size_t sphere);
-  Meeting* find(std::size_t ray, std::size_t sphere);
-
-  const Case& case_;
-  scene::Conventions conventions_;
-  std::optional<reference::ExactCamera> camera_;
-  std::vector<std::optional<reference::ExactRay>> rays_;
-  std::vector<std::optional<std::vector<Meeting>>> meetings_;  ///< By sphere.
-  std::optional<std::vector<std::optional<reference::NearestSphere>>> nearest_;
-};
-
-/// The truths about one case, by the conventions under which candidates are judged.
-class SharedTruths {
- public:
-  explicit SharedTruths(const Case& the_case) : case_(the_case) {}
-  std::shared_ptr<Truth> under(const scene::Conventions& conventions);
-
- private:
-  const Case& case_;
-  std::vector<std::shared_ptr<Truth>> truths_;
-};
 
 struct TrialOptions {
   std::optional<double> max_error = {};  ///< A bound in place of the candidate's own.

@@ -106,6 +106,7 @@ void Verdict::judged_right(Quantity quantity, std::uint64_t count) {
 }
 
 void Verdict::judged(Quantity quantity, const Place& place, Wrong wrong, Excuse excuse) {
+  if (wrong == Wrong::kNot) return judged_right(quantity, 1);
   Tally& tally = tallies_[quantity];
   const auto count = [&](Outcome outcome) { ++tally.outcomes[static_cast<std::size_t>(outcome)]; };
   ++tally.cases;

@@ -113,7 +113,7 @@ class Verdict {
   void count_ill_conditioned(Quantity quantity) { ++tallies_[quantity].ill_conditioned; }
   /// Counts answers that are right.
   void judged_right(Quantity quantity, std::uint64_t count);
-  /// Counts an answer that is wrong.
+  /// Counts an answer that is right or wrong.
   void judged(Quantity quantity, const Place& place, Wrong wrong, Excuse excuse);
   void add(Discrepancy discrepancy);
   void merge(Verdict other);

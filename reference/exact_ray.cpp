@@ -1,5 +1,6 @@
 #include "reference/exact_ray.h"
 
+#include <algorithm>
 #include <stdexcept>
 #include <utility>
 
@@ -89,7 +90,11 @@ template <class SignUnder>
 /// field, until one is certain; the last always is.
 template <class F>
 int ExactRay::decide(const scene::Sphere& first, const scene::Sphere& second, Engine engine,
-                     F sign) const {
+                     Rung* highest, F sign) const {
+  const auto take = [highest](Rung rung, int answer) {
+    if (highest != nullptr) *highest = std::max(*highest, rung);
+    return answer;
+  };
   const auto sign_under = [&]<class K>(const auto& lift, const Line<K>& line) {
     return sign(line_and_sphere(line, lift_sphere<K>(lift, first)),
                 line_and_sphere(line, lift_sphere<K>(lift, second)));
@@ -107,34 +112,38 @@ int ExactRay::decide(const scene::Sphere& first, const scene::Sphere& second, En
           Interval(bounds_[6], bounds_[7]),
           from_camera && source_.camera->conventions.origin == scene::Origin::kPixel,
           from_camera};
-      if (const auto answer = sign_under(lift, line)) return *answer;
+      if (const auto answer = sign_under(lift, line)) return take(Rung::kIntervals, *answer);
     }
-    if (const auto answer = sign_by_double_doubles(*this, sign_under)) return *answer;
+    if (const auto answer = sign_by_double_doubles(*this, sign_under)) {
+      return take(Rung::kDoubleDoubles, *answer);
+    }
     const EnclosureLift lift{kMiddleBits};
-    if (const auto answer = sign_under(lift, line_of(lift, source_))) return *answer;
+    if (const auto answer = sign_under(lift, line_of(lift, source_))) {
+      return take(Rung::kBalls, *answer);
+    }
   }
   const ExactLift lift;
-  return *sign_under(lift, line_of(lift, source_));
+  return take(Rung::kField, *sign_under(lift, line_of(lift, source_)));
 }
 
-Intersection ExactRay::intersect(const scene::Sphere& sphere, scene::Root root,
-                                 Engine engine) const {
+Intersection ExactRay::intersect(const scene::Sphere& sphere, scene::Root root, Engine engine,
+                                 Rung* highest) const {
   scene::require_valid(sphere);
   return *classify(
       [&](Coefficient coefficient) -> std::optional<int> {
-        return decide(sphere, sphere, engine, [coefficient](const auto& pair, const auto&) {
-          return sign_of(coefficient, pair);
-        });
+        return decide(
+            sphere, sphere, engine, highest,
+            [coefficient](const auto& pair, const auto&) { return sign_of(coefficient, pair); });
       },
       root);
 }
 
 int ExactRay::compare(const scene::Sphere& first, const Intersection& at_first,
-                      const scene::Sphere& second, const Intersection& at_second,
-                      Engine engine) const {
+                      const scene::Sphere& second, const Intersection& at_second, Engine engine,
+                      Rung* highest) const {
   scene::require_valid(first);
   scene::require_valid(second);
-  return decide(first, second, engine, [&](const auto& one, const auto& other) {
+  return decide(first, second, engine, highest, [&](const auto& one, const auto& other) {
     const auto difference = linear_coefficient(one) - linear_coefficient(other);
     using Number = std::decay_t<decltype(difference)>;
     return sign_of_radical_sum(difference, Number(root_sign(at_first)), Number(discriminant(one)),
@@ -143,20 +152,23 @@ int ExactRay::compare(const scene::Sphere& first, const Intersection& at_first,
 }
 
 void ExactRay::keep_nearest(std::span<const scene::Sphere> spheres, std::size_t index,
-                            const Intersection& at, std::optional<NearestSphere>& best) const {
-  const int order =
-      best ? compare(spheres[index], at, spheres[best->index], best->intersection) : -1;
+                            const Intersection& at, std::optional<NearestSphere>& best,
+                            Rung* highest) const {
+  const int order = best ? compare(spheres[index], at, spheres[best->index], best->intersection,
+                                   Engine::kFiltered, highest)
+                         : -1;
   if (order < 0) best = NearestSphere{index, at, {}};
   if (order <= 0) best->ties.push_back(index);
 }
 
 std::optional<NearestSphere> ExactRay::nearest(std::span<const scene::Sphere> spheres,
-                                               const scene::Conventions& conventions) const {
+                                               const scene::Conventions& conventions,
+                                               Rung* highest) const {
   std::optional<NearestSphere> best;
   for (std::size_t k = 0; k < spheres.size(); ++k) {
-    const Intersection here = intersect(spheres[k], conventions.root);
+    const Intersection here = intersect(spheres[k], conventions.root, Engine::kFiltered, highest);
     if (!counts_as_hit(here.hit_class, conventions.tangent)) continue;
-    keep_nearest(spheres, k, here, best);
+    keep_nearest(spheres, k, here, best, highest);
   }
   return best;
 }

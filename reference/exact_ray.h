@@ -36,6 +36,9 @@ constexpr bool counts_as_hit(HitClass hit_class, scene::Tangent tangent) {
 /// is how tests hold the filter to account.
 enum class Engine { kFiltered, kFieldOnly };
 
+/// The steps of the filtered ladder; a decision takes the first that is certain.
+enum class Rung { kIntervals, kDoubleDoubles, kBalls, kField };
+
 /// The sphere that a ray meets first.
 struct NearestSphere {
   std::size_t index = 0;  ///< The first in the file among equals.
@@ -93,18 +96,22 @@ class ExactRay {
   const Direction& direction_in_double_doubles() const { return direction_; }
 
   /// Hit, miss or tangent, and at which root, under a `root` convention.
+  /// `highest`, where given, rises to the highest rung that a decision took.
   Intersection intersect(const scene::Sphere& sphere, scene::Root root = scene::Root::kNearest,
-                         Engine engine = Engine::kFiltered) const;
+                         Engine engine = Engine::kFiltered, Rung* highest = nullptr) const;
   /// The sign of s(first) - s(second), both of which must be hits.
   int compare(const scene::Sphere& first, const Intersection& at_first, const scene::Sphere& second,
-              const Intersection& at_second, Engine engine = Engine::kFiltered) const;
+              const Intersection& at_second, Engine engine = Engine::kFiltered,
+              Rung* highest = nullptr) const;
   /// Makes sphere `index`, which is hit, the nearest when it is nearer than `best`, or one of its
   /// ties.
   void keep_nearest(std::span<const scene::Sphere> spheres, std::size_t index,
-                    const Intersection& at, std::optional<NearestSphere>& best) const;
+                    const Intersection& at, std::optional<NearestSphere>& best,
+                    Rung* highest = nullptr) const;
   /// The sphere met first, ties included; empty when none is.
   std::optional<NearestSphere> nearest(std::span<const scene::Sphere> spheres,
-                                       const scene::Conventions& conventions) const;
+                                       const scene::Conventions& conventions,
+                                       Rung* highest = nullptr) const;
   /// False when no relative change of every input by at most `relative_change` changes the
   /// intersection; true when it might (intervals overestimate, so not every true is realised).
   bool may_flip_within(const scene::Sphere& sphere, scene::Root root, double relative_change) const;
@@ -132,7 +139,8 @@ class ExactRay {
 
  private:
   template <class F>
-  int decide(const scene::Sphere& first, const scene::Sphere& second, Engine engine, F sign) const;
+  int decide(const scene::Sphere& first, const scene::Sphere& second, Engine engine, Rung* highest,
+             F sign) const;
 
   Source source_;
   std::array<double, 8> bounds_;  ///< Lower and upper bounds of g and |g|^2: the filter's line.

@@ -5,11 +5,14 @@
 // it says that it keeps it.
 
 #include <benchmark/benchmark.h>
+#include <hwy/highway.h>
 
 #include <algorithm>
 #include <cstdint>
+#include <iostream>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -42,7 +45,7 @@ scene::Scene scene_in_view() {
 
 /// Rays from anywhere, as good as unrelated, aimed about a sphere so that a third miss it.
 scene::Scene unrelated_rays() {
-  constexpr int kRays = 4096;
+  const int kRays = getenv("RAYS") ? atoi(getenv("RAYS")) : 4096;
   scene::Scene scene;
   scene.spheres = {{{0.1, 0.3, 0.2}, 2.5}};
   const scene::Sphere& sphere = scene.spheres.front();
@@ -134,9 +137,36 @@ void make_rays(benchmark::State& state, const fast::PixelRayMethod& method) {
   state.SetItemsProcessed(state.iterations() * static_cast<std::int64_t>(pixels.size()));
 }
 
+constexpr std::string_view kTargetOption = "--target=";
+
+/// Takes --target=NAME out of the arguments: Highway then runs that target and no better. False
+/// where this machine has no such target.
+bool choose_target(int& argc, char** argv) {
+  for (int k = 1; k < argc; ++k) {
+    const std::string_view argument = argv[k];
+    if (!argument.starts_with(kTargetOption)) continue;
+    std::copy(argv + k + 1, argv + argc + 1, argv + k);
+    --argc;
+    const std::string_view name = argument.substr(kTargetOption.size());
+    for (const std::int64_t target : hwy::SupportedAndGeneratedTargets()) {
+      if (name != hwy::TargetName(target)) continue;
+      hwy::SetSupportedTargetsForTest(target);
+      return true;
+    }
+    std::cerr << kTargetOption << name << ": this machine has";
+    for (const std::int64_t target : hwy::SupportedAndGeneratedTargets()) {
+      std::cerr << " " << hwy::TargetName(target);
+    }
+    std::cerr << "\n";
+    return false;
+  }
+  return true;
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
+  if (!choose_target(argc, argv)) return 2;
   for (const auto* method : fast::pixel_ray_methods()) {
     benchmark::RegisterBenchmark(("rays/" + std::string(method->name)).c_str(),
                                  [method](benchmark::State& state) { make_rays(state, *method); });

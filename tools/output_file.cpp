@@ -39,18 +39,28 @@ OutputFile::~OutputFile() {
   fs::remove(beside_, ignored);
 }
 
-void OutputFile::write(std::string_view text) {
-  const auto fail = [&](const std::string& why) {
-    throw std::runtime_error(fmt::format("{} {}: could not be written: {}", option_, path_, why));
-  };
+void OutputFile::append(std::string_view bytes) {
   errno = 0;
-  file_.write(text.data(), static_cast<std::streamsize>(text.size()));
+  file_.write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
+  require_written();
+}
+
+void OutputFile::place() {
+  errno = 0;
   file_.close();
-  if (!file_) fail(errno != 0 ? std::strerror(errno) : "not all of it was taken");
+  require_written();
   std::error_code error;
   fs::rename(beside_, path_, error);
   if (error) fail(error.message());
   beside_.clear();
+}
+
+void OutputFile::require_written() {
+  if (!file_) fail(errno != 0 ? std::strerror(errno) : "not all of it was taken");
+}
+
+void OutputFile::fail(const std::string& why) const {
+  throw std::runtime_error(fmt::format("{} {}: could not be written: {}", option_, path_, why));
 }
 
 }  // namespace raycheck::tools

@@ -16,13 +16,23 @@ class OutputFile {
   OutputFile(std::string option, std::string path);
   OutputFile(const OutputFile&) = delete;
   OutputFile& operator=(const OutputFile&) = delete;
-  /// Leaves no trace unless the text was written.
+  /// Leaves no trace unless the file is in its place.
   ~OutputFile();
 
-  /// Throws std::runtime_error when it could not be done.
-  void write(std::string_view text);
+  /// Takes the next part of the file. Throws std::runtime_error when it could not be done.
+  void append(std::string_view bytes);
+  /// Moves what was appended to its place; the last call. Throws as append().
+  void place();
+  /// The whole file at once.
+  void write(std::string_view text) {
+    append(text);
+    place();
+  }
 
  private:
+  void require_written();
+  [[noreturn]] void fail(const std::string& why) const;
+
   std::string option_;
   std::string path_;
   std::string beside_;  ///< Where it is written first; empty once it was moved.

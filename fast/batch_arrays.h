@@ -1,0 +1,44 @@
+#ifndef RAYCHECK_FAST_BATCH_ARRAYS_H_
+#define RAYCHECK_FAST_BATCH_ARRAYS_H_
+
+// A batch as bare arrays, for code that is compiled for one target and so must not instantiate what
+// others share. Internal to fast/.
+
+#include <cstddef>
+#include <cstdint>
+
+#include "fast/intersect.h"
+
+namespace raycheck::fast {
+
+struct RayArrays {
+  const double* origin[3];
+  const double* direction[3];
+};
+
+struct HitArrays {
+  std::uint8_t* hit;
+  double* parameter;
+  double* point[3];
+};
+
+/// What IntersectMethod::intersect is asked.
+struct BatchQuestion {
+  std::size_t count;
+  RayArrays rays;
+  const scene::Sphere& sphere;
+  scene::Root root;
+  scene::Tangent tangent;
+};
+
+/// Answers to rays, each as the method's intersect_one() answers it. False where a ray may be no
+/// valid one; its answers then mean nothing.
+using BatchKernel = bool (*)(const BatchQuestion&, const HitArrays&);
+
+/// IntersectMethod::intersect by the target's kernel.
+void intersect_by(BatchKernel kernel, const Rays& rays, const scene::Sphere& sphere,
+                  scene::Root root, scene::Tangent tangent, Hits& hits);
+
+}  // namespace raycheck::fast
+
+#endif  // RAYCHECK_FAST_BATCH_ARRAYS_H_

@@ -1,0 +1,46 @@
+#ifndef RAYCHECK_FAST_VISIBLE_H_
+#define RAYCHECK_FAST_VISIBLE_H_
+
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <vector>
+
+#include "fast/intersect.h"
+#include "fast/pixel_ray.h"
+#include "scene/plan.h"
+#include "scene/scene.h"
+
+namespace raycheck::fast {
+
+/// The sphere of a pixel whose ray meets none.
+inline constexpr std::int32_t kNothingSeen = -1;
+
+/// What the pixels of a rectangle see, row by row.
+struct SeenPixels {
+  std::vector<std::int32_t> sphere;  ///< The nearest; the first in the file among equals.
+  std::vector<double> parameter;     ///< s; infinite where nothing is seen.
+
+  void resize(std::size_t count) {
+    sphere.assign(count, kNothingSeen);
+    parameter.assign(count, std::numeric_limits<double>::infinity());
+  }
+};
+
+/// Pixels a side of the squares whose rays are made and intersected together.
+inline constexpr std::int64_t kVisibleTile = 16;
+
+/// The nearest sphere of every pixel of a rectangle, by any two methods: a tile is asked only about
+/// the spheres whose rectangle in the plan meets it. A large image is asked for a band at a time.
+/// Shape:  a rectangle of N pixels -> N answers; outputs are resized to N.
+/// Units:  scene lengths.
+/// Domain: a plan of this very scene, a rectangle inside its image, fewer than 2^31 spheres; a
+///         method that makes rays from the plan's origin. A ray that comes out not finite, or
+///         without a direction, sees nothing.
+/// Error:  what the two methods promise; the plan adds none.
+void see(const scene::Scene& scene, const scene::ScenePlan& plan, const PixelRayMethod& rays,
+         const IntersectMethod& intersect, const scene::PixelRectangle& pixels, SeenPixels& seen);
+
+}  // namespace raycheck::fast
+
+#endif  // RAYCHECK_FAST_VISIBLE_H_
