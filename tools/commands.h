@@ -21,6 +21,7 @@ Command add_stress(CLI::App& program);
 Command add_tradeoff(CLI::App& program);
 Command add_worst(CLI::App& program);
 Command add_image(CLI::App& program);
+Command add_plan(CLI::App& program);
 Command add_list(CLI::App& program);
 
 }  // namespace raycheck::tools

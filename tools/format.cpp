@@ -2,6 +2,7 @@
 
 #include <fmt/core.h>
 
+#include <array>
 #include <cmath>
 
 #include "scene/number.h"
@@ -155,6 +156,32 @@ Json weighed_json(const properties::Verdict& verdict) {
     json[std::string(info(quantity).name)] = tally_json(tally, info(quantity).unit);
   }
   return json;
+}
+
+namespace {
+
+constexpr std::array<std::string_view, 4> kRungNames = {"intervals", "double-doubles", "balls",
+                                                        "the field"};
+
+}  // namespace
+
+std::string decided_by_text(const reference::DecidedBy& decided_by) {
+  std::string rungs;
+  for (std::size_t k = 0; k < kRungNames.size(); ++k) {
+    if (decided_by.rungs[k] == 0) continue;
+    rungs +=
+        fmt::format("{}{} by {}", rungs.empty() ? "" : ", ", decided_by.rungs[k], kRungNames[k]);
+  }
+  return fmt::format("{} by the filter, {} exactly{}", decided_by.filter, decided_by.fallback(),
+                     rungs.empty() ? "" : " (" + rungs + ")");
+}
+
+Json decided_by_json(const reference::DecidedBy& decided_by) {
+  return {{"filter", decided_by.filter},
+          {"intervals", decided_by.rungs[0]},
+          {"double_doubles", decided_by.rungs[1]},
+          {"balls", decided_by.rungs[2]},
+          {"field", decided_by.rungs[3]}};
 }
 
 std::string count_text(std::uint64_t count, std::string_view noun) {

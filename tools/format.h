@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "properties/verdict.h"
+#include "reference/visibility.h"
 #include "scene/conventions.h"
 
 namespace raycheck::tools {
@@ -44,6 +45,10 @@ Json discrepancy_json(const properties::Discrepancy& discrepancy);
 
 /// What a verdict compared, by quantity, with what its errors are worth.
 Json weighed_json(const properties::Verdict& verdict);
+
+/// "250 by the filter, 6 exactly (6 by intervals)"
+std::string decided_by_text(const reference::DecidedBy& decided_by);
+Json decided_by_json(const reference::DecidedBy& decided_by);
 
 /// "1 sphere", "2 spheres"
 std::string count_text(std::uint64_t count, std::string_view noun);

@@ -129,8 +129,7 @@ void count(const PaintedBand& band, std::vector<bool>& seen, ImageReport& report
     is_seen = true;
   }
   report.pixels_that_see += band.pixels_that_see;
-  report.decided_by.filter += band.decided_by.filter;
-  report.decided_by.exact += band.decided_by.exact;
+  report.decided_by += band.decided_by;
   if (!report.error) return;
   for (std::size_t k = 0; k < band.errors.pixels.size(); ++k) {
     report.error->pixels[k] += band.errors.pixels[k];

@@ -32,7 +32,7 @@ std::string image_json(const ImageReport& report) {
   json["spheres"] = report.spheres;
   json["spheres_seen"] = report.spheres_seen;
   json["pixels_that_see"] = report.pixels_that_see;
-  json["decided_by"] = {{"filter", report.decided_by.filter}, {"exact", report.decided_by.exact}};
+  json["decided_by"] = decided_by_json(report.decided_by);
   json["depth"] = report.depth ? Json{{"nearest", hexfloat_or_null(report.depth->nearest)},
                                       {"farthest", hexfloat_or_null(report.depth->farthest)}}
                                : Json(nullptr);

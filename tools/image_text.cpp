@@ -35,8 +35,7 @@ std::string image_text(const ImageReport& report) {
                       count_text(static_cast<std::uint64_t>(report.width) *
                                      static_cast<std::uint64_t>(report.height),
                                  "pixel"));
-  text += fmt::format("pixels decided by the filter: {}, by exact arithmetic: {}\n",
-                      report.decided_by.filter, report.decided_by.exact);
+  text += fmt::format("decided: {}\n", decided_by_text(report.decided_by));
   if (report.depth) {
     text += fmt::format("s from {:.6g} (white) to {:.6g} (dark)\n", report.depth->nearest,
                         report.depth->farthest);
