@@ -88,9 +88,7 @@ Command add_image(CLI::App& program) {
                      "of error: the method that makes rays (default: direct)");
   command.add_option("--intersect", arguments.intersect,
                      "of error: the method that intersects them (default: cross)");
-  command.add_option("--threads", arguments.threads, "how many; the picture is the same")
-      ->check(CLI::Range(1, 1024))
-      ->capture_default_str();
+  add_threads(command, arguments.threads, "the picture");
   command.add_option("--dialect", arguments.dialect, "of a driver file: A, B or C");
   add_format(command, arguments.format, {"text", "json"});
   command.footer(legend());
