@@ -16,8 +16,11 @@ struct RayArrays {
   const double* direction[3];
 };
 
+/// In place of a hit: the kernel has no answer.
+inline constexpr std::uint8_t kOpen = 2;
+
 struct HitArrays {
-  std::uint8_t* hit;
+  std::uint8_t* hit;  ///< 1, 0 or kOpen
   double* parameter;
   double* point[3];
 };
@@ -26,7 +29,7 @@ struct HitArrays {
 struct BatchQuestion {
   std::size_t count;
   RayArrays rays;
-  const scene::Sphere& sphere;
+  scene::Sphere sphere;
   scene::Root root;
   scene::Tangent tangent;
 };

@@ -73,11 +73,11 @@ HWY_INLINE N square_rest(N a, N /*square*/, N high) {
 /// a b - c, rounded once.
 inline HWY_NOINLINE double fused_minus(double a, double b, double c) { return std::fma(a, b, -c); }
 inline HWY_NOINLINE Lanes fused_minus(Lanes a, Lanes b, Lanes c) {
-  double x[kLaneCount<Lanes>], y[kLaneCount<Lanes>], z[kLaneCount<Lanes>];
+  double x[kLaneCount], y[kLaneCount], z[kLaneCount];
   store(a, x);
   store(b, y);
   store(c, z);
-  for (std::size_t k = 0; k < kLaneCount<Lanes>; ++k) x[k] = std::fma(x[k], y[k], -z[k]);
+  for (std::size_t k = 0; k < kLaneCount; ++k) x[k] = std::fma(x[k], y[k], -z[k]);
   return load(x);
 }
 

@@ -13,6 +13,7 @@
 #include <optional>
 
 #include "fast/batch_arrays.h"
+#include "fast/chosen.h"
 #include "fast/ray_by_ray.h"
 #include "fast/triple.h"
 
@@ -83,18 +84,23 @@ struct FromRoots : Method {
 // The functions of an IntersectMethod, of an Answerer: a type with an answer() as FromRoots has.
 // Flattened: a call would pass vectors through memory, and reckon what the answer does not need.
 
+template <class N>
+HWY_INLINE Chosen plain(const ChosenOf<N>& chosen) {
+  return {chosen.hit,
+          {static_cast<double>(chosen.parameter),
+           {static_cast<double>(chosen.point.x), static_cast<double>(chosen.point.y),
+            static_cast<double>(chosen.point.z)}}};
+}
+
 template <class Answerer>
 [[gnu::flatten]] std::optional<Hit> intersect_one(const scene::Ray& ray,
                                                   const scene::Sphere& sphere, scene::Root root,
                                                   scene::Tangent tangent) {
   using N = typename Answerer::Number;
-  const ChosenOf<N> chosen =
-      Answerer::answer(triple<N>(ray.origin), triple<N>(ray.direction), triple<N>(sphere.centre),
-                       N(sphere.radius), root, tangent);
-  if (!chosen.hit) return std::nullopt;
-  const auto plain = [](const N& x) { return static_cast<double>(x); };
-  return Hit{plain(chosen.parameter),
-             {plain(chosen.point.x), plain(chosen.point.y), plain(chosen.point.z)}};
+  const Chosen chosen =
+      plain(Answerer::answer(triple<N>(ray.origin), triple<N>(ray.direction),
+                             triple<N>(sphere.centre), N(sphere.radius), root, tangent));
+  return chosen.hit ? std::optional(chosen.at) : std::nullopt;
 }
 
 template <class Method>
@@ -117,49 +123,63 @@ template <class Answerer>
   const Triple<N> centre = triple<N>(sphere.centre);
   for (std::size_t k = 0; k < count; ++k) {
     const scene::Ray ray = ray_at(rays, k);
-    const ChosenOf<N> chosen = Answerer::answer(triple<N>(ray.origin), triple<N>(ray.direction),
-                                                centre, N(sphere.radius), root, tangent);
+    const Chosen chosen = plain(Answerer::answer(triple<N>(ray.origin), triple<N>(ray.direction),
+                                                 centre, N(sphere.radius), root, tangent));
     hits.hit[k] = chosen.hit;
-    hits.parameter[k] = static_cast<double>(chosen.parameter);
-    hits.point.x[k] = static_cast<double>(chosen.point.x);
-    hits.point.y[k] = static_cast<double>(chosen.point.y);
-    hits.point.z[k] = static_cast<double>(chosen.point.z);
+    hits.parameter[k] = chosen.at.parameter;
+    hits.point.x[k] = chosen.at.point.x;
+    hits.point.y[k] = chosen.at.point.y;
+    hits.point.z[k] = chosen.at.point.z;
   }
 }
 
-/// A batch whose size is a multiple of the lanes'; a BatchKernel. A direction so long or short that
-/// its square is out of range may be no valid one, too.
+/// Whether all rays seen are valid, but that a direction whose square is out of range, or an origin
+/// near the end of the range, may pass for no valid one.
+class Validity {
+ public:
+  Validity() : sum_(0.0), directionless_(sum_ < sum_) {}
+  HWY_INLINE void see(const Triple<Lanes>& origin, const Triple<Lanes>& direction) {
+    const Lanes length_sq = dot(direction, direction);
+    sum_ = sum_ + ((origin.x + origin.y + origin.z) + length_sq);
+    directionless_ = directionless_ | (length_sq == Lanes(0.0));
+  }
+  HWY_INLINE bool holds() const { return !any(directionless_ | !(sum_ - sum_ == Lanes(0.0))); }
+
+ private:
+  Lanes sum_;  // not finite once a coordinate is not
+  LaneMask directionless_;
+};
+
+/// A BatchKernel for multiples of kLaneCount.
 template <class Answerer>
 [[gnu::flatten]] HWY_NOINLINE bool answer_whole_vectors(const BatchQuestion& question,
                                                         const HitArrays& answers) {
-  const Triple<Lanes> centre = triple<Lanes>(question.sphere.centre);
-  const Lanes radius(question.sphere.radius);
-  const Lanes zero(0.0);
-  Lanes sum = zero;  // not finite once a coordinate is not; nor at times when all are
-  LaneMask directionless = zero < zero;
-  for (std::size_t k = 0; k < question.count; k += kLaneCount<Lanes>) {
-    const Triple<Lanes> origin = load(question.rays.origin, k);
-    const Triple<Lanes> direction = load(question.rays.direction, k);
-    const Lanes length_sq = dot(direction, direction);
-    sum = sum + ((origin.x + origin.y + origin.z) + length_sq);
-    directionless = directionless | (length_sq == zero);
+  const BatchQuestion asked = question;
+  const HitArrays to = answers;
+  const Triple<Lanes> centre = triple<Lanes>(asked.sphere.centre);
+  const Lanes radius(asked.sphere.radius);
+  Validity valid;
+  for (std::size_t k = 0; k < asked.count; k += kLaneCount) {
+    const Triple<Lanes> origin = load(asked.rays.origin, k);
+    const Triple<Lanes> direction = load(asked.rays.direction, k);
+    valid.see(origin, direction);
     const ChosenOf<Lanes> chosen =
-        Answerer::answer(origin, direction, centre, radius, question.root, question.tangent);
-    store(chosen.hit, answers.hit + k);
-    store(chosen.parameter, answers.parameter + k);
-    store(chosen.point, answers.point, k);
+        Answerer::answer(origin, direction, centre, radius, asked.root, asked.tangent);
+    store(codes(chosen.hit, 1), to.hit + k);
+    store(chosen.parameter, to.parameter + k);
+    store(chosen.point, to.point, k);
   }
-  return !any(directionless | !(sum - sum == zero));
+  return valid.holds();
 }
 
-/// A BatchKernel.
-template <class Answerer>
-bool answer_batch(const BatchQuestion& question, const HitArrays& answers) {
-  constexpr std::size_t kLanes = kLaneCount<Lanes>;
+/// A BatchKernel made of one for multiples of kLaneCount.
+inline bool answer_batch(BatchKernel whole_vectors, const BatchQuestion& question,
+                         const HitArrays& answers) {
+  constexpr std::size_t kLanes = kLaneCount;
   const std::size_t rest = question.count % kLanes;
   BatchQuestion part = question;
   part.count -= rest;
-  const bool valid = answer_whole_vectors<Answerer>(part, answers);
+  const bool valid = whole_vectors(part, answers);
   if (rest == 0) return valid;
   // The last rays fill a vector with copies of the very last.
   const std::size_t first = part.count;
@@ -175,8 +195,7 @@ bool answer_batch(const BatchQuestion& question, const HitArrays& answers) {
   }
   part.count = kLanes;
   part.rays = {{given[0], given[1], given[2]}, {given[3], given[4], given[5]}};
-  const bool rest_is_valid =
-      answer_whole_vectors<Answerer>(part, {hit, found[0], {found[1], found[2], found[3]}});
+  const bool rest_is_valid = whole_vectors(part, {hit, found[0], {found[1], found[2], found[3]}});
   for (std::size_t k = 0; k < rest; ++k) {
     answers.hit[first + k] = hit[k];
     answers.parameter[first + k] = found[0][k];

@@ -28,7 +28,7 @@ struct Cross {
 };
 
 bool batch(const BatchQuestion& question, const HitArrays& answers) {
-  return answer_batch<FromRoots<Cross<Lanes>>>(question, answers);
+  return answer_batch(answer_whole_vectors<FromRoots<Cross<Lanes>>>, question, answers);
 }
 
 }  // namespace

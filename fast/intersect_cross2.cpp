@@ -48,7 +48,7 @@ struct Cross2 {
 };
 
 bool batch(const BatchQuestion& question, const HitArrays& answers) {
-  return answer_batch<FromRoots<Cross2<Lanes>>>(question, answers);
+  return answer_batch(answer_whole_vectors<FromRoots<Cross2<Lanes>>>, question, answers);
 }
 
 }  // namespace

@@ -26,7 +26,7 @@ struct Kahan {
 };
 
 bool batch(const BatchQuestion& question, const HitArrays& answers) {
-  return answer_batch<FromRoots<Kahan<Lanes>>>(question, answers);
+  return answer_batch(answer_whole_vectors<FromRoots<Kahan<Lanes>>>, question, answers);
 }
 
 }  // namespace

@@ -27,7 +27,7 @@ struct Perpendicular {
 };
 
 bool batch(const BatchQuestion& question, const HitArrays& answers) {
-  return answer_batch<FromRoots<Perpendicular<Lanes>>>(question, answers);
+  return answer_batch(answer_whole_vectors<FromRoots<Perpendicular<Lanes>>>, question, answers);
 }
 
 }  // namespace

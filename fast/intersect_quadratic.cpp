@@ -9,7 +9,7 @@ namespace raycheck::fast::HWY_NAMESPACE {
 namespace {
 
 bool batch(const BatchQuestion& question, const HitArrays& answers) {
-  return answer_batch<FromRoots<Textbook<Lanes>>>(question, answers);
+  return answer_batch(answer_whole_vectors<FromRoots<Textbook<Lanes>>>, question, answers);
 }
 
 }  // namespace

@@ -2,9 +2,13 @@
 #define HWY_TARGET_INCLUDE "fast/intersect_robust.cpp"
 #include <hwy/foreach_target.h>
 
+#include <cmath>
+#include <cstring>
+
 #include "fast/error_free.h"
 #include "fast/intersect_batch.h"
 #include "fast/robust.h"
+#include "scene/validate.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace raycheck::fast::HWY_NAMESPACE {
@@ -12,9 +16,7 @@ namespace {
 
 // The first step: coefficients in doubles, then one of Newton's steps from a residual in pairs.
 //
-// Where f^2 + r^2 and a lie between these, no product overflows, and what underflows is too small
-// to count beside the margins.
-constexpr double kLeastSquare = 0x1p-400;
+constexpr double kLeastDiscriminant = 0x1p-300;
 constexpr double kLargestSquare = 0x1p400;
 // The step answers where |disc^| > kDiscriminantShare a r^2 + kFarShare a f^2 and
 // |c^| > kSurfaceShare (f^2 + r^2).
@@ -46,130 +48,153 @@ constexpr double kLargestSquare = 0x1p400;
 // d) is made from the residual's vector and the unrounded s, and rounded once.
 constexpr double kDiscriminantShare = 0x1p-10;
 constexpr double kFarShare = 0x1p-40;
-constexpr double kSurfaceShare = 0x1p-30;
+constexpr double kSurfaceShare = 0x1p-28;
+constexpr double kReachShare = 0x1p-44;
 
+/// A coordinate of L + s0 d, and of C less that, as unevaluated sums.
 template <class N>
-struct Remainder {  ///< T - s0 d
-  Rounded<N> x, y, z;
+struct Reached {
+  N point, point_rest;
+  N away, away_rest;
 };
 
 template <class N>
-Rounded<N> remainder(const Rounded<N>& to_centre, N s, N direction) {
-  const Rounded<N> product = two_product(s, direction);
-  const Rounded<N> rest = two_difference(to_centre.x, product.x);
-  return {rest.x, rest.error + (to_centre.error - product.error)};
+HWY_INLINE Reached<N> reached(N origin, N s0, N direction, N centre) {
+  const Rounded<N> product = two_product(s0, direction);
+  const Rounded<N> point = two_sum(origin, product.x);
+  const N rest = point.error + product.error;
+  const Rounded<N> away = two_difference(centre, point.x);
+  return {point.x, rest, away.x, away.error - rest};
 }
 
-/// |at|^2 - r^2
+/// What the sphere alone decides.
 template <class N>
-N residual(const Remainder<N>& at, N radius) {
-  const N scale = N(2) * (radius * radius);
-  const Rounded<N> xx = coarse_square(at.x.x, scale);
-  const Rounded<N> yy = coarse_square(at.y.x, scale);
-  const Rounded<N> zz = coarse_square(at.z.x, scale);
-  const Rounded<N> rr = coarse_square(radius, scale);
-  return (((xx.x + yy.x) + zz.x) - rr.x) +
-         (((xx.error + yy.error) + (zz.error - rr.error)) +
-          N(2) * (at.x.x * at.x.error + at.y.x * at.y.error + at.z.x * at.z.error));
-}
-
-template <class N>
-struct Robust {
-  using Number = N;
-
-  static ChosenOf<N> answer(const Triple<N>& origin, const Triple<N>& direction,
-                            const Triple<N>& centre, N radius, scene::Root root,
-                            scene::Tangent tangent) {
-    const Rounded<N> x = two_difference(centre.x, origin.x);
-    const Rounded<N> y = two_difference(centre.y, origin.y);
-    const Rounded<N> z = two_difference(centre.z, origin.z);
-    const Triple<N> T = {x.x, y.x, z.x};
-    const N a = dot(direction, direction);
-    const N b = dot(T, direction);
-    const N distance_sq = dot(T, T);
-    const N radius_sq = radius * radius;
-    const N size = distance_sq + radius_sq;
-    const N c = distance_sq - radius_sq;
-    const Triple<N> moment = cross(T, direction);
-    const N discriminant = a * radius_sq - dot(moment, moment);
-    const auto in_range =
-        (smaller(size, a) > N(kLeastSquare)) & (larger(size, a) < N(kLargestSquare));
-    const N doubt = a * (N(kDiscriminantShare) * radius_sq + N(kFarShare) * distance_sq);
-    const auto certain =
-        in_range & (absolute(discriminant) > doubt) & (absolute(c) > N(kSurfaceShare) * size);
-    const auto outside = c > N(0);
-    const auto forward = b >= N(0);
-    const auto ahead = root == scene::Root::kNearest ? (!outside) | forward : outside & forward;
-    const MaskOf<N> hit = certain & (discriminant > N(0)) & ahead;
-    ChosenOf<N> chosen = {hit, N(0), {N(0), N(0), N(0)}};
-    if (any(hit)) {
-      const N half_slope = square_root(discriminant);  // of |T - s d|^2 at the root, but for sign
-      const N q = absolute(b) + half_slope;
-      const auto through_c = outside | !forward;
-      const N s0 = select(through_c, absolute(c), q) / select(through_c, q, a);
-      const Remainder<N> at = {remainder(x, s0, direction.x), remainder(y, s0, direction.y),
-                               remainder(z, s0, direction.z)};
-      const N correction = residual(at, radius) / (select(outside, N(-2), N(2)) * half_slope);
-      chosen.parameter = s0 - correction;
-      chosen.point = {coordinate(centre.x, at.x, correction * direction.x),
-                      coordinate(centre.y, at.y, correction * direction.y),
-                      coordinate(centre.z, at.z, correction * direction.z)};
-    }
-    if (any(!certain)) [[unlikely]] {
-      answer_others(certain, origin, direction, centre, radius, root, tangent, chosen);
-    }
-    return chosen;
+struct Ball {
+  HWY_INLINE Ball(const Triple<N>& its_centre, N radius)
+      : centre(its_centre),
+        square(radius * radius),
+        doubt(N(kDiscriminantShare) * square),
+        scale(N(2) * square),
+        coarse(coarse_square(radius, scale)) {
+    // Compared with NaN, nothing is certain.
+    const N known = select(square < N(kLargestSquare), square, N(std::nan("")));
+    inside = known * N(1 - kSurfaceShare);
+    outside = known * N(1 + kSurfaceShare);
+    const N reach = absolute(centre.x) + absolute(centre.y) + absolute(centre.z) + radius;
+    least_area = N(kReachShare) * (reach * reach);
   }
 
- private:
-  static N coordinate(N from, const Rounded<N>& rest, N shift) {
-    const Rounded<N> point = two_difference(from, rest.x);
-    return point.x + (point.error - (rest.error + shift));
-  }
-
-  /// Answers what the first step leaves open, one by one.
-  static HWY_NOINLINE void answer_others(MaskOf<N> certain, const Triple<N>& origin,
-                                         const Triple<N>& direction, const Triple<N>& centre,
-                                         N radius, scene::Root root, scene::Tangent tangent,
-                                         ChosenOf<N>& chosen) {
-    constexpr std::size_t kCount = kLaneCount<N>;
-    N number[] = {origin.x,
-                  origin.y,
-                  origin.z,
-                  direction.x,
-                  direction.y,
-                  direction.z,
-                  select(certain, N(1), N(0)),
-                  select(chosen.hit, N(1), N(0)),
-                  chosen.parameter,
-                  chosen.point.x,
-                  chosen.point.y,
-                  chosen.point.z};
-    double of[std::size(number)][kCount];
-    double sphere[4][kCount];
-    for (std::size_t k = 0; k < std::size(number); ++k) store(number[k], of[k]);
-    store(centre.x, sphere[0]);
-    store(centre.y, sphere[1]);
-    store(centre.z, sphere[2]);
-    store(radius, sphere[3]);
-    for (std::size_t k = 0; k < kCount; ++k) {
-      if (of[6][k] != 0) continue;
-      const Chosen answer = answer_carefully(
-          {{of[0][k], of[1][k], of[2][k]}, {of[3][k], of[4][k], of[5][k]}},
-          {{sphere[0][k], sphere[1][k], sphere[2][k]}, sphere[3][k]}, root, tangent);
-      of[7][k] = answer.hit ? 1 : 0;
-      of[8][k] = answer.at.parameter;
-      of[9][k] = answer.at.point.x;
-      of[10][k] = answer.at.point.y;
-      of[11][k] = answer.at.point.z;
-    }
-    for (std::size_t k = 0; k < std::size(number); ++k) load(of[k], number[k]);
-    chosen = {number[7] > N(0), number[8], {number[9], number[10], number[11]}};
-  }
+  Triple<N> centre;
+  N square;
+  N doubt, scale;
+  Rounded<N> coarse;  ///< The square, in units of ulp(scale).
+  N least_area;
+  N inside, outside;  ///< f^2 below and above these is that of an origin inside, and outside.
 };
+
+/// The class where it is certain, and the first root.
+template <class N>
+struct Guess {
+  MaskOf<N> hit;
+  MaskOf<N> settled;  ///< A hit or a miss.
+  N s0;
+  N slope;  ///< Of |T - s d|^2 at the root.
+};
+
+template <class N>
+Guess<N> guess(const Triple<N>& origin, const Triple<N>& direction, const Ball<N>& ball,
+               scene::Root root) {
+  const Triple<N> T = ball.centre - origin;
+  const N a = dot(direction, direction);
+  const N b = dot(T, direction);
+  const N distance_sq = dot(T, T);
+  const N c = distance_sq - ball.square;
+  const Triple<N> moment = cross(T, direction);
+  const N discriminant = a * ball.square - dot(moment, moment);
+  const N doubt = larger(a * (ball.doubt + N(kFarShare) * distance_sq), N(kLeastDiscriminant));
+  const auto outside = distance_sq > ball.outside;
+  const auto behind = b < N(0);
+  const MaskOf<N> certain = (absolute(discriminant) > doubt) &
+                            (a + distance_sq < N(kLargestSquare)) &
+                            (outside | (distance_sq < ball.inside));
+  const MaskOf<N> no_root = root == scene::Root::kNearest ? outside & behind : (!outside) | behind;
+  const MaskOf<N> meets = certain & (discriminant > N(0)) & !no_root;
+  if (!any(meets)) return {meets, certain, N(0), N(0)};
+  const N half_slope = square_root(discriminant);
+  const N q = absolute(b) + half_slope;
+  const MaskOf<N> through_c = outside | behind;
+  const N s0 = select(through_c, absolute(c), q) / select(through_c, q, a);
+  const MaskOf<N> hit = meets & (half_slope * s0 > ball.least_area);
+  const MaskOf<N> settled = certain ^ meets ^ hit;
+  return {hit, settled, s0, select(outside, N(-2), N(2)) * half_slope};
+}
+
+/// Newton's step from s0, and the point there.
+template <class N>
+ChosenOf<N> correct(const Triple<N>& origin, const Triple<N>& direction, const Ball<N>& ball,
+                    const Guess<N>& found) {
+  const Reached<N> x = reached(origin.x, found.s0, direction.x, ball.centre.x);
+  const Reached<N> y = reached(origin.y, found.s0, direction.y, ball.centre.y);
+  const Reached<N> z = reached(origin.z, found.s0, direction.z, ball.centre.z);
+  const Rounded<N> xx = coarse_square(x.away, ball.scale);
+  const Rounded<N> yy = coarse_square(y.away, ball.scale);
+  const Rounded<N> zz = coarse_square(z.away, ball.scale);
+  const N residual =
+      (((xx.x + yy.x) + zz.x) - ball.coarse.x) +
+      (((xx.error + yy.error) + (zz.error - ball.coarse.error)) +
+       N(2) * (x.away * x.away_rest + y.away * y.away_rest +
+               z.away * z.away_rest));
+  const N correction = residual / found.slope;
+  return {
+      found.hit,
+      found.s0 - correction,
+      {x.point + (x.point_rest - correction * direction.x), y.point + (y.point_rest - correction * direction.y),
+       z.point + (z.point_rest - correction * direction.z)}};
+}
+
+bool any_hit(const std::uint8_t* codes) {
+  std::uint64_t all = 0;
+  std::memcpy(&all, codes, kLaneCount);
+  return all != 0;
+}
+
+constexpr std::size_t kBlock = 128;
+static_assert(kBlock % kLaneCount == 0 && kLaneCount <= sizeof(std::uint64_t));
+
+/// A BatchKernel for multiples of kLaneCount. In two passes over what the nearest cache holds: a
+/// vector's whole chain of operations is too long for the next to begin before its end.
+[[gnu::flatten]] HWY_NOINLINE bool answer_whole(const BatchQuestion& question,
+                                                const HitArrays& answers) {
+  const BatchQuestion asked = question;
+  const HitArrays to = answers;
+  const Ball<Lanes> ball(triple<Lanes>(asked.sphere.centre), Lanes(asked.sphere.radius));
+  for (std::size_t first = 0; first < asked.count; first += kBlock) {
+    const std::size_t last = first + kBlock < asked.count ? first + kBlock : asked.count;
+    for (std::size_t k = first; k < last; k += kLaneCount) {
+      const Guess<Lanes> found =
+          guess(load(asked.rays.origin, k), load(asked.rays.direction, k), ball, asked.root);
+      store(codes(found.hit, 1), to.hit + k);
+      if (any(!found.settled)) [[unlikely]] {
+        store(hn::Or(codes(found.hit, 1), codes(!found.settled, kOpen)), to.hit + k);
+      }
+      store(found.s0, to.parameter + k);
+      store(found.slope, to.point[0] + k);
+    }
+    for (std::size_t k = first; k < last; k += kLaneCount) {
+      if (!any_hit(to.hit + k)) continue;
+      const Lanes slope = load(to.point[0] + k);
+      const ChosenOf<Lanes> chosen =
+          correct(load(asked.rays.origin, k), load(asked.rays.direction, k), ball,
+                  {slope == slope, slope == slope, load(to.parameter + k), slope});
+      store(chosen.parameter, to.parameter + k);
+      store(chosen.point, to.point, k);
+    }
+  }
+  return true;
+}
 
 bool batch(const BatchQuestion& question, const HitArrays& answers) {
-  return answer_batch<Robust<Lanes>>(question, answers);
+  return answer_batch(answer_whole, question, answers);
 }
 
 }  // namespace
@@ -182,24 +207,56 @@ namespace {
 
 HWY_EXPORT(batch);
 
-void intersect(const Rays& rays, const scene::Sphere& sphere, scene::Root root,
-               scene::Tangent tangent, Hits& hits) {
-  intersect_by(HWY_DYNAMIC_DISPATCH(batch), rays, sphere, root, tangent, hits);
-}
-
-}  // namespace
-
 Chosen answer_carefully(const scene::Ray& ray, const scene::Sphere& sphere, scene::Root root,
                         scene::Tangent tangent) {
   if (const auto proven = answer_by_pairs(ray, sphere, root)) return *proven;
   return answer_by_integers(ray, sphere, root, tangent);
 }
 
+void intersect(const Rays& rays, const scene::Sphere& sphere, scene::Root root,
+               scene::Tangent tangent, Hits& hits) {
+  intersect_by(HWY_DYNAMIC_DISPATCH(batch), rays, sphere, root, tangent, hits);
+  std::uint8_t* const first = hits.hit.data();
+  std::uint8_t* const last = first + hits.size();
+  for (std::uint8_t* open = first; open != last; ++open) {
+    // Not std::find, which asks byte by byte.
+    open =
+        static_cast<std::uint8_t*>(std::memchr(open, kOpen, static_cast<std::size_t>(last - open)));
+    if (open == nullptr) return;
+    const auto k = static_cast<std::size_t>(open - first);
+    const scene::Ray ray = ray_at(rays, k);
+    if (!scene::problems(ray).empty()) require_valid(rays, sphere);
+    const Chosen chosen = answer_carefully(ray, sphere, root, tangent);
+    *open = chosen.hit;
+    hits.parameter[k] = chosen.at.parameter;
+    hits.point.x[k] = chosen.at.point.x;
+    hits.point.y[k] = chosen.at.point.y;
+    hits.point.z[k] = chosen.at.point.z;
+  }
+}
+
+[[gnu::flatten]] std::optional<Hit> intersect_one(const scene::Ray& ray,
+                                                  const scene::Sphere& sphere, scene::Root root,
+                                                  scene::Tangent tangent) {
+  using HWY_NAMESPACE::triple;
+  const auto origin = triple<double>(ray.origin);
+  const auto direction = triple<double>(ray.direction);
+  const auto centre = triple<double>(sphere.centre);
+  const HWY_NAMESPACE::Ball<double> ball(centre, sphere.radius);
+  const auto found = HWY_NAMESPACE::guess(origin, direction, ball, root);
+  if (found.hit) return plain(HWY_NAMESPACE::correct(origin, direction, ball, found)).at;
+  if (found.settled) return std::nullopt;
+  const Chosen chosen = answer_carefully(ray, sphere, root, tangent);
+  return chosen.hit ? std::optional(chosen.at) : std::nullopt;
+}
+
+}  // namespace
+
 const IntersectMethod kRobust = {
     .name = "robust",
     .sentence = "cross corrected once in pairs of doubles where proven; else pairs, integers",
     .intersect = intersect,
-    .intersect_one = HWY_NAMESPACE::intersect_one<HWY_NAMESPACE::Robust<double>>,
+    .intersect_one = intersect_one,
     .max_ulp = kRobustMaxUlp,
     .max_point_ulp = kRobustMaxPointUlp,
     .domain = kWideDomain,

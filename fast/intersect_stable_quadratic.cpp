@@ -23,7 +23,7 @@ struct StableQuadratic {
 };
 
 bool batch(const BatchQuestion& question, const HitArrays& answers) {
-  return answer_batch<FromRoots<StableQuadratic<Lanes>>>(question, answers);
+  return answer_batch(answer_whole_vectors<FromRoots<StableQuadratic<Lanes>>>, question, answers);
 }
 
 }  // namespace

@@ -31,6 +31,7 @@ struct LaneMask {
 };
 HWY_INLINE LaneMask operator&(LaneMask a, LaneMask b) { return {hn::And(a.raw, b.raw)}; }
 HWY_INLINE LaneMask operator|(LaneMask a, LaneMask b) { return {hn::Or(a.raw, b.raw)}; }
+HWY_INLINE LaneMask operator^(LaneMask a, LaneMask b) { return {hn::Xor(a.raw, b.raw)}; }
 HWY_INLINE LaneMask operator!(LaneMask a) { return {hn::Not(a.raw)}; }
 HWY_INLINE bool any(LaneMask a) { return !hn::AllFalse(DoubleTag(), a.raw); }
 HWY_INLINE bool any(bool a) { return a; }
@@ -81,25 +82,21 @@ HWY_INLINE Lanes select(LaneMask condition, Lanes yes, Lanes no) {
   return Lanes(hn::IfThenElse(condition.raw, yes.raw, no.raw));
 }
 
-/// Some of the numbers side by side, one by one; rarely.
-template <class N>
-inline constexpr std::size_t kLaneCount = 1;
-template <>
-inline constexpr std::size_t kLaneCount<Lanes> = hn::MaxLanes(DoubleTag());
+inline constexpr std::size_t kLaneCount = hn::MaxLanes(DoubleTag());
 
 HWY_INLINE Lanes load(const double* from) { return Lanes(hn::LoadU(DoubleTag(), from)); }
 HWY_INLINE void store(Lanes x, double* to) { hn::StoreU(x.raw, DoubleTag(), to); }
-HWY_INLINE void store(double x, double* to) { *to = x; }
-/// 1 where the mask holds, else 0.
-HWY_INLINE void store(LaneMask mask, std::uint8_t* to) {
-  const hn::Rebind<std::uint64_t, DoubleTag> wide;
-  const hn::Rebind<std::uint8_t, DoubleTag> narrow;
-  const auto ones = hn::IfThenElseZero(hn::RebindMask(wide, mask.raw), hn::Set(wide, 1));
-  hn::StoreU(hn::TruncateTo(narrow, ones), narrow, to);
-}
+using LaneCodes = hn::Vec<hn::Rebind<std::uint64_t, DoubleTag>>;
 
-HWY_INLINE void load(const double* from, Lanes& x) { x = load(from); }
-HWY_INLINE void load(const double* from, double& x) { x = *from; }
+/// The code where the mask holds, else 0.
+HWY_INLINE LaneCodes codes(LaneMask mask, std::uint8_t code) {
+  const hn::Rebind<std::uint64_t, DoubleTag> tag;
+  return hn::IfThenElseZero(hn::RebindMask(tag, mask.raw), hn::Set(tag, code));
+}
+HWY_INLINE void store(LaneCodes from, std::uint8_t* to) {
+  const hn::Rebind<std::uint8_t, DoubleTag> tag;
+  hn::StoreU(hn::TruncateTo(tag, from), tag, to);
+}
 
 }  // namespace raycheck::fast::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();

@@ -27,10 +27,6 @@ std::optional<Chosen> answer_by_pairs(const scene::Ray& ray, const scene::Sphere
 Chosen answer_by_integers(const scene::Ray& ray, const scene::Sphere& sphere, scene::Root root,
                           scene::Tangent tangent);
 
-/// The answer in pairs, or else in integers.
-Chosen answer_carefully(const scene::Ray& ray, const scene::Sphere& sphere, scene::Root root,
-                        scene::Tangent tangent);
-
 }  // namespace raycheck::fast
 
 #endif  // RAYCHECK_FAST_ROBUST_H_

@@ -9,7 +9,8 @@ namespace raycheck::scene {
 
 /// All reals from low to high; infinite where nothing is known.
 /// Error:  the result of an operation holds what the operation gives for all reals in its operands;
-///         it is at most two ulps an end wider than it need be.
+///         where that is neither tiny nor past the largest double, each end is at most
+///         kBoundsMaxUlp ulp farther out than it need be.
 /// Domain: doubles that round to nearest; low <= high, neither NaN.
 struct Bounds {
   double low = 0;
@@ -26,6 +27,7 @@ struct Bounds {
 // too coarse, half of those (sums never need the latter). Beyond the largest double, anywhere.
 inline constexpr double kBoundsWiden = 0x1p-52;
 inline constexpr double kBoundsTiny = 0x1p-960;
+inline constexpr int kBoundsMaxUlp = 3;
 
 inline double bound_below(double x) {
   constexpr double kMost = std::numeric_limits<double>::max();

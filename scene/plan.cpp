@@ -217,7 +217,9 @@ Scaling scaling_of(const Scene& scene, bool only_if_needed) {
 
 ScenePlan plan_scene(const Scene& scene, const Conventions& conventions, Wanted wanted,
                      const PlanItems& items) {
-  require_valid(scene);
+  Scene under_conventions = scene;
+  under_conventions.conventions = conventions;
+  require_valid(under_conventions);
   if (!scene.camera) {
     throw std::invalid_argument("camera: absent; a scene of given rays has no plan");
   }
