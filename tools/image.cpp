@@ -185,7 +185,11 @@ ImageReport report_on(const ImageOptions& options, const scene::LoadedScene& loa
 
 ImageReport make_image(const ImageOptions& options, PictureFile& file) {
   const auto start = std::chrono::steady_clock::now();
-  const scene::LoadedScene loaded = scene::load_scene(options.path, options.dialect);
+  scene::LoadedScene loaded = scene::load_scene(options.path, options.dialect);
+  if (options.size && loaded.scene.camera) {
+    loaded.scene.camera->width = options.size->i;
+    loaded.scene.camera->height = options.size->j;
+  }
   const scene::Scene& scene = loaded.scene;
   ImageReport report = report_on(options, loaded, file);
   file.start(report.width, report.height);
