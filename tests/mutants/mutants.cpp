@@ -13,8 +13,9 @@ properties::Candidate unmutated() {
 
 std::vector<Mutant> all_mutants() {
   std::vector<Mutant> all = camera_mutants();
-  std::vector<Mutant> more = intersect_mutants();
-  std::move(more.begin(), more.end(), std::back_inserter(all));
+  for (std::vector<Mutant> more : {intersect_mutants(), plan_mutants()}) {
+    std::move(more.begin(), more.end(), std::back_inserter(all));
+  }
   return all;
 }
 

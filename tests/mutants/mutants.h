@@ -8,7 +8,8 @@
 
 namespace raycheck::mutants {
 
-/// The candidate `direct/cross` with one classic mistake.
+/// The candidate `direct/cross`, or `certified` where it is about what that alone promises, with
+/// one classic mistake.
 struct Mutant {
   std::string_view sentence;
   /// The laws that must catch it.
@@ -25,6 +26,7 @@ std::vector<Mutant> all_mutants();
 // The same by stage, each in the file of its name.
 std::vector<Mutant> camera_mutants();
 std::vector<Mutant> intersect_mutants();
+std::vector<Mutant> plan_mutants();
 
 }  // namespace raycheck::mutants
 

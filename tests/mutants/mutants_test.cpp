@@ -14,7 +14,7 @@ namespace {
 
 using namespace properties;
 
-constexpr int kCases = 400;
+constexpr int kCases = 500;
 
 CampaignOptions options() {
   CampaignOptions result;
@@ -54,6 +54,8 @@ TEST_P(EachMutant, IsCaughtByTheLawsItNames) {
     const Failure& failure = *result.failure;
     EXPECT_TRUE(scene::problems(failure.shrunk.scene).empty());
     EXPECT_TRUE(breaks(*law, failure.shrunk, mutant.candidate));
+    // By a wrong answer, not by a throw.
+    EXPECT_NE(failure.verdict.worst(1).front().wrong, Wrong::kRefused);
 
     const Replay replay = parse_replay(failure.replay);
     EXPECT_EQ(replay.law, law);
