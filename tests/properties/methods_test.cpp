@@ -36,7 +36,9 @@ const std::map<std::string_view, std::uint64_t> kLeastCompared = {
     {"nearest-root", 510}, {"backward-error", 510},  {"parameter", 510},
     {"hit-point", 1500},   {"focal-and-pixel", 970}, {"nearest-sphere", 560},
     {"scaling", 13000},    {"axes", 10500},          {"look-at", 2900},
-    {"up", 1300},          {"growing-radius", 1300}, {"refusal", 16000}};
+    {"up", 1300},          {"growing-radius", 1300}, {"refusal", 16000},
+    {"visible-sphere", 100}, {"plan-left-out", 100}, {"plan-rectangles", 100},
+    {"plan-roots", 100}};
 
 CampaignResult campaign(std::string_view law, const Candidate& candidate,
                         std::string_view source = {}, int cases = kCases) {
