@@ -36,7 +36,9 @@ const std::map<std::string_view, std::uint64_t> kLeastCompared = {
     {"nearest-root", 510}, {"backward-error", 510},  {"parameter", 510},
     {"hit-point", 1500},   {"focal-and-pixel", 970}, {"nearest-sphere", 560},
     {"scaling", 13000},    {"axes", 10500},          {"look-at", 2900},
-    {"up", 1300},          {"growing-radius", 1300}, {"refusal", 16000}};
+    {"up", 1300},          {"growing-radius", 1300}, {"refusal", 16000},
+    {"visible-sphere", 1}, {"plan-left-out", 1},     {"plan-rectangles", 1},
+    {"plan-roots", 1}};
 
 CampaignResult campaign(std::string_view law, const Candidate& candidate,
                         std::string_view source = {}, int cases = kCases) {
