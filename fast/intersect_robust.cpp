@@ -49,35 +49,22 @@ constexpr double kLargestSquare = 0x1p400;
 constexpr double kDiscriminantShare = 0x1p-10;
 constexpr double kFarShare = 0x1p-40;
 constexpr double kSurfaceShare = 0x1p-28;
+constexpr double kReachShare = 0x1p-44;
 
+/// A coordinate of L + s0 d, and of C less that, as unevaluated sums.
 template <class N>
-struct Remainder {  ///< T - s0 d
-  Rounded<N> x, y, z;
+struct Reached {
+  N point, point_rest;
+  N away, away_rest;
 };
 
 template <class N>
-Rounded<N> remainder(const Rounded<N>& to_centre, N s, N direction) {
-  const Rounded<N> product = two_product(s, direction);
-  const Rounded<N> rest = two_difference(to_centre.x, product.x);
-  return {rest.x, rest.error + (to_centre.error - product.error)};
-}
-
-/// |at|^2 - r^2
-template <class N>
-N residual(const Remainder<N>& at, N scale, const Rounded<N>& radius_sq) {
-  const Rounded<N> xx = coarse_square(at.x.x, scale);
-  const Rounded<N> yy = coarse_square(at.y.x, scale);
-  const Rounded<N> zz = coarse_square(at.z.x, scale);
-  return (((xx.x + yy.x) + zz.x) - radius_sq.x) +
-         (((xx.error + yy.error) + (zz.error - radius_sq.error)) +
-          N(2) * (at.x.x * at.x.error + at.y.x * at.y.error + at.z.x * at.z.error));
-}
-
-/// A coordinate of Q = C - (T - s d), s = s0 - correction.
-template <class N>
-N coordinate(N centre, const Rounded<N>& rest, N correction, N direction) {
-  const Rounded<N> point = two_difference(centre, rest.x);
-  return point.x + (point.error - (rest.error + correction * direction));
+HWY_INLINE Reached<N> reached(N origin, N s0, N direction, N centre) {
+  const Rounded<N> product = two_product(s0, direction);
+  const Rounded<N> point = two_sum(origin, product.x);
+  const N rest = point.error + product.error;
+  const Rounded<N> away = two_difference(centre, point.x);
+  return {point.x, rest, away.x, away.error - rest};
 }
 
 /// What the sphere alone decides.
@@ -93,12 +80,15 @@ struct Ball {
     const N known = select(square < N(kLargestSquare), square, N(std::nan("")));
     inside = known * N(1 - kSurfaceShare);
     outside = known * N(1 + kSurfaceShare);
+    const N reach = absolute(centre.x) + absolute(centre.y) + absolute(centre.z) + radius;
+    least_area = N(kReachShare) * (reach * reach);
   }
 
   Triple<N> centre;
   N square;
   N doubt, scale;
   Rounded<N> coarse;  ///< The square, in units of ulp(scale).
+  N least_area;
   N inside, outside;  ///< f^2 below and above these is that of an origin inside, and outside.
 };
 
@@ -106,7 +96,7 @@ struct Ball {
 template <class N>
 struct Guess {
   MaskOf<N> hit;
-  MaskOf<N> certain;
+  MaskOf<N> settled;  ///< A hit or a miss.
   N s0;
   N slope;  ///< Of |T - s d|^2 at the root.
 };
@@ -128,29 +118,38 @@ Guess<N> guess(const Triple<N>& origin, const Triple<N>& direction, const Ball<N
                             (a + distance_sq < N(kLargestSquare)) &
                             (outside | (distance_sq < ball.inside));
   const MaskOf<N> no_root = root == scene::Root::kNearest ? outside & behind : (!outside) | behind;
-  const MaskOf<N> hit = certain & (discriminant > N(0)) & !no_root;
-  if (!any(hit)) return {hit, certain, N(0), N(0)};
+  const MaskOf<N> meets = certain & (discriminant > N(0)) & !no_root;
+  if (!any(meets)) return {meets, certain, N(0), N(0)};
   const N half_slope = square_root(discriminant);
   const N q = absolute(b) + half_slope;
   const MaskOf<N> through_c = outside | behind;
   const N s0 = select(through_c, absolute(c), q) / select(through_c, q, a);
-  return {hit, certain, s0, select(outside, N(-2), N(2)) * half_slope};
+  const MaskOf<N> hit = meets & (half_slope * s0 > ball.least_area);
+  const MaskOf<N> settled = certain ^ meets ^ hit;
+  return {hit, settled, s0, select(outside, N(-2), N(2)) * half_slope};
 }
 
 /// Newton's step from s0, and the point there.
 template <class N>
 ChosenOf<N> correct(const Triple<N>& origin, const Triple<N>& direction, const Ball<N>& ball,
                     const Guess<N>& found) {
-  const Triple<N>& centre = ball.centre;
-  const Remainder<N> at = {remainder(two_difference(centre.x, origin.x), found.s0, direction.x),
-                           remainder(two_difference(centre.y, origin.y), found.s0, direction.y),
-                           remainder(two_difference(centre.z, origin.z), found.s0, direction.z)};
-  const N correction = residual(at, ball.scale, ball.coarse) / found.slope;
-  return {found.hit,
-          found.s0 - correction,
-          {coordinate(centre.x, at.x, correction, direction.x),
-           coordinate(centre.y, at.y, correction, direction.y),
-           coordinate(centre.z, at.z, correction, direction.z)}};
+  const Reached<N> x = reached(origin.x, found.s0, direction.x, ball.centre.x);
+  const Reached<N> y = reached(origin.y, found.s0, direction.y, ball.centre.y);
+  const Reached<N> z = reached(origin.z, found.s0, direction.z, ball.centre.z);
+  const Rounded<N> xx = coarse_square(x.away, ball.scale);
+  const Rounded<N> yy = coarse_square(y.away, ball.scale);
+  const Rounded<N> zz = coarse_square(z.away, ball.scale);
+  const N residual =
+      (((xx.x + yy.x) + zz.x) - ball.coarse.x) +
+      (((xx.error + yy.error) + (zz.error - ball.coarse.error)) +
+       N(2) * (x.away * x.away_rest + y.away * y.away_rest +
+               z.away * z.away_rest));
+  const N correction = residual / found.slope;
+  return {
+      found.hit,
+      found.s0 - correction,
+      {x.point + (x.point_rest - correction * direction.x), y.point + (y.point_rest - correction * direction.y),
+       z.point + (z.point_rest - correction * direction.z)}};
 }
 
 bool any_hit(const std::uint8_t* codes) {
@@ -175,8 +174,8 @@ static_assert(kBlock % kLaneCount == 0 && kLaneCount <= sizeof(std::uint64_t));
       const Guess<Lanes> found =
           guess(load(asked.rays.origin, k), load(asked.rays.direction, k), ball, asked.root);
       store(codes(found.hit, 1), to.hit + k);
-      if (any(!found.certain)) [[unlikely]] {
-        store(hn::Or(codes(found.hit, 1), codes(!found.certain, kOpen)), to.hit + k);
+      if (any(!found.settled)) [[unlikely]] {
+        store(hn::Or(codes(found.hit, 1), codes(!found.settled, kOpen)), to.hit + k);
       }
       store(found.s0, to.parameter + k);
       store(found.slope, to.point[0] + k);
@@ -246,7 +245,7 @@ void intersect(const Rays& rays, const scene::Sphere& sphere, scene::Root root,
   const HWY_NAMESPACE::Ball<double> ball(centre, sphere.radius);
   const auto found = HWY_NAMESPACE::guess(origin, direction, ball, root);
   if (found.hit) return plain(HWY_NAMESPACE::correct(origin, direction, ball, found)).at;
-  if (found.certain) return std::nullopt;
+  if (found.settled) return std::nullopt;
   const Chosen chosen = answer_carefully(ray, sphere, root, tangent);
   return chosen.hit ? std::optional(chosen.at) : std::nullopt;
 }

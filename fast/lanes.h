@@ -31,6 +31,7 @@ struct LaneMask {
 };
 HWY_INLINE LaneMask operator&(LaneMask a, LaneMask b) { return {hn::And(a.raw, b.raw)}; }
 HWY_INLINE LaneMask operator|(LaneMask a, LaneMask b) { return {hn::Or(a.raw, b.raw)}; }
+HWY_INLINE LaneMask operator^(LaneMask a, LaneMask b) { return {hn::Xor(a.raw, b.raw)}; }
 HWY_INLINE LaneMask operator!(LaneMask a) { return {hn::Not(a.raw)}; }
 HWY_INLINE bool any(LaneMask a) { return !hn::AllFalse(DoubleTag(), a.raw); }
 HWY_INLINE bool any(bool a) { return a; }

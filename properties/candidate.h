@@ -28,6 +28,15 @@ struct HitAnswer {
   scene::Point3 point;   ///< Q
 };
 
+/// A hit of one ray of several, by its index.
+struct RayHit {
+  std::size_t ray = 0;
+  HitAnswer hit;
+};
+
+/// The hits of several rays with one sphere, in the order of the rays; a ray without one misses it.
+using SphereHits = std::vector<RayHit>;
+
 /// What a candidate sees through a pixel.
 struct SeenAnswer {
   std::size_t sphere = 0;
@@ -47,9 +56,10 @@ struct DeclaredConventions {
 };
 
 /// An implementation under judgement: what it can be asked (an empty function: it has no such
-/// thing), under which conventions, and what it promises. A function may be asked from one thread
-/// at a time. Functions refuse input that is not a problem with std::invalid_argument. Answers come
-/// in the order of the questions; an absent hit is a miss.
+/// thing), under which conventions, and what it promises. A candidate is asked from one thread at a
+/// time: where several judge, each has a candidate of its own. Functions refuse input that is not a
+/// problem with std::invalid_argument. Answers come in the order of the questions; an absent hit is
+/// a miss.
 struct Candidate {
   using Pixels = std::span<const scene::Pixel>;
   using Rays = std::span<const scene::Ray>;
@@ -66,9 +76,8 @@ struct Candidate {
   /// From E along the unit direction D.
   std::function<std::vector<scene::Ray>(const scene::Camera&, const scene::Conventions&, Pixels)>
       focal_rays;
-  std::function<std::vector<std::optional<HitAnswer>>(Rays, const scene::Sphere&,
-                                                      const scene::Conventions&)>
-      intersect;
+  /// Every ray with every sphere: one list of hits a sphere.
+  std::function<std::vector<SphereHits>(Rays, Spheres, const scene::Conventions&)> intersect;
   std::function<std::vector<std::optional<std::size_t>>(Rays, Spheres, const scene::Conventions&)>
       nearest;
   /// What it leaves out of a scene with a camera.

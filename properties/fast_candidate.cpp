@@ -1,6 +1,8 @@
 #include "properties/fast_candidate.h"
 
 #include <algorithm>
+#include <cstdint>
+#include <cstring>
 #include <string>
 
 #include "fast/camera_frame.h"
@@ -24,8 +26,24 @@ fast::Rays batch_of(Candidate::Rays rays) {
 }
 
 template <class Triple>
-Triple at(const fast::Vectors& vectors, std::size_t k) {
+Triple triple_at(const fast::Vectors& vectors, std::size_t k) {
   return {vectors.x[k], vectors.y[k], vectors.z[k]};
+}
+
+/// Misses are passed over many at a time.
+SphereHits list_of(const fast::Hits& hits) {
+  SphereHits list;
+  const std::uint8_t* const begin = hits.hit.data();
+  const std::uint8_t* const end = begin + hits.size();
+  const auto next_from = [end](const std::uint8_t* from) {
+    const void* found = from == end ? nullptr : std::memchr(from, 1, std::size_t(end - from));
+    return static_cast<const std::uint8_t*>(found);
+  };
+  for (const std::uint8_t* at = next_from(begin); at != nullptr; at = next_from(at + 1)) {
+    const auto k = static_cast<std::size_t>(at - begin);
+    list.push_back({k, {hits.parameter[k], triple_at<scene::Point3>(hits.point, k)}});
+  }
+  return list;
 }
 
 auto make_rays(fast::PixelRayMethod::MakeRays make) {
@@ -35,7 +53,8 @@ auto make_rays(fast::PixelRayMethod::MakeRays make) {
     make(camera, conventions, pixels, batch);
     std::vector<scene::Ray> rays(pixels.size());
     for (std::size_t k = 0; k < rays.size(); ++k) {
-      rays[k] = {at<scene::Point3>(batch.origin, k), at<scene::Vector3>(batch.direction, k)};
+      rays[k] = {triple_at<scene::Point3>(batch.origin, k),
+                 triple_at<scene::Vector3>(batch.direction, k)};
     }
     return rays;
   };
@@ -88,7 +107,8 @@ Candidate fast_candidate(const fast::PixelRayMethod& rays, const fast::Intersect
       fast::Vectors batch;
       make(camera, conventions, pixels, batch);
       std::vector<scene::Point3> points(pixels.size());
-      for (std::size_t k = 0; k < points.size(); ++k) points[k] = at<scene::Point3>(batch, k);
+      for (std::size_t k = 0; k < points.size(); ++k)
+        points[k] = triple_at<scene::Point3>(batch, k);
       return points;
     };
   }
@@ -98,13 +118,14 @@ Candidate fast_candidate(const fast::PixelRayMethod& rays, const fast::Intersect
     candidate.declared.origin = scene::Origin::kFocal;
   }
   candidate.focal_rays = make_rays(rays.focal_rays);
-  candidate.intersect = [&intersect](Candidate::Rays given, const scene::Sphere& sphere,
+  candidate.intersect = [&intersect](Candidate::Rays given, Candidate::Spheres spheres,
                                      const scene::Conventions& conventions) {
+    const fast::Rays batch = batch_of(given);
     fast::Hits hits;
-    intersect.intersect(batch_of(given), sphere, conventions.root, conventions.tangent, hits);
-    std::vector<std::optional<HitAnswer>> answers(given.size());
-    for (std::size_t k = 0; k < answers.size(); ++k) {
-      if (hits.hit[k]) answers[k] = HitAnswer{hits.parameter[k], at<scene::Point3>(hits.point, k)};
+    std::vector<SphereHits> answers(spheres.size());
+    for (std::size_t k = 0; k < spheres.size(); ++k) {
+      intersect.intersect(batch, spheres[k], conventions.root, conventions.tangent, hits);
+      answers[k] = list_of(hits);
     }
     return answers;
   };

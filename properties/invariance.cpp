@@ -34,21 +34,23 @@ void compare_hits(Trial& trial, Trial& transformed, Verdict& verdict, const Law&
     const auto& others = transformed.hits(sphere);
     for (std::size_t k = 0; k < trial.ray_count(); ++k) {
       const Place place = trial.place(k, sphere);
+      const HitAnswer* const hit = find_hit(hits, k);
+      const HitAnswer* const other = find_hit(others, k);
       const auto describe = [&](Discrepancy& d) {
         d.what = what;
-        if (others[k]) d.got = {others[k]->parameter};
-        if (hits[k]) d.exact = {hits[k]->parameter * factor};
+        if (other != nullptr) d.got = {other->parameter};
+        if (hit != nullptr) d.exact = {hit->parameter * factor};
       };
       const scene::Sphere& the_sphere = trial.scene().spheres[sphere];
-      const Wrong wrong = hits[k].has_value() == others[k].has_value() ? Wrong::kNot
-                          : hits[k]                                    ? Wrong::kMissed
-                                                                       : Wrong::kFalseHit;
+      const Wrong wrong = (hit == nullptr) == (other == nullptr) ? Wrong::kNot
+                          : hit != nullptr                       ? Wrong::kMissed
+                                                                 : Wrong::kFalseHit;
       const auto may_flip = [&] {
         return trial.exact_ray(k).may_flip_within(the_sphere, trial.conventions().root,
                                                   trial.excused_change());
       };
       trial.judge(verdict, law.name, Quantity::kClass, place, wrong, may_flip, describe);
-      if (!hits[k] || !others[k]) continue;
+      if (hit == nullptr || other == nullptr) continue;
       const auto condition = [&] {
         // Where roundings may flip the class, they may also exchange a double root's two halves.
         if (may_flip() || !trial.exact_hit(k, sphere)) {
@@ -57,10 +59,9 @@ void compare_hits(Trial& trial, Trial& transformed, Verdict& verdict, const Law&
         return reference::condition_of_parameter(trial.exact_ray(k), the_sphere,
                                                  trial.exact_intersection(k, sphere));
       };
-      trial.measure(
-          verdict, law.name, Quantity::kInvariance, place,
-          reference::ulp_error(others[k]->parameter, Enclosure(hits[k]->parameter * factor, 128)),
-          2 * trial.bound(Quantity::kParameter), condition, describe);
+      trial.measure(verdict, law.name, Quantity::kInvariance, place,
+                    reference::ulp_error(other->parameter, Enclosure(hit->parameter * factor, 128)),
+                    2 * trial.bound(Quantity::kParameter), condition, describe);
     }
   }
 }
@@ -298,21 +299,20 @@ Verdict judge_growing_radius(Trial& trial) {
     for (const double radius : {std::nextafter(the_sphere.radius, HUGE_VAL),
                                 1.5 * the_sphere.radius, 4 * the_sphere.radius}) {
       if (!(radius > the_sphere.radius) || !std::isfinite(radius)) continue;
-      const auto grown = trial.intersect(trial.rays(), scene::Sphere{the_sphere.centre, radius},
+      const auto grown = trial.intersect(trial.rays(), {scene::Sphere{the_sphere.centre, radius}},
                                          trial.conventions());
-      for (std::size_t k = 0; k < trial.ray_count(); ++k) {
-        const auto& hit = trial.hits(sphere)[k];
-        if (!hit) continue;
+      for (const RayHit& before : trial.hits(sphere)) {
+        const std::size_t k = before.ray;
         trial.judge(
             verdict, kGrowingRadiusLaw.name, Quantity::kClass, trial.place(k, sphere),
-            grown.at(k) ? Wrong::kNot : Wrong::kMissed,
+            find_hit(grown.front(), k) != nullptr ? Wrong::kNot : Wrong::kMissed,
             [&] {
               return trial.exact_ray(k).may_flip_within(the_sphere, trial.conventions().root,
                                                         trial.excused_change());
             },
             [&](Discrepancy& d) {
               d.what = "after the radius grew";
-              d.exact = {hit->parameter};
+              d.exact = {before.hit.parameter};
             });
       }
     }

@@ -1,18 +1,20 @@
 #include "properties/nearest_hit_error.h"
 
 #include <algorithm>
+#include <stdexcept>
 
-#include "reference/error_measure.h"
+#include "reference/ray_error.h"
 #include "reference/visibility.h"
 
 namespace raycheck::properties {
 namespace {
 
 bool may_be_unjudged(Trial& trial, std::size_t ray) {
-  for (std::size_t sphere = 0; sphere < trial.scene().spheres.size(); ++sphere) {
-    if (trial.is_unjudged(ray, sphere)) return true;
-  }
-  return false;
+  const auto& spheres = trial.scene().spheres;
+  return std::any_of(spheres.begin(), spheres.end(), [&](const scene::Sphere& sphere) {
+    return is_unjudged(trial.exact_ray(ray).intersect(sphere, trial.conventions().root),
+                       trial.conventions().tangent);
+  });
 }
 
 bool are_equally_near(Trial& trial, std::size_t ray, std::size_t sphere) {
@@ -39,9 +41,11 @@ std::vector<NearestHitError> nearest_hit_errors(Trial& trial, std::span<const st
       error.judged = !may_be_unjudged(trial, ray);
     } else if (got) {
       const scene::Sphere& sphere = trial.scene().spheres[*got];
-      const reference::Enclosure exact =
-          trial.exact_ray(ray).parameter(sphere, trial.exact_intersection(ray, *got));
-      error.ulp = reference::ulp_error(trial.hits(*got)[ray].value().parameter, exact);
+      const HitAnswer* const hit = find_hit(trial.hits(*got), ray);
+      if (hit == nullptr) throw std::runtime_error("candidate misses the sphere it sees");
+      const reference::ExactRay& exact = trial.exact_ray(ray);
+      error.ulp = reference::parameter_error(
+          exact, sphere, exact.intersect(sphere, trial.conventions().root), hit->parameter);
     }
   }
   return errors;

@@ -20,7 +20,7 @@ constexpr int kDistanceBits = 256;
 struct Choice {
   std::size_t ray;
   Index got;
-  std::optional<NearestSphere> exact;
+  const std::optional<NearestSphere>& exact;
 };
 
 bool is_right(const Choice& choice) {
@@ -47,11 +47,17 @@ bool may_flip(Trial& trial, const Choice& choice) {
       .contains_zero();
 }
 
-bool has_unjudged(Trial& trial, std::size_t ray) {
+/// The rays that meet a sphere in a tangent that is not judged.
+std::vector<bool> with_unjudged(Trial& trial) {
+  std::vector<bool> result(trial.ray_count());
   for (std::size_t sphere = 0; sphere < trial.scene().spheres.size(); ++sphere) {
-    if (trial.is_unjudged(ray, sphere)) return true;
+    for (const Meeting& meeting : trial.exact_meetings(sphere)) {
+      if (is_unjudged(meeting.intersection, trial.conventions().tangent)) {
+        result[meeting.ray] = true;
+      }
+    }
   }
-  return false;
+  return result;
 }
 
 /// The pixels of the case, and some all over the image.
@@ -82,10 +88,11 @@ Verdict judge_nearest_sphere(Trial& trial) {
   const std::vector<scene::Sphere> reversed(trial.scene().spheres.rbegin(),
                                             trial.scene().spheres.rend());
   const auto backwards = trial.rank(trial.rays(), reversed);
+  const std::vector<bool> is_left_out = with_unjudged(trial);
   Verdict verdict;
   for (std::size_t k = 0; k < trial.ray_count(); ++k) {
-    if (has_unjudged(trial, k)) continue;
-    const auto exact = trial.exact_ray(k).nearest(trial.scene().spheres, trial.conventions());
+    if (is_left_out[k]) continue;
+    const auto& exact = trial.exact_nearest()[k];
     const Index last_first = backwards.at(k);
     const Index reversed_got = last_first ? Index(reversed.size() - 1 - *last_first) : Index();
     // One case a ray: right in both orders.
@@ -147,11 +154,12 @@ Verdict judge_visible_sphere(Trial& trial) {
   const auto answers = trial.candidate().visible(trial.scene(), trial.conventions(), wider.pixels);
   if (answers.size() != wider.pixels.size()) throw std::runtime_error("visible: answers missing");
   const bool exactly = trial.candidate().exact_visible;
+  const std::vector<bool> is_left_out = with_unjudged(seen);
   Verdict verdict;
   for (std::size_t k = 0; k < answers.size(); ++k) {
-    if (has_unjudged(seen, k)) continue;
+    if (is_left_out[k]) continue;
     const ExactRay& ray = seen.exact_ray(k);
-    const auto exact = ray.nearest(trial.scene().spheres, trial.conventions());
+    const auto& exact = seen.exact_nearest()[k];
     const Choice choice{k, answers[k] ? Index(answers[k]->sphere) : Index(), exact};
     const bool right = is_right(choice) && !(exactly && exact && exact->index != *choice.got);
     const Place place = seen.place(k, exact ? Index(exact->index) : choice.got);

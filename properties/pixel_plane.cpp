@@ -8,6 +8,7 @@
 #include "properties/law_list.h"
 #include "reference/condition.h"
 #include "reference/error_measure.h"
+#include "reference/ray_error.h"
 
 namespace raycheck::properties {
 namespace {
@@ -125,7 +126,7 @@ Verdict judge_pixel_point(Trial& trial) {
     const ExactRay& ray = trial.exact_ray(k);
     trial.measure(
         verdict, kPixelPointLaw.name, Quantity::kPixelPoint, trial.place(k),
-        reference::relative_error(points[k], ray.pixel_point()),
+        reference::pixel_point_error(ray, points[k]),
         [&] { return reference::condition_of_pixel_point(ray); },
         [&](Discrepancy& d) {
           d.got = numbers(points[k]);

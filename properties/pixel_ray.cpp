@@ -1,6 +1,7 @@
 #include "properties/law_list.h"
 #include "reference/condition.h"
 #include "reference/error_measure.h"
+#include "reference/ray_error.h"
 
 namespace raycheck::properties {
 namespace {
@@ -41,7 +42,7 @@ Verdict judge_direction(Trial& trial) {
     const scene::UnitVector3 got = direction_of(trial.rays()[k]);
     trial.measure(
         verdict, kDirectionLaw.name, Quantity::kDirection, trial.place(k),
-        reference::angle_error(got, ray.direction()),
+        reference::direction_error(ray, got),
         [&] { return reference::condition_of_direction(ray); },
         [&](Discrepancy& d) {
           d.got = numbers(got);
@@ -60,7 +61,7 @@ Verdict judge_ray_origin(Trial& trial) {
     const scene::Point3& got = trial.rays()[k].origin;
     trial.measure(
         verdict, kRayOriginLaw.name, Quantity::kRayOrigin, trial.place(k),
-        reference::relative_error(got, ray.origin()),
+        reference::origin_error(ray, got),
         [&] { return at_eye ? 1 : reference::condition_of_pixel_point(ray); },
         [&](Discrepancy& d) {
           d.got = numbers(got);

@@ -105,7 +105,7 @@ void spoil_cameras(Trial& trial, Verdict& verdict) {
 void spoil_intersections(Trial& trial, Verdict& verdict) {
   const auto ask = [&](const char* what, const scene::Ray& ray, const scene::Sphere& sphere) {
     expect_refusal(trial, verdict, what, [&] {
-      trial.candidate().intersect(std::span(&ray, 1), sphere, trial.conventions());
+      trial.candidate().intersect(std::span(&ray, 1), std::span(&sphere, 1), trial.conventions());
     });
   };
   const scene::Ray ray =

@@ -6,7 +6,6 @@
 #include <stdexcept>
 #include <utility>
 
-#include "reference/condition.h"
 #include "scene/validate.h"
 
 namespace raycheck::properties {
@@ -21,26 +20,32 @@ const Answers& require_count(const Answers& answers, std::size_t expected, const
   return answers;
 }
 
-std::size_t count_rays(const Case& the_case) {
-  return the_case.scene.camera ? the_case.pixels.size() : the_case.scene.rays.size();
-}
-
-/// `ask` about the rays that are questions at all; the others get no answer.
-template <class Answer, class Ask>
-std::vector<std::optional<Answer>> answers_to_valid(const std::vector<scene::Ray>& rays,
-                                                    const char* what, Ask ask) {
-  std::vector<scene::Ray> valid;
-  std::vector<std::size_t> indices;
-  for (std::size_t k = 0; k < rays.size(); ++k) {
-    if (!scene::problems(rays[k]).empty()) continue;
-    valid.push_back(rays[k]);
-    indices.push_back(k);
+/// The rays that are questions at all, and where they were among all.
+struct ValidRays {
+  explicit ValidRays(const std::vector<scene::Ray>& all) {
+    indices.reserve(all.size());
+    for (std::size_t k = 0; k < all.size(); ++k) {
+      if (scene::problems(all[k]).empty()) indices.push_back(k);
+    }
+    rays = all;
+    if (indices.size() == all.size()) return;
+    for (const std::size_t k : indices) copies.push_back(all[k]);
+    rays = copies;
   }
-  const std::vector<std::optional<Answer>> answers = ask(valid);
-  require_count(answers, valid.size(), what);
-  std::vector<std::optional<Answer>> result(rays.size());
-  for (std::size_t k = 0; k < valid.size(); ++k) result[indices[k]] = answers[k];
-  return result;
+  ValidRays(const ValidRays&) = delete;
+  ValidRays& operator=(const ValidRays&) = delete;
+
+  std::vector<std::size_t> indices;
+  std::vector<scene::Ray> copies;  ///< Only where not all are.
+  Candidate::Rays rays;
+};
+
+void require_in_order(const SphereHits& hits, std::size_t rays) {
+  for (std::size_t k = 0; k < hits.size(); ++k) {
+    if (hits[k].ray >= rays || (k > 0 && hits[k].ray <= hits[k - 1].ray)) {
+      throw std::runtime_error("candidate gave hits that are not in the order of the rays");
+    }
+  }
 }
 
 template <class Triple>
@@ -129,71 +134,12 @@ bool is_inside_domain(const Candidate& candidate, const scene::Scene& scene) {
           std::all_of(scene.rays.begin(), scene.rays.end(), is_outside));
 }
 
-Truth::Truth(const Case& the_case, const scene::Conventions& conventions)
-    : case_(the_case),
-      conventions_(conventions),
-      rays_(count_rays(the_case)),
-      pairs_(rays_.size() * the_case.scene.spheres.size()) {}
-
-const reference::ExactCamera& Truth::camera() {
-  if (!camera_) camera_.emplace(case_.scene.camera.value(), conventions_);
-  return *camera_;
-}
-
-const reference::ExactRay& Truth::ray(std::size_t ray) {
-  auto& kept = rays_[ray];
-  if (!kept) {
-    if (case_.scene.camera) {
-      kept.emplace(camera(), case_.pixels[ray]);
-    } else {
-      kept.emplace(case_.scene.rays[ray]);
-    }
-  }
-  return *kept;
-}
-
-Truth::Pair& Truth::pair(std::size_t ray, std::size_t sphere) {
-  return pairs_[ray * case_.scene.spheres.size() + sphere];
-}
-
-const reference::Intersection& Truth::intersection(std::size_t ray_index, std::size_t sphere) {
-  auto& kept = pair(ray_index, sphere).intersection;
-  if (!kept) kept = ray(ray_index).intersect(case_.scene.spheres[sphere], conventions_.root);
-  return *kept;
-}
-
-const reference::Enclosure& Truth::parameter(std::size_t ray_index, std::size_t sphere) {
-  auto& kept = pair(ray_index, sphere).parameter;
-  if (!kept) {
-    kept = ray(ray_index).parameter(case_.scene.spheres[sphere], intersection(ray_index, sphere));
-  }
-  return *kept;
-}
-
-double Truth::condition_of_parameter(std::size_t ray_index, std::size_t sphere) {
-  auto& kept = pair(ray_index, sphere).condition_of_parameter;
-  if (!kept) {
-    kept = reference::condition_of_parameter(ray(ray_index), case_.scene.spheres[sphere],
-                                             intersection(ray_index, sphere));
-  }
-  return *kept;
-}
-
-std::shared_ptr<Truth> SharedTruths::under(const scene::Conventions& conventions) {
-  for (const auto& truth : truths_) {
-    if (truth->conventions() == conventions) return truth;
-  }
-  truths_.push_back(std::make_shared<Truth>(case_, conventions));
-  return truths_.back();
-}
-
 Trial::Trial(const Case& the_case, const Candidate& candidate, TrialOptions options)
     : case_(the_case),
       candidate_(candidate),
       conventions_(candidate.declared.over(the_case.scene.conventions)),
       options_(std::move(options)),
-      inside_domain_(is_inside_domain(candidate, the_case.scene)),
-      hits_(the_case.scene.spheres.size()) {
+      inside_domain_(is_inside_domain(candidate, the_case.scene)) {
   scene::require_valid(case_.scene);
   if (!options_.truth) options_.truth = std::make_shared<Truth>(case_, conventions_);
 }
@@ -210,11 +156,6 @@ Place Trial::place(std::size_t ray, std::optional<std::size_t> sphere) const {
 
 bool Trial::exact_hit(std::size_t ray, std::size_t sphere) {
   return reference::counts_as_hit(exact_intersection(ray, sphere).hit_class, conventions_.tangent);
-}
-
-bool Trial::is_unjudged(std::size_t ray, std::size_t sphere) {
-  return conventions_.tangent == scene::Tangent::kEither &&
-         exact_intersection(ray, sphere).hit_class == reference::HitClass::kTangent;
 }
 
 const FrameAnswer& Trial::frame() {
@@ -247,12 +188,9 @@ const std::vector<scene::Ray>& Trial::rays() {
   return *rays_;
 }
 
-const std::vector<std::optional<HitAnswer>>& Trial::hits(std::size_t sphere) {
-  auto& kept = hits_[sphere];
-  if (!kept) {
-    kept = intersect(rays(), case_.scene.spheres[sphere], conventions_);
-  }
-  return *kept;
+const SphereHits& Trial::hits(std::size_t sphere) {
+  if (!hits_) hits_ = intersect(rays(), case_.scene.spheres, conventions_);
+  return (*hits_)[sphere];
 }
 
 const std::vector<std::optional<std::size_t>>& Trial::nearest() {
@@ -260,20 +198,32 @@ const std::vector<std::optional<std::size_t>>& Trial::nearest() {
   return *nearest_;
 }
 
-std::vector<std::optional<HitAnswer>> Trial::intersect(
-    const std::vector<scene::Ray>& rays, const scene::Sphere& sphere,
-    const scene::Conventions& conventions) const {
-  return answers_to_valid<HitAnswer>(rays, "hits", [&](const std::vector<scene::Ray>& valid) {
-    return candidate_.intersect(valid, sphere, conventions);
-  });
+std::vector<SphereHits> Trial::intersect(const std::vector<scene::Ray>& rays,
+                                         const std::vector<scene::Sphere>& spheres,
+                                         const scene::Conventions& conventions) const {
+  const ValidRays valid(rays);
+  std::vector<SphereHits> answers = candidate_.intersect(valid.rays, spheres, conventions);
+  require_count(answers, spheres.size(), "lists of hits");
+  for (SphereHits& hits : answers) {
+    require_in_order(hits, valid.rays.size());
+    for (RayHit& hit : hits) hit.ray = valid.indices[hit.ray];
+  }
+  return answers;
 }
 
 std::vector<std::optional<std::size_t>> Trial::rank(
     const std::vector<scene::Ray>& rays, const std::vector<scene::Sphere>& spheres) const {
-  return answers_to_valid<std::size_t>(rays, "nearest spheres",
-                                       [&](const std::vector<scene::Ray>& valid) {
-                                         return candidate_.nearest(valid, spheres, conventions_);
-                                       });
+  const ValidRays valid(rays);
+  const auto answers = candidate_.nearest(valid.rays, spheres, conventions_);
+  require_count(answers, valid.rays.size(), "nearest spheres");
+  std::vector<std::optional<std::size_t>> result(rays.size());
+  for (std::size_t k = 0; k < answers.size(); ++k) result[valid.indices[k]] = answers[k];
+  return result;
+}
+
+const HitAnswer* find_hit(const SphereHits& hits, std::size_t ray) {
+  const RayHit* found = find_ray(hits, ray);
+  return found == nullptr ? nullptr : &found->hit;
 }
 
 double bound_on(Quantity quantity, const Candidate& candidate,
@@ -310,11 +260,10 @@ Stability Trial::weigh(double error, double condition,
   return stability;
 }
 
-void Trial::measure(Verdict& verdict, std::string_view law, Quantity quantity, const Place& place,
+void Trial::examine(Verdict& verdict, std::string_view law, Quantity quantity, const Place& place,
                     double error, double bound, const std::function<double()>& condition,
                     const std::function<void(Discrepancy&)>& describe,
                     const std::function<double()>& backward) const {
-  verdict.measured(quantity, place, error);
   Discrepancy discrepancy;
   if (options_.conditioning) {
     const Stability stability = weigh(error, condition(), backward);
@@ -349,13 +298,9 @@ void Trial::measure(Verdict& verdict, std::string_view law, Quantity quantity, c
   verdict.add(std::move(discrepancy));
 }
 
-void Trial::judge(Verdict& verdict, std::string_view law, Quantity quantity, const Place& place,
-                  Wrong wrong, const std::function<bool()>& may_flip,
-                  const std::function<void(Discrepancy&)>& describe) const {
-  if (wrong == Wrong::kNot) {
-    verdict.judged(quantity, place, wrong, Excuse::kNone);
-    return;
-  }
+void Trial::convict(Verdict& verdict, std::string_view law, Quantity quantity, const Place& place,
+                    Wrong wrong, const std::function<bool()>& may_flip,
+                    const std::function<void(Discrepancy&)>& describe) const {
   Discrepancy discrepancy;
   discrepancy.law = law;
   discrepancy.quantity = quantity;

@@ -5,66 +5,19 @@
 #include <functional>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
 #include "properties/candidate.h"
+#include "properties/truth.h"
 #include "properties/verdict.h"
-#include "reference/exact_camera.h"
-#include "reference/exact_ray.h"
 #include "scene/scene.h"
 
 namespace raycheck::properties {
 
-/// What a law is asked about: a scene, and the pixels that are looked at when it has a camera (its
-/// given rays are all looked at). Where cases come from is no business of a law's.
-struct Case {
-  scene::Scene scene;
-  std::vector<scene::Pixel> pixels;
-};
-
 /// All pixels of a camera, row by row.
 std::vector<scene::Pixel> all_pixels(const scene::Camera& camera);
-
-/// The truth about a case under some conventions, each part worked out when first asked for and
-/// kept. It never sees a candidate; candidates judged under the same conventions share it.
-class Truth {
- public:
-  Truth(const Case& the_case, const scene::Conventions& conventions);
-
-  const scene::Conventions& conventions() const { return conventions_; }
-  const reference::ExactCamera& camera();
-  const reference::ExactRay& ray(std::size_t ray);
-  const reference::Intersection& intersection(std::size_t ray, std::size_t sphere);
-  /// Of an intersection that is a hit or a tangent: its parameter, and kappa of that.
-  const reference::Enclosure& parameter(std::size_t ray, std::size_t sphere);
-  double condition_of_parameter(std::size_t ray, std::size_t sphere);
-
- private:
-  struct Pair {
-    std::optional<reference::Intersection> intersection;
-    std::optional<reference::Enclosure> parameter;
-    std::optional<double> condition_of_parameter;
-  };
-  Pair& pair(std::size_t ray, std::size_t sphere);
-
-  const Case& case_;
-  scene::Conventions conventions_;
-  std::optional<reference::ExactCamera> camera_;
-  std::vector<std::optional<reference::ExactRay>> rays_;
-  std::vector<Pair> pairs_;
-};
-
-/// The truths about one case, by the conventions under which candidates are judged.
-class SharedTruths {
- public:
-  explicit SharedTruths(const Case& the_case) : case_(the_case) {}
-  std::shared_ptr<Truth> under(const scene::Conventions& conventions);
-
- private:
-  const Case& case_;
-  std::vector<std::shared_ptr<Truth>> truths_;
-};
 
 struct TrialOptions {
   std::optional<double> max_error = {};  ///< A bound in place of the candidate's own.
@@ -98,18 +51,19 @@ class Trial {
   // The truth.
   const reference::ExactCamera& exact_camera() { return options_.truth->camera(); }
   const reference::ExactRay& exact_ray(std::size_t ray) { return options_.truth->ray(ray); }
-  const reference::Intersection& exact_intersection(std::size_t ray, std::size_t sphere) {
+  std::span<const Meeting> exact_meetings(std::size_t sphere) {
+    return options_.truth->meetings(sphere);
+  }
+  reference::Intersection exact_intersection(std::size_t ray, std::size_t sphere) {
     return options_.truth->intersection(ray, sphere);
   }
-  const reference::Enclosure& exact_parameter(std::size_t ray, std::size_t sphere) {
-    return options_.truth->parameter(ray, sphere);
+  const std::vector<std::optional<reference::NearestSphere>>& exact_nearest() {
+    return options_.truth->nearest();
   }
   double condition_of_parameter(std::size_t ray, std::size_t sphere) {
     return options_.truth->condition_of_parameter(ray, sphere);
   }
   bool exact_hit(std::size_t ray, std::size_t sphere);
-  /// A tangent that the convention leaves open.
-  bool is_unjudged(std::size_t ray, std::size_t sphere);
 
   // The candidate's answers; empty where it has no such thing.
   const FrameAnswer& frame();
@@ -117,13 +71,13 @@ class Trial {
   /// The rays of the case: the candidate's own under the origin convention, or the given ones.
   const std::vector<scene::Ray>& rays();
   bool has_rays() const;
-  const std::vector<std::optional<HitAnswer>>& hits(std::size_t sphere);
+  const SphereHits& hits(std::size_t sphere);
   const std::vector<std::optional<std::size_t>>& nearest();
   /// The candidate asked about other rays or spheres. A ray of its own making that is not finite or
   /// has no direction is no question that it could answer: it counts as a miss.
-  std::vector<std::optional<HitAnswer>> intersect(const std::vector<scene::Ray>& rays,
-                                                  const scene::Sphere& sphere,
-                                                  const scene::Conventions& conventions) const;
+  std::vector<SphereHits> intersect(const std::vector<scene::Ray>& rays,
+                                    const std::vector<scene::Sphere>& spheres,
+                                    const scene::Conventions& conventions) const;
   std::vector<std::optional<std::size_t>> rank(const std::vector<scene::Ray>& rays,
                                                const std::vector<scene::Sphere>& spheres) const;
 
@@ -132,24 +86,43 @@ class Trial {
   /// Counts an error, and adds a discrepancy when it is above `bound`. `condition` and `describe`
   /// are called only then; `describe` fills in what, got and exact. Under `conditioning` every
   /// error is weighed, by `backward` (a backward error in units of u) where kappa is infinite.
+  template <class Condition, class Describe>
   void measure(Verdict& verdict, std::string_view law, Quantity quantity, const Place& place,
-               double error, double bound, const std::function<double()>& condition,
-               const std::function<void(Discrepancy&)>& describe,
-               const std::function<double()>& backward = {}) const;
+               double error, double bound, const Condition& condition, const Describe& describe,
+               const std::function<double()>& backward = {}) const {
+    verdict.measured(quantity, place, error);
+    if (error <= bound && !options_.conditioning) return;
+    examine(verdict, law, quantity, place, error, bound, condition, describe, backward);
+  }
+  template <class Condition, class Describe>
   void measure(Verdict& verdict, std::string_view law, Quantity quantity, const Place& place,
-               double error, const std::function<double()>& condition,
-               const std::function<void(Discrepancy&)>& describe) const {
+               double error, const Condition& condition, const Describe& describe) const {
     measure(verdict, law, quantity, place, error, bound(quantity), condition, describe);
   }
   /// Counts a right or wrong answer, and adds a discrepancy when it is wrong. `may_flip` says
   /// whether a change of the inputs within kExcusedChange may make it right; a candidate that
   /// promises the exact class is not asked.
+  template <class MayFlip, class Describe>
   void judge(Verdict& verdict, std::string_view law, Quantity quantity, const Place& place,
-             Wrong wrong, const std::function<bool()>& may_flip,
-             const std::function<void(Discrepancy&)>& describe) const;
+             Wrong wrong, const MayFlip& may_flip, const Describe& describe) const {
+    if (wrong == Wrong::kNot) {
+      verdict.judged_right(quantity, 1);
+    } else {
+      convict(verdict, law, quantity, place, wrong, may_flip, describe);
+    }
+  }
 
  private:
   Stability weigh(double error, double condition, const std::function<double()>& backward) const;
+  /// measure() of an error that is weighed, or above its bound.
+  void examine(Verdict& verdict, std::string_view law, Quantity quantity, const Place& place,
+               double error, double bound, const std::function<double()>& condition,
+               const std::function<void(Discrepancy&)>& describe,
+               const std::function<double()>& backward) const;
+  /// judge() of a wrong answer.
+  void convict(Verdict& verdict, std::string_view law, Quantity quantity, const Place& place,
+               Wrong wrong, const std::function<bool()>& may_flip,
+               const std::function<void(Discrepancy&)>& describe) const;
 
   const Case& case_;
   const Candidate& candidate_;
@@ -160,9 +133,18 @@ class Trial {
   std::optional<FrameAnswer> frame_;
   std::optional<std::vector<scene::Point3>> pixel_points_;
   std::optional<std::vector<scene::Ray>> rays_;
-  std::vector<std::optional<std::vector<std::optional<HitAnswer>>>> hits_;
+  std::optional<std::vector<SphereHits>> hits_;
   std::optional<std::vector<std::optional<std::size_t>>> nearest_;
 };
+
+/// A tangent that the convention leaves open.
+constexpr bool is_unjudged(const reference::Intersection& intersection, scene::Tangent tangent) {
+  return tangent == scene::Tangent::kEither &&
+         intersection.hit_class == reference::HitClass::kTangent;
+}
+
+/// The hit of a ray among a sphere's; null where it misses.
+const HitAnswer* find_hit(const SphereHits& hits, std::size_t ray);
 
 /// The bound on a quantity under some conventions: the one asked for, or the candidate's, or the
 /// default; always 0 for the origin of a ray that starts at the eye.

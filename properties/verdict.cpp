@@ -98,14 +98,18 @@ void Verdict::weighed(Quantity quantity, const Stability& stability) {
   }
 }
 
+void Verdict::judged_right(Quantity quantity, std::uint64_t count) {
+  if (count == 0) return;
+  Tally& tally = tallies_[quantity];
+  tally.cases += count;
+  tally.outcomes[static_cast<std::size_t>(Outcome::kExact)] += count;
+}
+
 void Verdict::judged(Quantity quantity, const Place& place, Wrong wrong, Excuse excuse) {
+  if (wrong == Wrong::kNot) return judged_right(quantity, 1);
   Tally& tally = tallies_[quantity];
   const auto count = [&](Outcome outcome) { ++tally.outcomes[static_cast<std::size_t>(outcome)]; };
   ++tally.cases;
-  if (wrong == Wrong::kNot) {
-    count(Outcome::kExact);
-    return;
-  }
   ++tally.wrong[wrong];
   const bool excused = excuse != Excuse::kNone;
   if (excused) ++tally.wrong_excused;

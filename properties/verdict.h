@@ -111,6 +111,8 @@ class Verdict {
   void weighed(Quantity quantity, const Stability& stability);
   /// Counts an error, measured before, that only its condition number allows.
   void count_ill_conditioned(Quantity quantity) { ++tallies_[quantity].ill_conditioned; }
+  /// Counts answers that are right.
+  void judged_right(Quantity quantity, std::uint64_t count);
   /// Counts an answer that is right or wrong.
   void judged(Quantity quantity, const Place& place, Wrong wrong, Excuse excuse);
   void add(Discrepancy discrepancy);

@@ -44,6 +44,17 @@ class DoubleDouble {
     return high_ > 0 ? 1 : -1;
   }
   bool is_exact_zero() const { return high_ == 0 && radius_ == 0; }
+  /// Doubles above and below every number within, the next ones at most; infinite or NaN where
+  /// nothing is known. (The end is high + low + radius. Where it cancels, sum.low and so rest.low
+  /// are 0; else rest.low is far below the last bit of end.high, which end.low is half of at most.)
+  double upper() const {
+    const Sum tail = two_sum(low_, radius_);
+    const Sum sum = two_sum(high_, tail.high);
+    const Sum rest = two_sum(sum.low, tail.low);
+    const Sum end = two_sum(sum.high, rest.high);
+    return end.low + rest.low > 0 ? std::nextafter(end.high, HUGE_VAL) : end.high;
+  }
+  double lower() const { return -(-*this).upper(); }
 
   DoubleDouble operator-() const { return {{-high_, -low_}, radius_}; }
   DoubleDouble& operator+=(const DoubleDouble& other) { return *this = *this + other; }
@@ -55,6 +66,7 @@ class DoubleDouble {
   friend DoubleDouble operator-(const DoubleDouble& a, const DoubleDouble& b) { return a + -b; }
   friend DoubleDouble operator*(const DoubleDouble& a, const DoubleDouble& b);
   friend DoubleDouble operator/(const DoubleDouble& a, const DoubleDouble& b);
+  friend DoubleDouble abs(const DoubleDouble& a) { return a.high_ < 0 ? -a : a; }
   /// The square root of a number known not to be negative.
   friend DoubleDouble sqrt(const DoubleDouble& a);
 

@@ -187,15 +187,4 @@ Enclosure abs(const Enclosure& value) {
   return result;
 }
 
-Enclosure3 operator-(const Enclosure3& a, const Enclosure3& b) {
-  return {a.x - b.x, a.y - b.y, a.z - b.z};
-}
-Enclosure dot(const Enclosure3& a, const Enclosure3& b) {
-  return a.x * b.x + a.y * b.y + a.z * b.z;
-}
-Enclosure3 cross(const Enclosure3& a, const Enclosure3& b) {
-  return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
-}
-Enclosure norm(const Enclosure3& a) { return sqrt(dot(a, a)); }
-
 }  // namespace raycheck::reference

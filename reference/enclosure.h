@@ -6,6 +6,8 @@
 #include <optional>
 #include <utility>
 
+#include "reference/triple.h"
+
 namespace raycheck::reference {
 
 /// A closed interval that certainly holds one real number: an Arb ball (midpoint and radius with
@@ -98,16 +100,7 @@ inline Enclosure operator/(Enclosure&& a, const Enclosure& b) { return std::move
 Enclosure sqrt(const Enclosure& value);
 Enclosure abs(const Enclosure& value);
 
-/// A point or vector by coordinates.
-struct Enclosure3 {
-  Enclosure x;
-  Enclosure y;
-  Enclosure z;
-};
-Enclosure3 operator-(const Enclosure3& a, const Enclosure3& b);
-Enclosure dot(const Enclosure3& a, const Enclosure3& b);
-Enclosure3 cross(const Enclosure3& a, const Enclosure3& b);
-Enclosure norm(const Enclosure3& a);
+using Enclosure3 = Triple<Enclosure>;
 
 }  // namespace raycheck::reference
 

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "reference/error_formulas.h"
 #include "scene/validate.h"
 
 namespace raycheck::reference {
@@ -25,10 +26,16 @@ bool is_finite(const Triple& value) {
 template <class Triple>
 double relative_error_of(const Triple& given, const Enclosure3& exact) {
   if (!is_finite(given)) return kInfinity;
-  const Enclosure size = norm(exact);
-  const Enclosure error = norm(lifted(given) - exact);
-  if (error.certain_sign() == 0) return 0;
-  return size.contains_zero() ? kInfinity : in_units_of_u(error / size);
+  const Enclosure3 answer = lifted(given);
+  if (norm(answer - exact).certain_sign() == 0) return 0;
+  return norm(exact).contains_zero() ? kInfinity : in_units_of_u(relative_distance(answer, exact));
+}
+
+/// A function of its own, so that no operation moves to where doubles round upward.
+[[gnu::noinline]] std::optional<double> unit_defect_by_double_doubles(
+    const scene::UnitVector3& given) {
+  const NearestGuard guard;
+  return narrow_error_in_u(distance_from_unit(in_double_doubles(given)));
 }
 
 }  // namespace
@@ -63,12 +70,13 @@ double angle_error(const scene::UnitVector3& given, const Enclosure3& exact) {
   const Enclosure3 direction = lifted(given);
   const Enclosure cosine = dot(direction, exact);
   if (cosine.certain_sign() != 1) return kInfinity;
-  return in_units_of_u(norm(cross(direction, exact)) / cosine);
+  return in_units_of_u(tangent(direction, exact, cosine));
 }
 
 double unit_defect(const scene::UnitVector3& given) {
   if (!is_finite(given)) return kInfinity;
-  return in_units_of_u(norm(lifted(given)) - Enclosure(1));
+  if (const auto defect = unit_defect_by_double_doubles(given)) return *defect;
+  return in_units_of_u(distance_from_unit(lifted(given)));
 }
 
 double backward_error(const scene::Ray& ray, const scene::Sphere& sphere, double parameter) {

@@ -47,9 +47,21 @@ std::optional<Intersection> classify(Sign sign, scene::Root convention) {
 
 }  // namespace
 
+namespace {
+
+/// A function of its own, so that no operation moves to where doubles round upward.
+[[gnu::noinline]] ExactRay::Direction direction_of(const ExactRay::Source& source) {
+  const NearestGuard guard;
+  const auto line = line_of(DoubleDoubleLift{}, source);
+  return {{line.g.x(), line.g.y(), line.g.z()}, line.a};
+}
+
+}  // namespace
+
 ExactRay::ExactRay(const ExactCamera& camera, const scene::Pixel& pixel)
     : source_{camera.impl(), pixel, {}} {
   require_pixel_of(source_.camera->camera, pixel);
+  direction_ = direction_of(source_);
   const IntervalGuard guard;
   const auto line = line_of(IntervalLift{}, source_);
   bounds_ = {line.g.x().inf(), line.g.x().sup(), line.g.y().inf(), line.g.y().sup(),
@@ -58,6 +70,7 @@ ExactRay::ExactRay(const ExactCamera& camera, const scene::Pixel& pixel)
 
 ExactRay::ExactRay(const scene::Ray& ray) : source_{nullptr, {}, ray} {
   scene::require_valid(ray);
+  direction_ = direction_of(source_);
   const IntervalGuard guard;
   const auto line = line_of(IntervalLift{}, source_);
   bounds_ = {ray.direction.x, ray.direction.x, ray.direction.y, ray.direction.y,
@@ -67,11 +80,10 @@ ExactRay::ExactRay(const scene::Ray& ray) : source_{nullptr, {}, ray} {
 /// A sign by double-doubles. A function of its own, so that no operation moves to where doubles
 /// round upward.
 template <class SignUnder>
-[[gnu::noinline]] std::optional<int> sign_by_double_doubles(const ExactRay::Source& source,
+[[gnu::noinline]] std::optional<int> sign_by_double_doubles(const ExactRay& ray,
                                                             const SignUnder& sign_under) {
   const NearestGuard guard;
-  const DoubleDoubleLift lift;
-  return sign_under(lift, line_of(lift, source));
+  return sign_under(DoubleDoubleLift{}, line_in_double_doubles(ray));
 }
 
 /// The ladder: `sign` of the ray and two spheres under intervals, double-doubles, balls, the exact
@@ -102,7 +114,7 @@ int ExactRay::decide(const scene::Sphere& first, const scene::Sphere& second, En
           from_camera};
       if (const auto answer = sign_under(lift, line)) return take(Rung::kIntervals, *answer);
     }
-    if (const auto answer = sign_by_double_doubles(source_, sign_under)) {
+    if (const auto answer = sign_by_double_doubles(*this, sign_under)) {
       return take(Rung::kDoubleDoubles, *answer);
     }
     const EnclosureLift lift{kMiddleBits};
@@ -139,6 +151,16 @@ int ExactRay::compare(const scene::Sphere& first, const Intersection& at_first,
   });
 }
 
+void ExactRay::keep_nearest(std::span<const scene::Sphere> spheres, std::size_t index,
+                            const Intersection& at, std::optional<NearestSphere>& best,
+                            Rung* highest) const {
+  const int order = best ? compare(spheres[index], at, spheres[best->index], best->intersection,
+                                   Engine::kFiltered, highest)
+                         : -1;
+  if (order < 0) best = NearestSphere{index, at, {}};
+  if (order <= 0) best->ties.push_back(index);
+}
+
 std::optional<NearestSphere> ExactRay::nearest(std::span<const scene::Sphere> spheres,
                                                const scene::Conventions& conventions,
                                                Rung* highest) const {
@@ -146,11 +168,7 @@ std::optional<NearestSphere> ExactRay::nearest(std::span<const scene::Sphere> sp
   for (std::size_t k = 0; k < spheres.size(); ++k) {
     const Intersection here = intersect(spheres[k], conventions.root, Engine::kFiltered, highest);
     if (!counts_as_hit(here.hit_class, conventions.tangent)) continue;
-    const int order = best ? compare(spheres[k], here, spheres[best->index], best->intersection,
-                                     Engine::kFiltered, highest)
-                           : -1;
-    if (order < 0) best = NearestSphere{k, here, {}};
-    if (order <= 0) best->ties.push_back(k);
+    keep_nearest(spheres, k, here, best, highest);
   }
   return best;
 }

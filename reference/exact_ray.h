@@ -8,6 +8,7 @@
 #include <span>
 #include <vector>
 
+#include "reference/double_double.h"
 #include "reference/enclosure.h"
 #include "reference/exact_camera.h"
 #include "scene/conventions.h"
@@ -87,6 +88,12 @@ class ExactRay {
     scene::Ray given;
   };
   const Source& source() const { return source_; }
+  /// g and |g|^2 of the line base + lambda g (reference/formulas.h) in double-doubles.
+  struct Direction {
+    Triple<DoubleDouble> g;
+    DoubleDouble a;
+  };
+  const Direction& direction_in_double_doubles() const { return direction_; }
 
   /// Hit, miss or tangent, and at which root, under a `root` convention.
   /// `highest`, where given, rises to the highest rung that a decision took.
@@ -96,6 +103,11 @@ class ExactRay {
   int compare(const scene::Sphere& first, const Intersection& at_first, const scene::Sphere& second,
               const Intersection& at_second, Engine engine = Engine::kFiltered,
               Rung* highest = nullptr) const;
+  /// Makes sphere `index`, which is hit, the nearest when it is nearer than `best`, or one of its
+  /// ties.
+  void keep_nearest(std::span<const scene::Sphere> spheres, std::size_t index,
+                    const Intersection& at, std::optional<NearestSphere>& best,
+                    Rung* highest = nullptr) const;
   /// The sphere met first, ties included; empty when none is.
   std::optional<NearestSphere> nearest(std::span<const scene::Sphere> spheres,
                                        const scene::Conventions& conventions,
@@ -132,6 +144,7 @@ class ExactRay {
 
   Source source_;
   std::array<double, 8> bounds_;  ///< Lower and upper bounds of g and |g|^2: the filter's line.
+  Direction direction_;
 };
 
 }  // namespace raycheck::reference

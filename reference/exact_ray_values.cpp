@@ -14,42 +14,38 @@ ExactNumber exact(const Rational& value) { return ExactNumber(FirstExtension(val
 /// value(lift, line) by double-doubles. A function of its own, so that no operation moves to where
 /// doubles round upward.
 template <class Value>
-[[gnu::noinline]] auto by_double_doubles(const ExactRay::Source& source, const Value& value) {
+[[gnu::noinline]] auto by_double_doubles(const ExactRay& ray, const Value& value) {
   const NearestGuard guard;
-  const DoubleDoubleLift lift;
-  return value(lift, line_of(lift, source));
+  return value(DoubleDoubleLift{}, line_in_double_doubles(ray));
 }
 
 template <class Value>
-auto by_balls(const ExactRay::Source& source, const Value& value, int bits) {
+auto by_balls(const ExactRay& ray, const Value& value, int bits) {
   const EnclosureLift lift{bits};
-  return value(lift, line_of(lift, source));
+  return value(lift, line_of(lift, ray.source()));
 }
 
 /// Applies narrow() or round_to_nearest() to value(lift, line), a number; compare(m) is the exact
 /// sign of value - m.
 template <class Value, class Compare, class Finish>
-auto finish_number(const ExactRay::Source& source, const Value& value, Compare compare,
-                   Finish finish) {
-  const DoubleDouble first = by_double_doubles(source, value);
+auto finish_number(const ExactRay& ray, const Value& value, Compare compare, Finish finish) {
+  const DoubleDouble first = by_double_doubles(ray, value);
   return finish(
-      first.is_within(finish.relative_bits) ? first.enclosure()
-                                            : by_balls(source, value, kFirstBits),
-      [&](int bits) { return by_balls(source, value, bits); }, compare);
+      first.is_within(finish.relative_bits) ? first.enclosure() : by_balls(ray, value, kFirstBits),
+      [&](int bits) { return by_balls(ray, value, bits); }, compare);
 }
 
 /// The same of a vector's three coordinates; compare(k, m) is the exact sign of coordinate k - m.
 template <class Result, class Value, class Compare, class Finish>
-Result finish_vector(const ExactRay::Source& source, const Value& value, Compare compare,
-                     Finish finish) {
-  const DoubleDoubleKernel::Vector_3 first = by_double_doubles(source, value);
+Result finish_vector(const ExactRay& ray, const Value& value, Compare compare, Finish finish) {
+  const DoubleDoubleKernel::Vector_3 first = by_double_doubles(ray, value);
   std::optional<EnclosureKernel::Vector_3> balls;
   const auto coordinate = [&](int k) {
     const bool is_narrow = first[k].is_within(finish.relative_bits);
-    if (!is_narrow && !balls) balls = by_balls(source, value, kFirstBits);
+    if (!is_narrow && !balls) balls = by_balls(ray, value, kFirstBits);
     return finish(
         is_narrow ? first[k].enclosure() : (*balls)[k],
-        [&, k](int bits) { return by_balls(source, value, bits)[k]; },
+        [&, k](int bits) { return by_balls(ray, value, bits)[k]; },
         [&, k](const Rational& m) { return compare(k, m); });
   };
   return {coordinate(0), coordinate(1), coordinate(2)};
@@ -122,7 +118,7 @@ template <class Result, class Finish>
 Result finish_pixel_point(const ExactRay& ray, Finish finish) {
   ExactValues values(ray);
   return finish_vector<Result>(
-      ray.source(), [](const auto& /*lift*/, const auto& line) { return line.base + line.g; },
+      ray, [](const auto& /*lift*/, const auto& line) { return line.base + line.g; },
       [&](int k, const Rational& m) { return values.compare_pixel_point(k, m); }, finish);
 }
 
@@ -130,7 +126,7 @@ template <class Result, class Finish>
 Result finish_origin(const ExactRay& ray, Finish finish) {
   ExactValues values(ray);
   return finish_vector<Result>(
-      ray.source(), [](const auto& /*lift*/, const auto& line) { return ray_origin(line); },
+      ray, [](const auto& /*lift*/, const auto& line) { return ray_origin(line); },
       [&](int k, const Rational& m) { return values.compare_origin(k, m); }, finish);
 }
 
@@ -138,7 +134,7 @@ template <class Result, class Finish>
 Result finish_direction(const ExactRay& ray, Finish finish) {
   ExactValues values(ray);
   return finish_vector<Result>(
-      ray.source(), [](const auto& /*lift*/, const auto& line) { return unit_direction(line); },
+      ray, [](const auto& /*lift*/, const auto& line) { return unit_direction(line); },
       [&](int k, const Rational& m) { return values.compare_direction(k, m); }, finish);
 }
 
@@ -148,7 +144,7 @@ auto finish_parameter(const ExactRay& ray, const scene::Sphere& sphere, const In
   scene::require_valid(sphere);
   ExactValues values(ray);
   return finish_number(
-      ray.source(),
+      ray,
       [&]<class K>(const auto& lift, const Line<K>& line) {
         return ray_parameter(line_and_sphere(line, lift_sphere<K>(lift, sphere)), root_sign(at));
       },
@@ -161,7 +157,7 @@ Result finish_point(const ExactRay& ray, const scene::Sphere& sphere, const Inte
   scene::require_valid(sphere);
   ExactValues values(ray);
   return finish_vector<Result>(
-      ray.source(),
+      ray,
       [&]<class K>(const auto& lift, const Line<K>& line) {
         return hit_point(line_and_sphere(line, lift_sphere<K>(lift, sphere)), root_sign(at));
       },

@@ -44,6 +44,19 @@ inline Line<DoubleDoubleKernel> line_of(const DoubleDoubleLift& lift,
   return line_of(lift, source.camera->double_doubles, source);
 }
 
+/// The same, as the ray keeps it.
+inline Line<DoubleDoubleKernel> line_in_double_doubles(const ExactRay& ray) {
+  const ExactRay::Source& source = ray.source();
+  const auto& [g, a] = ray.direction_in_double_doubles();
+  const bool from_camera = source.camera != nullptr;
+  return {lift_vector<DoubleDoubleKernel>(
+              DoubleDoubleLift{}, from_camera ? source.camera->camera.eye : source.given.origin),
+          {g.x, g.y, g.z},
+          a,
+          from_camera && source.camera->conventions.origin == scene::Origin::kPixel,
+          from_camera};
+}
+
 inline Line<EnclosureKernel> line_of(const EnclosureLift& lift, const ExactRay::Source& source) {
   if (source.camera == nullptr) return given_line(lift_ray<EnclosureKernel>(lift, source.given));
   std::optional<CameraNumbers<EnclosureKernel>> scratch;

@@ -91,6 +91,13 @@ void add_certificates(CLI::App& command, std::optional<std::string>& path) {
       ->type_name("FILE");
 }
 
+void add_threads(CLI::App& command, int& threads, std::string_view same) {
+  constexpr int kMostThreads = 1024;
+  command.add_option("--threads", threads, fmt::format("how many; {} is the same", same))
+      ->check(CLI::Range(1, kMostThreads))
+      ->capture_default_str();
+}
+
 void add_seed(CLI::App& command, std::uint64_t& seed) {
   command.add_option("--seed", seed, "the same seed gives the same cases")
       ->check(CLI::Range(std::uint64_t{0}, std::numeric_limits<std::uint64_t>::max()))

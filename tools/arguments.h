@@ -34,6 +34,8 @@ std::vector<MethodPair> chosen_methods(const std::string& rays,
 void add_format(CLI::App& command, std::string& format, const std::vector<std::string>& formats);
 /// --certificates FILE
 void add_certificates(CLI::App& command, std::optional<std::string>& path);
+/// --threads; `same` is what does not depend on it.
+void add_threads(CLI::App& command, int& threads, std::string_view same);
 /// --seed
 void add_seed(CLI::App& command, std::uint64_t& seed);
 

@@ -1,6 +1,7 @@
 #include "tools/check.h"
 
 #include <fmt/core.h>
+#include <tbb/enumerable_thread_specific.h>
 
 #include <algorithm>
 #include <cmath>
@@ -10,6 +11,8 @@
 #include <utility>
 
 #include "properties/law.h"
+#include "scene/plan.h"
+#include "tools/in_order.h"
 #include "tools/scene_cases.h"
 #include "tools/terminal.h"
 #include "tools/timing.h"
@@ -30,37 +33,47 @@ constexpr std::size_t kChunk = 512;
 /// A law whose answer is one for the scene, not one for each ray.
 bool is_per_scene(const Law& law) { return law.name == "frame"; }
 
-/// A candidate and its report in the making.
+/// Reasons by law.
+using ReasonsLeftOut = std::map<std::string_view, std::string>;
+
+/// A candidate's report in the making.
 struct Judged {
-  Candidate candidate;
   CandidateReport report;
-  std::map<std::string_view, std::string> left_out;  ///< Reasons by law.
+  ReasonsLeftOut left_out;
+};
+
+/// What is found out about one candidate on a chunk of the rays.
+struct ChunkVerdict {
+  Verdict verdict;
+  ReasonsLeftOut left_out;
 };
 
 Judged prepare(const MethodPair& pair, const scene::Scene& scene, const CheckOptions& options) {
+  const Candidate candidate = candidate_of(pair);
   Judged judged;
-  judged.candidate = candidate_of(pair);
   judged.report.methods = pair;
-  judged.report.name = judged.candidate.name;
-  judged.report.conventions = judged.candidate.declared.over(scene.conventions);
+  judged.report.name = candidate.name;
+  judged.report.conventions = candidate.declared.over(scene.conventions);
   for (std::size_t k = 0; k < properties::kQuantityCount; ++k) {
-    judged.report.bounds.push_back(bound_on(static_cast<properties::Quantity>(k), judged.candidate,
+    judged.report.bounds.push_back(bound_on(static_cast<properties::Quantity>(k), candidate,
                                             judged.report.conventions, scene.camera.has_value(),
                                             options.max_error));
   }
   return judged;
 }
 
-void judge_chunk(const Case& chunk, std::uint64_t first, std::shared_ptr<Truth> truth,
-                 std::optional<double> max_error, Judged& judged) {
-  Trial trial(chunk, judged.candidate, {.max_error = max_error, .truth = std::move(truth)});
+ChunkVerdict judge_chunk(const Case& chunk, std::uint64_t first, std::shared_ptr<Truth> truth,
+                         std::optional<double> max_error, const Candidate& candidate) {
+  Trial trial(chunk, candidate, {.max_error = max_error, .truth = std::move(truth)});
+  ChunkVerdict found;
   for (const Law& law : properties::laws()) {
     if (!law.judges_values || (is_per_scene(law) && first > 0)) continue;
     Verdict verdict = apply(law, trial);
-    if (!verdict.reason_left_out().empty()) judged.left_out[law.name] = verdict.reason_left_out();
+    if (!verdict.reason_left_out().empty()) found.left_out[law.name] = verdict.reason_left_out();
     if (!chunk.scene.camera) verdict.shift_rays(first);
-    judged.report.verdict.merge(std::move(verdict));
+    found.verdict.merge(std::move(verdict));
   }
+  return found;
 }
 
 CandidateReport finish(Judged judged) {
@@ -149,6 +162,74 @@ std::vector<MethodPair> useful_pairs(const std::vector<MethodPair>& pairs,
   return useful;
 }
 
+/// Judges the rays chunk by chunk. Every thread has candidates of its own; chunks share nothing but
+/// the plans, and their verdicts are merged in the order of the rays.
+class Judgement {
+ public:
+  Judgement(const CheckOptions& options, const SceneCases& cases, std::vector<Judged>& all)
+      : options_(options), cases_(cases), all_(all) {
+    if (!cases.scene().camera) return;
+    for (const Judged& one : all) {
+      const scene::Conventions& conventions = one.report.conventions;
+      const bool is_planned = std::any_of(
+          plans_.begin(), plans_.end(),
+          [&](const scene::ScenePlan& plan) { return plan.conventions == conventions; });
+      if (!is_planned) {
+        plans_.push_back(plan_scene(cases.scene(), conventions, scene::Wanted::kParameter));
+      }
+    }
+  }
+
+  /// Counts the rays judged, and tells.
+  template <class Tell>
+  void run(std::uint64_t& rays_judged, const Tell& tell) {
+    using Found = std::vector<ChunkVerdict>;
+    const auto chunks = static_cast<std::int64_t>((cases_.rays_judged() + kChunk - 1) / kChunk);
+    in_order<Found>(
+        chunks, options_.threads,
+        [&](std::int64_t k) { return judge(static_cast<std::uint64_t>(k) * kChunk); },
+        [&](Found& found) {
+          for (std::size_t k = 0; k < all_.size(); ++k) {
+            all_[k].report.verdict.merge(std::move(found[k].verdict));
+            for (auto& [law, reason] : found[k].left_out) all_[k].left_out[law] = std::move(reason);
+          }
+          rays_judged = std::min(rays_judged + kChunk, cases_.rays_judged());
+          tell();
+        });
+  }
+
+ private:
+  std::vector<ChunkVerdict> judge(std::uint64_t first) {
+    std::vector<Candidate>& candidates = candidates_.local();
+    if (candidates.empty()) {
+      for (const Judged& one : all_) candidates.push_back(candidate_of(one.report.methods));
+    }
+    const Case chunk = cases_.from(first, std::min(first + kChunk, cases_.rays_judged()));
+    properties::SharedTruths truths(chunk, plans_);
+    std::vector<ChunkVerdict> found;
+    for (std::size_t k = 0; k < all_.size(); ++k) {
+      found.push_back(judge_chunk(chunk, first, truths.under(all_[k].report.conventions),
+                                  options_.max_error, candidates[k]));
+    }
+    return found;
+  }
+
+  const CheckOptions& options_;
+  const SceneCases& cases_;
+  std::vector<Judged>& all_;
+  std::vector<scene::ScenePlan> plans_;
+  tbb::enumerable_thread_specific<std::vector<Candidate>> candidates_;
+};
+
+/// Times every candidate on the first rays, before any other thread runs.
+void time_all(const SceneCases& cases, std::vector<Judged>& all) {
+  const Case chunk = cases.from(0, std::min<std::uint64_t>(kChunk, cases.rays_judged()));
+  for (Judged& one : all) {
+    one.report.timing =
+        time_methods(one.report.methods, cases.scene(), one.report.conventions, chunk.pixels);
+  }
+}
+
 }  // namespace
 
 CheckReport check(const CheckOptions& options) {
@@ -164,27 +245,15 @@ CheckReport check(const CheckOptions& options) {
   }
   const SceneCases cases(report.scene, options.pixels);
   report.rays_in_scene = cases.rays_in_scene();
-  const std::uint64_t judged = cases.rays_judged();
   std::vector<Judged> all;
   for (const MethodPair& pair : useful_pairs(options.methods, report.scene)) {
     all.push_back(prepare(pair, report.scene, options));
   }
+  time_all(cases, all);
   Progress progress(report.path);
-  while (report.rays_judged < judged && !interrupted()) {
-    const std::uint64_t first = report.rays_judged;
-    const std::uint64_t end = std::min(first + kChunk, judged);
-    const Case chunk = cases.from(first, end);
-    properties::SharedTruths truths(chunk);
-    for (Judged& one : all) {
-      judge_chunk(chunk, first, truths.under(one.report.conventions), options.max_error, one);
-      if (first == 0) {
-        one.report.timing =
-            time_methods(one.report.methods, report.scene, one.report.conventions, chunk.pixels);
-      }
-    }
-    report.rays_judged = end;
-    progress.show(fmt::format("{} of {} rays judged", end, judged));
-  }
+  Judgement(options, cases, all).run(report.rays_judged, [&] {
+    progress.show(fmt::format("{} of {} rays judged", report.rays_judged, cases.rays_judged()));
+  });
   for (Judged& one : all) report.candidates.push_back(finish(std::move(one)));
   report.interrupted = interrupted();
   report.left_out = left_out_lines(report);

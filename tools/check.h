@@ -19,6 +19,7 @@ struct CheckOptions {
   std::optional<std::int64_t> pixels;  ///< How many, spread evenly; empty: all.
   std::size_t top = 10;
   std::optional<double> max_error;
+  int threads = 1;  ///< The report does not depend on it.
 };
 
 /// Nanoseconds per ray, the best of several repetitions on batches of the scene's rays.

@@ -1,3 +1,5 @@
+#include <tbb/info.h>
+
 #include <memory>
 #include <stdexcept>
 
@@ -20,6 +22,7 @@ struct Arguments {
   std::size_t top = 10;
   std::optional<double> max_ulp;
   std::optional<std::string> certificates;
+  int threads = tbb::info::default_concurrency();
   std::string format = "text";
 };
 
@@ -36,6 +39,7 @@ int run_check(const Arguments& arguments) {
   if (arguments.pixels != "all") options.pixels = parse_index("--pixels", arguments.pixels, 1);
   options.top = arguments.top;
   options.max_error = arguments.max_ulp;
+  options.threads = arguments.threads;
   std::optional<OutputFile> certificates;
   if (arguments.certificates) certificates.emplace("--certificates", *arguments.certificates);
   const CheckReport report = check(options);
@@ -68,6 +72,7 @@ Command add_check(CLI::App& program) {
       .add_option("--max-ulp", arguments.max_ulp,
                   "errors above are discrepancies (default: the method's documented bound)")
       ->check(kBound);
+  add_threads(command, arguments.threads, "the report");
   add_certificates(command, arguments.certificates);
   add_format(command, arguments.format, {"text", "json"});
   return {&command, [given] { return run_check(*given); }};

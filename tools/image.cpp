@@ -1,9 +1,6 @@
 #include "tools/image.h"
 
 #include <fmt/core.h>
-#include <tbb/global_control.h>
-#include <tbb/parallel_pipeline.h>
-#include <tbb/task_arena.h>
 
 #include <algorithm>
 #include <chrono>
@@ -12,6 +9,7 @@
 #include <utility>
 
 #include "tools/image_paint.h"
+#include "tools/in_order.h"
 #include "tools/terminal.h"
 
 namespace raycheck::tools {
@@ -47,33 +45,6 @@ class Bands {
   std::int64_t rows_;
   bool top_first_;
 };
-
-/// Calls make(k) for every k in [0, count) by all the threads, and take(result) one after the other
-/// in the order of k; few results are held at a time. Stops early at an interrupt.
-template <class Result, class Make, class Take>
-void in_order(std::int64_t count, int threads, const Make& make, const Take& take) {
-  const auto most = static_cast<std::size_t>(threads);
-  const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, most);
-  tbb::task_arena arena(threads);
-  std::int64_t next = 0;
-  const auto number = [&](tbb::flow_control& flow) -> std::int64_t {
-    if (next == count || interrupted()) {
-      flow.stop();
-      return 0;
-    }
-    return next++;
-  };
-  using Shared = std::shared_ptr<Result>;
-  arena.execute([&] {
-    tbb::parallel_pipeline(
-        2 * most, tbb::make_filter<void, std::int64_t>(tbb::filter_mode::serial_in_order, number) &
-                      tbb::make_filter<std::int64_t, Shared>(
-                          tbb::filter_mode::parallel,
-                          [&](std::int64_t k) { return std::make_shared<Result>(make(k)); }) &
-                      tbb::make_filter<Shared, void>(tbb::filter_mode::serial_in_order,
-                                                     [&](const Shared& result) { take(*result); }));
-  });
-}
 
 SeenBand seen_band(const Visibility& visibility, std::int64_t width,
                    const std::pair<std::int64_t, std::int64_t>& rows, bool parameters,
@@ -214,7 +185,11 @@ ImageReport report_on(const ImageOptions& options, const scene::LoadedScene& loa
 
 ImageReport make_image(const ImageOptions& options, PictureFile& file) {
   const auto start = std::chrono::steady_clock::now();
-  const scene::LoadedScene loaded = scene::load_scene(options.path, options.dialect);
+  scene::LoadedScene loaded = scene::load_scene(options.path, options.dialect);
+  if (options.size && loaded.scene.camera) {
+    loaded.scene.camera->width = options.size->i;
+    loaded.scene.camera->height = options.size->j;
+  }
   const scene::Scene& scene = loaded.scene;
   ImageReport report = report_on(options, loaded, file);
   file.start(report.width, report.height);

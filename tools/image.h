@@ -29,6 +29,7 @@ struct ImageOptions {
   Picture what = Picture::kSphere;
   MethodPair methods = kDefaultMethods;  ///< Whose error is shown.
   int threads = 1;
+  std::optional<scene::Pixel> size;  ///< Pixels across and down in place of the scene's.
 };
 
 /// The smallest and the largest s that pixels see.

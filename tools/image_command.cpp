@@ -5,6 +5,7 @@
 #include <memory>
 #include <stdexcept>
 
+#include "scene/number.h"
 #include "tools/arguments.h"
 #include "tools/commands.h"
 #include "tools/image.h"
@@ -21,6 +22,7 @@ struct Arguments {
   std::string dialect;
   std::string rays;
   std::string intersect;
+  std::string size;
   int threads = tbb::info::default_concurrency();
   std::string format = "text";
 };
@@ -39,6 +41,12 @@ std::string legend() {
                     hex(kWrongColour), hex(kUnjudgedColour));
 }
 
+scene::Pixel parse_size(const std::string& text) {
+  const auto sides = parse_list("--size", text, 2, "pixels across and down: W,H");
+  return {parse_index("--size", scene::shortest(sides[0]), 1),
+          parse_index("--size", scene::shortest(sides[1]), 1)};
+}
+
 int run(const Arguments& arguments) {
   catch_interrupts();
   ImageOptions options;
@@ -48,6 +56,7 @@ int run(const Arguments& arguments) {
       static_cast<Picture>(std::find(kPictureNames.begin(), kPictureNames.end(), arguments.what) -
                            kPictureNames.begin());
   options.threads = arguments.threads;
+  if (!arguments.size.empty()) options.size = parse_size(arguments.size);
   for (const auto& [option, value] :
        {std::pair("--rays", &arguments.rays), std::pair("--intersect", &arguments.intersect)}) {
     if (options.what != Picture::kError && !value->empty()) {
@@ -88,6 +97,8 @@ Command add_image(CLI::App& program) {
                      "of error: the method that makes rays (default: direct)");
   command.add_option("--intersect", arguments.intersect,
                      "of error: the method that intersects them (default: cross)");
+  command.add_option("--size", arguments.size,
+                     "pixels across and down, W,H (default: the scene's)");
   command.add_option("--threads", arguments.threads, "how many; the picture is the same")
       ->check(CLI::Range(1, 1024))
       ->capture_default_str();

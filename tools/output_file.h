@@ -23,6 +23,8 @@ class OutputFile {
   void append(std::string_view bytes);
   /// Moves what was appended to its place; the last call. Throws as append().
   void place();
+  /// Throws std::runtime_error that names the option, the path and why it was not written.
+  [[noreturn]] void fail(const std::string& why) const;
   /// The whole file at once.
   void write(std::string_view text) {
     append(text);
@@ -31,7 +33,6 @@ class OutputFile {
 
  private:
   void require_written();
-  [[noreturn]] void fail(const std::string& why) const;
 
   std::string option_;
   std::string path_;

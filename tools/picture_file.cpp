@@ -36,7 +36,7 @@ class PngEncoder : public PictureEncoder {
     info_ = png_ == nullptr ? nullptr : png_create_info_struct(png_);
     if (info_ == nullptr) {
       png_destroy_write_struct(&png_, nullptr);
-      throw std::runtime_error("libpng: cannot be used");
+      file.fail("libpng: it cannot be used");
     }
   }
   PngEncoder(const PngEncoder&) = delete;
@@ -70,7 +70,7 @@ class PngEncoder : public PictureEncoder {
       return;
     }
     if (failure_) std::rethrow_exception(failure_);
-    throw std::runtime_error("libpng: " + message_);
+    file_.fail("libpng: " + message_);
   }
 
   static void on_write(png_structp png, png_bytep bytes, png_size_t size) {

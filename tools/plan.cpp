@@ -40,8 +40,8 @@ class Accountant {
 
   /// In the order of kPlanItems; the filter's is counted where pixels are decided.
   std::vector<ItemReport> items() const {
-    return {spheres_left_out(LeftOut::kOutsideView, "no pixel's line of sight meets them"),
-            spheres_left_out(LeftOut::kBehind, "all of them is behind where rays start"),
+    return {spheres_left_out(LeftOut::kOutsideView, "no ray of the image meets it"),
+            spheres_left_out(LeftOut::kBehind, "all of it is behind where rays start"),
             hidden(),
             rectangles(),
             constants(),
@@ -69,7 +69,7 @@ class Accountant {
   }
 
   ItemReport hidden() const {
-    ItemReport item = spheres_left_out(LeftOut::kHidden, "one nearer sphere is before all of them");
+    ItemReport item = spheres_left_out(LeftOut::kHidden, "one nearer sphere is before all of it");
     if (plan_.wanted != scene::Wanted::kNearest) {
       item.why = "only where nothing but the nearest sphere is wanted";
     }
@@ -105,17 +105,17 @@ class Accountant {
   ItemReport scaling() const {
     const scene::Scaling& scaling = plan_.eye.scaling();
     if (scaling == scene::Scaling{}) {
-      return {1, 1, "scenes",
+      return {1, 1, "scene",
               fmt::format("all magnitudes are within 2^-{0} and 2^{0}", scene::kPlainExponent)};
     }
-    return {0, 1, "scenes",
+    return {0, 1, "scene",
             fmt::format("lengths are divided by 2^{}, the image plane's by 2^{}", scaling.lengths,
                         scaling.plane)};
   }
 
   ItemReport basis() const {
-    if (plan_.eye.axis_aligned()) return {1, 1, "cameras", "U, V, W are axes of the world"};
-    return {0, 1, "cameras", "U, V, W are no axes of the world"};
+    if (plan_.eye.axis_aligned()) return {1, 1, "camera", "U, V, W are axes of the world"};
+    return {0, 1, "camera", "U, V, W are no axes of the world"};
   }
 
   ItemReport quantities() const {

@@ -1,6 +1,7 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "tools/format.h"
 #include "tools/plan.h"
@@ -15,14 +16,17 @@ std::string milliseconds(double ms) { return fmt::format("{:.3g}", ms); }
 
 /// "saves 73%"; a negative share is what an item costs here.
 std::string share_text(const PlanTime& time) {
-  return fmt::format("{:.0f}%", 100 * (1 - time.with_plan_ms / time.without_ms));
+  return fmt::format("{}%", std::lround(100 * (1 - time.with_plan_ms / time.without_ms)));
+}
+
+std::string left_out_text(const ItemReport& item) {
+  if (item.of == 1) return item.left_out == 1 ? "yes" : "no";
+  return fmt::format("{} of {} {}", item.left_out, item.of, item.noun);
 }
 
 std::string items_table(const PlanReport& report) {
   Table table({{"item"},
-               {"left out", Table::Align::kRight},
-               {"of", Table::Align::kRight},
-               {""},
+               {"left out"},
                {"ms without", Table::Align::kRight},
                {"saves", Table::Align::kRight},
                {"why"}});
@@ -31,8 +35,7 @@ std::string items_table(const PlanReport& report) {
     const bool is_estimate = kPlanItems[k].member == &scene::PlanItems::filter && item.time;
     std::string why = item.why;
     if (is_estimate) why += fmt::format("; time from {}", count_text(item.time->pixels, "pixel"));
-    table.add({std::string(kPlanItems[k].name), std::to_string(item.left_out),
-               std::to_string(item.of), std::string(item.noun),
+    table.add({std::string(kPlanItems[k].name), left_out_text(item),
                item.time ? (is_estimate ? "~" : "") + milliseconds(item.time->without_ms) : "-",
                item.time ? share_text(*item.time) : "-", why});
   }
@@ -95,7 +98,7 @@ std::string plan_text(const PlanReport& report) {
       "{} ms to plan, {} ms the image by one core{}\n", milliseconds(report.plan_ms),
       milliseconds(report.image_ms),
       report.pixels_timed < all ? fmt::format(", from {} pixels", report.pixels_timed) : "");
-  return text + "\nleft out\n\n" + items_table(report) + spheres_table(report);
+  return text + "\n" + items_table(report) + spheres_table(report);
 }
 
 }  // namespace raycheck::tools

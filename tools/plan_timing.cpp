@@ -12,9 +12,10 @@ using reference::Visibility;
 using scene::Wanted;
 using Clock = std::chrono::steady_clock;
 
-/// All of it, of one item, and of what one item leaves undone when its time is over.
+/// All of it takes about so long, one item, and what a clock tells apart.
 constexpr double kAllSeconds = 2;
-constexpr double kItemSeconds = 0.1;
+constexpr double kItemSeconds = 0.15;
+constexpr double kLeastSeconds = 20e-6;
 constexpr int kMostPasses = 9;
 /// More sphere-pixel pairs than this are not asked at a time.
 constexpr double kMostPairs = 1e8;
@@ -105,33 +106,47 @@ class Parts {
   std::vector<std::int64_t> begins_;
 };
 
-/// Seconds of the first parts, each the median of several passes; as many parts as fit into the
-/// time allowed, and one at least.
-std::vector<double> time_parts(const Visibility& visibility, Question& question, const Parts& parts,
-                               std::size_t most) {
+/// Seconds that some rows take, of as many repetitions as a clock needs.
+double time_rows(const Visibility& visibility, Question& question,
+                 const std::pair<std::int64_t, std::int64_t>& rows) {
   const Clock::time_point start = Clock::now();
-  std::vector<std::vector<double>> passes(most);
-  std::size_t done = most;
-  for (int pass = 0; pass < kMostPasses; ++pass) {
-    if (pass > 0 && seconds_since(start) > kItemSeconds) break;
-    for (std::size_t k = 0; k < done; ++k) {
-      const auto [j_begin, j_end] = parts[k];
-      const Clock::time_point begin = Clock::now();
-      question.ask(visibility, j_begin, j_end);
-      passes[k].push_back(seconds_since(begin));
-      // Half of the time for the first pass, so that there is a second one.
-      if (pass == 0 && seconds_since(start) > kItemSeconds / 2) done = k + 1;
-    }
-  }
-  std::vector<double> medians;
-  for (std::size_t k = 0; k < done; ++k) medians.push_back(median(passes[k]));
-  return medians;
+  int repetitions = 0;
+  do {
+    question.ask(visibility, rows.first, rows.second);
+    ++repetitions;
+  } while (seconds_since(start) < kLeastSeconds);
+  return seconds_since(start) / repetitions;
 }
 
-double sum_of_first(const std::vector<double>& seconds, std::size_t count) {
-  double sum = 0;
-  for (std::size_t k = 0; k < count; ++k) sum += seconds[k];
-  return sum;
+/// Seconds of several visibilities, each the sum over the first parts of the image of medians of
+/// several passes. They take turns, so that what slows the machine slows all of them. As many
+/// parts as fit into the time allowed, and one at least.
+struct PartTimes {
+  std::vector<double> seconds;
+  std::size_t parts = 0;
+};
+PartTimes time_parts(const std::vector<const Visibility*>& all, Question& question,
+                     const Parts& parts) {
+  const Clock::time_point start = Clock::now();
+  std::vector<std::vector<std::vector<double>>> passes(all.size());
+  for (auto& of : passes) of.resize(parts.count());
+  PartTimes times{std::vector<double>(all.size()), parts.count()};
+  for (int pass = 0; pass < kMostPasses; ++pass) {
+    if (pass > 0 && seconds_since(start) > kItemSeconds) break;
+    for (std::size_t part = 0; part < times.parts; ++part) {
+      for (std::size_t k = 0; k < all.size(); ++k) {
+        passes[k][part].push_back(time_rows(*all[k], question, parts[part]));
+      }
+      // Half of the time for the first pass, so that there is a second one.
+      if (pass == 0 && seconds_since(start) > kItemSeconds / 2) times.parts = part + 1;
+    }
+  }
+  for (std::size_t k = 0; k < all.size(); ++k) {
+    for (std::size_t part = 0; part < times.parts; ++part) {
+      times.seconds[k] += median(passes[k][part]);
+    }
+  }
+  return times;
 }
 
 double pairs_asked(const scene::ScenePlan& plan) {
@@ -184,36 +199,37 @@ void time_plan(PlanReport& report) {
   const Parts parts(scene.camera->height, by_rows ? 1 : Visibility::kBandRows);
   Question question(scene, plan.wanted, parts.most_rows());
   const Visibility planned(scene, plan);
-  const std::vector<double> with_plan = time_parts(planned, question, parts, parts.count());
-  const auto whole_image_ms = [&](double seconds, std::uint64_t rows) {
-    return 1e3 * seconds * height / static_cast<double>(rows);
+  const auto whole_image_ms = [&](double seconds, std::size_t timed) {
+    return 1e3 * seconds * height / static_cast<double>(parts.rows_of_first(timed));
   };
-  const std::uint64_t rows = parts.rows_of_first(with_plan.size());
-  report.image_ms = whole_image_ms(sum_of_first(with_plan, with_plan.size()), rows);
-  report.pixels_timed = rows * static_cast<std::uint64_t>(scene.camera->width);
-  for (std::size_t k = 0; k < with_plan.size(); ++k) {
+  const auto pixels_of = [&](std::size_t timed) {
+    return parts.rows_of_first(timed) * static_cast<std::uint64_t>(scene.camera->width);
+  };
+  const PartTimes times = time_parts({&planned}, question, parts);
+  report.image_ms = whole_image_ms(times.seconds[0], times.parts);
+  report.pixels_timed = pixels_of(times.parts);
+  for (std::size_t k = 0; k < times.parts; ++k) {
     report.decided_by += question.ask(planned, parts[k].first, parts[k].second);
   }
   for (std::size_t k = 0; k < kPlanItems.size(); ++k) {
     if (seconds_since(start) > kAllSeconds) return;
     scene::PlanItems items;
     items.*kPlanItems[k].member = false;
+    ItemReport& item = report.items[k];
     if (!items.filter) {
       const auto [seconds, pixels] = time_exact_pixels(scene, plan);
       const double all = width * height / static_cast<double>(pixels);
-      report.items[k].time = PlanTime{report.image_ms, 1e3 * seconds * all, pixels};
+      item.time = PlanTime{report.image_ms, 1e3 * seconds * all, pixels};
       continue;
     }
+    if (item.left_out == 0) continue;
     const scene::ScenePlan without = scene::plan_scene(scene, plan.conventions, plan.wanted, items);
     const double part_share = static_cast<double>(parts.most_rows()) / height;
     if (pairs_asked(without) * part_share > kMostPairs) continue;
-    const std::vector<double> seconds =
-        time_parts(Visibility(scene, without), question, parts, with_plan.size());
-    const std::uint64_t its_rows = parts.rows_of_first(seconds.size());
-    report.items[k].time =
-        PlanTime{whole_image_ms(sum_of_first(with_plan, seconds.size()), its_rows),
-                 whole_image_ms(sum_of_first(seconds, seconds.size()), its_rows),
-                 its_rows * static_cast<std::uint64_t>(scene.camera->width)};
+    const Visibility unplanned(scene, without);
+    const PartTimes both = time_parts({&planned, &unplanned}, question, parts);
+    item.time = PlanTime{whole_image_ms(both.seconds[0], both.parts),
+                         whole_image_ms(both.seconds[1], both.parts), pixels_of(both.parts)};
   }
 }
 

@@ -1,5 +1,6 @@
 #include <cmath>
 #include <functional>
+#include <span>
 #include <string>
 #include <utility>
 
@@ -31,15 +32,39 @@ HitAnswer hit_at(const Ray& ray, double s) {
                     ray.origin.z + s * ray.direction.z}};
 }
 
-/// The nearest sphere by what `intersect` answers, as nearest_spheres() does.
-void rank_by_own_hits(Candidate& candidate) {
-  candidate.nearest = [intersect = candidate.intersect](Candidate::Rays rays,
-                                                        Candidate::Spheres spheres,
-                                                        const Conventions& conventions) {
+/// One sphere at a time, an answer a ray: what mutants change.
+using AskSphere =
+    std::function<std::vector<Hit>(Candidate::Rays, const Sphere&, const Conventions&)>;
+
+AskSphere unmutated_hits() {
+  return [base = unmutated().intersect](Candidate::Rays rays, const Sphere& sphere,
+                                        const Conventions& conventions) {
+    std::vector<Hit> hits(rays.size());
+    const auto found = base(rays, std::span(&sphere, 1), conventions);
+    for (const auto& [ray, hit] : found.front()) hits[ray] = hit;
+    return hits;
+  };
+}
+
+/// The hits by `ask`, and the nearest sphere by these, as nearest_spheres() has it.
+void answer_by(Candidate& candidate, const AskSphere& ask) {
+  candidate.intersect = [ask](Candidate::Rays rays, Candidate::Spheres spheres,
+                              const Conventions& conventions) {
+    std::vector<properties::SphereHits> answers(spheres.size());
+    for (std::size_t index = 0; index < spheres.size(); ++index) {
+      const std::vector<Hit> hits = ask(rays, spheres[index], conventions);
+      for (std::size_t k = 0; k < hits.size(); ++k) {
+        if (hits[k]) answers[index].push_back({k, *hits[k]});
+      }
+    }
+    return answers;
+  };
+  candidate.nearest = [ask](Candidate::Rays rays, Candidate::Spheres spheres,
+                            const Conventions& conventions) {
     std::vector<Index> nearest(rays.size());
     std::vector<double> parameter(rays.size());
     for (std::size_t index = 0; index < spheres.size(); ++index) {
-      const auto hits = intersect(rays, spheres[index], conventions);
+      const std::vector<Hit> hits = ask(rays, spheres[index], conventions);
       for (std::size_t k = 0; k < rays.size(); ++k) {
         if (!hits[k] || (nearest[k] && parameter[k] <= hits[k]->parameter)) continue;
         nearest[k] = index;
@@ -53,12 +78,10 @@ void rank_by_own_hits(Candidate& candidate) {
 /// Spheres changed before they are intersected.
 Candidate with_sphere(std::string name, std::function<Sphere(const Sphere&)> change) {
   Candidate candidate = named(std::move(name));
-  candidate.intersect = [base = candidate.intersect, change](Candidate::Rays rays,
-                                                             const Sphere& sphere,
-                                                             const Conventions& conventions) {
+  answer_by(candidate, [base = unmutated_hits(), change](Candidate::Rays rays, const Sphere& sphere,
+                                                         const Conventions& conventions) {
     return base(rays, change(sphere), conventions);
-  };
-  rank_by_own_hits(candidate);
+  });
   return candidate;
 }
 
@@ -66,14 +89,12 @@ Candidate with_sphere(std::string name, std::function<Sphere(const Sphere&)> cha
 Candidate with_hits(std::string name,
                     std::function<Hit(const Ray&, const Sphere&, const Hit&)> change) {
   Candidate candidate = named(std::move(name));
-  candidate.intersect = [base = candidate.intersect, change](Candidate::Rays rays,
-                                                             const Sphere& sphere,
-                                                             const Conventions& conventions) {
+  answer_by(candidate, [base = unmutated_hits(), change](Candidate::Rays rays, const Sphere& sphere,
+                                                         const Conventions& conventions) {
     std::vector<Hit> hits = base(rays, sphere, conventions);
     for (std::size_t k = 0; k < hits.size(); ++k) hits[k] = change(rays[k], sphere, hits[k]);
     return hits;
-  };
-  rank_by_own_hits(candidate);
+  });
   return candidate;
 }
 
@@ -82,17 +103,16 @@ Candidate with_choice(std::string name,
                       std::function<Hit(const Ray&, const fast::Roots&, const Conventions&)> choose,
                       bool checked = true) {
   Candidate candidate = named(std::move(name));
-  candidate.intersect = [base = candidate.intersect, choose, checked](
-                            Candidate::Rays rays, const Sphere& sphere,
-                            const Conventions& conventions) {
-    if (checked) base(rays, sphere, conventions);
-    std::vector<Hit> hits;
-    for (const Ray& ray : rays) {
-      hits.push_back(choose(ray, fast::kCross.roots(ray, sphere), conventions));
-    }
-    return hits;
-  };
-  rank_by_own_hits(candidate);
+  answer_by(candidate,
+            [base = unmutated_hits(), choose, checked](Candidate::Rays rays, const Sphere& sphere,
+                                                       const Conventions& conventions) {
+              if (checked) base(rays, sphere, conventions);
+              std::vector<Hit> hits;
+              for (const Ray& ray : rays) {
+                hits.push_back(choose(ray, fast::kCross.roots(ray, sphere), conventions));
+              }
+              return hits;
+            });
   return candidate;
 }
 
@@ -229,12 +249,12 @@ Candidate naive_discriminant() {
 /// The first sphere of the file that is met, or the last.
 Candidate by_file_order(std::string name, bool first) {
   Candidate candidate = named(std::move(name));
-  candidate.nearest = [intersect = candidate.intersect, first](Candidate::Rays rays,
-                                                               Candidate::Spheres spheres,
-                                                               const Conventions& conventions) {
+  candidate.nearest = [ask = unmutated_hits(), first](Candidate::Rays rays,
+                                                      Candidate::Spheres spheres,
+                                                      const Conventions& conventions) {
     std::vector<Index> chosen(rays.size());
     for (std::size_t index = 0; index < spheres.size(); ++index) {
-      const auto hits = intersect(rays, spheres[index], conventions);
+      const std::vector<Hit> hits = ask(rays, spheres[index], conventions);
       for (std::size_t k = 0; k < rays.size(); ++k) {
         if (hits[k] && !(first && chosen[k])) chosen[k] = index;
       }

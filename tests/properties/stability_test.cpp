@@ -28,11 +28,12 @@ Case at_height(double height) {
 Candidate that_answers(std::optional<double> parameter) {
   Candidate candidate;
   candidate.name = "constant";
-  candidate.intersect = [parameter](Candidate::Rays rays, const scene::Sphere&,
+  candidate.intersect = [parameter](Candidate::Rays rays, Candidate::Spheres spheres,
                                     const scene::Conventions&) {
-    std::optional<HitAnswer> answer;
-    if (parameter) answer = HitAnswer{*parameter, {}};
-    return std::vector(rays.size(), answer);
+    SphereHits hits;
+    for (std::size_t k = 0; parameter && k < rays.size(); ++k)
+      hits.push_back({k, {*parameter, {}}});
+    return std::vector(spheres.size(), hits);
   };
   return candidate;
 }

@@ -35,8 +35,11 @@ Case at_height(double height) { return ray_case({{-5, height, 0}, {1, 0, 0}}, {{
 
 Candidate that_answers(std::optional<HitAnswer> answer) {
   Candidate candidate;
-  candidate.intersect = [answer](Candidate::Rays rays, const scene::Sphere&, const Conventions&) {
-    return std::vector(rays.size(), answer);
+  candidate.intersect = [answer](Candidate::Rays rays, Candidate::Spheres spheres,
+                                 const Conventions&) {
+    SphereHits hits;
+    for (std::size_t k = 0; answer && k < rays.size(); ++k) hits.push_back({k, *answer});
+    return std::vector(spheres.size(), hits);
   };
   return candidate;
 }
@@ -72,7 +75,7 @@ TEST(Trial, AsksTheCandidateOnceForAllLaws) {
   }
   EXPECT_EQ(points, 1);
   EXPECT_EQ(rays, 1);
-  EXPECT_EQ(hits, 2);  // one a sphere
+  EXPECT_EQ(hits, 1);
 }
 
 TEST(Trial, JudgesUnderTheDeclaredConventions) {
@@ -190,12 +193,16 @@ TEST(Trial, AddsTheDomainOfCamerasWhereThereIsACamera) {
 
 TEST(Trial, TakesACandidateThatFailsForADiscrepancy) {
   Candidate throwing;
-  throwing.intersect = [](auto&&...) -> std::vector<std::optional<HitAnswer>> {
+  throwing.intersect = [](auto&&...) -> std::vector<SphereHits> {
     throw std::invalid_argument("I will not");
   };
-  Candidate short_answered = that_answers({});
-  short_answered.intersect = [](auto&&...) { return std::vector<std::optional<HitAnswer>>(); };
-  for (const Candidate& candidate : {throwing, short_answered}) {
+  const auto that_lists = [](const std::vector<SphereHits>& lists) {
+    Candidate candidate;
+    candidate.intersect = [lists](auto&&...) { return lists; };
+    return candidate;
+  };
+  for (const Candidate& candidate : {throwing, that_lists({}), that_lists({{}, {}}),
+                                     that_lists({{{1, {}}}}), that_lists({{{0, {}}, {0, {}}}})}) {
     const Verdict verdict = judge("class", at_height(0), candidate);
     EXPECT_FALSE(verdict.holds());
     EXPECT_EQ(verdict.worst(1).at(0).wrong, Wrong::kRefused);

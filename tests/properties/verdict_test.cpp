@@ -78,7 +78,9 @@ TEST(Verdict, HoldsABoundToErrorsOverWhatItGrowsBy) {
 
 TEST(Verdict, CountsRightAndWrongAnswersWithoutAveragingThem) {
   Verdict verdict;
-  verdict.judged(Quantity::kClass, at_ray(0), Wrong::kNot, Excuse::kNone);
+  verdict.judged_right(Quantity::kRoot, 0);
+  EXPECT_TRUE(verdict.tallies().empty());
+  verdict.judged_right(Quantity::kClass, 1);
   verdict.judged(Quantity::kClass, at_ray(1), Wrong::kMissed, Excuse::kSmallChangeFlips);
   verdict.judged(Quantity::kClass, at_ray(2), Wrong::kFalseHit, Excuse::kNone);
   verdict.judged(Quantity::kClass, at_ray(3), Wrong::kMissed, Excuse::kNone);

@@ -30,6 +30,15 @@ void expect_holds(const DoubleDouble& x, const Big& exact, const std::string& wh
       << what << ": " << scene::hexfloat(x.high()) << " + " << scene::hexfloat(x.low())
       << " within " << scene::hexfloat(x.radius()) << ", off by " << error.convert_to<double>();
   EXPECT_EQ(x.high(), x.high() + x.low()) << what;
+  const Big centre = Big(x.high()) + Big(x.low());
+  const auto expect_end = [&](double end, const Big& exact_end, int side) {
+    if (!std::isfinite(end)) return;
+    const Big outside = (Big(end) - exact_end) * side;
+    EXPECT_TRUE(outside >= 0) << what;
+    EXPECT_TRUE(outside <= abs(exact_end) * power_of_two(-51) + Big(2 * kSmallest)) << what;
+  };
+  expect_end(x.upper(), centre + Big(x.radius()), 1);
+  expect_end(x.lower(), centre - Big(x.radius()), -1);
   if (const auto sign = x.certain_sign()) {
     EXPECT_EQ(*sign, exact > 0 ? 1 : exact < 0 ? -1 : 0) << what;
   }

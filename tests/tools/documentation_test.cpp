@@ -45,6 +45,40 @@ std::vector<Shown> shown_in(const std::filesystem::path& path) {
   return result;
 }
 
+const std::string kPictures = "docs/images/";
+
+std::string replaced(std::string text, const std::string& what, const std::string& by) {
+  for (std::size_t at = text.find(what); at != std::string::npos;
+       at = text.find(what, at + by.size())) {
+    text.replace(at, what.size(), by);
+  }
+  return text;
+}
+
+/// Runs a command; a picture that it writes goes to a folder of its own, and is what the
+/// documentation shows.
+Outcome run_shown(const Shown& shown) {
+  if (shown.is_python) return run_python(shown.arguments);
+  const std::string option = " --out " + kPictures;
+  if (shown.arguments.find(option) == std::string::npos) return run(shown.arguments);
+  const std::string folder = temporary_file("pictures", "") + ".d/";
+  std::filesystem::create_directory(folder);
+  Outcome result = run(replaced(shown.arguments, option, " --out " + folder));
+  result.out = replaced(result.out, folder, kPictures);
+  int pictures = 0;
+  for (const auto& entry : std::filesystem::directory_iterator(folder)) {
+    const std::string name = entry.path().filename().string();
+    EXPECT_TRUE(contents(entry.path().string()) ==
+                contents(std::string(RAYCHECK_SOURCE_DIR) + "/" + kPictures + name))
+        << shown.where << ": " << name;
+    ++pictures;
+  }
+  EXPECT_EQ(pictures, 1) << shown.where;
+  std::filesystem::remove_all(folder);
+  std::filesystem::remove(folder.substr(0, folder.size() - 3));
+  return result;
+}
+
 /// Times differ from run to run.
 std::string without_times(const std::string& line) {
   static const std::regex kTime(R"([0-9.]+ ns per ray.*$)");
@@ -89,7 +123,7 @@ TEST(Documentation, shows_what_the_program_prints) {
   for (const auto& page : pages) {
     for (const Shown& shown : shown_in(page)) {
       if (shown.arguments == "test" || shown.arguments.rfind("bench", 0) == 0) continue;
-      const Outcome result = shown.is_python ? run_python(shown.arguments) : run(shown.arguments);
+      const Outcome result = run_shown(shown);
       EXPECT_TRUE(result.exit_code == 0 || result.exit_code == 1)
           << shown.where << ": " << result.err;
       expect_shown(shown, lines_of(result.out));

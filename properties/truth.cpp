@@ -1,0 +1,103 @@
+#include "properties/truth.h"
+
+#include <algorithm>
+
+#include "reference/condition.h"
+
+namespace raycheck::properties {
+
+std::size_t count_rays(const Case& the_case) {
+  return the_case.scene.camera ? the_case.pixels.size() : the_case.scene.rays.size();
+}
+
+Truth::Truth(const Case& the_case, const scene::Conventions& conventions,
+             const scene::ScenePlan* plan)
+    : case_(the_case),
+      conventions_(conventions),
+      plan_(plan),
+      rays_(count_rays(the_case)),
+      meetings_(the_case.scene.spheres.size()) {}
+
+const reference::ExactCamera& Truth::camera() {
+  if (!camera_) camera_.emplace(case_.scene.camera.value(), conventions_);
+  return *camera_;
+}
+
+const reference::ExactRay& Truth::ray(std::size_t ray) {
+  auto& kept = rays_[ray];
+  if (!kept) {
+    if (case_.scene.camera) {
+      kept.emplace(camera(), case_.pixels[ray]);
+    } else {
+      kept.emplace(case_.scene.rays[ray]);
+    }
+  }
+  return *kept;
+}
+
+std::vector<Meeting>& Truth::known_meetings(std::size_t sphere) {
+  auto& kept = meetings_[sphere];
+  if (!kept) {
+    kept.emplace();
+    for (std::size_t k = 0; k < rays_.size(); ++k) {
+      if (!may_meet(k, sphere)) continue;
+      const auto at = ray(k).intersect(case_.scene.spheres[sphere], conventions_.root);
+      if (at.hit_class != reference::HitClass::kMiss) kept->push_back({k, at});
+    }
+  }
+  return *kept;
+}
+
+bool Truth::may_meet(std::size_t ray, std::size_t sphere) const {
+  return plan_ == nullptr || plan_->spheres[sphere].pixels.contains(case_.pixels[ray]);
+}
+
+Meeting* Truth::find(std::size_t ray, std::size_t sphere) {
+  return find_ray(known_meetings(sphere), ray);
+}
+
+reference::Intersection Truth::intersection(std::size_t ray, std::size_t sphere) {
+  const Meeting* meeting = find(ray, sphere);
+  return meeting == nullptr ? reference::Intersection{} : meeting->intersection;
+}
+
+double Truth::condition_of_parameter(std::size_t ray_index, std::size_t sphere) {
+  Meeting& meeting = *find(ray_index, sphere);
+  auto& kept = meeting.condition_of_parameter;
+  if (!kept) {
+    kept = reference::condition_of_parameter(ray(ray_index), case_.scene.spheres[sphere],
+                                             meeting.intersection);
+  }
+  return *kept;
+}
+
+const std::vector<std::optional<reference::NearestSphere>>& Truth::nearest() {
+  if (!nearest_) {
+    nearest_.emplace(rays_.size());
+    const auto& spheres = case_.scene.spheres;
+    for (std::size_t sphere = 0; sphere < spheres.size(); ++sphere) {
+      for (const Meeting& meeting : meetings(sphere)) {
+        if (!reference::counts_as_hit(meeting.intersection.hit_class, conventions_.tangent)) {
+          continue;
+        }
+        ray(meeting.ray)
+            .keep_nearest(spheres, sphere, meeting.intersection, (*nearest_)[meeting.ray]);
+      }
+    }
+  }
+  return *nearest_;
+}
+
+std::shared_ptr<Truth> SharedTruths::under(const scene::Conventions& conventions) {
+  for (const auto& truth : truths_) {
+    if (truth->conventions() == conventions) return truth;
+  }
+  const auto plan = std::find_if(plans_.begin(), plans_.end(), [&](const scene::ScenePlan& one) {
+    return one.conventions == conventions;
+  });
+  truths_.push_back(
+      std::make_shared<Truth>(case_, conventions, plan == plans_.end() ? nullptr : &*plan));
+  return truths_.back();
+}
+
+}  // namespace raycheck::properties

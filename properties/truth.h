@@ -1,0 +1,93 @@
+#ifndef RAYCHECK_PROPERTIES_TRUTH_H_
+#define RAYCHECK_PROPERTIES_TRUTH_H_
+
+#include <algorithm>
+#include <cstddef>
+#include <memory>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "reference/exact_camera.h"
+#include "reference/exact_ray.h"
+#include "scene/plan.h"
+#include "scene/scene.h"
+
+namespace raycheck::properties {
+
+/// What a law is asked about: a scene, and the pixels that are looked at when it has a camera (its
+/// given rays are all looked at). Where cases come from is no business of a law's.
+struct Case {
+  scene::Scene scene;
+  std::vector<scene::Pixel> pixels;
+};
+
+/// How many rays a case looks at.
+std::size_t count_rays(const Case& the_case);
+
+/// The element of a ray in a list in the order of the rays; null where there is none.
+template <class List>
+auto* find_ray(List& list, std::size_t ray) {
+  const auto at = std::lower_bound(list.begin(), list.end(), ray,
+                                   [](const auto& one, std::size_t it) { return one.ray < it; });
+  return at == list.end() || at->ray != ray ? nullptr : &*at;
+}
+
+/// A ray of a case that meets a sphere, in a hit or a tangent.
+struct Meeting {
+  std::size_t ray = 0;
+  reference::Intersection intersection;
+  std::optional<double> condition_of_parameter = {};  ///< Worked out when first asked for.
+};
+
+/// The truth about a case under some conventions, each part worked out when first asked for and
+/// kept. It never sees a candidate; candidates judged under the same conventions share it. With a
+/// plan of the case's scene under these conventions it asks about the pixels of a sphere's
+/// rectangle only; whether plans are right is for laws that ask without one.
+class Truth {
+ public:
+  Truth(const Case& the_case, const scene::Conventions& conventions,
+        const scene::ScenePlan* plan = nullptr);
+
+  const scene::Conventions& conventions() const { return conventions_; }
+  const reference::ExactCamera& camera();
+  const reference::ExactRay& ray(std::size_t ray);
+  /// The rays that meet a sphere, in their order; every other ray misses it.
+  std::span<const Meeting> meetings(std::size_t sphere) { return known_meetings(sphere); }
+  reference::Intersection intersection(std::size_t ray, std::size_t sphere);
+  /// kappa of the parameter of a hit or a tangent.
+  double condition_of_parameter(std::size_t ray, std::size_t sphere);
+  /// The sphere that each ray meets first.
+  const std::vector<std::optional<reference::NearestSphere>>& nearest();
+
+ private:
+  std::vector<Meeting>& known_meetings(std::size_t sphere);
+  Meeting* find(std::size_t ray, std::size_t sphere);
+  bool may_meet(std::size_t ray, std::size_t sphere) const;
+
+  const Case& case_;
+  scene::Conventions conventions_;
+  const scene::ScenePlan* plan_;
+  std::optional<reference::ExactCamera> camera_;
+  std::vector<std::optional<reference::ExactRay>> rays_;
+  std::vector<std::optional<std::vector<Meeting>>> meetings_;  ///< By sphere.
+  std::optional<std::vector<std::optional<reference::NearestSphere>>> nearest_;
+};
+
+/// The truths about one case, by the conventions under which candidates are judged; with the plan
+/// made for these, where there is one.
+class SharedTruths {
+ public:
+  explicit SharedTruths(const Case& the_case, std::span<const scene::ScenePlan> plans = {})
+      : case_(the_case), plans_(plans) {}
+  std::shared_ptr<Truth> under(const scene::Conventions& conventions);
+
+ private:
+  const Case& case_;
+  std::span<const scene::ScenePlan> plans_;
+  std::vector<std::shared_ptr<Truth>> truths_;
+};
+
+}  // namespace raycheck::properties
+
+#endif  // RAYCHECK_PROPERTIES_TRUTH_H_

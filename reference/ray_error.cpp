@@ -1,0 +1,145 @@
+#include "reference/ray_error.h"
+
+#include <cmath>
+
+#include "reference/error_formulas.h"
+#include "reference/error_measure.h"
+#include "reference/ray_impl.h"
+
+namespace raycheck::reference {
+namespace {
+
+constexpr int kBits = 256;
+
+Triple<DoubleDouble> triple(const DoubleDoubleKernel::Vector_3& v) { return {v.x(), v.y(), v.z()}; }
+
+/// measure(line) by double-doubles. A function of its own, so that no operation moves to where
+/// doubles round upward.
+template <class Measure>
+[[gnu::noinline]] auto by_double_doubles(const ExactRay& ray, const Measure& measure) {
+  const NearestGuard guard;
+  return measure(line_in_double_doubles(ray));
+}
+
+template <class Measure>
+auto by_double_doubles(const ExactRay& ray, const scene::Sphere& sphere, const Measure& measure) {
+  scene::require_valid(sphere);
+  return by_double_doubles(ray, [&](const Line<DoubleDoubleKernel>& line) {
+    return measure(
+        line_and_sphere(line, lift_sphere<DoubleDoubleKernel>(DoubleDoubleLift{}, sphere)));
+  });
+}
+
+using Pair = LineAndSphere<DoubleDoubleKernel>;
+
+/// The relative distance of a point from value(line).
+template <class Value>
+std::optional<double> distance_by_double_doubles(const ExactRay& ray, const scene::Point3& given,
+                                                 const Value& value) {
+  return by_double_doubles(ray, [&](const Line<DoubleDoubleKernel>& line) {
+    return narrow_error_in_u(relative_distance(in_double_doubles(given), triple(value(line))));
+  });
+}
+
+/// The exponent of the gap between the doubles around every number within; empty where that differs
+/// or is not known.
+std::optional<int> ulp_exponent(const DoubleDouble& x) {
+  const double lower = abs(x).lower();
+  if (!(lower >= std::numeric_limits<double>::min()) || !std::isfinite(x.high())) return {};
+  return std::ilogb(lower) - (std::numeric_limits<double>::digits - 1);
+}
+
+}  // namespace
+
+double pixel_point_error(const ExactRay& ray, const scene::Point3& given) {
+  const auto error =
+      distance_by_double_doubles(ray, given, [](const auto& line) { return line.base + line.g; });
+  return error ? *error : relative_error(given, ray.pixel_point());
+}
+
+double origin_error(const ExactRay& ray, const scene::Point3& given) {
+  const auto error =
+      distance_by_double_doubles(ray, given, [](const auto& line) { return ray_origin(line); });
+  return error ? *error : relative_error(given, ray.origin());
+}
+
+double direction_error(const ExactRay& ray, const scene::UnitVector3& given) {
+  const auto error = by_double_doubles(ray, [&](const auto& line) -> std::optional<double> {
+    const Triple<DoubleDouble> direction = in_double_doubles(given);
+    const Triple<DoubleDouble> exact = triple(unit_direction(line));
+    const DoubleDouble cosine = dot(direction, exact);
+    if (cosine.certain_sign() != 1) return std::nullopt;
+    return narrow_error_in_u(tangent(direction, exact, cosine));
+  });
+  return error ? *error : angle_error(given, ray.direction());
+}
+
+double parameter_error(const ExactRay& ray, const scene::Sphere& sphere,
+                       const Intersection& intersection, double given) {
+  const auto error = by_double_doubles(ray, sphere, [&](const Pair& pair) -> std::optional<double> {
+    const DoubleDouble exact = ray_parameter(pair, root_sign(intersection));
+    const std::optional<int> exponent = ulp_exponent(exact);
+    return exponent ? narrow_error(abs(DoubleDouble(given) - exact), *exponent) : std::nullopt;
+  });
+  return error ? *error : ulp_error(given, ray.parameter(sphere, intersection));
+}
+
+double hit_point_error(const ExactRay& ray, const scene::Sphere& sphere,
+                       const Intersection& intersection, const scene::Point3& given) {
+  const auto error = by_double_doubles(ray, sphere, [&](const Pair& pair) {
+    return narrow_error_in_u(relative_distance(in_double_doubles(given),
+                                               triple(hit_point(pair, root_sign(intersection)))));
+  });
+  return error ? *error : relative_error(given, ray.point(sphere, intersection));
+}
+
+namespace {
+
+[[gnu::noinline]] std::optional<double> sphere_residual_by_double_doubles(
+    const scene::Sphere& sphere, const scene::Point3& given) {
+  const NearestGuard guard;
+  return narrow_error_in_u(distance_from_sphere(
+      in_double_doubles(given), in_double_doubles(sphere.centre), DoubleDouble(sphere.radius)));
+}
+
+}  // namespace
+
+std::optional<double> sphere_residual(const scene::Sphere& sphere, const scene::Point3& given) {
+  if (sphere.radius == 0) return std::nullopt;
+  if (const auto error = sphere_residual_by_double_doubles(sphere, given)) return error;
+  return in_units_of_u(distance_from_sphere(enclose_exactly(given), enclose_exactly(sphere.centre),
+                                            Enclosure(sphere.radius, kBits)));
+}
+
+std::optional<double> ray_residual(const ExactRay& ray, const scene::Point3& given) {
+  const auto error = by_double_doubles(ray, [&](const auto& line) {
+    const Triple<DoubleDouble> along = in_double_doubles(given) - triple(ray_origin(line));
+    return narrow_error_in_u(distance_from_line(along, triple(unit_direction(line))));
+  });
+  if (error) return error;
+  const EnclosedRay enclosed = ray.enclose(kBits);
+  const Enclosure3 along = enclose_exactly(given) - enclosed.origin();
+  if (norm(along).contains_zero()) return std::nullopt;
+  return in_units_of_u(distance_from_line(along, enclosed.direction()));
+}
+
+bool is_at_other_root(const ExactRay& ray, const scene::Sphere& sphere,
+                      const Intersection& intersection, double given) {
+  if (intersection.hit_class == HitClass::kTangent || !std::isfinite(given)) return false;
+  Intersection other = intersection;
+  other.root = intersection.root == WhichRoot::kSmaller ? WhichRoot::kLarger : WhichRoot::kSmaller;
+  const auto margin = [&](const auto& root, const auto& other_root, const auto& answer) {
+    using Number = std::decay_t<decltype(root)>;
+    return abs(other_root - root) - Number(kOtherRootShare) * abs(answer - other_root);
+  };
+  const auto sign = by_double_doubles(ray, sphere, [&](const Pair& pair) {
+    return certain_sign(margin(ray_parameter(pair, root_sign(intersection)),
+                               ray_parameter(pair, root_sign(other)), DoubleDouble(given)));
+  });
+  if (sign) return *sign == 1;
+  const EnclosedRay enclosed = ray.enclose(kBits);
+  return certain_sign(margin(enclosed.parameter(sphere, intersection),
+                             enclosed.parameter(sphere, other), Enclosure(given, kBits))) == 1;
+}
+
+}  // namespace raycheck::reference

@@ -1,0 +1,42 @@
+#ifndef RAYCHECK_REFERENCE_RAY_ERROR_H_
+#define RAYCHECK_REFERENCE_RAY_ERROR_H_
+
+#include <optional>
+
+#include "reference/exact_ray.h"
+#include "scene/geometry.h"
+
+namespace raycheck::reference {
+
+// How far given answers about one ray are from the exact ones: the measures of
+// reference/error_measure.h against an ExactRay.
+// Units:  u = 2^-53 of the exact value's size, ulp of it for the parameter.
+// Domain: as ExactRay; `intersection` is what ray.intersect(sphere) found, a hit or a tangent.
+//         Infinite for an answer that is not finite.
+// Error:  upper bounds: by double-doubles where these enclose the error to a relative 2^-30,
+//         otherwise by balls around values of ExactRay::kValueBits.
+
+double pixel_point_error(const ExactRay& ray, const scene::Point3& given);
+double origin_error(const ExactRay& ray, const scene::Point3& given);
+/// The angle (angle_error).
+double direction_error(const ExactRay& ray, const scene::UnitVector3& given);
+double parameter_error(const ExactRay& ray, const scene::Sphere& sphere,
+                       const Intersection& intersection, double given);
+double hit_point_error(const ExactRay& ray, const scene::Sphere& sphere,
+                       const Intersection& intersection, const scene::Point3& given);
+
+/// Distance of a point from the sphere over r; empty where r is 0.
+std::optional<double> sphere_residual(const scene::Sphere& sphere, const scene::Point3& given);
+/// Distance of a point from the ray's line over its distance from the origin; empty where that may
+/// be 0.
+std::optional<double> ray_residual(const ExactRay& ray, const scene::Point3& given);
+
+/// Whether a parameter is certainly within a share of the two roots' distance from the root other
+/// than `intersection`'s: what lies between the two is an error, not the other root.
+bool is_at_other_root(const ExactRay& ray, const scene::Sphere& sphere,
+                      const Intersection& intersection, double given);
+inline constexpr int kOtherRootShare = 4;  ///< One over the share.
+
+}  // namespace raycheck::reference
+
+#endif  // RAYCHECK_REFERENCE_RAY_ERROR_H_
