@@ -4,6 +4,7 @@
 // A batch as bare arrays, for code that is compiled for one target and so must not instantiate what
 // others share. Internal to fast/.
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 
@@ -24,6 +25,15 @@ struct HitArrays {
   double* parameter;
   double* point[3];
 };
+
+/// Bit k as byte k.
+inline constexpr auto kBytesOfBits = [] {
+  std::array<std::uint64_t, 256> bytes{};
+  for (std::size_t bits = 0; bits < bytes.size(); ++bits) {
+    for (unsigned k = 0; k < 8; ++k) bytes[bits] |= std::uint64_t{bits >> k & 1} << 8 * k;
+  }
+  return bytes;
+}();
 
 /// What IntersectMethod::intersect is asked.
 struct BatchQuestion {

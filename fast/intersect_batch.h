@@ -10,6 +10,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <cstring>
 #include <optional>
 
 #include "fast/batch_arrays.h"
@@ -150,6 +151,14 @@ class Validity {
   LaneMask directionless_;
 };
 
+static_assert(kLaneCount <= sizeof(std::uint64_t));
+
+/// One byte a lane: 1, or 0.
+HWY_INLINE std::uint64_t bytes(LaneMask mask) { return kBytesOfBits[bits(mask)]; }
+HWY_INLINE void store(std::uint64_t bytes, std::uint8_t* to) {
+  std::memcpy(to, &bytes, kLaneCount);
+}
+
 /// A BatchKernel for multiples of kLaneCount.
 template <class Answerer>
 [[gnu::flatten]] HWY_NOINLINE bool answer_whole_vectors(const BatchQuestion& question,
@@ -165,7 +174,7 @@ template <class Answerer>
     valid.see(origin, direction);
     const ChosenOf<Lanes> chosen =
         Answerer::answer(origin, direction, centre, radius, asked.root, asked.tangent);
-    store(codes(chosen.hit, 1), to.hit + k);
+    store(bytes(chosen.hit), to.hit + k);
     store(chosen.parameter, to.parameter + k);
     store(chosen.point, to.point, k);
   }

@@ -35,6 +35,7 @@ HWY_INLINE LaneMask operator^(LaneMask a, LaneMask b) { return {hn::Xor(a.raw, b
 HWY_INLINE LaneMask operator!(LaneMask a) { return {hn::Not(a.raw)}; }
 HWY_INLINE bool any(LaneMask a) { return !hn::AllFalse(DoubleTag(), a.raw); }
 HWY_INLINE bool any(bool a) { return a; }
+HWY_INLINE bool all(LaneMask a) { return hn::AllTrue(DoubleTag(), a.raw); }
 
 /// As many doubles as a register of the target holds.
 struct Lanes {
@@ -86,16 +87,11 @@ inline constexpr std::size_t kLaneCount = hn::MaxLanes(DoubleTag());
 
 HWY_INLINE Lanes load(const double* from) { return Lanes(hn::LoadU(DoubleTag(), from)); }
 HWY_INLINE void store(Lanes x, double* to) { hn::StoreU(x.raw, DoubleTag(), to); }
-using LaneCodes = hn::Vec<hn::Rebind<std::uint64_t, DoubleTag>>;
-
-/// The code where the mask holds, else 0.
-HWY_INLINE LaneCodes codes(LaneMask mask, std::uint8_t code) {
-  const hn::Rebind<std::uint64_t, DoubleTag> tag;
-  return hn::IfThenElseZero(hn::RebindMask(tag, mask.raw), hn::Set(tag, code));
-}
-HWY_INLINE void store(LaneCodes from, std::uint8_t* to) {
-  const hn::Rebind<std::uint8_t, DoubleTag> tag;
-  hn::StoreU(hn::TruncateTo(tag, from), tag, to);
+/// A bit a lane, from the lowest.
+HWY_INLINE std::uint8_t bits(LaneMask mask) {
+  std::uint8_t result = 0;
+  hn::StoreMaskBits(DoubleTag(), mask.raw, &result);
+  return result;
 }
 
 }  // namespace raycheck::fast::HWY_NAMESPACE

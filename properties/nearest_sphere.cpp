@@ -125,9 +125,10 @@ void measure_parameter(const Trial& trial, Verdict& verdict, const Place& place,
                        const ExactRay& ray, const NearestSphere& exact, double got) {
   const scene::Sphere& sphere = trial.scene().spheres[exact.index];
   const Enclosure s = ray.parameter(sphere, exact.intersection);
-  const Enclosure error = abs(Enclosure(got, kDistanceBits) - s);
+  const Enclosure least(std::numeric_limits<double>::denorm_min(), kDistanceBits);
+  const Enclosure error = abs(Enclosure(got, kDistanceBits) - s) - least;
   const Enclosure distance = distance_from_eye(ray, s, trial.conventions().origin);
-  const double relative = error.certain_sign() == 0  ? 0
+  const double relative = error.certain_sign().value_or(1) <= 0 ? 0
                           : distance.contains_zero() ? std::numeric_limits<double>::infinity()
                                                      : reference::in_units_of_u(error / distance);
   trial.measure(

@@ -75,7 +75,8 @@ class Visibility {
   std::unique_ptr<const Impl> impl_;
 };
 
-/// The largest error of s, as a share of the distance between the eye and the hit point.
+/// The largest error of s, as a share of the distance between the eye and the hit point; or the
+/// least double, where that is larger.
 inline constexpr double kVisibleParameterError = 0x1p-20;
 
 /// Visibility::nearest by several threads. Bands are independent of each other, so that the answer

@@ -50,6 +50,7 @@ class PngEncoder : public PictureEncoder {
                    8, PNG_COLOR_TYPE_RGB, PNG_INTERLACE_NONE, PNG_COMPRESSION_TYPE_DEFAULT,
                    PNG_FILTER_TYPE_DEFAULT);
       png_set_compression_level(png_, kCompressionLevel);
+      png_set_filter(png_, PNG_FILTER_TYPE_BASE, PNG_FILTER_UP);
       png_write_info(png_, info_);
     });
   }

@@ -44,7 +44,7 @@ Command add_plan(CLI::App& program) {
           std::vector<std::string>(scene::kWantedNames.begin(), scene::kWantedNames.end())))
       ->capture_default_str();
   command.add_option("--top", arguments.options.top, "how many spheres the text shows")
-      ->check(CLI::Range(std::size_t{0}, std::numeric_limits<std::size_t>::max()))
+      ->check(CLI::Range(0, std::numeric_limits<int>::max()))
       ->capture_default_str();
   command.add_option("--dialect", arguments.dialect, "of a driver file: A, B or C");
   add_format(command, arguments.format, {"text", "json"});

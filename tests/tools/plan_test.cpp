@@ -30,8 +30,8 @@ left = -1
 right = 1
 bottom = -1
 top = 1
-width = 40
-height = 30
+width = 41
+height = 31
 [[sphere]]
 centre = [0, 0, -10]
 radius = 3
@@ -128,17 +128,17 @@ TEST(Plan, counts_what_each_item_leaves_out) {
   EXPECT_EQ(item(report, "far-root")["of"], 2);
   EXPECT_EQ(item(report, "far-root")["why"], "rays may start inside sphere 4");
   EXPECT_EQ(item(report, "behind-test")["left_out"], 1);
-  EXPECT_EQ(item(report, "rectangles")["of"], 2 * 40 * 30);
+  EXPECT_EQ(item(report, "rectangles")["of"], 2 * 41 * 31);
   std::int64_t pairs = 0;
   for (const json& sphere : report["spheres"]) pairs += sphere["pixels"].get<std::int64_t>();
-  EXPECT_EQ(item(report, "rectangles")["left_out"], 2 * 40 * 30 - pairs);
+  EXPECT_EQ(item(report, "rectangles")["left_out"], 2 * 41 * 31 - pairs);
   EXPECT_EQ(item(report, "scaling")["left_out"], 1);
   EXPECT_EQ(item(report, "basis")["left_out"], 1);
-  EXPECT_EQ(report["pixels_timed"], 40 * 30);
-  EXPECT_EQ(item(report, "filter")["of"], 40 * 30);
+  EXPECT_EQ(report["pixels_timed"], 41 * 31);
+  EXPECT_EQ(item(report, "filter")["of"], 41 * 31);
   const json classes = planned(path, "--wanted class");
   EXPECT_EQ(item(classes, "hidden")["left_out"], 0);
-  EXPECT_EQ(item(classes, "filter")["of"], 3 * 40 * 30);
+  EXPECT_EQ(item(classes, "filter")["of"], 3 * 41 * 31);
   std::filesystem::remove(path);
 }
 
@@ -165,7 +165,7 @@ TEST(Plan, prints_items_and_spheres) {
   EXPECT_NE(result.out.find("and 7 spheres more; --top N shows more"), std::string::npos)
       << result.out;
   const Outcome behind = run("plan scene/examples/sphere-behind-eye.toml");
-  EXPECT_NE(behind.out.find("1 of 1"), std::string::npos) << behind.out;
+  EXPECT_NE(behind.out.find("behind the rays"), std::string::npos) << behind.out;
 }
 
 TEST(Plan, has_nothing_to_say_of_given_rays) {
