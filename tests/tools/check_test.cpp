@@ -112,6 +112,30 @@ TEST(Check, judges_as_many_pixels_as_asked_and_says_what_it_left_out) {
   EXPECT_NE(report.at("left_out").dump().find("246 of 256 pixels"), std::string::npos);
 }
 
+TEST(Check, reports_the_same_whatever_the_number_of_threads) {
+  std::string scene = kFarSphere;
+  scene.replace(scene.find("width = 16"), 10, "width = 90");
+  scene.replace(scene.find("height = 16"), 11, "height = 70");
+  scene += "[[sphere]]\ncentre = [0, 0, -2e8]\nradius = 2e5\n";
+  const std::string path = temporary_file("threads.toml", scene);
+  const auto report = [&](const std::string& threads) {
+    const Outcome result =
+        run("check " + path + " --intersect quadratic --intersect cross --top 1000 --format json" +
+            threads);
+    EXPECT_EQ(result.exit_code, 1) << result.err;
+    json parsed = json::parse(result.out);
+    for (json& candidate : parsed["candidates"]) candidate.erase("ns_per_ray");
+    return parsed;
+  };
+  const json by_one = report(" --threads 1");
+  EXPECT_EQ(by_one.at("rays_judged"), 90 * 70);
+  EXPECT_EQ(by_one["candidates"][0]["worst"].size(), 1000u);
+  for (const char* threads : {" --threads 2", " --threads 3", ""}) {
+    EXPECT_EQ(report(threads), by_one) << threads;
+  }
+  std::filesystem::remove(path);
+}
+
 TEST(Check, takes_another_bound) {
   EXPECT_EQ(run("check scene/examples/ten-spheres.toml").exit_code, 0);
   EXPECT_EQ(run("check scene/examples/ten-spheres.toml --max-ulp 0.001").exit_code, 1);
@@ -137,6 +161,7 @@ TEST(Check, fails_with_2_and_says_why_on_bad_input) {
   fails("check scene/examples/optical-axis.toml --intersect best", "--intersect best");
   fails("check scene/examples/optical-axis.toml --pixels 0", "--pixels 0");
   fails("check scene/examples/optical-axis.toml --pixels some", "--pixels some");
+  fails("check scene/examples/optical-axis.toml --threads 0", "--threads");
   fails("check scene/examples/optical-axis.toml --max-ulp -1", "--max-ulp");
   fails("check scene/examples/optical-axis.toml --max-ulp nan", "--max-ulp");
   fails("check scene/examples/optical-axis.toml --top 5000", "--top");
