@@ -16,40 +16,54 @@ namespace {
 
 // The first step: coefficients in doubles, then one of Newton's steps from a residual in pairs.
 //
-constexpr double kLeastDiscriminant = 0x1p-300;
-constexpr double kLargestSquare = 0x1p400;
-// The step answers where |disc^| > kDiscriminantShare a r^2 + kFarShare a f^2 and
-// |c^| > kSurfaceShare (f^2 + r^2).
+// It answers where |disc^| > kDiscriminantShare a r^2 + kFarShare a f^2, and f^2 differs from r^2
+// by more than kSurfaceShare r^2 + K M^2, M = |C|_1 + r, K = min(kReachShare + kSmallShare (M/r)^2,
+// kMostReach); and where disc > kLeastDiscriminant and a + f^2, r^2 < kLargestSquare, so that no
+// product overflows, a > 2^-700, for a hit r^2 > 2^-700, and what underflows is too small to count
+// beside the margins.
 //
 // Signs. |m^ - m| <= 4.3u f|d|, and |disc^ - disc| <= 12u a (f^2 + r^2) + u |disc^|, less than a
 // hundredth of what is asked; |c^ - c| <= 6u (f^2 + r^2). A miss by c and b needs no more of b:
 // with c > 0 and disc > 0, b^2 > disc > kFarShare f^2 |d|^2 (0.99), while |b^ - b| <= 4u f|d|. With
 // disc < 0 the ray misses whatever b is.
 //
-// The first root s0, of relative error e. Let t = disc/(a r^2) <= 1; on a hit |m| <= |d| r, hence
-// f|d| <= |b| + |d| r <= 2q/sqrt(t), and
+// The first root s0, of relative error e. Let t = disc/(a r^2) <= 1 and x = f/r, so that
+// t > 0.99 (2^-13 + 2^-31 x^2); then t^2.5 > 2^-39.8 x and t > 2^-21 x. On a hit |m| <= |d| r,
+// hence f|d| <= |b| + |d| r <= 2q/sqrt(t), and
 //   |disc^ - disc| <= 8.6u f|d| |d| r + 9u a r^2 + 19u^2 f^2 |d|^2
-// moves q by at most 13.2u/t of itself (next to nothing from the last term, as f|d| < 2^20.1
+// moves q by at most 13.2u/t of itself (next to nothing from the last term, as f|d| < 2^15.6
 // sqrt(disc)), b^ by 8u/sqrt(t): e <= 24u/t + 6u (f^2 + r^2)/|c|, the latter only through c.
 //
-// Newton's step leaves e^2 g, g = a s/(2 sqrt(disc)), of s. With c > 0, g <= f|d|/(2 sqrt(disc))
-// <= 2^19 and g <= a c/(2 disc); with c < 0, g <= 1/sqrt(t) <= 2^5 and, through c, the same.
-//   (24u/t)^2 2 g <= 2^-56.7                                   with 1/t <= 2^10
-//   (6u (f^2 + r^2)/c)^2 2 g <= 2^-77 where f^2 >= 2r^2, since then f^2 + r^2 <= 3c;
-//   otherwise <= 36u^2 ((f^2 + r^2)/|c|) 3/t <= 2^-59.
-// sqrt(disc^) stands for the derivative's half, a s0 - b: off by at most 2^-25 of itself (2^-39
-// where f^2 < 2r^2), which times e is below 2^-59.
+// Newton's step leaves e^2 g, g = a s/(2 sqrt(disc)), of s. With c > 0, g <= f|d|/(2 sqrt(disc)) =
+// x/(2 sqrt(t)) and g <= a c/(2 disc); with c < 0, a |c| = disc - b^2 and q <= 2 sqrt(disc) make
+// g <= 1 and, through c, g <= a |c|/(2 disc).
+//   (24u/t)^2 2 g <= (24u)^2 x/t^2.5 <= 2^-57, or (24u/t)^2 2 <= 2^-69
+//   (6u (f^2 + r^2)/c)^2 2 g <= 2^-80 where f^2 >= 2r^2, since then f^2 + r^2 <= 3c;
+//   otherwise <= 36u^2 ((f^2 + r^2)/|c|) 3/t <= 2^-58.5.
+// sqrt(disc^) stands for sqrt(disc): off by at most 2^-29 of itself (2^-36 where f^2 < 2r^2), which
+// times e is below 2^-59.
 //
-// The residual p = |T - s0 d|^2 - r^2, in pairs, is off by at most 200u^2 (f^2 + r^2): as a share
-// of s, 100u^2 (f^2 + r^2) q/(|c| sqrt(disc)) <= 2^-63, as q <= 2.5 sqrt(a r^2) where f^2 < 2r^2
-// and q <= 2^20.1 sqrt(disc) otherwise; or, at q/a, 200u^2/t.
+// The residual |C - L - s0 d|^2 - r^2 is taken from w = C - fl(L + s0 d), rounded, and the sum v of
+// the roundings on the way there, each exact. s0 is so near that |w|^2 <= r^2 (1 + 2^-15), the
+// domain of coarse_square; the high parts add up exactly, the low parts are off by 56u^2 r^2. Then
+// |v| <= u(M + f + 2.1r) is off by at most u^2(2M + 3.1(f + r)), the product 2 w.v and the sums by
+// at most 8u r |v| + 18u^2 r^2 more, and |v|^2 is left out: 120u^2 (M + f)^2 in all. Half of that
+// over s sqrt(disc) is the error as a share of s:
+//   120u^2 f^2/(s sqrt(disc)) <= 2^-64, as 200u^2/t at q/a and by q <= 2^8 sqrt(disc) where
+//   f^2 < 2r^2, q <= 2^15.6 sqrt(disc) otherwise, at |c|/q;
+//   120u^2 M^2/(s sqrt(disc)) <= 2^-58, as s sqrt(disc) >= |f - r| max(2^-6.6 r, 2^-15.6 f)
+//   > 2^-40 M^2 by what is asked of f^2 - r^2.
 //
-// All in all s is off by less than 2^-56 of itself before it is rounded: 0.63 ulp. Q = C - (T - s
-// d) is made from the residual's vector and the unrounded s, and rounded once.
-constexpr double kDiscriminantShare = 0x1p-10;
-constexpr double kFarShare = 0x1p-40;
-constexpr double kSurfaceShare = 0x1p-28;
-constexpr double kReachShare = 0x1p-44;
+// All in all s is off by less than 2^-56 of itself before it is rounded: 0.63 ulp. Q = L + s d is
+// made from fl(L + s0 d), what that leaves out and the rest of s, and rounded once.
+constexpr double kDiscriminantShare = 0x1p-13;
+constexpr double kFarShare = 0x1p-31;
+constexpr double kSurfaceShare = 0x1p-26;
+constexpr double kReachShare = 0x1p-32;
+constexpr double kSmallShare = 0x1p-66;
+constexpr double kMostReach = 0x1p-24;
+constexpr double kLeastDiscriminant = 0x1p-300;
+constexpr double kLargestSquare = 0x1p400;
 
 /// A coordinate of L + s0 d, and of C less that, as unevaluated sums.
 template <class N>
@@ -76,19 +90,20 @@ struct Ball {
         doubt(N(kDiscriminantShare) * square),
         scale(N(2) * square),
         coarse(coarse_square(radius, scale)) {
+    const N reach = absolute(centre.x) + absolute(centre.y) + absolute(centre.z) + radius;
+    const N ratio = reach / radius;
+    const N share = smaller(N(kReachShare) + N(kSmallShare) * (ratio * ratio), N(kMostReach));
+    const N margin = N(kSurfaceShare) * square + share * (reach * reach);
     // Compared with NaN, nothing is certain.
     const N known = select(square < N(kLargestSquare), square, N(std::nan("")));
-    inside = known * N(1 - kSurfaceShare);
-    outside = known * N(1 + kSurfaceShare);
-    const N reach = absolute(centre.x) + absolute(centre.y) + absolute(centre.z) + radius;
-    least_area = N(kReachShare) * (reach * reach);
+    inside = known - margin;
+    outside = known + margin;
   }
 
   Triple<N> centre;
   N square;
   N doubt, scale;
   Rounded<N> coarse;  ///< The square, in units of ulp(scale).
-  N least_area;
   N inside, outside;  ///< f^2 below and above these is that of an origin inside, and outside.
 };
 
@@ -96,7 +111,7 @@ struct Ball {
 template <class N>
 struct Guess {
   MaskOf<N> hit;
-  MaskOf<N> settled;  ///< A hit or a miss.
+  MaskOf<N> certain;
   N s0;
   N slope;  ///< Of |T - s d|^2 at the root.
 };
@@ -118,15 +133,13 @@ Guess<N> guess(const Triple<N>& origin, const Triple<N>& direction, const Ball<N
                             (a + distance_sq < N(kLargestSquare)) &
                             (outside | (distance_sq < ball.inside));
   const MaskOf<N> no_root = root == scene::Root::kNearest ? outside & behind : (!outside) | behind;
-  const MaskOf<N> meets = certain & (discriminant > N(0)) & !no_root;
-  if (!any(meets)) return {meets, certain, N(0), N(0)};
+  const MaskOf<N> hit = certain & (discriminant > N(0)) & !no_root;
+  if (!any(hit)) return {hit, certain, N(0), N(0)};
   const N half_slope = square_root(discriminant);
   const N q = absolute(b) + half_slope;
   const MaskOf<N> through_c = outside | behind;
   const N s0 = select(through_c, absolute(c), q) / select(through_c, q, a);
-  const MaskOf<N> hit = meets & (half_slope * s0 > ball.least_area);
-  const MaskOf<N> settled = certain ^ meets ^ hit;
-  return {hit, settled, s0, select(outside, N(-2), N(2)) * half_slope};
+  return {hit, certain, s0, select(outside, N(-2), N(2)) * half_slope};
 }
 
 /// Newton's step from s0, and the point there.
@@ -139,17 +152,15 @@ ChosenOf<N> correct(const Triple<N>& origin, const Triple<N>& direction, const B
   const Rounded<N> xx = coarse_square(x.away, ball.scale);
   const Rounded<N> yy = coarse_square(y.away, ball.scale);
   const Rounded<N> zz = coarse_square(z.away, ball.scale);
-  const N residual =
-      (((xx.x + yy.x) + zz.x) - ball.coarse.x) +
-      (((xx.error + yy.error) + (zz.error - ball.coarse.error)) +
-       N(2) * (x.away * x.away_rest + y.away * y.away_rest +
-               z.away * z.away_rest));
+  const N residual = (((xx.x + yy.x) + zz.x) - ball.coarse.x) +
+                     (((xx.error + yy.error) + (zz.error - ball.coarse.error)) +
+                      N(2) * (x.away * x.away_rest + y.away * y.away_rest + z.away * z.away_rest));
   const N correction = residual / found.slope;
-  return {
-      found.hit,
-      found.s0 - correction,
-      {x.point + (x.point_rest - correction * direction.x), y.point + (y.point_rest - correction * direction.y),
-       z.point + (z.point_rest - correction * direction.z)}};
+  return {found.hit,
+          found.s0 - correction,
+          {x.point + (x.point_rest - correction * direction.x),
+           y.point + (y.point_rest - correction * direction.y),
+           z.point + (z.point_rest - correction * direction.z)}};
 }
 
 bool any_hit(const std::uint8_t* codes) {
@@ -174,8 +185,8 @@ static_assert(kBlock % kLaneCount == 0 && kLaneCount <= sizeof(std::uint64_t));
       const Guess<Lanes> found =
           guess(load(asked.rays.origin, k), load(asked.rays.direction, k), ball, asked.root);
       store(codes(found.hit, 1), to.hit + k);
-      if (any(!found.settled)) [[unlikely]] {
-        store(hn::Or(codes(found.hit, 1), codes(!found.settled, kOpen)), to.hit + k);
+      if (any(!found.certain)) [[unlikely]] {
+        store(hn::Or(codes(found.hit, 1), codes(!found.certain, kOpen)), to.hit + k);
       }
       store(found.s0, to.parameter + k);
       store(found.slope, to.point[0] + k);
@@ -245,7 +256,7 @@ void intersect(const Rays& rays, const scene::Sphere& sphere, scene::Root root,
   const HWY_NAMESPACE::Ball<double> ball(centre, sphere.radius);
   const auto found = HWY_NAMESPACE::guess(origin, direction, ball, root);
   if (found.hit) return plain(HWY_NAMESPACE::correct(origin, direction, ball, found)).at;
-  if (found.settled) return std::nullopt;
+  if (found.certain) return std::nullopt;
   const Chosen chosen = answer_carefully(ray, sphere, root, tangent);
   return chosen.hit ? std::optional(chosen.at) : std::nullopt;
 }
