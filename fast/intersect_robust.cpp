@@ -184,10 +184,9 @@ static_assert(kBlock % kLaneCount == 0 && kLaneCount <= sizeof(std::uint64_t));
     for (std::size_t k = first; k < last; k += kLaneCount) {
       const Guess<Lanes> found =
           guess(load(asked.rays.origin, k), load(asked.rays.direction, k), ball, asked.root);
-      store(codes(found.hit, 1), to.hit + k);
-      if (any(!found.certain)) [[unlikely]] {
-        store(hn::Or(codes(found.hit, 1), codes(!found.certain, kOpen)), to.hit + k);
-      }
+      std::uint64_t codes = bytes(found.hit);
+      if (!all(found.certain)) [[unlikely]] codes |= kOpen * bytes(!found.certain);
+      store(codes, to.hit + k);
       store(found.s0, to.parameter + k);
       store(found.slope, to.point[0] + k);
     }

@@ -48,7 +48,8 @@ Triple<DoubleDouble> in_double_doubles(const Given& given) {
   return {DoubleDouble(given.x), DoubleDouble(given.y), DoubleDouble(given.z)};
 }
 
-/// An error by double-doubles is reported where its enclosure is that narrow, relatively.
+/// An error by double-doubles is reported where its enclosure is that narrow, relatively: the
+/// bound is too large by at most twice that.
 inline constexpr double kErrorWidth = 0x1p-30;
 
 /// An upper bound of an error >= 0 that counts multiples of 2^exponent; empty where double-doubles

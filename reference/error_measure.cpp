@@ -12,6 +12,7 @@ namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr int kBits = 192;
+static_assert(2 * kErrorWidth <= kUnitDefectWidth);
 
 template <class Triple>
 Enclosure3 lifted(const Triple& value) {

@@ -21,8 +21,9 @@ double relative_error(const scene::UnitVector3& given, const Enclosure3& exact);
 /// a right angle on).
 double angle_error(const scene::UnitVector3& given, const Enclosure3& exact);
 
-/// | |given| - 1 | in units of u.
+/// | |given| - 1 | in units of u, too large by at most kUnitDefectWidth relatively; 0 is exact.
 double unit_defect(const scene::UnitVector3& given);
+inline constexpr double kUnitDefectWidth = 0x1p-29;
 
 /// Backward error of a root: the smallest relative change of the ray's and the sphere's doubles
 /// that makes `parameter` an exact root, to first order.

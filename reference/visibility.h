@@ -51,6 +51,8 @@ struct DecidedBy {
 /// Source: reference/formulas.h; the filter's bound is proved in reference/visibility_kernel.h.
 class Visibility {
  public:
+  struct Impl;
+
   Visibility(const scene::Scene& scene, scene::ScenePlan plan);
   ~Visibility();
   Visibility(Visibility&&) noexcept;
@@ -71,7 +73,6 @@ class Visibility {
   static constexpr std::int64_t kBandRows = 16;
 
  private:
-  struct Impl;
   std::unique_ptr<const Impl> impl_;
 };
 
