@@ -6,6 +6,7 @@
 #include <fstream>
 #include <regex>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "tests/tools/program.h"
@@ -79,10 +80,16 @@ Outcome run_shown(const Shown& shown) {
   return result;
 }
 
-/// Times differ from run to run.
-std::string without_times(const std::string& line) {
-  static const std::regex kTime(R"([0-9.]+ ns per ray.*$)");
-  return std::regex_replace(line, kTime, "T ns per ray");
+/// Times differ from run to run, and so does the number of threads.
+std::string without_times(std::string line) {
+  static const std::pair<std::regex, const char*> kTimes[] = {
+      {std::regex(R"([0-9.]+ ns per ray.*$)"), "T ns per ray"},
+      {std::regex(R"(^[-0-9.e]+ ms to plan, [-0-9.e]+ ms the image)"),
+       "T ms to plan, T ms the image"},
+      {std::regex(R"( +~?[-0-9.e]+ +-?[0-9]+%  )"), " T  "},  // an item of a plan
+      {std::regex(R"(in [-0-9.e]+ s by [0-9]+ threads?$)"), "in T s"}};
+  for (const auto& [time, stands_for] : kTimes) line = std::regex_replace(line, time, stands_for);
+  return line;
 }
 
 std::vector<std::string> lines_of(const std::string& text) {

@@ -77,7 +77,7 @@ TEST(List, names_every_method_law_and_convention) {
   EXPECT_EQ(report["laws"].size(), 28u);
   ASSERT_EQ(report["sources"].size(), 21u);
   EXPECT_TRUE(report["sources"][0]["dial"].is_null());
-  EXPECT_EQ(report["sources"][2]["dial"]["highest"], 15);
+  EXPECT_EQ(report["sources"][3]["dial"]["highest"], 15);
 }
 
 }  // namespace
