@@ -64,7 +64,7 @@ def benchmarks():
     """Rays per second and counters of every benchmark of bench_visibility, by name."""
     build = ["cmake", "--build", "--preset", "peers", "--target", "bench_visibility"]
     subprocess.run(build, cwd=ROOT, check=True, stdout=subprocess.DEVNULL)
-    command = ["build/peers/tools/bench_visibility", "--targets=avx2", "--benchmark_format=json",
+    command = ["build/peers/tools/bench_visibility", "--target=AVX2", "--benchmark_format=json",
                "--benchmark_min_time=0.2"]
     result = subprocess.run(command, cwd=ROOT, check=True, text=True, capture_output=True)
     rows = {}

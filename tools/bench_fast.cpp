@@ -2,14 +2,16 @@
 // unrelated rays, a third of which miss. The baselines within the run are `lecture` (rays),
 // `quadratic` and, for what exactness costs, `cross2` (intersections). A method is timed only after
 // its answers kept the laws of class, root and direction, and its own bound on the parameter where
-// it says that it keeps it.
+// it says that it keeps it. Where VecGeom was built in, its SIMD kernel is timed too, on the
+// unrelated rays made unit: s alone, without points, of origins outside.
 
 #include <benchmark/benchmark.h>
-#include <hwy/highway.h>
 
 #include <algorithm>
+#include <cmath>
+#include <cstddef>
 #include <cstdint>
-#include <iostream>
+#include <limits>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -21,6 +23,10 @@
 #include "properties/fast_candidate.h"
 #include "properties/law.h"
 #include "properties/random.h"
+#include "tools/bench_target.h"
+#ifdef RAYCHECK_HAS_VECGEOM_SIMD
+#include "tools/peers/vecgeom_simd.h"
+#endif
 
 namespace {
 
@@ -45,7 +51,7 @@ scene::Scene scene_in_view() {
 
 /// Rays from anywhere, as good as unrelated, aimed about a sphere so that a third miss it.
 scene::Scene unrelated_rays() {
-  const int kRays = getenv("RAYS") ? atoi(getenv("RAYS")) : 4096;
+  constexpr int kRays = 4096;
   scene::Scene scene;
   scene.spheres = {{{0.1, 0.3, 0.2}, 2.5}};
   const scene::Sphere& sphere = scene.spheres.front();
@@ -137,36 +143,45 @@ void make_rays(benchmark::State& state, const fast::PixelRayMethod& method) {
   state.SetItemsProcessed(state.iterations() * static_cast<std::int64_t>(pixels.size()));
 }
 
-constexpr std::string_view kTargetOption = "--target=";
+#ifdef RAYCHECK_HAS_VECGEOM_SIMD
+constexpr double kVecgeomShare = 1e-9;  ///< How far its s may be from robust's.
 
-/// Takes --target=NAME out of the arguments: Highway then runs that target and no better. False
-/// where this machine has no such target.
-bool choose_target(int& argc, char** argv) {
-  for (int k = 1; k < argc; ++k) {
-    const std::string_view argument = argv[k];
-    if (!argument.starts_with(kTargetOption)) continue;
-    std::copy(argv + k + 1, argv + argc + 1, argv + k);
-    --argc;
-    const std::string_view name = argument.substr(kTargetOption.size());
-    for (const std::int64_t target : hwy::SupportedAndGeneratedTargets()) {
-      if (name != hwy::TargetName(target)) continue;
-      hwy::SetSupportedTargetsForTest(target);
-      return true;
-    }
-    std::cerr << kTargetOption << name << ": this machine has";
-    for (const std::int64_t target : hwy::SupportedAndGeneratedTargets()) {
-      std::cerr << " " << hwy::TargetName(target);
-    }
-    std::cerr << "\n";
-    return false;
+void intersect_by_vecgeom(benchmark::State& state, const scene::Scene& scene) {
+  fast::Rays rays = rays_of(scene);
+  auto& [x, y, z] = rays.direction;
+  for (std::size_t k = 0; k < rays.size(); ++k) {
+    const double length = std::hypot(x[k], y[k], z[k]);
+    x[k] /= length;
+    y[k] /= length;
+    z[k] /= length;
   }
-  return true;
+  const scene::Sphere sphere = scene.spheres.front();
+  fast::Hits expected;
+  fast::kRobust.intersect(rays, sphere, scene::Root::kNearest, scene::Tangent::kHit, expected);
+  std::vector<double> s(rays.size());
+  peers::distances_by_vecgeom(rays, sphere, s);
+  for (std::size_t k = 0; k < s.size(); ++k) {
+    const bool right = expected.hit[k] == 0 ? s[k] >= std::numeric_limits<double>::max()
+                                            : std::abs(s[k] - expected.parameter[k]) <=
+                                                  kVecgeomShare * expected.parameter[k];
+    if (!right) {
+      state.SkipWithError("it is wrong about a ray");
+      return;
+    }
+  }
+  for (auto _ : state) {
+    peers::distances_by_vecgeom(rays, sphere, s);
+    benchmark::DoNotOptimize(s.data());
+    benchmark::ClobberMemory();
+  }
+  state.SetItemsProcessed(state.iterations() * static_cast<std::int64_t>(rays.size()));
 }
+#endif
 
 }  // namespace
 
 int main(int argc, char** argv) {
-  if (!choose_target(argc, argv)) return 2;
+  if (!tools::choose_target(argc, argv)) return 2;
   for (const auto* method : fast::pixel_ray_methods()) {
     benchmark::RegisterBenchmark(("rays/" + std::string(method->name)).c_str(),
                                  [method](benchmark::State& state) { make_rays(state, *method); });
@@ -179,6 +194,11 @@ int main(int argc, char** argv) {
           [method, scene](benchmark::State& state) { intersect(state, *method, scene); });
     }
   }
+#ifdef RAYCHECK_HAS_VECGEOM_SIMD
+  benchmark::RegisterBenchmark("unrelated/vecgeom-simd", [](benchmark::State& state) {
+    intersect_by_vecgeom(state, unrelated_rays());
+  });
+#endif
   benchmark::Initialize(&argc, argv);
   if (benchmark::ReportUnrecognizedArguments(argc, argv)) return 2;
   benchmark::RunSpecifiedBenchmarks();

@@ -3,10 +3,9 @@
 // plans and scene builds are excluded and reported in ms as the counters `plan_ms` and `build_ms`.
 // Before anything is timed, a sample of certified pixels, and all pixels of the small scenes, are
 // compared with the exact ray.
-//   --targets=avx2 | scalar    confines Highway's run-time dispatch; all else is Google Benchmark's
+//   --target=NAME    is taken by choose_target; all else is Google Benchmark's
 
 #include <benchmark/benchmark.h>
-#include <hwy/highway.h>
 
 #include <algorithm>
 #include <chrono>
@@ -15,12 +14,12 @@
 #include <memory>
 #include <optional>
 #include <string>
-#include <string_view>
 #include <vector>
 
 #include "fast/camera_frame.h"
 #include "properties/random.h"
 #include "reference/visibility.h"
+#include "tools/bench_target.h"
 #ifdef RAYCHECK_HAS_EMBREE
 #include <embree3/rtcore.h>
 #endif
@@ -298,16 +297,7 @@ void register_scene(const std::string& name, const scene::Scene& scene, bool wit
 }  // namespace
 
 int main(int argc, char** argv) {
-  for (int k = 1; k < argc; ++k) {
-    const std::string_view argument = argv[k];
-    if (argument == "--targets=avx2") hwy::DisableTargets(HWY_AVX2 - 1);
-    if (argument == "--targets=scalar") hwy::SetSupportedTargetsForTest(HWY_STATIC_TARGET);
-    if (argument.starts_with("--targets=")) {
-      std::copy(argv + k + 1, argv + argc, argv + k);
-      --argc;
-      --k;
-    }
-  }
+  if (!tools::choose_target(argc, argv)) return 2;
   benchmark::Initialize(&argc, argv);
   if (benchmark::ReportUnrecognizedArguments(argc, argv)) return 2;
   benchmark::RegisterBenchmark("fill", fill);

@@ -28,17 +28,34 @@ constexpr const char* kGrazing = "tangency";
 
 /// What a law must compare in kCases cases of direct/cross, at the least: about two thirds of what
 /// it does compare.
-const std::map<std::string_view, std::uint64_t> kLeastCompared = {
-    {"frame", 2400},       {"pixel-point", 1700},    {"bounds", 2500},
-    {"image-plane", 4500}, {"centre-pixel", 60},     {"pixel-zero-zero", 550},
-    {"density", 2600},     {"square-pixels", 530},   {"unit-direction", 1700},
-    {"direction", 1700},   {"ray-origin", 1700},     {"class", 1750},
-    {"nearest-root", 510}, {"backward-error", 510},  {"parameter", 510},
-    {"hit-point", 1500},   {"focal-and-pixel", 970}, {"nearest-sphere", 560},
-    {"scaling", 13000},    {"axes", 10500},          {"look-at", 2900},
-    {"up", 1300},          {"growing-radius", 1300}, {"refusal", 16000},
-    {"visible-sphere", 100}, {"plan-left-out", 100}, {"plan-rectangles", 100},
-    {"plan-roots", 100}};
+const std::map<std::string_view, std::uint64_t> kLeastCompared = {{"frame", 2400},
+                                                                  {"pixel-point", 1700},
+                                                                  {"bounds", 2500},
+                                                                  {"image-plane", 4500},
+                                                                  {"centre-pixel", 60},
+                                                                  {"pixel-zero-zero", 550},
+                                                                  {"density", 2600},
+                                                                  {"square-pixels", 530},
+                                                                  {"unit-direction", 1700},
+                                                                  {"direction", 1700},
+                                                                  {"ray-origin", 1700},
+                                                                  {"class", 1750},
+                                                                  {"nearest-root", 510},
+                                                                  {"backward-error", 510},
+                                                                  {"parameter", 510},
+                                                                  {"hit-point", 1500},
+                                                                  {"focal-and-pixel", 970},
+                                                                  {"nearest-sphere", 560},
+                                                                  {"scaling", 13000},
+                                                                  {"axes", 10500},
+                                                                  {"look-at", 2900},
+                                                                  {"up", 1300},
+                                                                  {"growing-radius", 1300},
+                                                                  {"refusal", 16000},
+                                                                  {"visible-sphere", 9500},
+                                                                  {"plan-left-out", 20000},
+                                                                  {"plan-rectangles", 44000},
+                                                                  {"plan-roots", 40000}};
 
 CampaignResult campaign(std::string_view law, const Candidate& candidate,
                         std::string_view source = {}, int cases = kCases) {
