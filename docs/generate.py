@@ -60,18 +60,19 @@ def shown(path):
     path.write_text(re.sub(r"```console\n\$ \./run (.*)\n((?:(?!```).*\n)*)```", again, text))
 
 
-def benchmarks():
-    """Rays per second and counters of every benchmark of bench_visibility, by name."""
-    build = ["cmake", "--build", "--preset", "peers", "--target", "bench_visibility"]
+def benchmarks(program, *options):
+    """Rays per second and counters of a program's benchmarks, by name."""
+    build = ["cmake", "--build", "--preset", "peers", "--target", program]
     subprocess.run(build, cwd=ROOT, check=True, stdout=subprocess.DEVNULL)
-    command = ["build/peers/tools/bench_visibility", "--target=AVX2", "--benchmark_format=json",
-               "--benchmark_min_time=0.2"]
+    command = [f"build/peers/tools/{program}", "--target=AVX2", "--benchmark_format=json",
+               "--benchmark_min_time=0.2", *options]
     result = subprocess.run(command, cwd=ROOT, check=True, text=True, capture_output=True)
     rows = {}
     for row in json.loads(result.stdout)["benchmarks"]:
         if row.get("error_occurred"):
             sys.exit(f"{row['name']}: {row['error_message']}")
-        rows[row["name"].removesuffix("/real_time")] = row
+        if row.get("aggregate_name", "median") == "median":
+            rows[row["name"].removesuffix("_median").removesuffix("/real_time")] = row
     return rows
 
 
@@ -96,6 +97,32 @@ def spheres_table(rows):
             f"| {ours['wrong']:.0f}" + (f", {embree['wrong']:.0f} " if embree else " ") +
             f"| {ours['plan_ms']:.1f} + {ours['build_ms']:.1f} "
             + (f"| {embree['build_ms']:.1f} |" if embree else "| |"))
+    return "\n".join(lines)
+
+
+def shipped_table(rows):
+    lines = ["| scene | spheres | seen | certified, M/s | of uncertified | of Embree | fallback pixels "
+             "| wrong: ours, Embree's |", "|---|---|---|---|---|---|---|---|"]
+    for name, ours in rows.items():
+        if not (name.startswith("shipped:") and name.endswith("/certified")):
+            continue
+        scene = name.split("/")[0]
+        embree = rows.get(f"{scene}/embree")
+        lines.append(
+            f"| {scene[8:]} | {ours['spheres']:.0f} | {ours['seen']:.0%} | {rate(ours):.3g} "
+            f"| {rate(ours) / rate(rows[f'{scene}/uncertified']):.2g} "
+            + (f"| {rate(ours) / rate(embree):.2g} " if embree else "| ")
+            + f"| {ours['fallback']:.0f} | {ours['wrong']:.0f}"
+            + (f", {embree['wrong']:.0f} |" if embree else " |"))
+    return "\n".join(lines)
+
+
+def methods_table(rows):
+    """The batches of one sphere, by their time over that of the textbook's formula."""
+    textbook = rate(rows["unrelated/quadratic"])
+    lines = ["| method | M/s | time over `quadratic` |", "|---|---|---|"]
+    for name, row in sorted(rows.items(), key=lambda item: -rate(item[1])):
+        lines.append(f"| {name.split('/')[1]} | {rate(row):.3g} | {textbook / rate(row):.3g} |")
     return "\n".join(lines)
 
 
@@ -149,11 +176,14 @@ def plot_spheres(rows, path):
 
 
 def performance():
-    rows = benchmarks()
+    rows = benchmarks("bench_visibility")
+    methods = benchmarks("bench_fast", "--benchmark_filter=unrelated/", "--benchmark_repetitions=5",
+                         "--benchmark_report_aggregates_only=true")
     plot_spheres(rows, ROOT / "docs/images/visibility.svg")
     parts = {"spheres": spheres_table(rows), "pixels": growth_table(rows, "pixels", "pixels across"),
              "grazing": growth_table(rows, "grazing", "% of pixels exactly tangent"),
-             "classes": classes_table(rows), "roofline": roofline_table(rows)}
+             "classes": classes_table(rows), "roofline": roofline_table(rows),
+             "shipped": shipped_table(rows), "methods": methods_table(methods)}
     text = (ROOT / "docs/performance.in.md").read_text()
     for name, part in parts.items():
         text = text.replace("{{" + name + "}}", part)

@@ -11,6 +11,7 @@
 #include <chrono>
 #include <cmath>
 #include <cstdint>
+#include <filesystem>
 #include <memory>
 #include <optional>
 #include <string>
@@ -19,6 +20,7 @@
 #include "fast/camera_frame.h"
 #include "properties/random.h"
 #include "reference/visibility.h"
+#include "scene/scene_file.h"
 #include "tools/bench_target.h"
 #ifdef RAYCHECK_HAS_EMBREE
 #include <embree3/rtcore.h>
@@ -58,6 +60,26 @@ scene::Scene in_view(std::int64_t spheres, std::int64_t size = 1024) {
          random.between(0.2, 1)});
   }
   return scene;
+}
+
+struct Shipped {
+  std::string name;
+  scene::Scene scene;
+};
+
+/// The scenes of scene/examples/ that have a camera, in 1024 x 1024 pixels.
+std::vector<Shipped> shipped() {
+  std::vector<Shipped> result;
+  for (const auto& entry : std::filesystem::directory_iterator(RAYCHECK_EXAMPLES)) {
+    if (entry.path().extension() != ".toml") continue;
+    scene::Scene scene = scene::load_scene(entry.path()).scene;
+    if (!scene.camera) continue;
+    scene.camera->width = scene.camera->height = 1024;
+    result.push_back({entry.path().stem().string(), scene});
+  }
+  std::sort(result.begin(), result.end(),
+            [](const Shipped& a, const Shipped& b) { return a.name < b.name; });
+  return result;
 }
 
 /// A share of the pixels, by columns, looks exactly at a point (a sphere of radius 0): tangents
@@ -304,6 +326,10 @@ int main(int argc, char** argv) {
   register_scene("nothing", camera_of(1024, 1024), false);
   for (const std::int64_t spheres : {1, 10, 100, 1000, 10'000, 100'000, 1'000'000}) {
     register_scene("spheres:" + std::to_string(spheres), in_view(spheres), spheres <= 10'000);
+  }
+  for (const auto& [name, scene] : shipped()) {
+    // What Embree is asked has the default conventions.
+    register_scene("shipped:" + name, scene, scene.conventions == scene::Conventions{});
   }
   for (const std::int64_t size : {256, 512, 2048, 4096}) {
     register_scene("pixels:" + std::to_string(size), in_view(100, size), false);
