@@ -185,7 +185,8 @@ static_assert(kBlock % kLaneCount == 0 && kLaneCount <= sizeof(std::uint64_t));
       const Guess<Lanes> found =
           guess(load(asked.rays.origin, k), load(asked.rays.direction, k), ball, asked.root);
       std::uint64_t codes = bytes(found.hit);
-      if (!all(found.certain)) [[unlikely]] codes |= kOpen * bytes(!found.certain);
+      if (!all(found.certain)) [[unlikely]]
+        codes |= kOpen * bytes(!found.certain);
       store(codes, to.hit + k);
       store(found.s0, to.parameter + k);
       store(found.slope, to.point[0] + k);
