@@ -28,7 +28,7 @@ namespace {
 // disc < 0 the ray misses whatever b is.
 //
 // The first root s0, of relative error e. Let t = disc/(a r^2) <= 1 and x = f/r, so that
-// t > 0.99 (2^-13 + 2^-31 x^2); then t^2.5 > 2^-39.8 x and t > 2^-21 x. On a hit |m| <= |d| r,
+// t > 0.99 (2^-13 + 2^-31 x^2); then t^2.5 > 2^-39.8 x and t > 2^-21.1 x. On a hit |m| <= |d| r,
 // hence f|d| <= |b| + |d| r <= 2q/sqrt(t), and
 //   |disc^ - disc| <= 8.6u f|d| |d| r + 9u a r^2 + 19u^2 f^2 |d|^2
 // moves q by at most 13.2u/t of itself (next to nothing from the last term, as f|d| < 2^15.6

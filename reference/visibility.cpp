@@ -18,13 +18,26 @@ using scene::Bounds;
 
 static_assert(Visibility::kBandRows == Tile::kHeight);
 
+namespace {
+
+/// Lengths below 2^this, their sums and differences are in the range of doubles.
+constexpr int kLargestExponent = 1000;
+
+/// Whether a length that was divided by 2^exponent is below 2^kLargestExponent.
+bool fits(double length, int exponent) {
+  return length == 0 || (std::isfinite(length) && std::ilogb(length) + exponent < kLargestExponent);
+}
+
+}  // namespace
+
 Visibility::Impl::Impl(const scene::Scene& its_scene, scene::ScenePlan its_plan)
     : scene(its_scene),
       plan(std::move(its_plan)),
       camera(scene.camera.value(), plan.conventions),
       width(scene.camera->width),
       height(scene.camera->height),
-      near(middle(plan.eye.near())) {
+      near(middle(plan.eye.near())),
+      positions(plan.spheres.size()) {
   std::vector<Bounds> columns, rows;
   for (std::int64_t i = 0; i < width; ++i) {
     columns.push_back(plan.eye.alpha(static_cast<double>(i)));
@@ -41,7 +54,8 @@ Visibility::Impl::Impl(const scene::Scene& its_scene, scene::ScenePlan its_plan)
   const bool from_pixels = plan.conventions.origin == scene::Origin::kPixel;
   const auto& [plane, lengths] = plan.eye.scaling();
   start_factor = from_pixels ? std::ldexp(1.0, plane - lengths) : 0;
-  const auto axis = [](const scene::EyeSpace::Axis& of) {
+  const auto axis = [this](const scene::EyeSpace::Axis& of) {
+    for (const Bounds& x : of) axis_doubt = std::max(axis_doubt, half_width(x));
     return std::array<double, 3>{middle(of[0]), middle(of[1]), middle(of[2])};
   };
   const scene::Point3& eye = scene.camera->eye;
@@ -57,11 +71,17 @@ Visibility::Impl::Impl(const scene::Scene& its_scene, scene::ScenePlan its_plan)
     return plan.spheres[a].nearest_distance < plan.spheres[b].nearest_distance;
   });
   const bool scales_fit = std::isnormal(scale.lengths) && std::isnormal(std::ldexp(1.0, plane)) &&
-                          (!from_pixels || std::isnormal(start_factor));
+                          (!from_pixels || std::isnormal(start_factor)) &&
+                          fits(std::sqrt(sizes.A), plane) &&
+                          fits(std::max({std::abs(eye.x), std::abs(eye.y), std::abs(eye.z)}), 0);
   for (const std::size_t k : order) {
+    const scene::EyeSphere& seen = plan.spheres[k].seen;
+    const bool answers_fit = fits(std::sqrt(seen.distance_sq.high) + seen.radius.high, lengths);
     spheres.push_back(filtered(plan.spheres[k], k, sizes));
     rectangles.push_back(plan.spheres[k].pixels);
-    spheres.back().exact = spheres.back().exact || !scales_fit || !plan.items.filter;
+    spheres.back().exact =
+        spheres.back().exact || !scales_fit || !answers_fit || !plan.items.filter;
+    positions[k] = spheres.size() - 1;
   }
   distribute(
       spheres.size(), static_cast<std::size_t>((height - 1) / kBandRows + 1),

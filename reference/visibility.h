@@ -23,7 +23,7 @@ inline constexpr double kNoParameter = std::numeric_limits<double>::infinity();
 struct SeenRows {
   std::span<std::int32_t> sphere;  ///< The nearest sphere; the first in the file among equals.
   std::span<double> parameter;     ///< s
-  std::span<double> point_x, point_y, point_z;  ///< Q
+  std::span<double> point_x, point_y, point_z;  ///< Q, all or none of them.
 };
 
 /// How many pixels were decided how.

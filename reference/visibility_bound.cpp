@@ -9,7 +9,6 @@ namespace {
 
 using scene::Bounds;
 
-double half_width(const Bounds& x) { return std::max(x.high - middle(x), middle(x) - x.low); }
 double magnitude(const Bounds& x) { return std::max(std::abs(x.low), std::abs(x.high)); }
 
 constexpr double kUnitRoundoff = 0x1p-53;

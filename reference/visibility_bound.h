@@ -3,6 +3,7 @@
 
 // The numbers that the bound of reference/visibility_kernel.h is made of. Internal to reference/.
 
+#include <algorithm>
 #include <cstddef>
 #include <vector>
 
@@ -13,6 +14,10 @@
 namespace raycheck::reference {
 
 inline double middle(const scene::Bounds& x) { return x.low / 2 + x.high / 2; }
+
+inline double half_width(const scene::Bounds& x) {
+  return std::max(x.high - middle(x), middle(x) - x.low);
+}
 
 /// What the bound of the filter takes from the image plane; the names are those of
 /// visibility_kernel.h.

@@ -20,7 +20,7 @@ void classes_of_band(const Visibility::Impl& impl, const RowsInTiles& rows, std:
   const FilteredSphere& sphere = impl.spheres[position];
   Tile in_tile;
   for (std::size_t tile = first; tile < last; ++tile) {
-    clear(in_tile);
+    clear(in_tile, 0, Tile::kHeight, Tile::kWidth);
     const SphereInTile entry{&sphere, rows.within_tile(pixels, band, tile)};
     const TileRays rays = rows.rays_of(band, tile);
     sweep_class(entry, rays, in_tile);
@@ -46,21 +46,17 @@ void classes_of_band(const Visibility::Impl& impl, const RowsInTiles& rows, std:
 
 DecidedBy classes_of_rows(const Visibility::Impl& impl, std::size_t sphere, std::int64_t j_begin,
                           std::int64_t j_end, std::span<HitClass> classes) {
+  if (sphere >= impl.positions.size()) {
+    throw std::invalid_argument("sphere " + std::to_string(sphere) + ": the scene has " +
+                                std::to_string(impl.positions.size()));
+  }
   RowsInTiles rows(impl, j_begin, j_end);
   rows.require_fit(classes.size());
   std::fill(classes.begin(), classes.end(), HitClass::kMiss);
   DecidedBy decided_by;
-  const auto found = std::find_if(
-      impl.spheres.begin(), impl.spheres.end(),
-      [&](const FilteredSphere& s) { return static_cast<std::size_t>(s.index) == sphere; });
-  if (sphere >= impl.scene.spheres.size()) {
-    throw std::invalid_argument("sphere " + std::to_string(sphere) + ": the scene has " +
-                                std::to_string(impl.scene.spheres.size()));
-  }
-  if (found != impl.spheres.end()) {
-    const auto position = static_cast<std::size_t>(found - impl.spheres.begin());
+  if (const auto position = impl.positions[sphere]) {
     rows.for_each_band([&](std::size_t band) {
-      classes_of_band(impl, rows, band, position, classes, decided_by);
+      classes_of_band(impl, rows, band, *position, classes, decided_by);
     });
   }
   decided_by.filter = classes.size() - decided_by.fallback();

@@ -8,6 +8,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <numeric>
+#include <optional>
 #include <span>
 #include <utility>
 #include <vector>
@@ -65,10 +66,13 @@ struct Visibility::Impl {
   double near;
   double start_factor;
   TileScale scale;
+  double axis_doubt = 0;  ///< The largest half of a width of U, V, W along the world's axes.
   /// By nearest distance; their rectangles; those of each band.
   std::vector<FilteredSphere> spheres;
   std::vector<scene::PixelRectangle> rectangles;
   Lists bands;
+  /// Where a sphere of the scene is among them; empty: nothing of it is seen.
+  std::vector<std::optional<std::size_t>> positions;
 };
 
 /// Some rows of the image, as bands of kBandRows rows and tiles of their columns.

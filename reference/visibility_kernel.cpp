@@ -261,8 +261,16 @@ HWY_EXPORT(sweep_uncertified);
 HWY_EXPORT(sweep_class);
 HWY_EXPORT(finish_tile);
 
-void clear(Tile& tile) {
-  tile.numerator.fill(std::numeric_limits<double>::infinity());
+void clear(Tile& tile, int row_begin, int row_end, int columns) {
+  constexpr double kInfinity = std::numeric_limits<double>::infinity();
+  if (row_begin == 0 && row_end == Tile::kHeight && columns == Tile::kWidth) {
+    tile.numerator.fill(kInfinity);
+  } else {
+    tile.numerator.fill(-kInfinity);
+    for (int row = row_begin; row < row_end; ++row) {
+      std::fill_n(tile.numerator.begin() + row * Tile::kWidth, columns, kInfinity);
+    }
+  }
   tile.sphere.fill(-1);
   tile.undecided.fill(0);
 }

@@ -90,8 +90,9 @@ struct TileRays {
 
 enum class Certified { kNo, kYes };
 
-/// Nothing seen, everything decided.
-void clear(Tile& tile);
+/// Nothing seen, everything decided; pixels outside these rows and columns will not be asked for,
+/// and see what is nearer than any sphere.
+void clear(Tile& tile, int row_begin, int row_end, int columns);
 
 /// Sweeps the spheres, which come by nearest_distance, over the tile. Afterwards the pixels that
 /// are not undecided have the nearest sphere.

@@ -2,6 +2,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <span>
+#include <stdexcept>
 #include <vector>
 
 #include "reference/visibility_impl.h"
@@ -22,6 +23,10 @@ class NearestOfRows {
     for (const auto& array : {rows.parameter, rows.point_x, rows.point_y, rows.point_z}) {
       at_.require_fit(array.size());
     }
+    if (rows.point_x.empty() != rows.point_y.empty() ||
+        rows.point_x.empty() != rows.point_z.empty()) {
+      throw std::invalid_argument("points: some coordinates have arrays and some have none");
+    }
     rows_ = rows;
     all_quantities_.resize(impl_.plan.items.quantities ? 0 : Tile::kPixels);
     DecidedBy decided_by;
@@ -40,7 +45,7 @@ class NearestOfRows {
           tiles_);
       for (std::size_t tile = 0; tile + 1 < tiles_.begin.size(); ++tile) {
         list_spheres(band, tile, in_band);
-        clear(tile_);
+        clear(tile_, at_.row_begin(), at_.row_end(), at_.columns_of(tile));
         const TileRays rays = at_.rays_of(band, tile);
         sweep(list_, rays, certified, tile_);
         finish(band, tile, rays, certified, decided_by);
@@ -101,7 +106,7 @@ class NearestOfRows {
         finish_tile(tile_, at_.row_begin(), at_.row_end(), columns, rays, impl_.scale, output);
     if (!impl_.plan.items.quantities) reckon_all(rays, columns);
     if (certified == Certified::kNo) return;
-    if (!rows_.parameter.empty() || !rows_.point_x.empty()) require_precise(least, columns);
+    if (!rows_.parameter.empty() || !rows_.point_x.empty()) require_precise(rays, least, columns);
     const std::uint64_t inside =
         columns == 64 ? ~std::uint64_t{0} : (std::uint64_t{1} << columns) - 1;
     for (int row = at_.row_begin(); row < at_.row_end(); ++row) {
@@ -123,13 +128,33 @@ class NearestOfRows {
                 {nullptr, scratch, {scratch, scratch, scratch}, Tile::kWidth});
   }
 
-  /// Leaves to the exact ray the pixels whose root margin is above kVisibleParameterError m.
-  void require_precise(double least, int columns) {
+  // kVisibleParameterError. The filter's s and Q stay where, with kShare =
+  // kVisibleParameterError/2,
+  //   |m^ - m| <= E_m <= kShare m^, |g^ - g| <= 2 delta <= kShare/8 l, and, for Q, the axes are
+  //   known to within kShare/32.
+  // t^ = m^/l^ is then off by less than (1 + 1/8) kShare t and a few roundings; l 2^plane, which is
+  // at most t of a hit in front, by kShare/8 of itself: s by less than 1.3 kShare t. Of Q - E =
+  // t (g/l), g/l is off by kShare/4 and, as a sum of three coordinates times axes, by 6/32 kShare:
+  // a coordinate by less than 1.6 kShare t; the sum with E is rounded.
+  static constexpr double kShare = kVisibleParameterError / 2;
+
+  /// Leaves the others to the exact ray.
+  void require_precise(const TileRays& rays, double least, int columns) {
+    const bool with_points = !rows_.point_x.empty();
+    if (!(2 * impl_.sizes.delta <= kShare / 8 * rays.least_length) ||
+        (with_points && impl_.axis_doubt > kShare / 32)) {
+      for (int row = at_.row_begin(); row < at_.row_end(); ++row) {
+        for (int column = 0; column < columns; ++column) {
+          if (tile_.sphere[static_cast<std::size_t>(row * Tile::kWidth + column)] < 0) continue;
+          tile_.undecided[static_cast<std::size_t>(row)] |= std::uint64_t{1} << column;
+        }
+      }
+      return;
+    }
     double margin = 0;
     for (const SphereInTile& entry : list_) {
       if (!entry.sphere->exact) margin = std::max(margin, entry.sphere->root_margin);
     }
-    constexpr double kShare = kVisibleParameterError / 2;  // the rest is for roundings
     if (margin <= kShare * least) return;
     for (const SphereInTile& entry : list_) {
       if (entry.sphere->exact || entry.sphere->root_margin <= kShare * least) continue;

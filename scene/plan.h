@@ -1,6 +1,7 @@
 #ifndef RAYCHECK_SCENE_PLAN_H_
 #define RAYCHECK_SCENE_PLAN_H_
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <optional>

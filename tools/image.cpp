@@ -6,8 +6,10 @@
 #include <chrono>
 #include <memory>
 #include <stdexcept>
+#include <tuple>
 #include <utility>
 
+#include "scene/validate.h"
 #include "tools/image_paint.h"
 #include "tools/in_order.h"
 #include "tools/terminal.h"
@@ -153,6 +155,17 @@ std::unique_ptr<Painter> painter_for(const ImageOptions& options, const scene::S
   throw std::logic_error("a picture of nothing that there is");
 }
 
+void resize(const scene::Pixel& size, scene::Scene& scene) {
+  scene.camera->width = size.i;
+  scene.camera->height = size.j;
+  const auto problems = scene::problems(scene);
+  if (!problems.empty()) {
+    throw std::invalid_argument(fmt::format(
+        "--size {},{}: {}", size.i, size.j,
+        problems.front().field + " = " + problems.front().value + ": " + problems.front().what));
+  }
+}
+
 ImageReport report_on(const ImageOptions& options, const scene::LoadedScene& loaded,
                       const PictureFile& file) {
   const scene::Scene& scene = loaded.scene;
@@ -186,10 +199,7 @@ ImageReport report_on(const ImageOptions& options, const scene::LoadedScene& loa
 ImageReport make_image(const ImageOptions& options, PictureFile& file) {
   const auto start = std::chrono::steady_clock::now();
   scene::LoadedScene loaded = scene::load_scene(options.path, options.dialect);
-  if (options.size && loaded.scene.camera) {
-    loaded.scene.camera->width = options.size->i;
-    loaded.scene.camera->height = options.size->j;
-  }
+  if (options.size && loaded.scene.camera) resize(*options.size, loaded.scene);
   const scene::Scene& scene = loaded.scene;
   ImageReport report = report_on(options, loaded, file);
   file.start(report.width, report.height);

@@ -80,7 +80,9 @@ class DepthPainter : public Painter {
     const double near = range_.nearest / 2;
     const double span = range_.farthest / 2 - near;
     for (std::size_t k = 0; k < pixels.size(); ++k) {
-      const double share = span > 0 ? (band.parameter[k] / 2 - near) / span : 0;
+      const double ahead = band.parameter[k] / 2 - near;
+      // Parameters may be out of range, then all or some are infinite.
+      const double share = span > 0 && ahead < span ? ahead / span : span > 0 ? 1 : 0;
       pixels[k] = band.sphere[k] == reference::kNoSphere
                       ? Colour{}
                       : scaled({255, 255, 255}, 1 - (1 - kDarkest) * std::clamp(share, 0.0, 1.0));

@@ -69,7 +69,8 @@ class Accountant {
   }
 
   ItemReport hidden() const {
-    ItemReport item = spheres_left_out(LeftOut::kHidden, "one nearer sphere is before all of it");
+    ItemReport item =
+        spheres_left_out(LeftOut::kHidden, "a ray that meets it meets another no later");
     if (plan_.wanted != scene::Wanted::kNearest) {
       item.why = "only where nothing but the nearest sphere is wanted";
     }
@@ -106,7 +107,8 @@ class Accountant {
     const scene::Scaling& scaling = plan_.eye.scaling();
     if (scaling == scene::Scaling{}) {
       return {1, 1, "scene",
-              fmt::format("all magnitudes are within 2^-{0} and 2^{0}", scene::kPlainExponent)};
+              fmt::format("lengths are within 2^-{0} and 2^{0}, or the largest is about 1",
+                          scene::kPlainExponent)};
     }
     return {0, 1, "scene",
             fmt::format("lengths are divided by 2^{}, the image plane's by 2^{}", scaling.lengths,
@@ -115,7 +117,7 @@ class Accountant {
 
   ItemReport basis() const {
     if (plan_.eye.axis_aligned()) return {1, 1, "camera", "U, V, W are axes of the world"};
-    return {0, 1, "camera", "U, V, W are no axes of the world"};
+    return {0, 1, "camera", "U, V, W are not certainly axes of the world"};
   }
 
   ItemReport quantities() const {

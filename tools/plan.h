@@ -56,7 +56,8 @@ struct ItemReport {
   std::uint64_t of = 0;
   std::string_view noun;
   std::string why;
-  std::optional<PlanTime> time = {};  ///< Empty where nothing is left out, or time was over.
+  std::optional<PlanTime> time = {};  ///< Empty where nothing is left out or
+                                      ///< not asked for, or time was over.
 };
 
 struct PlanReport {

@@ -20,13 +20,15 @@ std::string share_text(const PlanTime& time) {
 }
 
 std::string left_out_text(const ItemReport& item) {
-  if (item.of == 1) return item.left_out == 1 ? "yes" : "no";
+  // Of scenes and cameras there is one.
+  if (item.noun == "scene" || item.noun == "camera") return item.left_out == 1 ? "yes" : "no";
   return fmt::format("{} of {} {}", item.left_out, item.of, item.noun);
 }
 
 std::string items_table(const PlanReport& report) {
   Table table({{"item"},
                {"left out"},
+               {"ms with", Table::Align::kRight},
                {"ms without", Table::Align::kRight},
                {"saves", Table::Align::kRight},
                {"why"}});
@@ -36,6 +38,7 @@ std::string items_table(const PlanReport& report) {
     std::string why = item.why;
     if (is_estimate) why += fmt::format("; time from {}", count_text(item.time->pixels, "pixel"));
     table.add({std::string(kPlanItems[k].name), left_out_text(item),
+               item.time ? milliseconds(item.time->with_plan_ms) : "-",
                item.time ? (is_estimate ? "~" : "") + milliseconds(item.time->without_ms) : "-",
                item.time ? share_text(*item.time) : "-", why});
   }

@@ -179,7 +179,12 @@ std::pair<double, std::uint64_t> time_exact_pixels(const scene::Scene& scene,
       if (plan.spheres[k].pixels.contains(pixel)) spheres.push_back(scene.spheres[k]);
     }
     if (!spheres.empty()) {
-      reference::ExactRay(camera, pixel).nearest(spheres, plan.conventions);
+      const reference::ExactRay ray(camera, pixel);
+      if (plan.wanted == Wanted::kClass) {
+        for (const scene::Sphere& sphere : spheres) ray.intersect(sphere, plan.conventions.root);
+      } else {
+        ray.nearest(spheres, plan.conventions);
+      }
     }
     ++pixels;
   } while (pixels < kMostPixels && seconds_since(start) < kItemSeconds);
@@ -217,12 +222,15 @@ void time_plan(PlanReport& report) {
     items.*kPlanItems[k].member = false;
     ItemReport& item = report.items[k];
     if (!items.filter) {
+      if (report.decided_by.filter == 0) continue;
       const auto [seconds, pixels] = time_exact_pixels(scene, plan);
       const double all = width * height / static_cast<double>(pixels);
       item.time = PlanTime{report.image_ms, 1e3 * seconds * all, pixels};
       continue;
     }
-    if (item.left_out == 0) continue;
+    // Classes are asked sphere by sphere, with what is known of it, and of nothing else.
+    const bool is_asked = plan.wanted != Wanted::kClass || (items.constants && items.quantities);
+    if (item.left_out == 0 || !is_asked) continue;
     const scene::ScenePlan without = scene::plan_scene(scene, plan.conventions, plan.wanted, items);
     const double part_share = static_cast<double>(parts.most_rows()) / height;
     if (pairs_asked(without) * part_share > kMostPairs) continue;

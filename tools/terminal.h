@@ -7,7 +7,7 @@
 
 namespace raycheck::tools {
 
-/// Makes Ctrl-C raise a flag instead of ending the program; a second one ends it.
+/// Makes Ctrl-C (or SIGTERM) raise a flag instead of ending the program; a second one ends it.
 void catch_interrupts();
 bool interrupted();
 

@@ -4,7 +4,9 @@
 #include <hwy/highway.h>
 
 #include <cmath>
+#include <optional>
 #include <random>
+#include <stdexcept>
 #include <tuple>
 #include <vector>
 
@@ -100,6 +102,37 @@ scene::Scene random_scene(unsigned seed, double scale = 1) {
   if (seed % 4 == 0) scene.spheres.push_back({scene.camera->eye, 30 * scale});
   scene.spheres.push_back(scene.spheres.front());
   return scene;
+}
+
+TEST(Visibility, IsExactAtTheEndOfTheRange) {
+  // |Q - E| is out of range; s, from the pixel on, is not.
+  constexpr double kFar = 1.7e308;
+  scene::Scene scene;
+  scene.camera = scene::Camera{{0, 0, 0}, {0, 0, -1}, {0, 1, 0}, -kFar, std::nullopt, -kFar, kFar,
+                               -kFar,     kFar,       5,         5};
+  scene.spheres = {{{0, 0, -kFar}, kFar}};
+  const Seen seen = see(visibility_of(scene));
+  const ExactCamera camera(*scene.camera, scene.conventions);
+  int hits = 0;
+  for (std::size_t at = 0; at < pixels_of(scene); ++at) {
+    const auto index = static_cast<std::int64_t>(at);
+    const ExactRay ray(camera, {index % 5, index / 5});
+    const auto exact = ray.nearest(scene.spheres, scene.conventions);
+    ASSERT_EQ(seen.sphere[at], exact ? 0 : kNoSphere) << at;
+    if (!exact) continue;
+    ++hits;
+    EXPECT_EQ(seen.parameter[at], ray.rounded_parameter(scene.spheres[0], exact->intersection))
+        << at;
+  }
+  EXPECT_EQ(hits, 13);
+}
+
+TEST(Visibility, TakesAllCoordinatesOrNone) {
+  const scene::Scene scene = random_scene(1);
+  Seen seen(pixels_of(scene));
+  SeenRows rows = seen.rows();
+  rows.point_y = {};
+  EXPECT_THROW(visibility_of(scene).nearest(0, scene.camera->height, rows), std::invalid_argument);
 }
 
 TEST(Visibility, IsExactUnderEveryConvention) {

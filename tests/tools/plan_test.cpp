@@ -123,7 +123,7 @@ TEST(Plan, counts_what_each_item_leaves_out) {
   EXPECT_EQ(item(report, "view")["left_out"], 1);
   EXPECT_EQ(item(report, "behind")["left_out"], 1);
   EXPECT_EQ(item(report, "hidden")["left_out"], 1);
-  EXPECT_EQ(item(report, "hidden")["why"], "sphere 3: one nearer sphere is before all of it");
+  EXPECT_EQ(item(report, "hidden")["why"], "sphere 3: a ray that meets it meets another no later");
   EXPECT_EQ(item(report, "far-root")["left_out"], 1);
   EXPECT_EQ(item(report, "far-root")["of"], 2);
   EXPECT_EQ(item(report, "far-root")["why"], "rays may start inside sphere 4");
