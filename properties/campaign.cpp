@@ -4,6 +4,7 @@
 #include <rapidcheck/detail/TestListenerAdapter.h>
 
 #include <algorithm>
+#include <array>
 #include <charconv>
 #include <ostream>
 #include <stdexcept>
@@ -107,16 +108,23 @@ CampaignResult run_campaign(const Law& law, const Candidate& candidate,
 }
 
 Replay parse_replay(std::string_view text) {
-  std::vector<std::string_view> parts;
-  for (std::size_t at = 0; at <= text.size();) {
-    const std::size_t end = std::min(text.find(':', at), text.size());
-    parts.push_back(text.substr(at, end - at));
-    at = end + 1;
+  // A candidate's name may have colons.
+  const auto wrong = [&] {
+    return std::invalid_argument("a replay string is LAW:CANDIDATE:SOURCE:SEED, not '" +
+                                 std::string(text) + "'");
+  };
+  std::array<std::string_view, 4> parts;
+  std::string_view rest = text;
+  for (const std::size_t part : {3, 2}) {
+    const std::size_t colon = rest.rfind(':');
+    if (colon == std::string_view::npos) throw wrong();
+    parts[part] = rest.substr(colon + 1);
+    rest = rest.substr(0, colon);
   }
-  if (parts.size() != 4) {
-    throw std::invalid_argument("a replay string is LAW:RAYS/INTERSECT:SOURCE:SEED, not '" +
-                                std::string(text) + "'");
-  }
+  const std::size_t colon = rest.find(':');
+  if (colon == std::string_view::npos) throw wrong();
+  parts[0] = rest.substr(0, colon);
+  parts[1] = rest.substr(colon + 1);
   Replay replay{find_law(parts[0]), std::string(parts[1]), {}, 0};
   if (replay.law == nullptr) {
     throw std::invalid_argument("no law is called '" + std::string(parts[0]) + "'");

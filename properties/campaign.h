@@ -18,7 +18,7 @@ namespace raycheck::properties {
 struct Failure {
   Case shrunk;
   Verdict verdict;
-  std::string replay;  ///< Finds it again: "LAW:RAYS/INTERSECT:SOURCE:SEED"; a SOURCE may be
+  std::string replay;  ///< Finds it again: "LAW:CANDIDATE:SOURCE:SEED"; a SOURCE may be
                        ///< SOURCE@SEVERITY.
 };
 

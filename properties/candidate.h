@@ -58,7 +58,7 @@ struct DeclaredConventions {
 /// An implementation under judgement: what it can be asked (an empty function: it has no such
 /// thing), under which conventions, and what it promises. A candidate is asked from one thread at a
 /// time: where several judge, each has a candidate of its own. Functions refuse input that is not a
-/// problem with std::invalid_argument. Answers come in the order of the questions; an absent hit is
+/// problem with std::invalid_argument; of what they throw otherwise, what() says how they failed. Answers come in the order of the questions; an absent hit is
 /// a miss.
 struct Candidate {
   using Pixels = std::span<const scene::Pixel>;
@@ -102,6 +102,8 @@ struct Candidate {
   bool exact_visible = false;
   /// Images with more pixels across or down are not for `visible`.
   std::int64_t most_visible_across = scene::kMostPixelsAcross;
+  /// It is asked what is not a problem, too, which it is to refuse.
+  bool refuses = true;
   /// Of the arithmetic that it computes in.
   double unit_roundoff = kDoubleRoundoff;
   /// Its stated domain: rays of these kinds only, and nonzero lengths between these.

@@ -124,6 +124,9 @@ void spoil_intersections(Trial& trial, Verdict& verdict) {
 }
 
 Verdict judge_refusal(Trial& trial) {
+  if (!trial.candidate().refuses) {
+    return Verdict::left_out("the candidate is never asked what is not a problem");
+  }
   Verdict verdict;
   if (trial.scene().camera) spoil_cameras(trial, verdict);
   if (trial.candidate().intersect && !trial.scene().spheres.empty()) {

@@ -73,6 +73,35 @@ std::vector<MethodPair> chosen_methods(const std::string& rays_name,
   return pairs;
 }
 
+void add_external(CLI::App& command, ExternalArguments& arguments) {
+  command.add_option("--candidate", arguments.candidates,
+                     "someone else's implementation instead: library:PATH.so, source:PATH or "
+                     "command:'WORDS'; several times for several");
+  command
+      .add_option("--sandbox", arguments.sandbox,
+                  "how candidates are kept: auto, what works here; require, refuse without seccomp "
+                  "and bubblewrap; none, limits only")
+      ->check(CLI::IsMember({"auto", "require", "none"}))
+      ->capture_default_str();
+  command.add_option("--timeout", arguments.seconds, "seconds a candidate has for one reply")
+      ->check(CLI::PositiveNumber)
+      ->capture_default_str();
+}
+
+std::vector<Contestant> find_contestants(const ExternalArguments& arguments) {
+  std::vector<Contestant> found;
+  if (arguments.candidates.empty()) return found;
+  RunOptions options;
+  options.layers = chosen_layers(arguments.sandbox == "none"      ? Sandbox::kNone
+                                 : arguments.sandbox == "require" ? Sandbox::kRequire
+                                                                  : Sandbox::kAuto);
+  options.limits.seconds = arguments.seconds;
+  for (const std::string& what : arguments.candidates) {
+    found.emplace_back(find_external(what, options));
+  }
+  return found;
+}
+
 void add_format(CLI::App& command, std::string& format, const std::vector<std::string>& formats) {
   std::string meaning;
   for (std::size_t k = 0; k < formats.size(); ++k) {

@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "scene/scene_file.h"
-#include "tools/methods.h"
+#include "tools/contestant.h"
 #include "tools/plot.h"
 
 namespace raycheck::tools {
@@ -29,6 +29,16 @@ extern const CLI::Validator kBound;
 /// The pairs of methods asked for by --rays and --intersect.
 std::vector<MethodPair> chosen_methods(const std::string& rays,
                                        const std::vector<std::string>& intersect);
+
+/// What --candidate, --sandbox and --timeout are given.
+struct ExternalArguments {
+  std::vector<std::string> candidates;
+  std::string sandbox = "auto";
+  double seconds = Limits{}.seconds;
+};
+void add_external(CLI::App& command, ExternalArguments& arguments);
+/// Each once compiled, where it has to be, and introduced.
+std::vector<Contestant> find_contestants(const ExternalArguments& arguments);
 
 /// --format, one of those names.
 void add_format(CLI::App& command, std::string& format, const std::vector<std::string>& formats);

@@ -48,10 +48,11 @@ struct ChunkVerdict {
   ReasonsLeftOut left_out;
 };
 
-Judged prepare(const MethodPair& pair, const scene::Scene& scene, const CheckOptions& options) {
-  const Candidate candidate = candidate_of(pair);
+Judged prepare(const Contestant& contestant, const scene::Scene& scene,
+               const CheckOptions& options) {
+  const Candidate candidate = candidate_of(contestant);
   Judged judged;
-  judged.report.methods = pair;
+  judged.report.contestant = contestant;
   judged.report.name = candidate.name;
   judged.report.conventions = candidate.declared.over(scene.conventions);
   for (std::size_t k = 0; k < properties::kQuantityCount; ++k) {
@@ -148,18 +149,27 @@ std::uint64_t CheckReport::compared() const {
 
 namespace {
 
-/// The pairs that differ in something that the scene asks of them: without a camera the ray methods
-/// do nothing, without spheres the intersection methods.
-std::vector<MethodPair> useful_pairs(const std::vector<MethodPair>& pairs,
-                                     const scene::Scene& scene) {
-  if (pairs.size() == 1) return pairs;
-  std::vector<MethodPair> useful;
-  for (MethodPair pair : pairs) {
+/// Those that differ in something that the scene asks of them: without a camera the ray methods do
+/// nothing, without spheres the intersection methods.
+std::vector<Contestant> useful(const std::vector<Contestant>& contestants,
+                               const scene::Scene& scene) {
+  if (contestants.size() == 1) return contestants;
+  std::vector<Contestant> result;
+  std::vector<MethodPair> pairs;
+  for (const Contestant& contestant : contestants) {
+    const MethodPair* const methods = methods_of(contestant);
+    if (methods == nullptr) {
+      result.push_back(contestant);
+      continue;
+    }
+    MethodPair pair = *methods;
     if (!scene.camera) pair.rays = kDefaultMethods.rays;
     if (scene.spheres.empty()) pair.intersect = kDefaultMethods.intersect;
-    if (std::find(useful.begin(), useful.end(), pair) == useful.end()) useful.push_back(pair);
+    if (std::find(pairs.begin(), pairs.end(), pair) != pairs.end()) continue;
+    pairs.push_back(pair);
+    result.emplace_back(pair);
   }
-  return useful;
+  return result;
 }
 
 /// Judges the rays chunk by chunk. Every thread has candidates of its own; chunks share nothing but
@@ -202,7 +212,7 @@ class Judgement {
   std::vector<ChunkVerdict> judge(std::uint64_t first) {
     std::vector<Candidate>& candidates = candidates_.local();
     if (candidates.empty()) {
-      for (const Judged& one : all_) candidates.push_back(candidate_of(one.report.methods));
+      for (const Judged& one : all_) candidates.push_back(candidate_of(one.report.contestant));
     }
     const Case chunk = cases_.from(first, std::min(first + kChunk, cases_.rays_judged()));
     properties::SharedTruths truths(chunk, plans_);
@@ -225,8 +235,9 @@ class Judgement {
 void time_all(const SceneCases& cases, std::vector<Judged>& all) {
   const Case chunk = cases.from(0, std::min<std::uint64_t>(kChunk, cases.rays_judged()));
   for (Judged& one : all) {
-    one.report.timing =
-        time_methods(one.report.methods, cases.scene(), one.report.conventions, chunk.pixels);
+    const MethodPair* const methods = methods_of(one.report.contestant);
+    if (methods == nullptr) continue;
+    one.report.timing = time_methods(*methods, cases.scene(), one.report.conventions, chunk.pixels);
   }
 }
 
@@ -246,8 +257,8 @@ CheckReport check(const CheckOptions& options) {
   const SceneCases cases(report.scene, options.pixels);
   report.rays_in_scene = cases.rays_in_scene();
   std::vector<Judged> all;
-  for (const MethodPair& pair : useful_pairs(options.methods, report.scene)) {
-    all.push_back(prepare(pair, report.scene, options));
+  for (const Contestant& contestant : useful(options.contestants, report.scene)) {
+    all.push_back(prepare(contestant, report.scene, options));
   }
   time_all(cases, all);
   Progress progress(report.path);

@@ -8,14 +8,14 @@
 
 #include "properties/verdict.h"
 #include "scene/scene_file.h"
-#include "tools/methods.h"
+#include "tools/contestant.h"
 
 namespace raycheck::tools {
 
 struct CheckOptions {
   std::string path;
   std::optional<scene::Dialect> dialect;
-  std::vector<MethodPair> methods;
+  std::vector<Contestant> contestants;
   std::optional<std::int64_t> pixels;  ///< How many, spread evenly; empty: all.
   std::size_t top = 10;
   std::optional<double> max_error;
@@ -37,12 +37,12 @@ struct LeftOut {
 
 struct CandidateReport {
   std::string name;
-  MethodPair methods;
+  Contestant contestant;
   scene::Conventions conventions;  ///< Under which it was judged.
   std::vector<double> bounds;      ///< By quantity.
   properties::Verdict verdict;
   std::vector<LeftOut> left_out;
-  Timing timing;
+  Timing timing;  ///< Of raycheck's methods.
 };
 
 struct CheckReport {

@@ -17,6 +17,7 @@ struct Arguments {
   std::string dialect;
   std::string rays;
   std::vector<std::string> intersect;
+  ExternalArguments external;
   bool all = false;
   std::string pixels = "all";
   std::size_t top = 10;
@@ -31,11 +32,19 @@ int run_check(const Arguments& arguments) {
   CheckOptions options;
   options.path = arguments.scene;
   options.dialect = parse_dialect(arguments.dialect);
-  if (arguments.all && !(arguments.rays.empty() && arguments.intersect.empty())) {
-    throw std::invalid_argument("--all: judges every method; leave out --rays and --intersect");
+  if (arguments.all && !(arguments.rays.empty() && arguments.intersect.empty() &&
+                         arguments.external.candidates.empty())) {
+    throw std::invalid_argument(
+        "--all: judges every method; leave out --rays, --intersect and --candidate");
   }
-  options.methods =
-      arguments.all ? all_pairs() : chosen_methods(arguments.rays, arguments.intersect);
+  options.contestants = find_contestants(arguments.external);
+  const bool methods_asked = !(arguments.rays.empty() && arguments.intersect.empty());
+  if (arguments.all) {
+    options.contestants = contestants(all_pairs());
+  } else if (methods_asked || options.contestants.empty()) {
+    const auto pairs = contestants(chosen_methods(arguments.rays, arguments.intersect));
+    options.contestants.insert(options.contestants.begin(), pairs.begin(), pairs.end());
+  }
   if (arguments.pixels != "all") options.pixels = parse_index("--pixels", arguments.pixels, 1);
   options.top = arguments.top;
   options.max_error = arguments.max_ulp;
@@ -62,6 +71,7 @@ Command add_check(CLI::App& program) {
   command.add_option("--rays", arguments.rays, "the method that makes rays (default: direct)");
   command.add_option("--intersect", arguments.intersect,
                      "the method that intersects them, several times for several (default: cross)");
+  add_external(command, arguments.external);
   command.add_flag("--all", arguments.all, "every pair of methods");
   command.add_option("--pixels", arguments.pixels, "all, or how many, spread evenly")
       ->capture_default_str();

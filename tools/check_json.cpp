@@ -40,8 +40,11 @@ Json quantity_json(properties::Quantity quantity, const Tally& tally, double bou
 Json candidate_json(const CandidateReport& candidate, std::size_t top) {
   Json json;
   json["name"] = candidate.name;
-  json["rays"] = candidate.methods.rays->name;
-  json["intersect"] = candidate.methods.intersect->name;
+  const MethodPair* const methods = methods_of(candidate.contestant);
+  json["rays"] = methods != nullptr ? Json(methods->rays->name) : Json(nullptr);
+  json["intersect"] = methods != nullptr ? Json(methods->intersect->name) : Json(nullptr);
+  const External* const external = external_of(candidate.contestant);
+  json["kept_by"] = external != nullptr ? Json(external->program.layers.text()) : Json(nullptr);
   json["conventions"] = conventions_json(candidate.conventions);
   json["ns_per_ray"] = {{"make", error_json(candidate.timing.make)},
                         {"intersect", error_json(candidate.timing.intersect)}};

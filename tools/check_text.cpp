@@ -99,8 +99,11 @@ std::string check_text(const CheckReport& report, bool colours) {
   };
   std::vector<Found> found;
   for (const CandidateReport& candidate : report.candidates) {
-    text += fmt::format("\n{}  {}\n", candidate.name,
-                        timing_text(candidate.timing, report.scene.spheres.size()));
+    const External* const external = external_of(candidate.contestant);
+    text +=
+        fmt::format("\n{}  {}\n", candidate.name,
+                    external == nullptr ? timing_text(candidate.timing, report.scene.spheres.size())
+                                        : "kept by " + external->program.layers.text());
     if (!(candidate.conventions == report.scene.conventions)) {
       text += fmt::format("  judged under its own conventions: {}\n",
                           conventions_text(candidate.conventions));

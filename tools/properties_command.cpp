@@ -16,6 +16,7 @@ struct Arguments {
   std::string replay;
   std::string rays;
   std::vector<std::string> intersect;
+  ExternalArguments external;
   std::vector<std::string> sources;
   std::optional<double> max_ulp;
   std::string format = "text";
@@ -36,8 +37,10 @@ int run_properties_command(const Arguments& arguments) {
   options.replay = arguments.replay;
   options.sources = arguments.sources;
   options.max_error = arguments.max_ulp;
+  options.contestants = find_contestants(arguments.external);
   if (!arguments.rays.empty() || !arguments.intersect.empty()) {
-    options.methods = chosen_methods(arguments.rays, arguments.intersect);
+    const auto pairs = contestants(chosen_methods(arguments.rays, arguments.intersect));
+    options.contestants.insert(options.contestants.begin(), pairs.begin(), pairs.end());
   }
   const PropertiesReport report = run_properties(options);
   print_report(arguments.format == "json" ? properties_json(report)
@@ -62,6 +65,7 @@ Command add_properties(CLI::App& program) {
   command.add_option("--intersect", arguments.intersect,
                      "only this intersection method; several "
                      "times for several");
+  add_external(command, arguments.external);
   command.add_option("--source", arguments.sources,
                      "only cases of this source, or of this severity (SOURCE@SEVERITY); several "
                      "times for several");

@@ -44,8 +44,10 @@ std::vector<ChosenSource> chosen_sources(const std::vector<std::string>& names) 
 
 /// Whether a law can tell this pair from one that is already asked: laws of the camera alone do not
 /// see the intersection, those of the intersection alone hardly see the ray method.
-bool is_worth_asking(const Law& law, const MethodPair& pair, bool chosen_by_user) {
-  if (chosen_by_user) return true;
+bool is_worth_asking(const Law& law, const Contestant& contestant, bool chosen_by_user) {
+  const MethodPair* const methods = methods_of(contestant);
+  if (chosen_by_user || methods == nullptr) return true;
+  const MethodPair& pair = *methods;
   switch (law.subject) {
     case Law::Subject::kCamera:
       return pair.intersect == kDefaultMethods.intersect;
@@ -58,8 +60,10 @@ bool is_worth_asking(const Law& law, const MethodPair& pair, bool chosen_by_user
 
 PropertiesReport replay(const PropertiesOptions& options) {
   const properties::Replay parsed = properties::parse_replay(options.replay);
-  for (const MethodPair& pair : all_pairs()) {
-    const Candidate candidate = candidate_of(pair);
+  std::vector<Contestant> known = options.contestants;
+  for (const MethodPair& pair : all_pairs()) known.emplace_back(pair);
+  for (const Contestant& contestant : known) {
+    const Candidate candidate = candidate_of(contestant);
     if (candidate.name != parsed.candidate) continue;
     PropertiesReport report;
     report.cases = 1;
@@ -95,13 +99,14 @@ PropertiesReport run_properties(const PropertiesOptions& options) {
   campaign.max_error = options.max_error;
   campaign.sources = chosen_sources(options.sources);
   campaign.interrupted = interrupted;
-  const bool chosen = !options.methods.empty();
+  const bool chosen = !options.contestants.empty();
+  const auto judged = chosen ? options.contestants : contestants(each_method_once());
   const auto laws = filtered_laws(options.filter);
   Progress progress("laws");
   for (const Law* law : laws) {
-    for (const MethodPair& pair : chosen ? options.methods : each_method_once()) {
-      if (interrupted() || !is_worth_asking(*law, pair, chosen)) continue;
-      const Candidate candidate = candidate_of(pair);
+    for (const Contestant& contestant : judged) {
+      if (interrupted() || !is_worth_asking(*law, contestant, chosen)) continue;
+      const Candidate candidate = candidate_of(contestant);
       progress.show(fmt::format("{} on {}", law->name, candidate.name));
       report.campaigns.push_back({law, candidate.name, run_campaign(*law, candidate, campaign)});
     }

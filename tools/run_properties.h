@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "properties/campaign.h"
-#include "tools/methods.h"
+#include "tools/contestant.h"
 
 namespace raycheck::tools {
 
@@ -15,9 +15,9 @@ struct PropertiesOptions {
   std::string filter;  ///< Laws whose name contains it; empty: all.
   int cases = 100;
   std::uint64_t seed = 1;
-  std::string replay;                ///< Empty: a campaign.
-  std::vector<MethodPair> methods;   ///< Empty: each method once.
-  std::vector<std::string> sources;  ///< Empty: every source that suits the law.
+  std::string replay;                   ///< Empty: a campaign.
+  std::vector<Contestant> contestants;  ///< Empty: each method once.
+  std::vector<std::string> sources;     ///< Empty: every source that suits the law.
   std::optional<double> max_error;
 };
 

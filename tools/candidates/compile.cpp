@@ -1,0 +1,116 @@
+#include "tools/candidates/compile.h"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <stdexcept>
+#include <vector>
+
+#include "tools/version.h"
+
+namespace raycheck::tools {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr double kCompileSeconds = 120;
+constexpr std::uint64_t kCompilerProcesses = 256;
+constexpr std::uint64_t kCompilerFiles = 256;
+constexpr const char* kEigen = "/usr/include/eigen3";
+
+/// Where <raycheck/candidate.h> is: beside an installed program, or in the sources it was built of.
+fs::path include_folder() {
+  const fs::path installed = program_folder().parent_path() / "include";
+  return fs::exists(installed / "raycheck" / "candidate.h") ? installed : fs::path(kIncludeFolder);
+}
+
+std::vector<fs::path> files_in(const fs::path& folder, std::string_view extension) {
+  std::vector<fs::path> files;
+  for (const auto& entry : fs::recursive_directory_iterator(folder)) {
+    if (fs::is_regular_file(entry.symlink_status()) && entry.path().extension() == extension) {
+      files.push_back(entry.path());
+    }
+  }
+  std::sort(files.begin(), files.end());
+  return files;
+}
+
+/// What a confined program made, unless it is a link to what that may not read.
+fs::path copied(const fs::path& made, const fs::path& to) {
+  if (!fs::is_regular_file(fs::symlink_status(made))) {
+    throw std::invalid_argument(fmt::format("{} is no file", made.filename().string()));
+  }
+  fs::copy_file(made, to / made.filename());
+  return to / made.filename();
+}
+
+/// A program that is to succeed; its folder, where it leaves what it makes, lasts as long.
+class Step {
+ public:
+  Step(const std::string& what, const Confined& confined) : process_(confined) {
+    std::string failure;
+    try {
+      const int code = process_.finish();
+      if (code != 0) failure = fmt::format("exited with {}", code);
+    } catch (const ProcessFailure& error) {
+      failure = error.what();
+    }
+    if (!failure.empty()) {
+      throw std::invalid_argument(fmt::format("--candidate {}: {} {}\n{}", what,
+                                              fs::path(confined.arguments[0]).filename().string(),
+                                              failure, process_.said()));
+    }
+  }
+  const fs::path& folder() const { return process_.folder(); }
+
+ private:
+  Process process_;
+};
+
+}  // namespace
+
+fs::path compile(const std::string& what, const fs::path& source, const fs::path& to,
+                 const RunOptions& options) {
+  const fs::path include = include_folder();
+  Confined confined{{}, {include}, options.layers, options.limits};
+  confined.limits.seconds = kCompileSeconds;
+  confined.limits.processes = kCompilerProcesses;
+  confined.limits.files = kCompilerFiles;
+  const bool is_folder = fs::is_directory(source);
+  const fs::path folder = is_folder ? source : source.parent_path();
+  confined.readable.push_back(folder);
+  if (source.filename() == "CMakeLists.txt" ||
+      (is_folder && fs::exists(folder / "CMakeLists.txt"))) {
+    confined.arguments = {"sh",
+                          "-c",
+                          "cmake -S \"$1\" -B . -DCMAKE_BUILD_TYPE=Release "
+                          "-DCMAKE_POSITION_INDEPENDENT_CODE=ON \"-DCMAKE_CXX_FLAGS=-isystem $2\" "
+                          ">&2 && cmake --build . >&2",
+                          "sh",
+                          folder,
+                          include};
+    const Step step(what, confined);
+    const auto libraries = files_in(step.folder(), ".so");
+    if (libraries.size() != 1) {
+      throw std::invalid_argument(
+          fmt::format("--candidate {}: its CMakeLists.txt makes {} shared libraries, not one", what,
+                      libraries.size()));
+    }
+    return copied(libraries.front(), to);
+  }
+  confined.arguments = {"g++",   "-std=c++20", "-O2",  "-fPIC", "-shared",     "-isystem",
+                        include, "-isystem",   kEigen, "-o",    "candidate.so"};
+  if (is_folder) {
+    const auto files = files_in(source, ".cpp");
+    if (files.empty()) {
+      throw std::invalid_argument(fmt::format("--candidate {}: no .cpp file lies in it", what));
+    }
+    for (const fs::path& file : files) confined.arguments.push_back(file);
+  } else {
+    confined.arguments.push_back(source);
+  }
+  const Step step(what, confined);
+  return copied(step.folder() / "candidate.so", to);
+}
+
+}  // namespace raycheck::tools

@@ -1,0 +1,20 @@
+#ifndef RAYCHECK_TOOLS_CANDIDATES_COMPILE_H_
+#define RAYCHECK_TOOLS_CANDIDATES_COMPILE_H_
+
+#include <filesystem>
+#include <string>
+
+#include "tools/candidates/find.h"
+
+namespace raycheck::tools {
+
+/// Compiles a C++ file, the .cpp files of a folder, or what a CMakeLists.txt describes, to a shared
+/// library in the folder `to`, kept like a candidate; the library's path. <raycheck/candidate.h>
+/// and Eigen, where it is installed, are found.
+/// Errors: std::invalid_argument with what the compiler said.
+std::filesystem::path compile(const std::string& what, const std::filesystem::path& source,
+                              const std::filesystem::path& to, const RunOptions& options);
+
+}  // namespace raycheck::tools
+
+#endif  // RAYCHECK_TOOLS_CANDIDATES_COMPILE_H_

@@ -1,0 +1,37 @@
+#ifndef RAYCHECK_TOOLS_CANDIDATES_EXTERNAL_CANDIDATE_H_
+#define RAYCHECK_TOOLS_CANDIDATES_EXTERNAL_CANDIDATE_H_
+
+#include <memory>
+#include <string>
+
+#include "properties/candidate.h"
+#include "tools/candidates/process.h"
+#include "tools/candidates/protocol.h"
+
+namespace raycheck::tools {
+
+/// Someone else's implementation, as `--candidate` names it: what to run, and what that said of
+/// itself when it was tried.
+struct External {
+  std::string name;  ///< "library:PATH.so", as it was asked for.
+  Confined program;
+  Introduction introduction;
+  /// What the program lies in, where raycheck made that.
+  std::shared_ptr<const PrivateFolder> folder;
+};
+
+/// Starts the program once to hear its introduction.
+/// Errors: std::invalid_argument naming the candidate where it has none.
+External introduced(std::string name, const Confined& program,
+                    std::shared_ptr<const PrivateFolder> folder = nullptr);
+
+/// A candidate with a process of its own, which is never sent an answer. What a process fails at
+/// (its end, its silence, a reply that is none) the functions throw as std::runtime_error with the
+/// name of the function; the next question goes to a fresh process. The same question is not asked
+/// again after it failed, and none after kMostSilences that were answered by silence.
+properties::Candidate external_candidate(const External& external);
+inline constexpr int kMostSilences = 3;
+
+}  // namespace raycheck::tools
+
+#endif  // RAYCHECK_TOOLS_CANDIDATES_EXTERNAL_CANDIDATE_H_

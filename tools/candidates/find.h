@@ -1,0 +1,25 @@
+#ifndef RAYCHECK_TOOLS_CANDIDATES_FIND_H_
+#define RAYCHECK_TOOLS_CANDIDATES_FIND_H_
+
+#include <string>
+
+#include "tools/candidates/external_candidate.h"
+
+namespace raycheck::tools {
+
+/// How someone else's implementation is run.
+struct RunOptions {
+  Layers layers;
+  Limits limits;
+};
+
+/// Someone else's implementation by what `--candidate` calls it:
+///   library:PATH.so   functions of <raycheck/candidate.h>
+///   source:PATH       a C++ file, a folder of them or with a CMakeLists.txt, to be compiled to one
+///   command:'WORDS'   a program that speaks the protocol; words that name files are made absolute
+/// Errors: std::invalid_argument naming what is wrong; a compiler's message is part of it.
+External find_external(const std::string& what, const RunOptions& options);
+
+}  // namespace raycheck::tools
+
+#endif  // RAYCHECK_TOOLS_CANDIDATES_FIND_H_
