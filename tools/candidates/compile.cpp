@@ -21,7 +21,9 @@ constexpr const char* kEigen = "/usr/include/eigen3";
 /// Where <raycheck/candidate.h> is: beside an installed program, or in the sources it was built of.
 fs::path include_folder() {
   const fs::path installed = program_folder().parent_path() / "include";
-  return fs::exists(installed / "raycheck" / "candidate.h") ? installed : fs::path(kIncludeFolder);
+  return fs::exists(installed / "raycheck" / "candidate.h")
+             ? installed
+             : fs::path(kSourceFolder) / "tools/candidates";
 }
 
 std::vector<fs::path> files_in(const fs::path& folder, std::string_view extension) {

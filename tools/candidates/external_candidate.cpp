@@ -7,6 +7,8 @@
 #include <stdexcept>
 #include <utility>
 
+#include "tools/methods.h"
+
 namespace raycheck::tools {
 namespace {
 
@@ -123,6 +125,10 @@ Candidate external_candidate(const External& external) {
   candidate.name = external.name;
   candidate.declared = external.introduction.declared;
   candidate.refuses = false;
+  // What plain and stable methods keep is what anyone's can.
+  const Candidate plain = candidate_of(kDefaultMethods);
+  candidate.max_error = plain.max_error;
+  candidate.max_error_end_to_end = plain.max_error_end_to_end;
   if (offers("frame")) {
     candidate.frame = [talk](const scene::Camera& camera) {
       return talk->ask(

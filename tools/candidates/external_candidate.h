@@ -25,7 +25,8 @@ struct External {
 External introduced(std::string name, const Confined& program,
                     std::shared_ptr<const PrivateFolder> folder = nullptr);
 
-/// A candidate with a process of its own, which is never sent an answer. What a process fails at
+/// A candidate with a process of its own, which is never sent an answer. Its errors are held to the
+/// bounds of kDefaultMethods, which are plain and stable. What a process fails at
 /// (its end, its silence, a reply that is none) the functions throw as std::runtime_error with the
 /// name of the function; the next question goes to a fresh process. The same question is not asked
 /// again after it failed, and none after kMostSilences that were answered by silence.

@@ -19,6 +19,8 @@
 #include <fstream>
 #include <system_error>
 
+#include "tools/version.h"
+
 namespace raycheck::tools {
 namespace {
 
@@ -54,6 +56,12 @@ void close_once(int& descriptor) {
   descriptor = -1;
 }
 
+/// Where the Python adapter is: beside an installed program, or in the sources it was built of.
+fs::path adapters() {
+  const fs::path installed = program_folder().parent_path() / "share" / "raycheck";
+  return fs::exists(installed) ? installed : fs::path(kSourceFolder) / "tools/candidates/python";
+}
+
 std::vector<std::string> jailed(const Confined& confined, const fs::path& folder,
                                 std::uint64_t user) {
   const std::string jail = program_folder() / "raycheck-jail";
@@ -75,6 +83,7 @@ std::vector<std::string> jailed(const Confined& confined, const fs::path& folder
       add({"--ro-bind-try", system, system});
     }
     add({"--ro-bind", jail, jail});
+    add({"--ro-bind-try", adapters(), adapters()});
     for (const fs::path& path : confined.readable) add({"--ro-bind", path, path});
     add({"--bind", folder, folder, "--chdir", folder});
     add({"--", jail});
@@ -90,7 +99,7 @@ pid_t spawn(const std::vector<std::string>& arguments, const fs::path& folder, i
             int output, int error) {
   std::vector<std::string> environment = {"PATH=/usr/local/bin:/usr/bin:/bin",
                                           "HOME=" + folder.string(), "TMPDIR=" + folder.string(),
-                                          "LANG=C.UTF-8"};
+                                          "LANG=C.UTF-8", "PYTHONPATH=" + adapters().string()};
   std::vector<char*> argv, envp;
   for (const std::string& argument : arguments) argv.push_back(const_cast<char*>(argument.c_str()));
   for (std::string& entry : environment) envp.push_back(entry.data());

@@ -1,0 +1,117 @@
+"""A candidate for raycheck in Python, of the standard library alone.
+
+    import raycheck_candidate as rc
+
+    def pixel_ray(camera, conventions, pixel): ...
+    def intersect(ray, sphere, conventions): ...
+
+    if __name__ == "__main__":
+        rc.run("mine", pixel_ray=pixel_ray, intersect=intersect)
+
+and then `raycheck check SCENE --candidate "command:python3 mine.py"`. The functions, all optional:
+
+    frame(camera) -> (u, v, w)                              the camera's axes
+    pixel_point(camera, conventions, pixel) -> point        P
+    pixel_ray(camera, conventions, pixel) -> (P, direction) from P, direction unit
+    focal_ray(camera, conventions, pixel) -> (E, direction) from the eye
+    intersect(ray, sphere, conventions) -> (s, point) or None
+    nearest(ray, spheres, conventions) -> index or None
+
+Vectors are tuples (x, y, z), pixels (i, j), rays (origin, direction), spheres (centre, radius).
+Conventions that the functions fix are declared: rc.run("mine", rows="top-first", ...). What the
+functions print goes to the standard error. The lines exchanged are those of docs/candidates.md.
+"""
+import collections
+import sys
+
+Camera = collections.namedtuple(
+    "Camera", "eye look_at up near left right bottom top width height")
+Conventions = collections.namedtuple("Conventions", "rows samples origin root tangent")
+
+_FUNCTIONS = ("frame", "pixel_point", "pixel_ray", "focal_ray", "intersect", "nearest")
+
+
+def _words(*values):
+    """Numbers, and tuples of them, as words: a float's repr reads back as the same float."""
+    for value in values:
+        if isinstance(value, (tuple, list)):
+            yield from _words(*value)
+        else:
+            yield repr(float(value))
+
+
+def _line(*values):
+    return " ".join(_words(*values))
+
+
+def _camera(words):
+    numbers = [float(word) for word in words[:14]]
+    return Camera(tuple(numbers[0:3]), tuple(numbers[3:6]), tuple(numbers[6:9]), *numbers[9:],
+                  int(words[14]), int(words[15]))
+
+
+def _read(lines, first):
+    """A request after its first line, as a dictionary."""
+    request = {"function": first[2], "id": first[1]}
+    for line in lines:
+        kind, *words = line.split()
+        if kind == "end":
+            return request
+        if kind == "conventions":
+            request["conventions"] = Conventions(*words)
+        elif kind == "camera":
+            request["camera"] = _camera(words)
+        elif kind == "pixels":
+            request["pixels"] = [tuple(map(int, next(lines).split()))
+                                 for _ in range(int(words[0]))]
+        elif kind in ("rays", "spheres"):
+            rows = [tuple(map(float, next(lines).split())) for _ in range(int(words[0]))]
+            request[kind] = ([(row[:3], row[3:]) for row in rows] if kind == "rays"
+                             else [(row[:3], row[3]) for row in rows])
+        else:
+            raise ValueError(f"no such part of a request: {kind}")
+    raise ValueError("a request without an end")
+
+
+def _answer(functions, request):
+    name = request["function"]
+    function = functions[name]
+    if name == "frame":
+        return [_line(axis) for axis in function(request["camera"])]
+    asked = request["conventions"]
+    if name == "intersect":
+        lines = []
+        for s, sphere in enumerate(request["spheres"]):
+            for r, ray in enumerate(request["rays"]):
+                hit = function(ray, sphere, asked)
+                if hit is not None:
+                    lines.append(f"{r} {s} {_line(*hit)}")
+        return lines
+    if name == "nearest":
+        found = (function(ray, request["spheres"], asked) for ray in request["rays"])
+        return ["none" if index is None else str(index) for index in found]
+    return [_line(function(request["camera"], asked, pixel)) for pixel in request["pixels"]]
+
+
+def run(name="-", rows=None, samples=None, origin=None, root=None, tangent=None, **functions):
+    """Answers raycheck until it has no more questions."""
+    unknown = set(functions) - set(_FUNCTIONS)
+    if unknown:
+        sys.exit(f"raycheck_candidate.run: no such function: {', '.join(sorted(unknown))}")
+    replies, sys.stdout = sys.stdout, sys.stderr
+    lines = iter(sys.stdin)
+    if not next(lines, "").startswith("raycheck "):
+        sys.exit("raycheck_candidate.run: not spoken to by raycheck")
+    declared = {"rows": rows, "samples": samples, "origin": origin, "root": root,
+                "tangent": tangent}
+    said = [f"raycheck 1 {name}"] + [f"function {function}" for function in functions]
+    said += [f"convention {which} {value}" for which, value in declared.items() if value]
+    print("\n".join(said + ["ready"]), file=replies, flush=True)
+    for line in lines:
+        request = _read(lines, line.split())
+        try:
+            body = _answer(functions, request)
+            last = f"end {request['id']}"
+        except Exception as error:  # the student's; what it says belongs in the report
+            body, last = [], f"error {request['id']} {type(error).__name__}: {error}"
+        print("\n".join([f"reply {request['id']}"] + body + [last]), file=replies, flush=True)
