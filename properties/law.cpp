@@ -3,6 +3,7 @@
 #include <array>
 #include <exception>
 #include <limits>
+#include <stdexcept>
 #include <string>
 
 #include "properties/law_list.h"
@@ -36,16 +37,25 @@ const Law* find_law(std::string_view name) {
   return nullptr;
 }
 
+namespace {
+
+Verdict verdict_of(const Law& law, const Trial& trial, Wrong wrong, const char* message) {
+  Verdict verdict;
+  trial.judge(
+      verdict, law.name, Quantity::kRefusal, Place{}, wrong, [] { return false; },
+      [&](Discrepancy& discrepancy) { discrepancy.what = message; });
+  return verdict;
+}
+
+}  // namespace
+
 Verdict apply(const Law& law, Trial& trial) {
   try {
     return law.judge(trial);
+  } catch (const std::invalid_argument& error) {
+    return verdict_of(law, trial, Wrong::kRefused, error.what());
   } catch (const std::exception& error) {
-    Verdict verdict;
-    const std::string message = error.what();
-    trial.judge(
-        verdict, law.name, Quantity::kRefusal, Place{}, Wrong::kRefused, [] { return false; },
-        [&](Discrepancy& discrepancy) { discrepancy.what = message; });
-    return verdict;
+    return verdict_of(law, trial, Wrong::kFailed, error.what());
   }
 }
 

@@ -18,14 +18,24 @@
 namespace raycheck::properties {
 
 /// How an answer that is right or wrong was wrong.
-enum class Wrong { kNot, kMissed, kFalseHit, kWrongSphere, kWrongRoot, kRefused, kAnswered };
-inline constexpr std::array<std::string_view, 7> kWrongNames = {"",
+enum class Wrong {
+  kNot,
+  kMissed,
+  kFalseHit,
+  kWrongSphere,
+  kWrongRoot,
+  kRefused,
+  kAnswered,
+  kFailed
+};
+inline constexpr std::array<std::string_view, 8> kWrongNames = {"",
                                                                 "missed",
                                                                 "false hit",
                                                                 "wrong sphere",
                                                                 "wrong root",
                                                                 "refused",
-                                                                "answered what is not a problem"};
+                                                                "answered what is not a problem",
+                                                                "failed"};
 constexpr std::string_view name(Wrong wrong) {
   return kWrongNames[static_cast<std::size_t>(wrong)];
 }

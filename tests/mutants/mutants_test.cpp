@@ -56,6 +56,7 @@ TEST_P(EachMutant, IsCaughtByTheLawsItNames) {
     EXPECT_TRUE(breaks(*law, failure.shrunk, mutant.candidate));
     // By a wrong answer, not by a throw.
     EXPECT_NE(failure.verdict.worst(1).front().wrong, Wrong::kRefused);
+    EXPECT_NE(failure.verdict.worst(1).front().wrong, Wrong::kFailed);
 
     const Replay replay = parse_replay(failure.replay);
     EXPECT_EQ(replay.law, law);

@@ -201,11 +201,13 @@ TEST(Trial, TakesACandidateThatFailsForADiscrepancy) {
     candidate.intersect = [lists](auto&&...) { return lists; };
     return candidate;
   };
+  Wrong expected = Wrong::kRefused;  // of the first, by its invalid_argument
   for (const Candidate& candidate : {throwing, that_lists({}), that_lists({{}, {}}),
                                      that_lists({{{1, {}}}}), that_lists({{{0, {}}, {0, {}}}})}) {
     const Verdict verdict = judge("class", at_height(0), candidate);
     EXPECT_FALSE(verdict.holds());
-    EXPECT_EQ(verdict.worst(1).at(0).wrong, Wrong::kRefused);
+    EXPECT_EQ(verdict.worst(1).at(0).wrong, expected);
+    expected = Wrong::kFailed;
     EXPECT_FALSE(verdict.worst(1).at(0).what.empty());
   }
 }

@@ -157,12 +157,17 @@ void kill_all_of(std::uint64_t user) {
   }
 }
 
+/// bubblewrap and shells make of a signal an exit code above this one.
+constexpr int kSignalled = 128;
+
 std::string reason_ended(int status) {
-  if (WIFSIGNALED(status)) {
-    return fmt::format("was killed by signal {} ({})", WTERMSIG(status),
-                       strsignal(WTERMSIG(status)));
+  const bool exited = WIFEXITED(status);
+  const int code = exited ? WEXITSTATUS(status) : 0;
+  if (exited && (code <= kSignalled || code > kSignalled + SIGRTMAX)) {
+    return fmt::format("exited with {}", code);
   }
-  return fmt::format("exited with {}", WEXITSTATUS(status));
+  const int signal = exited ? code - kSignalled : WTERMSIG(status);
+  return fmt::format("was killed by signal {} ({})", signal, strsignal(signal));
 }
 
 /// Whether `true` runs in these layers.

@@ -203,11 +203,11 @@ Reply::Reply(std::string_view text, std::string_view id) : lines_(lines_of(text)
   if (!lines_.empty() && lines_.back().starts_with("error ")) {
     const std::size_t message = std::string_view("error ").size() + id.size() + 1;
     const std::string_view line = lines_.back();
-    throw std::invalid_argument(shown(line.substr(std::min(message, line.size()))));
+    throw ProtocolError("it says: " + shown(line.substr(std::min(message, line.size()))));
   }
   if (lines_.size() < 2 || lines_.front() != fmt::format("reply {}", id)) {
-    throw ProtocolError(fmt::format("its reply begins with '{}', not with 'reply {}'",
-                                    lines_.empty() ? "" : shown(lines_.front()), id));
+    throw ProtocolError(fmt::format("its reply begins with '{}', not with 'reply' and the id",
+                                    lines_.empty() ? "" : shown(lines_.front())));
   }
   lines_.erase(lines_.begin());
   lines_.pop_back();

@@ -61,7 +61,7 @@ class Request {
 bool ends_reply(std::string_view line, std::string_view id);
 
 /// The lines between "reply ID" and "end ID".
-/// Errors: ProtocolError; std::invalid_argument with the candidate's message where it refuses.
+/// Errors: ProtocolError, also with the candidate's message where that is an error.
 class Reply {
  public:
   Reply(std::string_view text, std::string_view id);

@@ -1,0 +1,16 @@
+// A candidate that ends its process when it is asked.
+
+#include <unistd.h>
+
+#include <raycheck/candidate.hpp>
+
+namespace {
+
+std::optional<raycheck::Hit> intersect(const raycheck::Ray&, const raycheck::Sphere&,
+                                       const raycheck::Conventions&) {
+  _exit(0);
+}
+
+}  // namespace
+
+RAYCHECK_CANDIDATE(.intersect = intersect)

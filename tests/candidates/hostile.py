@@ -1,0 +1,101 @@
+"""Candidates that cheat or fail, each when it is first asked to intersect: hostile.py HOW [FILE]."""
+import mmap
+import os
+import socket
+import sys
+import time
+
+import raycheck_candidate as rc
+
+
+def refused(action):
+    """Says whether the machine let it."""
+    try:
+        action()
+    except (OSError, MemoryError) as error:
+        raise RuntimeError(f"refused: {type(error).__name__}") from None
+    raise RuntimeError("it was let")
+
+
+def say(text):
+    while text:
+        text = text[os.write(1, text):]
+
+
+def fork_on_and_on():
+    while True:
+        if os.fork() == 0:
+            time.sleep(1000)
+
+
+def see_others():
+    """What belongs to others: processes not of its own making, and their memory."""
+    for name in os.listdir("/proc"):
+        if name.isdigit() and int(name) not in (os.getpid(), os.getppid()):
+            with open(f"/proc/{name}/cmdline", "rb") as line:
+                if b"raycheck\0check" in line.read():
+                    with open(f"/proc/{name}/mem", "rb") as memory:
+                        memory.read(1)
+                    return
+    raise OSError("none to be seen")
+
+
+def preload():
+    with open("/etc/ld.so.preload", "a") as file:
+        file.write("/tmp/evil.so\n")
+
+
+def write_outside():
+    with open(sys.argv[2], "w") as file:
+        file.write("I was here\n")
+
+
+def read_secret():
+    with open(sys.argv[2]) as file:
+        file.read()
+
+
+def on_and_on():
+    while True:
+        say(b"0 0 1 0 0 1\n" * 1000)
+
+
+def think():
+    while True:
+        pass
+
+
+def take_memory():
+    taken = []
+    while True:
+        taken.append(mmap.mmap(-1, 1 << 28))
+
+
+HOW = {
+    "exit": lambda: os._exit(0),
+    "crash": os.abort,
+    "loop": think,
+    "sleep": lambda: time.sleep(1000),
+    "output": on_and_on,
+    "memory": lambda: refused(take_memory),
+    "fork": lambda: refused(fork_on_and_on),
+    "write": lambda: refused(write_outside),
+    "read": lambda: refused(read_secret),
+    "preload": lambda: refused(preload),
+    "socket": lambda: refused(socket.socket),
+    "parent": lambda: refused(see_others),
+    "score": lambda: say(b"score 100\nend\n"),
+    "short": lambda: say(b"reply\n"),
+    "nothing": lambda: None,
+}
+
+
+def intersect(ray, sphere, asked):
+    HOW[sys.argv[1]]()
+    return 1.0, (0.0, 0.0, 0.0)  # whatever was asked
+
+
+if __name__ == "__main__":
+    if sys.argv[1] == "early":
+        say(b"raycheck 1 early\nfunction intersect\nready\nreply 1\nend 1\n")
+    rc.run("hostile", intersect=intersect)
