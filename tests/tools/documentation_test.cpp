@@ -80,13 +80,15 @@ Outcome run_shown(const Shown& shown) {
   return result;
 }
 
-/// Times differ from run to run, and so does the number of threads.
+/// Times differ from run to run, the number of threads and what keeps a candidate from machine to
+/// machine.
 std::string without_times(std::string line) {
   static const std::pair<std::regex, const char*> kTimes[] = {
       {std::regex(R"([0-9.]+ ns per ray.*$)"), "T ns per ray"},
       {std::regex(R"(^[-0-9.e]+ ms to plan, [-0-9.e]+ ms the image)"),
        "T ms to plan, T ms the image"},
       {std::regex(R"( +[-0-9.e]+ +~?[-0-9.e]+ +-?[0-9]+%  )"), " T  "},  // an item of a plan
+      {std::regex("kept by .*$"), "kept"},
       {std::regex(R"(in [-0-9.e]+ s by [0-9]+ threads?$)"), "in T s"}};
   for (const auto& [time, stands_for] : kTimes) line = std::regex_replace(line, time, stands_for);
   return line;
