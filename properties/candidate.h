@@ -43,6 +43,15 @@ struct SeenAnswer {
   double parameter = 0;  ///< s
 };
 
+/// What each pixel of an image shows, row j after row j: a sphere, kSomeSphere where it cannot be
+/// told which, or none.
+using ImageAnswer = std::vector<std::optional<std::size_t>>;
+inline constexpr std::size_t kSomeSphere = std::numeric_limits<std::size_t>::max();
+
+/// Relative changes of a scene that may show in an image: what its text and its renderer's `float`s
+/// or thresholds may lose.
+inline constexpr double kExcusedImageChange = 1e-6;
+
 /// The conventions that an implementation fixes; the others it takes from the scene.
 struct DeclaredConventions {
   std::optional<scene::Rows> rows;
@@ -58,8 +67,8 @@ struct DeclaredConventions {
 /// An implementation under judgement: what it can be asked (an empty function: it has no such
 /// thing), under which conventions, and what it promises. A candidate is asked from one thread at a
 /// time: where several judge, each has a candidate of its own. Functions refuse input that is not a
-/// problem with std::invalid_argument; of what they throw otherwise, what() says how they failed. Answers come in the order of the questions; an absent hit is
-/// a miss.
+/// problem with std::invalid_argument; of what they throw otherwise, what() says how they failed.
+/// Answers come in the order of the questions; an absent hit is a miss.
 struct Candidate {
   using Pixels = std::span<const scene::Pixel>;
   using Rays = std::span<const scene::Ray>;
@@ -88,7 +97,14 @@ struct Candidate {
                                                        const scene::Conventions&, Pixels)>
       visible;
 
+  /// The whole image of a scene with a camera.
+  std::function<ImageAnswer(const scene::Scene&, const scene::Conventions&)> image;
+
   DeclaredConventions declared;
+  /// Wrong pixels of `image` are excused where a relative change of the scene by so much may make
+  /// them right, or where the exact s is at most image_threshold.
+  double excused_image_change = kExcusedImageChange;
+  double image_threshold = 0;
   /// Its documented bound on the error of a quantity, in that quantity's unit; empty: none.
   std::array<std::optional<double>, kQuantityCount> max_error = {};
   /// The same where the rays come from a camera, so that a hit inherits the error of its ray;

@@ -11,19 +11,15 @@
 namespace raycheck::properties {
 namespace {
 
-const std::array<Law, 28> kLaws = {kFrameLaw,          kPixelPointLaw,
-                                   kBoundsLaw,         kImagePlaneLaw,
-                                   kCentrePixelLaw,    kPixelZeroZeroLaw,
-                                   kDensityLaw,        kSquarePixelsLaw,
-                                   kUnitDirectionLaw,  kDirectionLaw,
-                                   kRayOriginLaw,      kClassLaw,
-                                   kRootLaw,           kParameterLaw,
-                                   kBackwardErrorLaw,  kHitPointLaw,
-                                   kFocalAndPixelLaw,  kNearestSphereLaw,
-                                   kVisibleSphereLaw,  kPlanLeftOutLaw,
-                                   kPlanRectanglesLaw, kPlanRootsLaw,
-                                   kScalingLaw,        kAxesLaw,
-                                   kLookAtLaw,         kUpLaw,
+const std::array<Law, 29> kLaws = {kFrameLaw,          kPixelPointLaw,    kBoundsLaw,
+                                   kImagePlaneLaw,     kCentrePixelLaw,   kPixelZeroZeroLaw,
+                                   kDensityLaw,        kSquarePixelsLaw,  kUnitDirectionLaw,
+                                   kDirectionLaw,      kRayOriginLaw,     kClassLaw,
+                                   kRootLaw,           kParameterLaw,     kBackwardErrorLaw,
+                                   kHitPointLaw,       kFocalAndPixelLaw, kNearestSphereLaw,
+                                   kVisibleSphereLaw,  kImageLaw,         kPlanLeftOutLaw,
+                                   kPlanRectanglesLaw, kPlanRootsLaw,     kScalingLaw,
+                                   kAxesLaw,           kLookAtLaw,        kUpLaw,
                                    kGrowingRadiusLaw,  kRefusalLaw};
 
 }  // namespace

@@ -28,6 +28,7 @@ extern const Law kBackwardErrorLaw;
 extern const Law kHitPointLaw;
 extern const Law kFocalAndPixelLaw;
 
+extern const Law kImageLaw;          // image_law.cpp
 extern const Law kNearestSphereLaw;  // nearest_sphere.cpp
 extern const Law kVisibleSphereLaw;
 

@@ -2,6 +2,7 @@
 #include <limits>
 #include <stdexcept>
 
+#include "properties/choice.h"
 #include "properties/law_list.h"
 #include "reference/error_measure.h"
 #include "reference/visibility.h"
@@ -9,56 +10,11 @@
 namespace raycheck::properties {
 namespace {
 
-using Index = std::optional<std::size_t>;
 using reference::Enclosure;
 using reference::ExactRay;
 using reference::NearestSphere;
 
 constexpr int kDistanceBits = 256;
-
-/// The candidate's sphere and the exact one, both by the scene's order.
-struct Choice {
-  std::size_t ray;
-  Index got;
-  const std::optional<NearestSphere>& exact;
-};
-
-bool is_right(const Choice& choice) {
-  if (!choice.exact) return !choice.got;
-  return choice.got && std::find(choice.exact->ties.begin(), choice.exact->ties.end(),
-                                 *choice.got) != choice.exact->ties.end();
-}
-
-/// A change of the inputs may flip the class of one of the two spheres, or their order.
-bool may_flip(Trial& trial, const Choice& choice) {
-  const auto& spheres = trial.scene().spheres;
-  const reference::ExactRay& ray = trial.exact_ray(choice.ray);
-  const auto class_may_flip = [&](std::size_t sphere) {
-    return ray.may_flip_within(spheres[sphere], trial.conventions().root, trial.excused_change());
-  };
-  if (choice.got && class_may_flip(*choice.got)) return true;
-  if (!choice.exact) return false;
-  if (class_may_flip(choice.exact->index)) return true;
-  if (!choice.got || !trial.exact_hit(choice.ray, *choice.got)) return false;
-  const auto widened = ray.enclose(256, trial.excused_change());
-  return (widened.parameter(spheres[*choice.got],
-                            trial.exact_intersection(choice.ray, *choice.got)) -
-          widened.parameter(spheres[choice.exact->index], choice.exact->intersection))
-      .contains_zero();
-}
-
-/// The rays that meet a sphere in a tangent that is not judged.
-std::vector<bool> with_unjudged(Trial& trial) {
-  std::vector<bool> result(trial.ray_count());
-  for (std::size_t sphere = 0; sphere < trial.scene().spheres.size(); ++sphere) {
-    for (const Meeting& meeting : trial.exact_meetings(sphere)) {
-      if (is_unjudged(meeting.intersection, trial.conventions().tangent)) {
-        result[meeting.ray] = true;
-      }
-    }
-  }
-  return result;
-}
 
 /// The pixels of the case, and some all over the image.
 std::vector<scene::Pixel> with_spread_pixels(const Trial& trial) {
@@ -99,14 +55,10 @@ Verdict judge_nearest_sphere(Trial& trial) {
     Choice choice{k, trial.nearest()[k], exact};
     const bool right_forwards = is_right(choice);
     if (right_forwards) choice.got = reversed_got;
-    const Wrong wrong = is_right(choice) ? Wrong::kNot
-                        : !choice.exact  ? Wrong::kFalseHit
-                        : !choice.got    ? Wrong::kMissed
-                                         : Wrong::kWrongSphere;
     trial.judge(
         verdict, kNearestSphereLaw.name, Quantity::kNearestSphere,
-        trial.place(k, exact ? Index(exact->index) : choice.got), wrong,
-        [&] { return may_flip(trial, choice); },
+        trial.place(k, exact ? Index(exact->index) : choice.got), wrong_of(choice),
+        [&] { return may_flip(trial, choice, trial.excused_change()); },
         [&](Discrepancy& d) {
           d.what = right_forwards ? "sphere index, spheres in reverse order" : "sphere index";
           if (choice.got) d.got = {static_cast<double>(*choice.got)};
@@ -169,7 +121,7 @@ Verdict judge_visible_sphere(Trial& trial) {
         : !choice.exact ? Wrong::kFalseHit
         : !choice.got   ? Wrong::kMissed
                         : Wrong::kWrongSphere,
-        [&] { return !exactly && may_flip(seen, choice); },
+        [&] { return !exactly && may_flip(seen, choice, seen.excused_change()); },
         [&](Discrepancy& d) {
           d.what = "sphere index";
           if (choice.got) d.got = {static_cast<double>(*choice.got)};

@@ -75,8 +75,8 @@ std::vector<MethodPair> chosen_methods(const std::string& rays_name,
 
 void add_external(CLI::App& command, ExternalArguments& arguments) {
   command.add_option("--candidate", arguments.candidates,
-                     "someone else's implementation instead: library:PATH.so, source:PATH or "
-                     "command:'WORDS'; several times for several");
+                     "someone else's implementation instead: library:PATH.so, source:PATH, "
+                     "command:'WORDS' or renderer:'WORDS'; several times for several");
   command
       .add_option("--sandbox", arguments.sandbox,
                   "how candidates are kept: auto, what works here; require, refuse without seccomp "
@@ -88,7 +88,22 @@ void add_external(CLI::App& command, ExternalArguments& arguments) {
       ->capture_default_str();
 }
 
-std::vector<Contestant> find_contestants(const ExternalArguments& arguments) {
+void add_renderer(CLI::App& command, ExternalArguments& arguments) {
+  command
+      .add_option("--image-change", arguments.image_change,
+                  "relative changes of the scene that a renderer's picture may not show (1e-4 "
+                  "where it computes in float)")
+      ->check(CLI::NonNegativeNumber)
+      ->capture_default_str();
+  command
+      .add_option("--t-threshold", arguments.threshold,
+                  "a renderer's hits with a parameter of at most this are not judged")
+      ->check(CLI::NonNegativeNumber)
+      ->capture_default_str();
+}
+
+std::vector<Contestant> find_contestants(const ExternalArguments& arguments,
+                                         std::optional<scene::Dialect> dialect) {
   std::vector<Contestant> found;
   if (arguments.candidates.empty()) return found;
   RunOptions options;
@@ -96,6 +111,9 @@ std::vector<Contestant> find_contestants(const ExternalArguments& arguments) {
                                  : arguments.sandbox == "require" ? Sandbox::kRequire
                                                                   : Sandbox::kAuto);
   options.limits.seconds = arguments.seconds;
+  options.dialect = dialect.value_or(options.dialect);
+  options.excused_image_change = arguments.image_change;
+  options.image_threshold = arguments.threshold;
   for (const std::string& what : arguments.candidates) {
     found.emplace_back(find_external(what, options));
   }

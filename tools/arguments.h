@@ -35,10 +35,15 @@ struct ExternalArguments {
   std::vector<std::string> candidates;
   std::string sandbox = "auto";
   double seconds = Limits{}.seconds;
+  double image_change = properties::kExcusedImageChange;
+  double threshold = 0;
 };
 void add_external(CLI::App& command, ExternalArguments& arguments);
-/// Each once compiled, where it has to be, and introduced.
-std::vector<Contestant> find_contestants(const ExternalArguments& arguments);
+/// --image-change and --t-threshold
+void add_renderer(CLI::App& command, ExternalArguments& arguments);
+/// Each once compiled, where it has to be, and introduced; `dialect` is what renderers read.
+std::vector<Contestant> find_contestants(const ExternalArguments& arguments,
+                                         std::optional<scene::Dialect> dialect = {});
 
 /// --format, one of those names.
 void add_format(CLI::App& command, std::string& format, const std::vector<std::string>& formats);

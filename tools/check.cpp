@@ -33,6 +33,9 @@ constexpr std::size_t kChunk = 512;
 /// A law whose answer is one for the scene, not one for each ray.
 bool is_per_scene(const Law& law) { return law.name == "frame"; }
 
+/// A law of renderers alone, which need not be said to be left out of all others.
+bool is_of_images(const Law& law) { return law.name == "image"; }
+
 /// Reasons by law.
 using ReasonsLeftOut = std::map<std::string_view, std::string>;
 
@@ -69,6 +72,7 @@ ChunkVerdict judge_chunk(const Case& chunk, std::uint64_t first, std::shared_ptr
   ChunkVerdict found;
   for (const Law& law : properties::laws()) {
     if (!law.judges_values || (is_per_scene(law) && first > 0)) continue;
+    if (is_of_images(law) && !candidate.image) continue;
     Verdict verdict = apply(law, trial);
     if (!verdict.reason_left_out().empty()) found.left_out[law.name] = verdict.reason_left_out();
     if (!chunk.scene.camera) verdict.shift_rays(first);

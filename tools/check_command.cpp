@@ -37,7 +37,7 @@ int run_check(const Arguments& arguments) {
     throw std::invalid_argument(
         "--all: judges every method; leave out --rays, --intersect and --candidate");
   }
-  options.contestants = find_contestants(arguments.external);
+  options.contestants = find_contestants(arguments.external, options.dialect);
   const bool methods_asked = !(arguments.rays.empty() && arguments.intersect.empty());
   if (arguments.all) {
     options.contestants = contestants(all_pairs());
@@ -72,6 +72,7 @@ Command add_check(CLI::App& program) {
   command.add_option("--intersect", arguments.intersect,
                      "the method that intersects them, several times for several (default: cross)");
   add_external(command, arguments.external);
+  add_renderer(command, arguments.external);
   command.add_flag("--all", arguments.all, "every pair of methods");
   command.add_option("--pixels", arguments.pixels, "all, or how many, spread evenly")
       ->capture_default_str();

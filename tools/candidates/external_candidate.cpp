@@ -2,6 +2,7 @@
 
 #include <fmt/core.h>
 
+#include <mutex>
 #include <optional>
 #include <random>
 #include <stdexcept>
@@ -10,6 +11,36 @@
 #include "tools/methods.h"
 
 namespace raycheck::tools {
+/// Pictures of the last scene, for all threads; a failure is kept like a picture.
+class Pictures {
+ public:
+  explicit Pictures(Renderer renderer) : renderer_(std::move(renderer)) {}
+
+  properties::ImageAnswer of(const scene::Scene& scene, scene::Rows rows) {
+    const std::lock_guard lock(mutex_);
+    if (!scene_ || !(*scene_ == scene) || rows_ != rows) {
+      scene_ = scene;
+      rows_ = rows;
+      failure_.clear();
+      try {
+        picture_ = render(renderer_, scene, rows);
+      } catch (const std::exception& error) {
+        failure_ = error.what();
+      }
+    }
+    if (!failure_.empty()) throw std::runtime_error("image: " + failure_);
+    return picture_;
+  }
+
+ private:
+  Renderer renderer_;
+  std::mutex mutex_;
+  std::optional<scene::Scene> scene_;
+  scene::Rows rows_ = {};
+  properties::ImageAnswer picture_;
+  std::string failure_;
+};
+
 namespace {
 
 using properties::Candidate;
@@ -92,11 +123,25 @@ class Conversation {
   std::mt19937_64 ids_{std::random_device{}()};
 };
 
+Candidate rendering_candidate(const External& external) {
+  Candidate candidate;
+  candidate.name = external.name;
+  candidate.refuses = false;
+  candidate.excused_image_change = external.renderer->excused_change;
+  candidate.image_threshold = external.renderer->threshold;
+  candidate.image = [pictures = external.pictures](const scene::Scene& scene,
+                                                   const scene::Conventions& conventions) {
+    return pictures->of(scene, conventions.rows);
+  };
+  return candidate;
+}
+
 }  // namespace
 
 External introduced(std::string name, const Confined& program,
                     std::shared_ptr<const PrivateFolder> folder) {
-  External external{std::move(name), program, {}, std::move(folder)};
+  External external{
+      .name = std::move(name), .program = program, .introduction = {}, .folder = std::move(folder)};
   Conversation conversation(external);
   try {
     external.introduction = conversation.introduce();
@@ -113,7 +158,17 @@ External introduced(std::string name, const Confined& program,
   return external;
 }
 
+External rendering(std::string name, Renderer renderer) {
+  External external;
+  external.name = std::move(name);
+  external.program = renderer.program;
+  external.pictures = std::make_shared<Pictures>(renderer);
+  external.renderer = std::move(renderer);
+  return external;
+}
+
 Candidate external_candidate(const External& external) {
+  if (external.renderer) return rendering_candidate(external);
   const auto talk = std::make_shared<Conversation>(external);
   const auto offers = [&](const char* function) {
     return external.introduction.functions.contains(function);

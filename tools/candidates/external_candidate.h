@@ -2,13 +2,17 @@
 #define RAYCHECK_TOOLS_CANDIDATES_EXTERNAL_CANDIDATE_H_
 
 #include <memory>
+#include <optional>
 #include <string>
 
 #include "properties/candidate.h"
 #include "tools/candidates/process.h"
 #include "tools/candidates/protocol.h"
+#include "tools/candidates/renderer.h"
 
 namespace raycheck::tools {
+
+class Pictures;
 
 /// Someone else's implementation, as `--candidate` names it: what to run, and what that said of
 /// itself when it was tried.
@@ -16,14 +20,20 @@ struct External {
   std::string name;  ///< "library:PATH.so", as it was asked for.
   Confined program;
   Introduction introduction;
+  /// A renderer introduces itself by pictures alone.
+  std::optional<Renderer> renderer = {};
   /// What the program lies in, where raycheck made that.
   std::shared_ptr<const PrivateFolder> folder;
+  /// What a renderer drew last.
+  std::shared_ptr<Pictures> pictures = {};
 };
 
 /// Starts the program once to hear its introduction.
 /// Errors: std::invalid_argument naming the candidate where it has none.
 External introduced(std::string name, const Confined& program,
                     std::shared_ptr<const PrivateFolder> folder = nullptr);
+
+External rendering(std::string name, Renderer renderer);
 
 /// A candidate with a process of its own, which is never sent an answer. Its errors are held to the
 /// bounds of kDefaultMethods, which are plain and stable. What a process fails at

@@ -15,7 +15,9 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::string_view kWays = "library:PATH.so, source:PATH or command:'WORDS'";
+constexpr std::string_view kWays =
+    "library:PATH.so, source:PATH, command:'WORDS' or "
+    "renderer:'WORDS with {scene} and {image}'";
 
 fs::path existing(const std::string& what, const std::string& path) {
   std::error_code error;
@@ -41,14 +43,15 @@ External library(const std::string& what, const fs::path& path, const RunOptions
   return introduced(what, program, std::move(folder));
 }
 
-External command(const std::string& what, const std::string& words, const RunOptions& options) {
+/// A program by its words, those that name files made absolute.
+Confined program_of(const std::string& what, const std::string& words, const RunOptions& options) {
   Confined program;
   program.layers = options.layers;
   program.limits = options.limits;
   for (const std::string& word : CLI::detail::split_up(words)) {
     std::error_code error;
     const fs::path path = fs::canonical(word, error);
-    // A bare name is a program on the path, unless a file of that name lies here.
+    // A word of dots alone is more likely an argument than a folder.
     if (error || word.find_first_not_of('.') == std::string::npos) {
       program.arguments.push_back(word);
       continue;
@@ -59,7 +62,17 @@ External command(const std::string& what, const std::string& words, const RunOpt
   if (program.arguments.empty()) {
     throw std::invalid_argument(fmt::format("--candidate {}: it names no program", what));
   }
-  return introduced(what, program);
+  return program;
+}
+
+External renderer(const std::string& what, const std::string& words, const RunOptions& options) {
+  for (const char* mark : {"{scene}", "{image}"}) {
+    if (words.find(mark) == std::string::npos) {
+      throw std::invalid_argument(fmt::format("--candidate {}: {} is missing", what, mark));
+    }
+  }
+  return rendering(what, {program_of(what, words, options), options.dialect,
+                          options.excused_image_change, options.image_threshold});
 }
 
 }  // namespace
@@ -76,7 +89,8 @@ External find_external(const std::string& what, const RunOptions& options) {
     const PrivateFolder built;
     return library(what, compile(what, existing(what, rest), built.path(), options), options);
   }
-  if (way == "command") return command(what, rest, options);
+  if (way == "command") return introduced(what, program_of(what, rest, options));
+  if (way == "renderer") return renderer(what, rest, options);
   throw std::invalid_argument(
       fmt::format("--candidate {}: there is no {}:; give {}", what, way, kWays));
 }

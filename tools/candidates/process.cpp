@@ -246,6 +246,14 @@ Process::Process(const Confined& confined) : confined_(confined) {
     const auto id = static_cast<uid_t>(user_);
     if (chown(folder_.path().c_str(), id, id) != 0) throw ProcessFailure("chown of its folder");
   }
+  for (const auto& [name, content] : confined.files) {
+    const fs::path path = folder_.path() / name;
+    std::ofstream(path, std::ios::binary) << content;
+    if (user_ != 0 &&
+        chown(path.c_str(), static_cast<uid_t>(user_), static_cast<gid_t>(user_)) != 0) {
+      throw ProcessFailure("chown of its files");
+    }
+  }
   Pipe in, out, err;
   try {
     pid_ = spawn(jailed(confined, folder_.path(), user_), folder_.path(), in.read, out.write,

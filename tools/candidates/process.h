@@ -10,6 +10,7 @@
 #include <stdexcept>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 namespace raycheck::tools {
@@ -46,6 +47,8 @@ struct Confined {
   std::vector<std::filesystem::path> readable;
   Layers layers;
   Limits limits;
+  /// What lies in its folder at the start: names and contents.
+  std::vector<std::pair<std::string, std::string>> files = {};
 };
 
 /// What went wrong with a candidate's process: "exited with 3", "was killed by signal 11

@@ -1,0 +1,57 @@
+#include <cstdint>
+#include <stdexcept>
+
+#include "properties/choice.h"
+#include "properties/law_list.h"
+
+namespace raycheck::properties {
+namespace {
+
+bool is_within_threshold(Trial& trial, std::size_t ray, double threshold) {
+  const auto& exact = trial.exact_nearest()[ray];
+  return threshold > 0 && exact &&
+         trial.exact_ray(ray).rounded_parameter(trial.scene().spheres[exact->index],
+                                                exact->intersection) <= threshold;
+}
+
+Verdict judge_image(Trial& trial) {
+  const Candidate& candidate = trial.candidate();
+  if (!candidate.image) return Verdict::left_out("the candidate makes no images");
+  if (!trial.scene().camera) return Verdict::left_out("the scene has no camera");
+  const ImageAnswer image = candidate.image(trial.scene(), trial.conventions());
+  const std::int64_t width = trial.scene().camera->width;
+  if (image.size() != static_cast<std::size_t>(width * trial.scene().camera->height)) {
+    throw std::runtime_error("image: pixels are missing");
+  }
+  const std::vector<bool> is_left_out = with_unjudged(trial);
+  Verdict verdict;
+  for (std::size_t k = 0; k < trial.ray_count(); ++k) {
+    if (is_left_out[k]) continue;
+    const scene::Pixel& pixel = trial.pixels()[k];
+    const Choice choice{k, image[static_cast<std::size_t>(pixel.j * width + pixel.i)],
+                        trial.exact_nearest()[k]};
+    const Index shown = choice.exact                ? Index(choice.exact->index)
+                        : choice.got == kSomeSphere ? Index()
+                                                    : choice.got;
+    trial.judge(
+        verdict, kImageLaw.name, Quantity::kNearestSphere, trial.place(k, shown), wrong_of(choice),
+        [&] {
+          return is_within_threshold(trial, k, candidate.image_threshold) ||
+                 may_flip(trial, choice, candidate.excused_image_change);
+        },
+        [&](Discrepancy& d) {
+          d.what = "sphere shown";
+          if (choice.got && choice.got != kSomeSphere) d.got = {static_cast<double>(*choice.got)};
+          if (choice.exact) d.exact = {static_cast<double>(choice.exact->index)};
+        });
+  }
+  return verdict;
+}
+
+}  // namespace
+
+constinit const Law kImageLaw = {
+    "image", "every pixel of an image shows the sphere that its ray meets first",
+    Law::Subject::kCameraAndIntersection, true, judge_image};
+
+}  // namespace raycheck::properties
