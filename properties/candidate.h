@@ -105,6 +105,8 @@ struct Candidate {
   /// them right, or where the exact s is at most image_threshold.
   double excused_image_change = kExcusedImageChange;
   double image_threshold = 0;
+  /// Larger images are not for `image`.
+  std::int64_t most_image_pixels = std::int64_t{1} << 22;
   /// Its documented bound on the error of a quantity, in that quantity's unit; empty: none.
   std::array<std::optional<double>, kQuantityCount> max_error = {};
   /// The same where the rays come from a camera, so that a hit inherits the error of its ray;

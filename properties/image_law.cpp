@@ -18,9 +18,14 @@ Verdict judge_image(Trial& trial) {
   const Candidate& candidate = trial.candidate();
   if (!candidate.image) return Verdict::left_out("the candidate makes no images");
   if (!trial.scene().camera) return Verdict::left_out("the scene has no camera");
+  const scene::Camera& camera = *trial.scene().camera;
+  if (camera.width > candidate.most_image_pixels / camera.height) {
+    return Verdict::left_out("the image is larger than the candidate makes");
+  }
+  if (trial.scene().spheres.empty()) return Verdict::left_out("the scene has no sphere");
   const ImageAnswer image = candidate.image(trial.scene(), trial.conventions());
-  const std::int64_t width = trial.scene().camera->width;
-  if (image.size() != static_cast<std::size_t>(width * trial.scene().camera->height)) {
+  const std::int64_t width = camera.width;
+  if (image.size() != static_cast<std::size_t>(width * camera.height)) {
     throw std::runtime_error("image: pixels are missing");
   }
   const std::vector<bool> is_left_out = with_unjudged(trial);

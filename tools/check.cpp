@@ -81,7 +81,22 @@ ChunkVerdict judge_chunk(const Case& chunk, std::uint64_t first, std::shared_ptr
   return found;
 }
 
-CandidateReport finish(Judged judged) {
+/// What explains the errors of a picture, which is asked for again and was kept.
+std::vector<properties::Explanation> explained(const CandidateReport& report,
+                                               const scene::Scene& scene) {
+  if (!scene.camera || report.verdict.holds()) return {};
+  const Candidate candidate = candidate_of(report.contestant);
+  if (!candidate.image) return {};
+  try {
+    return properties::explanations(scene, report.conventions,
+                                    candidate.image(scene, report.conventions));
+  } catch (const std::runtime_error&) {
+    return {};  // there is no picture, as the verdict says
+  }
+}
+
+CandidateReport finish(Judged judged, const scene::Scene& scene) {
+  judged.report.explanations = explained(judged.report, scene);
   for (const Law& law : properties::laws()) {
     const auto found = judged.left_out.find(law.name);
     if (found != judged.left_out.end()) {
@@ -269,7 +284,7 @@ CheckReport check(const CheckOptions& options) {
   Judgement(options, cases, all).run(report.rays_judged, [&] {
     progress.show(fmt::format("{} of {} rays judged", report.rays_judged, cases.rays_judged()));
   });
-  for (Judged& one : all) report.candidates.push_back(finish(std::move(one)));
+  for (Judged& one : all) report.candidates.push_back(finish(std::move(one), report.scene));
   report.interrupted = interrupted();
   report.left_out = left_out_lines(report);
   return report;

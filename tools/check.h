@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "properties/image_explanation.h"
 #include "properties/verdict.h"
 #include "scene/scene_file.h"
 #include "tools/contestant.h"
@@ -42,7 +43,8 @@ struct CandidateReport {
   std::vector<double> bounds;      ///< By quantity.
   properties::Verdict verdict;
   std::vector<LeftOut> left_out;
-  Timing timing;  ///< Of raycheck's methods.
+  std::vector<properties::Explanation> explanations;  ///< Of what a renderer's picture has wrong.
+  Timing timing;                                      ///< Of raycheck's methods.
 };
 
 struct CheckReport {

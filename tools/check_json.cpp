@@ -53,6 +53,12 @@ Json candidate_json(const CandidateReport& candidate, std::size_t top) {
     json["quantities"].push_back(
         quantity_json(quantity, tally, candidate.bounds[static_cast<std::size_t>(quantity)]));
   }
+  json["explanations"] = Json::array();
+  for (const properties::Explanation& one : candidate.explanations) {
+    json["explanations"].push_back({{"sentence", one.sentence},
+                                    {"wrong_pixels", one.errors},
+                                    {"explained_pixels", one.explained}});
+  }
   json["discrepancies"] = candidate.verdict.discrepancies();
   json["discrepancies_excused"] = candidate.verdict.excused();
   json["worst"] = Json::array();

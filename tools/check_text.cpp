@@ -109,6 +109,10 @@ std::string check_text(const CheckReport& report, bool colours) {
                           conventions_text(candidate.conventions));
     }
     append_table(candidate, text);
+    for (const properties::Explanation& one : candidate.explanations) {
+      text += fmt::format("  {}: {} of {} wrong pixels are right that way\n", one.sentence,
+                          one.explained, one.errors);
+    }
     std::size_t rank = 0;
     for (const auto& discrepancy : candidate.verdict.worst(report.top)) {
       found.push_back({&candidate, rank++, discrepancy});

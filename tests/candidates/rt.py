@@ -1,7 +1,9 @@
 """A finished renderer: rt.py MISTAKE DRIVER IMAGE. It reads a driver file of dialect B and writes a
 PPM (P3), the top line first, by ambient light alone; MISTAKE says what is wrong with it."""
 import math
+import os
 import sys
+import time
 
 import right
 
@@ -37,6 +39,8 @@ def nearest(ray, spheres):
         hit = right.intersect(ray, sphere, Asked)
         if hit is None:
             continue
+        if MISTAKE == "threshold" and hit[0] < 0.5:
+            continue
         if MISTAKE == "first-wins":
             return colour
         if MISTAKE == "last-wins" or best is None or hit[0] < best[0]:
@@ -48,8 +52,19 @@ def main():
     view, spheres = read()
     width, height = map(int, view["res"])
     left, right_, bottom, top = view["bounds"]
-    camera = right.rc.Camera(tuple(view["eye"]), tuple(view["look"]), tuple(view["up"]),
-                             view["d"][0], left, right_, bottom, top, width, height)
+    whole = view["camera"] if MISTAKE == "dialect-c" else (
+        view["eye"] + view["look"] + view["up"] + view["d"])
+    eye, look, up, near = tuple(whole[0:3]), tuple(whole[3:6]), tuple(whole[6:9]), whole[9]
+    if MISTAKE == "top-from-right":
+        top = right_
+    if MISTAKE == "width-height":
+        right_ = left + (right_ - left) * ((width - 1) / (height - 1))
+        top = bottom + (top - bottom) * ((height - 1) / (width - 1))
+    if MISTAKE == "w-flipped":
+        near = -near
+    if MISTAKE == "no-up":
+        up = (0.0, 1.0, 0.0)
+    camera = right.rc.Camera(eye, look, up, near, left, right_, bottom, top, width, height)
     asked = Asked()
     asked.samples = "centres" if MISTAKE == "centres" else "edges"
     asked.root = "smaller" if MISTAKE == "near-root-only" else "nearest"
@@ -57,14 +72,25 @@ def main():
     trace = right.focal_ray if MISTAKE == "focal" else right.pixel_ray
     lines = [[nearest(trace(camera, asked, (i, height - 1 - line)), spheres)
               for i in range(width)] for line in range(height)]
-    if MISTAKE == "upside-down":
+    if MISTAKE in ("upside-down", "dim-upside-down", "turned"):
         lines.reverse()
-    if MISTAKE == "mirrored":
+    if MISTAKE in ("mirrored", "turned"):
         lines = [line[::-1] for line in lines]
     if MISTAKE == "transposed":
         lines = [list(line) for line in zip(*lines)]
-    if MISTAKE == "dim":
+    if MISTAKE.startswith("dim"):
         lines = [[tuple(0.83 * c for c in colour) for colour in line] for line in lines]
+    if MISTAKE == "no-picture":
+        return
+    if MISTAKE == "crash":
+        sys.exit(1)
+    if MISTAKE == "hang":
+        time.sleep(1000)
+    if MISTAKE == "link":
+        os.symlink("/etc/passwd", IMAGE)
+        return
+    if MISTAKE == "half":
+        lines = [lines[0]] + [[] for _ in lines[1:]]
     with open(IMAGE, "w") as image:
         image.write(f"P3\n{len(lines[0])} {len(lines)}\n255\n")
         for line in lines:

@@ -3,13 +3,11 @@
 #include <iterator>
 #include <utility>
 
-#include "properties/fast_candidate.h"
+#include "tests/properties/drawing.h"
 
 namespace raycheck::mutants {
 
-properties::Candidate unmutated() {
-  return properties::fast_candidate(fast::kDirectRays, fast::kCross);
-}
+properties::Candidate unmutated() { return properties::drawing_candidate(); }
 
 std::vector<Mutant> all_mutants() {
   std::vector<Mutant> all = camera_mutants();

@@ -274,6 +274,42 @@ Candidate with_certified(std::string name,
   return candidate;
 }
 
+/// The image, changed.
+Candidate with_image(std::string name,
+                     std::function<void(const Scene&, properties::ImageAnswer&)> change) {
+  Candidate candidate = unmutated();
+  candidate.name = std::move(name);
+  candidate.image = [image = candidate.image, change](const Scene& scene,
+                                                      const Conventions& conventions) {
+    properties::ImageAnswer answer = image(scene, conventions);
+    change(scene, answer);
+    return answer;
+  };
+  return candidate;
+}
+
+std::vector<Mutant> image_mutants() {
+  return {
+      {"rows of the image are upside down",
+       {"image"},
+       with_image("image-upside-down",
+                  [](const Scene& scene, properties::ImageAnswer& image) {
+                    const auto width = static_cast<std::ptrdiff_t>(scene.camera->width);
+                    properties::ImageAnswer turned;
+                    for (auto row = image.end(); row != image.begin(); row -= width) {
+                      turned.insert(turned.end(), row - width, row);
+                    }
+                    image = turned;
+                  })},
+      {"what cannot be told apart is no miss",
+       {"image"},
+       with_image("image-all-hits",
+                  [](const Scene&, properties::ImageAnswer& image) {
+                    std::fill(image.begin(), image.end(), properties::kSomeSphere);
+                  })},
+  };
+}
+
 std::vector<Mutant> visible_mutants() {
   return {
       {"the first sphere of the file is seen", {"visible-sphere"}, seen_by_file_order()},
@@ -298,7 +334,7 @@ std::vector<Mutant> visible_mutants() {
 
 std::vector<Mutant> plan_mutants() {
   std::vector<Mutant> all = rectangle_mutants();
-  for (auto& more : {left_out_mutants(), root_mutants(), visible_mutants()})
+  for (auto& more : {left_out_mutants(), root_mutants(), visible_mutants(), image_mutants()})
     all.insert(all.end(), more.begin(), more.end());
   return all;
 }

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 #include <sys/stat.h>
 
+#include <algorithm>
 #include <chrono>
 #include <cstdlib>
 #include <filesystem>
@@ -182,6 +183,90 @@ TEST(Candidate, that_fails_leaves_the_others_judged) {
   EXPECT_EQ(report["candidates"][1]["discrepancies"], 0);
 }
 
+const std::string kProbe = "scene/examples/probe.toml";
+
+std::string renderer(const std::string& mistake) {
+  return "renderer:python3 tests/candidates/rt.py " + mistake + " {scene} {image}";
+}
+
+TEST(Renderer, is_right_on_every_scene_that_its_driver_can_hold) {
+  for (const char* scene : {"probe", "ten-spheres", "example-4", "sphere-around-eye",
+                            "sphere-between-eye-and-plane", "far-sphere"}) {
+    const json report = judged("scene/examples/" + std::string(scene) + ".toml", renderer("right"));
+    EXPECT_EQ(report["discrepancies"], report["discrepancies_excused"]) << scene;
+    EXPECT_GT(report["quantities"][0]["cases"], 60) << scene;
+    EXPECT_TRUE(report["explanations"].empty()) << scene;
+  }
+}
+
+TEST(Renderer, whose_colours_are_dimmed_still_has_its_mask_judged) {
+  EXPECT_EQ(judged(kProbe, renderer("dim"))["discrepancies"], 0);
+  EXPECT_GT(judged(kProbe, renderer("dim-upside-down"))["discrepancies"], 0);
+}
+
+struct Mistake {
+  const char* name;
+  const char* sentence;
+};
+
+class EachMistake : public testing::TestWithParam<Mistake> {};
+
+TEST_P(EachMistake, IsNamed) {
+  const json report = judged(kProbe, renderer(GetParam().name));
+  EXPECT_GT(report["discrepancies"], report["discrepancies_excused"]);
+  ASSERT_EQ(report["explanations"].size(), 1u) << report["explanations"].dump(2);
+  const json& one = report["explanations"][0];
+  EXPECT_NE(one["sentence"].get<std::string>().find(GetParam().sentence), std::string::npos)
+      << one.dump(2);
+  EXPECT_EQ(one["wrong_pixels"], one["explained_pixels"]);
+}
+
+INSTANTIATE_TEST_SUITE_P(Classic, EachMistake,
+                         testing::Values(Mistake{"upside-down", "rows are upside down"},
+                                         Mistake{"mirrored", "columns are mirrored"},
+                                         Mistake{"turned", "turned by half a turn"},
+                                         Mistake{"centres", "sampled at their centres"},
+                                         Mistake{"focal", "start at the eye"},
+                                         Mistake{"near-root-only", "only the near root"},
+                                         Mistake{"first-wins", "the first sphere in the file"},
+                                         Mistake{"last-wins", "the last sphere in the file"},
+                                         Mistake{"top-from-right", "top is taken from right"},
+                                         Mistake{"width-height", "width and height are exchanged"},
+                                         Mistake{"w-flipped", "W has the wrong sign"},
+                                         Mistake{"no-up", "up is taken for (0, 1, 0)"}),
+                         [](const auto& the_test) {
+                           std::string name(the_test.param.name);
+                           std::replace(name.begin(), name.end(), '-', '_');
+                           return name;
+                         });
+
+TEST(Renderer, that_makes_no_picture_fails_with_the_reason) {
+  const auto expect_said = [](const std::string& mistake, const std::string& what) {
+    const json report = judged(kProbe, renderer(mistake), "--timeout 5");
+    EXPECT_GT(report["discrepancies"], 0);
+    EXPECT_NE(report["worst"].dump().find(what), std::string::npos) << report["worst"].dump(2);
+  };
+  expect_said("transposed", "26 x 40 pixels, the scene 40 x 26: width and height are exchanged");
+  expect_said("no-picture", "it made no picture");
+  expect_said("half", "its PPM has a word that is no number, or ends");
+  expect_said("crash", "exited with 1");
+  expect_said("hang", "did not end within 5 s");
+  expect_said("link", "its picture {image} is no file");
+}
+
+TEST(Renderer, reads_the_dialect_that_it_is_written_in) {
+  const json report = judged(kProbe, renderer("dialect-c"), "--dialect C");
+  EXPECT_EQ(report["discrepancies"], 0);
+}
+
+TEST(Renderer, is_excused_for_hits_within_its_threshold) {
+  // It takes no hit below 0.5: the sphere that the image plane cuts.
+  EXPECT_FALSE(judged(kProbe, renderer("threshold"))["discrepancies"] == 0);
+  const json report = judged(kProbe, renderer("threshold"), "--t-threshold 0.5");
+  EXPECT_EQ(report["discrepancies"], report["discrepancies_excused"]);
+  EXPECT_GT(report["discrepancies_excused"], 0);
+}
+
 TEST(Candidate, fails_with_2_and_says_why) {
   const auto fails = [](const std::string& candidate, const std::string& why) {
     const Outcome outcome = check(kRays, candidate);
@@ -190,7 +275,7 @@ TEST(Candidate, fails_with_2_and_says_why) {
     EXPECT_NE(outcome.err.find(why), std::string::npos) << outcome.err;
     EXPECT_EQ(outcome.out, "");
   };
-  fails("mine", "give library:PATH.so, source:PATH or command:");
+  fails("mine", "give library:PATH.so, source:PATH, command:");
   fails("elsewhere:mine", "there is no elsewhere:");
   fails("library:", "give library:PATH.so");
   fails("library:nowhere.so", "No such file or directory");
@@ -198,6 +283,7 @@ TEST(Candidate, fails_with_2_and_says_why) {
   fails("source:nowhere.cpp", "No such file or directory");
   fails("source:docs", "no .cpp file lies in it");
   fails("command:nosuchprogram", "nosuchprogram");
+  fails("renderer:./rt {scene}", "{image} is missing");
   fails("command:true", "exited with 0");
   fails("command:echo hello", "hello");
   fails("command:python3 tests/candidates/hostile.py early", "more than it was asked");

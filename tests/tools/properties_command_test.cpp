@@ -74,7 +74,7 @@ TEST(List, names_every_method_law_and_convention) {
     EXPECT_NE(result.out.find(name), std::string::npos) << name;
   }
   const json report = json::parse(run("list --format json").out);
-  EXPECT_EQ(report["laws"].size(), 28u);
+  EXPECT_EQ(report["laws"].size(), 29u);
   ASSERT_EQ(report["sources"].size(), 21u);
   EXPECT_TRUE(report["sources"][0]["dial"].is_null());
   EXPECT_EQ(report["sources"][3]["dial"]["highest"], 15);
