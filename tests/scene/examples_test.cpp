@@ -39,7 +39,7 @@ TEST(Examples, EveryOneLoadsAndSaysWhatItShows) {
     EXPECT_EQ(read_toml(write_toml(loaded.scene), "again").scene, loaded.scene);
     ++scenes;
   }
-  EXPECT_EQ(scenes, 21u);
+  EXPECT_EQ(scenes, 22u);
 }
 
 TEST(Examples, HaveTheLecturesCameras) {
@@ -100,7 +100,7 @@ TEST(Examples, OfTheThreeDialectsAreOneScene) {
   EXPECT_EQ(example("driver-c.txt").scene, a.scene);
 }
 
-// Every example camera looks along -z with y up, so that U, V, W are the axes.
+// Every other example camera looks along -z with y up, so that U, V, W are the axes.
 std::size_t lines_met(const Scene& scene) {
   const Camera& camera = *scene.camera;
   EXPECT_EQ(camera.look_at.x, camera.eye.x);
@@ -131,7 +131,8 @@ TEST(Examples, ShowSomethingInEveryImage) {
   std::size_t images = 0;
   for (const auto& entry : std::filesystem::directory_iterator(folder())) {
     const Scene scene = load_scene(entry.path()).scene;
-    if (!scene.camera) continue;
+    // The camera of `probe` is tilted; what it shows is judged in tests/tools/candidate_test.cpp.
+    if (!scene.camera || entry.path().stem() == "probe") continue;
     EXPECT_GT(lines_met(scene), 0u) << entry.path();
     ++images;
   }
