@@ -81,6 +81,7 @@ fs::path compile(const std::string& what, const fs::path& source, const fs::path
   const bool is_folder = fs::is_directory(source);
   const fs::path folder = is_folder ? source : source.parent_path();
   confined.readable.push_back(folder);
+  confined.layers = layers_for(options.layers, confined.readable);
   if (source.filename() == "CMakeLists.txt" ||
       (is_folder && fs::exists(folder / "CMakeLists.txt"))) {
     confined.arguments = {"sh",

@@ -46,7 +46,6 @@ External library(const std::string& what, const fs::path& path, const RunOptions
 /// A program by its words, those that name files made absolute.
 Confined program_of(const std::string& what, const std::string& words, const RunOptions& options) {
   Confined program;
-  program.layers = options.layers;
   program.limits = options.limits;
   for (const std::string& word : CLI::detail::split_up(words)) {
     std::error_code error;
@@ -62,6 +61,7 @@ Confined program_of(const std::string& what, const std::string& words, const Run
   if (program.arguments.empty()) {
     throw std::invalid_argument(fmt::format("--candidate {}: it names no program", what));
   }
+  program.layers = layers_for(options.layers, program.readable);
   return program;
 }
 

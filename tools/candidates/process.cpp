@@ -180,9 +180,23 @@ bool works(const Layers& layers) {
   }
 }
 
+bool others_may_read(const fs::path& path) {
+  std::error_code error;
+  const fs::perms own = fs::status(path, error).permissions();
+  const fs::perms needed = fs::is_directory(path, error)
+                               ? fs::perms::others_read | fs::perms::others_exec
+                               : fs::perms::others_read;
+  if (error || (own & needed) != needed) return false;
+  for (fs::path folder = path.parent_path();; folder = folder.parent_path()) {
+    const fs::perms perms = fs::status(folder, error).permissions();
+    if (error || (perms & fs::perms::others_exec) == fs::perms::none) return false;
+    if (folder == folder.root_path()) return true;
+  }
+}
+
 Layers found_by_trying() {
   Layers layers;
-  if (geteuid() == 0) {
+  if (geteuid() == 0 && others_may_read(program_folder()) && others_may_read(adapters())) {
     layers.other_user = true;
     if (!works(layers)) layers.other_user = false;
   }
@@ -219,6 +233,12 @@ Layers chosen_layers(Sandbox sandbox) {
                     "Debian package is bubblewrap)",
                     layers.text()));
   }
+  return layers;
+}
+
+Layers layers_for(Layers layers, const std::vector<fs::path>& readable) {
+  layers.other_user =
+      layers.other_user && std::all_of(readable.begin(), readable.end(), others_may_read);
   return layers;
 }
 

@@ -41,6 +41,10 @@ struct Limits {
   std::uint64_t processes = 64;
 };
 
+/// The layers among these in which a program may read some paths: a user of its own may not where
+/// they are closed to others.
+Layers layers_for(Layers layers, const std::vector<std::filesystem::path>& readable);
+
 /// A program to run, what it may read besides the system, and how it is kept.
 struct Confined {
   std::vector<std::string> arguments;
