@@ -10,6 +10,7 @@
 #include "properties/verdict.h"
 #include "scene/scene_file.h"
 #include "tools/contestant.h"
+#include "tools/format.h"
 
 namespace raycheck::tools {
 
@@ -64,6 +65,10 @@ struct CheckReport {
 
 /// Judges the candidates on a scene file. Throws what the reader throws.
 CheckReport check(const CheckOptions& options);
+
+/// What was compared of a candidate, a row a quantity.
+std::string quantities_table(const CandidateReport& candidate);
+Json candidate_json(const CandidateReport& candidate, std::size_t top);
 
 std::string check_text(const CheckReport& report, bool colours);
 std::string check_json(const CheckReport& report);

@@ -37,6 +37,8 @@ Json quantity_json(properties::Quantity quantity, const Tally& tally, double bou
   return json;
 }
 
+}  // namespace
+
 Json candidate_json(const CandidateReport& candidate, std::size_t top) {
   Json json;
   json["name"] = candidate.name;
@@ -71,8 +73,6 @@ Json candidate_json(const CandidateReport& candidate, std::size_t top) {
   }
   return json;
 }
-
-}  // namespace
 
 std::string check_json(const CheckReport& report) {
   Json json = json_header("check");

@@ -57,7 +57,10 @@ std::string worst_text(const Tally& tally, Quantity quantity) {
   return text;
 }
 
-void append_table(const CandidateReport& candidate, std::string& text) {
+}  // namespace
+
+std::string quantities_table(const CandidateReport& candidate) {
+  std::string text;
   using Row = std::array<std::string, 8>;
   std::vector<Row> rows = {
       {"quantity", "cases", "class errors", "median", "max", "bound", "unit", "worst at"}};
@@ -83,9 +86,8 @@ void append_table(const CandidateReport& candidate, std::string& text) {
     line.erase(line.find_last_not_of(' ') + 1);
     text += line + "\n";
   }
+  return text;
 }
-
-}  // namespace
 
 std::string check_text(const CheckReport& report, bool colours) {
   std::string text = scene_text(report);
@@ -108,7 +110,7 @@ std::string check_text(const CheckReport& report, bool colours) {
       text += fmt::format("  judged under its own conventions: {}\n",
                           conventions_text(candidate.conventions));
     }
-    append_table(candidate, text);
+    text += quantities_table(candidate);
     for (const properties::Explanation& one : candidate.explanations) {
       text += fmt::format("  {}: {} of {} wrong pixels are right that way\n", one.sentence,
                           one.explained, one.errors);
