@@ -58,12 +58,23 @@ bool is_worth_asking(const Law& law, const Contestant& contestant, bool chosen_b
   }
 }
 
+/// A renderer is not told the conventions of a random case: it is judged by the default ones, and
+/// not at tangents.
+Candidate campaigner(const Contestant& contestant) {
+  Candidate candidate = candidate_of(contestant);
+  if (candidate.image) {
+    candidate.declared = {scene::Rows{}, scene::Samples{}, scene::Origin{}, scene::Root{},
+                          scene::Tangent::kEither};
+  }
+  return candidate;
+}
+
 PropertiesReport replay(const PropertiesOptions& options) {
   const properties::Replay parsed = properties::parse_replay(options.replay);
   std::vector<Contestant> known = options.contestants;
   for (const MethodPair& pair : all_pairs()) known.emplace_back(pair);
   for (const Contestant& contestant : known) {
-    const Candidate candidate = candidate_of(contestant);
+    const Candidate candidate = campaigner(contestant);
     if (candidate.name != parsed.candidate) continue;
     PropertiesReport report;
     report.cases = 1;
@@ -106,7 +117,7 @@ PropertiesReport run_properties(const PropertiesOptions& options) {
   for (const Law* law : laws) {
     for (const Contestant& contestant : judged) {
       if (interrupted() || !is_worth_asking(*law, contestant, chosen)) continue;
-      const Candidate candidate = candidate_of(contestant);
+      const Candidate candidate = campaigner(contestant);
       progress.show(fmt::format("{} on {}", law->name, candidate.name));
       report.campaigns.push_back({law, candidate.name, run_campaign(*law, candidate, campaign)});
     }

@@ -254,6 +254,27 @@ TEST(Renderer, that_makes_no_picture_fails_with_the_reason) {
   expect_said("link", "its picture {image} is no file");
 }
 
+TEST(Renderer, keeps_the_law_of_images_on_random_scenes) {
+  const std::string asked = "properties --filter image --source cameras --cases 20 --candidate '";
+  const Outcome right = run(asked + renderer("right") + "'");
+  EXPECT_EQ(right.exit_code, 0) << right.out << right.err;
+  const Outcome wrong = run(asked + renderer("mirrored") + "'");
+  EXPECT_EQ(wrong.exit_code, 1) << wrong.out << wrong.err;
+}
+
+TEST(Candidate, is_kept_as_asked) {
+  const std::string right = "command:python3 tests/candidates/right.py";
+  EXPECT_EQ(judged(kRays, right, "--sandbox none")["kept_by"], "limits only");
+  const Outcome required = check(kRays, right, "--sandbox require");
+  if (required.exit_code == 2) {
+    EXPECT_NE(required.err.find("--sandbox require: here works"), std::string::npos);
+  } else {
+    const std::string kept = json::parse(required.out)["candidates"][0]["kept_by"];
+    EXPECT_NE(kept.find("seccomp, bubblewrap"), std::string::npos) << kept;
+  }
+  EXPECT_EQ(check(kRays, right, "--sandbox perhaps").exit_code, 2);
+}
+
 TEST(Renderer, reads_the_dialect_that_it_is_written_in) {
   const json report = judged(kProbe, renderer("dialect-c"), "--dialect C");
   EXPECT_EQ(report["discrepancies"], 0);

@@ -46,6 +46,14 @@ fs::path copied(const fs::path& made, const fs::path& to) {
   return to / made.filename();
 }
 
+/// What a compiler said, without what a terminal would obey.
+std::string printable(std::string text) {
+  for (char& c : text) {
+    if (static_cast<unsigned char>(c) < ' ' && c != '\n' && c != '\t') c = '?';
+  }
+  return text;
+}
+
 /// A program that is to succeed; its folder, where it leaves what it makes, lasts as long.
 class Step {
  public:
@@ -60,7 +68,7 @@ class Step {
     if (!failure.empty()) {
       throw std::invalid_argument(fmt::format("--candidate {}: {} {}\n{}", what,
                                               fs::path(confined.arguments[0]).filename().string(),
-                                              failure, process_.said()));
+                                              failure, printable(process_.said())));
     }
   }
   const fs::path& folder() const { return process_.folder(); }

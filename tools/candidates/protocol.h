@@ -78,8 +78,11 @@ class Reply {
   std::vector<std::string_view> lines_;
 };
 
-/// More bytes than an honest reply of so many lines has.
-constexpr std::size_t most_bytes(std::size_t lines) { return 4096 + 320 * lines; }
+/// More bytes than an honest reply of so many lines has, and no more than are held at a time.
+inline constexpr std::size_t kMostBytes = std::size_t{1} << 28;
+constexpr std::size_t most_bytes(std::size_t lines) {
+  return lines < kMostBytes / 320 ? 4096 + 320 * lines : kMostBytes;
+}
 
 }  // namespace raycheck::tools
 
