@@ -30,11 +30,13 @@ Verdict judge_image(Trial& trial) {
   }
   const std::vector<bool> is_left_out = with_unjudged(trial);
   Verdict verdict;
+  std::size_t untold = 0;
   for (std::size_t k = 0; k < trial.ray_count(); ++k) {
     if (is_left_out[k]) continue;
     const scene::Pixel& pixel = trial.pixels()[k];
     const Choice choice{k, image[static_cast<std::size_t>(pixel.j * width + pixel.i)],
                         trial.exact_nearest()[k]};
+    untold += choice.got == kSomeSphere && choice.exact ? 1 : 0;
     const Index shown = choice.exact                ? Index(choice.exact->index)
                         : choice.got == kSomeSphere ? Index()
                                                     : choice.got;
@@ -49,6 +51,9 @@ Verdict judge_image(Trial& trial) {
           if (choice.got && choice.got != kSomeSphere) d.got = {static_cast<double>(*choice.got)};
           if (choice.exact) d.exact = {static_cast<double>(choice.exact->index)};
         });
+  }
+  if (untold > 0) {
+    verdict.leave_out("which sphere is shown where a colour is none of the spheres'");
   }
   return verdict;
 }

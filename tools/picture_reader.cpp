@@ -88,6 +88,7 @@ ReadPicture read_ppm(std::string_view bytes, std::int64_t most) {
 ReadPicture read_png(std::string_view bytes, std::int64_t most) {
   png_image image{};
   image.version = PNG_IMAGE_VERSION;
+  image.flags = PNG_IMAGE_FLAG_16BIT_sRGB;  // what renderers mean, not linear light
   const auto require = [&](int done) {
     if (done == 0) {
       const std::string why = image.message;

@@ -199,6 +199,10 @@ std::string verify_text(const VerifyReport& report, bool colours) {
   std::string text = fmt::format("{} to {}\n\n", count_text(report.answers, "answer"),
                                  count_text(report.cases, "case"));
   text += quantities_table(report.candidate);
+  if (is_short(report)) {
+    text += fmt::format("\n{} of {} are not answered\n", report.cases_asked - report.cases,
+                        count_text(report.cases_asked, "case"));
+  }
   const auto worst = verdict.worst(report.top);
   if (verdict.discrepancies() > 0) {
     text +=
@@ -217,6 +221,7 @@ std::string verify_json(const VerifyReport& report) {
   Json json = json_header("verify");
   json["answers"] = report.answers;
   json["cases"] = report.cases;
+  json["cases_asked"] = report.cases_asked > 0 ? Json(report.cases_asked) : Json(nullptr);
   json.update(candidate_json(report.candidate, report.top));
   for (const char* key : {"rays", "intersect", "kept_by", "ns_per_ray", "explanations"}) {
     json.erase(key);  // of methods, of processes and of renderers

@@ -20,6 +20,7 @@ std::string questions(const properties::ChosenSource& source, std::uint64_t seed
 
 struct VerifyReport {
   std::uint64_t answers = 0, cases = 0;
+  std::uint64_t cases_asked = 0;  ///< 0: it was not said how many.
   CandidateReport candidate;
   /// The id of each ray of the report, by its index.
   std::vector<std::string> ids;
@@ -29,6 +30,9 @@ struct VerifyReport {
 /// Judges answers by the laws of single values.
 /// Errors: std::invalid_argument naming the line that is no answer.
 VerifyReport verify(std::istream& answers, std::optional<double> max_error, std::size_t top);
+
+/// Whether cases that were asked have no answer at all.
+inline bool is_short(const VerifyReport& report) { return report.cases < report.cases_asked; }
 
 std::string verify_text(const VerifyReport& report, bool colours);
 std::string verify_json(const VerifyReport& report);

@@ -38,15 +38,17 @@ int generate(const GenerateArguments& arguments) {
 
 struct VerifyArguments {
   std::size_t top = 10;
+  std::uint64_t cases = 0;
   std::optional<double> max_ulp;
   std::string format = "text";
 };
 
 int verify_answers(const VerifyArguments& arguments) {
-  const VerifyReport report = verify(std::cin, arguments.max_ulp, arguments.top);
+  VerifyReport report = verify(std::cin, arguments.max_ulp, arguments.top);
+  report.cases_asked = arguments.cases;
   print_report(arguments.format == "json" ? verify_json(report)
                                           : verify_text(report, stdout_takes_colours()));
-  return exit_code(false, !report.candidate.verdict.holds(),
+  return exit_code(false, !report.candidate.verdict.holds() || is_short(report),
                    report.candidate.verdict.compared() > 0);
 }
 
@@ -69,6 +71,8 @@ Command add_verify(CLI::App& program) {
   const auto given = std::make_shared<VerifyArguments>();
   CLI::App& command = *program.add_subcommand(
       "verify", "Judge a program's answers to the questions of generate, from standard input");
+  command.add_option("--cases", given->cases,
+                     "how many cases generate was asked for; fewer that are answered are failures");
   command.add_option("--top", given->top, "how many of the worst discrepancies are shown")
       ->check(CLI::Range(std::size_t{0}, properties::kKeptDiscrepancies))
       ->capture_default_str();

@@ -78,6 +78,8 @@ def main():
         lines = [line[::-1] for line in lines]
     if MISTAKE == "transposed":
         lines = [list(line) for line in zip(*lines)]
+    if MISTAKE == "grey":
+        lines = [[(0.5, 0.5, 0.5) if any(colour) else colour for colour in line] for line in lines]
     if MISTAKE.startswith("dim"):
         lines = [[tuple(0.83 * c for c in colour) for colour in line] for line in lines]
     if MISTAKE == "no-picture":

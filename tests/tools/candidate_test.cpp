@@ -21,6 +21,12 @@ using nlohmann::json;
 const std::string kCamera = "scene/examples/ten-spheres.toml";
 const std::string kRays = "scene/examples/lecture-examples.toml";
 
+const std::string kProbe = "scene/examples/probe.toml";
+
+std::string renderer(const std::string& mistake) {
+  return "renderer:python3 tests/candidates/rt.py " + mistake + " {scene} {image}";
+}
+
 Outcome check(const std::string& scene, const std::string& candidate,
               const std::string& more = "") {
   return run("check " + scene + " --format json " + more + " --candidate '" + candidate + "'");
@@ -106,6 +112,28 @@ TEST(Candidate, keeps_the_laws_of_campaigns_and_replays_what_breaks_them) {
   EXPECT_EQ(again.exit_code, 1) << again.out << again.err;
 }
 
+TEST(Candidate, lies_in_a_folder_that_is_closed_to_others) {
+  const std::string folder = temporary_file("closed", "") + ".d";
+  std::filesystem::create_directory(folder);
+  for (const char* name : {"right.py", "right.cpp"}) {
+    std::filesystem::copy_file(std::string(RAYCHECK_SOURCE_DIR) + "/tests/candidates/" + name,
+                               folder + "/" + name);
+  }
+  std::filesystem::permissions(folder, std::filesystem::perms::owner_all);
+  expect_right(kRays, "command:python3 " + folder + "/right.py");
+  expect_right(kRays, "source:" + folder + "/right.cpp");
+  // What runs there is still not root, where raycheck is.
+  const json open = judged(kRays, "command:python3 tests/candidates/right.py");
+  EXPECT_EQ(judged(kRays, "command:python3 " + folder + "/right.py")["kept_by"], open["kept_by"]);
+  std::filesystem::remove_all(folder);
+}
+
+TEST(Renderer, of_one_colour_is_said_not_to_be_judged_by_sphere) {
+  const json report = judged(kProbe, renderer("grey"));
+  EXPECT_EQ(report["discrepancies"], 0);
+  EXPECT_NE(report["left_out"].dump().find("a colour is none of the spheres'"), std::string::npos);
+}
+
 TEST(Candidate, is_judged_beside_methods) {
   const Outcome both =
       check(kRays, "command:python3 tests/candidates/right.py", "--intersect robust");
@@ -181,12 +209,6 @@ TEST(Candidate, that_fails_leaves_the_others_judged) {
   ASSERT_EQ(report["candidates"].size(), 2u);
   EXPECT_GT(report["candidates"][0]["discrepancies"], 0);
   EXPECT_EQ(report["candidates"][1]["discrepancies"], 0);
-}
-
-const std::string kProbe = "scene/examples/probe.toml";
-
-std::string renderer(const std::string& mistake) {
-  return "renderer:python3 tests/candidates/rt.py " + mistake + " {scene} {image}";
 }
 
 TEST(Renderer, is_right_on_every_scene_that_its_driver_can_hold) {

@@ -52,6 +52,14 @@ TEST(Questions, of_a_case_are_answered_all_of_them) {
   EXPECT_NE(outcome.out.find("not answered"), std::string::npos);
 }
 
+TEST(Questions, of_whole_cases_are_missed_where_it_is_said_how_many_there_were) {
+  const std::string early = kPython + " | grep -v distance@3:2:";
+  EXPECT_EQ(piped("--family distance@3 --cases 3", early).exit_code, 0);
+  const Outcome outcome = piped("--family distance@3 --cases 3", early, "--cases 3");
+  EXPECT_EQ(outcome.exit_code, 1) << outcome.err;
+  EXPECT_NE(outcome.out.find("1 of 3 cases are not answered"), std::string::npos) << outcome.out;
+}
+
 TEST(Questions, take_no_other_lines) {
   const auto refused = [](const std::string& line, const std::string& why) {
     const Outcome outcome = piped("--family rays --cases 1", "echo '" + line + "'", "");

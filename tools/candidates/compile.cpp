@@ -21,9 +21,9 @@ constexpr const char* kEigen = "/usr/include/eigen3";
 /// Where <raycheck/candidate.h> is: beside an installed program, or in the sources it was built of.
 fs::path include_folder() {
   const fs::path installed = program_folder().parent_path() / "include";
-  return fs::exists(installed / "raycheck" / "candidate.h")
-             ? installed
-             : fs::path(kSourceFolder) / "tools/candidates";
+  return opened_copy(fs::exists(installed / "raycheck" / "candidate.h")
+                         ? installed
+                         : fs::path(kSourceFolder) / "tools/candidates");
 }
 
 std::vector<fs::path> files_in(const fs::path& folder, std::string_view extension) {
@@ -89,7 +89,6 @@ fs::path compile(const std::string& what, const fs::path& source, const fs::path
   const bool is_folder = fs::is_directory(source);
   const fs::path folder = is_folder ? source : source.parent_path();
   confined.readable.push_back(folder);
-  confined.layers = layers_for(options.layers, confined.readable);
   if (source.filename() == "CMakeLists.txt" ||
       (is_folder && fs::exists(folder / "CMakeLists.txt"))) {
     confined.arguments = {"sh",

@@ -45,18 +45,6 @@ namespace {
 
 using properties::Candidate;
 
-/// The end of what a program said, as a clause; empty where it was silent.
-std::string said_text(const std::string& said) {
-  std::string text = said;
-  while (!text.empty() && text.back() == '\n') text.pop_back();
-  const std::size_t line = text.rfind('\n');
-  if (line != std::string::npos) text.erase(0, line + 1);
-  for (char& c : text) {
-    if (static_cast<unsigned char>(c) < ' ' || static_cast<unsigned char>(c) > '~') c = '?';
-  }
-  return text.empty() ? "" : "; it said: " + text;
-}
-
 /// A conversation with a process, which is replaced when it fails.
 class Conversation {
  public:
@@ -78,7 +66,7 @@ class Conversation {
       return read(Reply(text, request.id()));
     } catch (const ProcessFailure& failure) {
       silences_ += std::string_view(failure.what()).starts_with("gave no reply") ? 1 : 0;
-      fail(request, fmt::format("{}: it {}{}", function, failure.what(), said_text(said())));
+      fail(request, fmt::format("{}: it {}{}", function, failure.what(), last_line_text(said())));
     } catch (const ProtocolError& error) {
       fail(request, fmt::format("{}: {}", function, error.what()));
     }
@@ -147,7 +135,7 @@ External introduced(std::string name, const Confined& program,
     external.introduction = conversation.introduce();
   } catch (const ProcessFailure& failure) {
     throw std::invalid_argument(fmt::format("--candidate {}: it {}{}", external.name,
-                                            failure.what(), said_text(conversation.said())));
+                                            failure.what(), last_line_text(conversation.said())));
   } catch (const ProtocolError& error) {
     throw std::invalid_argument(fmt::format("--candidate {}: {}", external.name, error.what()));
   }

@@ -4,6 +4,7 @@
 
 #include <CLI/StringTools.hpp>
 #include <algorithm>
+#include <map>
 #include <stdexcept>
 #include <system_error>
 #include <utility>
@@ -33,35 +34,118 @@ External library(const std::string& what, const fs::path& path, const RunOptions
   auto folder = std::make_shared<PrivateFolder>();
   const fs::path copy = folder->path() / path.filename();
   fs::copy_file(path, copy);
-  fs::permissions(folder->path(), fs::perms::owner_all | fs::perms::group_exec |
-                                      fs::perms::group_read | fs::perms::others_exec |
-                                      fs::perms::others_read);
+  folder->open();
   fs::permissions(copy, fs::perms::group_read | fs::perms::others_read, fs::perm_options::add);
-  const std::string worker = program_folder() / "raycheck-worker";
+  const std::string worker = helper("raycheck-worker");
   const Confined program{
       {worker, copy.string()}, {worker, folder->path()}, options.layers, options.limits};
   return introduced(what, program, std::move(folder));
 }
 
-/// A program by its words, those that name files made absolute.
-Confined program_of(const std::string& what, const std::string& words, const RunOptions& options) {
+/// What is copied at most of a folder that is closed to others.
+constexpr std::uintmax_t kMostCopied = std::uintmax_t{64} << 20;
+
+/// Copies a folder for a user that may not read it.
+void copy_opened(const std::string& what, const fs::path& from, const fs::path& to) {
+  std::uintmax_t copied = 0;
+  if (!fs::relative(to, from).string().starts_with("..")) {
+    throw std::invalid_argument(
+        fmt::format("--candidate {}: {} is closed to other users; give the program a folder of its "
+                    "own",
+                    what, from.string()));
+  }
+  for (const auto& entry : fs::recursive_directory_iterator(from)) {
+    const fs::path target = to / fs::relative(entry.path(), from);
+    const fs::file_status status = entry.symlink_status();
+    if (fs::is_directory(status)) fs::create_directories(target);
+    // What is closed itself, in an open or a closed folder, is nobody else's.
+    if (!fs::is_regular_file(status) ||
+        (status.permissions() & fs::perms::others_read) == fs::perms::none) {
+      continue;
+    }
+    copied += entry.file_size();
+    if (copied > kMostCopied) {
+      throw std::invalid_argument(fmt::format(
+          "--candidate {}: {} is closed to other users and too large to be copied; give "
+          "the program a folder of its own, or --sandbox none",
+          what, from.string()));
+    }
+    fs::copy_file(entry.path(), target);
+  }
+  for (const auto& entry : fs::recursive_directory_iterator(to)) {
+    const bool runs = entry.is_directory() ||
+                      (entry.status().permissions() & fs::perms::owner_exec) != fs::perms::none;
+    fs::permissions(entry.path(),
+                    runs ? fs::perms::others_read | fs::perms::others_exec : fs::perms::others_read,
+                    fs::perm_options::add);
+  }
+}
+
+/// Paths as the user that a candidate runs as may read them: folders that are closed to others are
+/// copied, once each.
+class Opened {
+ public:
+  Opened(std::string what, const Layers& layers)
+      : what_(std::move(what)), other_user_(layers.other_user) {}
+
+  /// The path of a file or folder, or of its copy.
+  fs::path operator()(const fs::path& path) {
+    const fs::path folder = folder_of(path);
+    if (!other_user_ || others_may_read(folder)) return path;
+    if (!copies_) {
+      copies_ = std::make_shared<PrivateFolder>();
+      copies_->open();
+    }
+    const auto [copy, is_new] =
+        known_.try_emplace(folder, copies_->path() / std::to_string(known_.size()));
+    if (is_new) {
+      fs::create_directory(copy->second);
+      fs::permissions(copy->second, fs::perms::others_read | fs::perms::others_exec,
+                      fs::perm_options::add);
+      copy_opened(what_, folder, copy->second);
+    }
+    return folder == path ? copy->second : copy->second / path.filename();
+  }
+  static fs::path folder_of(const fs::path& path) {
+    return fs::is_directory(path) ? path : path.parent_path();
+  }
+  /// What the copies lie in; null: there are none.
+  std::shared_ptr<const PrivateFolder> copies() const { return copies_; }
+
+ private:
+  std::string what_;
+  bool other_user_;
+  std::shared_ptr<PrivateFolder> copies_;
+  std::map<fs::path, fs::path> known_;
+};
+
+/// A program by its words. Those that name files are made absolute.
+Confined program_of(const std::string& what, const std::string& words, const RunOptions& options,
+                    Opened& opened) {
   Confined program;
+  program.layers = options.layers;
   program.limits = options.limits;
   for (const std::string& word : CLI::detail::split_up(words)) {
+    // A bare first word is a program on the path. Links stay: programs look at their own names.
+    const bool is_program = program.arguments.empty() && word.find('/') == std::string::npos;
     std::error_code error;
-    const fs::path path = fs::canonical(word, error);
-    // A word of dots alone is more likely an argument than a folder.
-    if (error || word.find_first_not_of('.') == std::string::npos) {
+    if (is_program || !fs::exists(word, error)) {
       program.arguments.push_back(word);
       continue;
     }
+    const fs::path path = opened(fs::absolute(word).lexically_normal());
+    const fs::path folder = Opened::folder_of(path);
+    const bool is_everyones = folder == "/" || folder == fs::temp_directory_path();
     program.arguments.push_back(path);
-    program.readable.push_back(fs::is_directory(path) ? path : path.parent_path());
+    if (!is_everyones) {
+      program.readable.push_back(folder);
+    } else if (folder != path) {
+      program.readable.push_back(path);
+    }
   }
   if (program.arguments.empty()) {
     throw std::invalid_argument(fmt::format("--candidate {}: it names no program", what));
   }
-  program.layers = layers_for(options.layers, program.readable);
   return program;
 }
 
@@ -71,8 +155,12 @@ External renderer(const std::string& what, const std::string& words, const RunOp
       throw std::invalid_argument(fmt::format("--candidate {}: {} is missing", what, mark));
     }
   }
-  return rendering(what, {program_of(what, words, options), options.dialect,
-                          options.excused_image_change, options.image_threshold});
+  Opened opened(what, options.layers);
+  const Confined program = program_of(what, words, options, opened);
+  External external = rendering(
+      what, {program, options.dialect, options.excused_image_change, options.image_threshold});
+  external.folder = opened.copies();
+  return external;
 }
 
 }  // namespace
@@ -84,12 +172,17 @@ External find_external(const std::string& what, const RunOptions& options) {
   if (rest.empty()) {
     throw std::invalid_argument(fmt::format("--candidate {}: give {}", what, kWays));
   }
+  Opened opened(what, options.layers);
   if (way == "library") return library(what, existing(what, rest), options);
   if (way == "source") {
     const PrivateFolder built;
-    return library(what, compile(what, existing(what, rest), built.path(), options), options);
+    return library(what, compile(what, opened(existing(what, rest)), built.path(), options),
+                   options);
   }
-  if (way == "command") return introduced(what, program_of(what, rest, options));
+  if (way == "command") {
+    const Confined program = program_of(what, rest, options, opened);
+    return introduced(what, program, opened.copies());
+  }
   if (way == "renderer") return renderer(what, rest, options);
   throw std::invalid_argument(
       fmt::format("--candidate {}: there is no {}:; give {}", what, way, kWays));

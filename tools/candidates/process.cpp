@@ -1,5 +1,6 @@
 #include "tools/candidates/process.h"
 
+#include <dirent.h>
 #include <fcntl.h>
 #include <fmt/core.h>
 #include <poll.h>
@@ -13,10 +14,13 @@
 #include <array>
 #include <atomic>
 #include <cerrno>
+#include <charconv>
 #include <chrono>
 #include <csignal>
 #include <cstring>
 #include <fstream>
+#include <map>
+#include <mutex>
 #include <system_error>
 
 #include "tools/version.h"
@@ -30,12 +34,16 @@ using Clock = std::chrono::steady_clock;
 /// How much of what a candidate says on the standard error is kept.
 constexpr std::size_t kSaid = 4096;
 
-/// Users that no account has (the range of systemd's dynamic users), one for each process.
-constexpr std::uint64_t kFirstUser = 61184, kUsers = 4336;
-
+/// A user for each process, which no account has: of this process and a number where such large ids
+/// exist, else one of 16 bits.
+std::atomic<bool> has_large_users = true;
 std::uint64_t next_user() {
-  static std::atomic<std::uint64_t> next = static_cast<std::uint64_t>(getpid()) * 61;
-  return kFirstUser + next++ % kUsers;
+  static std::atomic<std::uint64_t> next = 0;
+  const auto process = static_cast<std::uint64_t>(getpid());
+  const std::uint64_t number = next++;
+  if (has_large_users) return std::uint64_t{1} << 30 | process % (1 << 22) << 8 | number % 256;
+  constexpr std::uint64_t kFirst = 61184, kCount = 4336;
+  return kFirst + (process * 61 + number) % kCount;
 }
 
 /// Both ends of a pipe, closed in other programs.
@@ -59,12 +67,30 @@ void close_once(int& descriptor) {
 /// Where the Python adapter is: beside an installed program, or in the sources it was built of.
 fs::path adapters() {
   const fs::path installed = program_folder().parent_path() / "share" / "raycheck";
-  return fs::exists(installed) ? installed : fs::path(kSourceFolder) / "tools/candidates/python";
+  return opened_copy(fs::exists(installed) ? installed
+                                           : fs::path(kSourceFolder) / "tools/candidates/python");
+}
+
+/// Of the system what programs need: of /etc the loader's and Java's files, and no others.
+std::vector<std::string> system_paths() {
+  std::vector<std::string> paths = {"/usr",
+                                    "/bin",
+                                    "/lib",
+                                    "/lib64",
+                                    "/etc/alternatives",
+                                    "/etc/ld.so.cache",
+                                    "/etc/ld.so.conf",
+                                    "/etc/ld.so.conf.d"};
+  std::error_code ignored;
+  for (const auto& entry : fs::directory_iterator("/etc", ignored)) {
+    if (entry.path().filename().string().starts_with("java")) paths.push_back(entry.path());
+  }
+  return paths;
 }
 
 std::vector<std::string> jailed(const Confined& confined, const fs::path& folder,
                                 std::uint64_t user) {
-  const std::string jail = program_folder() / "raycheck-jail";
+  const std::string jail = helper("raycheck-jail");
   const Limits& limits = confined.limits;
   std::vector<std::string> arguments = {jail,
                                         fmt::format("cpu={}", limits.cpu_seconds),
@@ -79,13 +105,11 @@ std::vector<std::string> jailed(const Confined& confined, const fs::path& folder
   if (confined.layers.bubblewrap) {
     add({"--", "bwrap", "--unshare-all", "--die-with-parent", "--new-session", "--dev", "/dev",
          "--proc", "/proc", "--tmpfs", "/tmp"});
-    for (const char* system : {"/usr", "/bin", "/lib", "/lib64", "/etc"}) {
-      add({"--ro-bind-try", system, system});
-    }
+    for (const std::string& system : system_paths()) add({"--ro-bind-try", system, system});
     add({"--ro-bind", jail, jail});
     add({"--ro-bind-try", adapters(), adapters()});
     for (const fs::path& path : confined.readable) add({"--ro-bind", path, path});
-    add({"--bind", folder, folder, "--chdir", folder});
+    add({"--bind", folder, folder, "--remount-ro", "/", "--chdir", folder});
     add({"--", jail});
   }
   if (confined.layers.seccomp) add({"seccomp=1"});
@@ -133,27 +157,37 @@ pid_t spawn(const std::vector<std::string>& arguments, const fs::path& folder, i
   return pid;
 }
 
+/// Whether a process is dead and only waits to be asked about, or is gone.
+bool is_dead(pid_t pid) {
+  std::array<char, 512> text{};
+  const int file = open(("/proc/" + std::to_string(pid) + "/stat").c_str(), O_RDONLY | O_CLOEXEC);
+  if (file < 0) return true;
+  const ssize_t size = read(file, text.data(), text.size());
+  close(file);
+  if (size <= 0) return true;
+  const std::string_view line(text.data(), static_cast<std::size_t>(size));
+  const std::size_t name_end = line.rfind(')');
+  return name_end != std::string_view::npos && line.substr(name_end, 3) == ") Z";
+}
+
 /// Kills what a user runs, until nothing is left: a process may have left its group.
 void kill_all_of(std::uint64_t user) {
   for (bool found = true; found;) {
     found = false;
-    std::error_code ignored;
-    for (const auto& entry : fs::directory_iterator("/proc", ignored)) {
-      const std::string name = entry.path().filename();
-      if (!std::all_of(name.begin(), name.end(), [](char c) { return c >= '0' && c <= '9'; })) {
+    DIR* const processes = opendir("/proc");
+    if (processes == nullptr) return;
+    while (const dirent* const entry = readdir(processes)) {
+      pid_t pid = 0;
+      const std::string_view name = entry->d_name;
+      const auto [end, error] = std::from_chars(name.data(), name.data() + name.size(), pid);
+      if (error != std::errc() || end != name.data() + name.size()) continue;
+      struct stat status {};
+      if (stat(("/proc/" + std::string(name)).c_str(), &status) != 0 || status.st_uid != user) {
         continue;
       }
-      struct stat status {};
-      if (stat(entry.path().c_str(), &status) != 0 || status.st_uid != user) continue;
-      const pid_t pid = std::stoi(name);
-      // A child of ours that is dead only waits to be asked about.
-      if (kill(pid, SIGKILL) == 0 && waitpid(pid, nullptr, WNOHANG) <= 0) {
-        std::ifstream stat_file(entry.path() / "stat");
-        const std::string line{std::istreambuf_iterator<char>(stat_file), {}};
-        const std::size_t name_end = line.rfind(')');
-        found = found || (name_end != std::string::npos && line.compare(name_end, 4, ") Z ") != 0);
-      }
+      if (kill(pid, SIGKILL) == 0) found = found || !is_dead(pid);
     }
+    closedir(processes);
   }
 }
 
@@ -180,6 +214,8 @@ bool works(const Layers& layers) {
   }
 }
 
+}  // namespace
+
 bool others_may_read(const fs::path& path) {
   std::error_code error;
   const fs::perms own = fs::status(path, error).permissions();
@@ -194,10 +230,13 @@ bool others_may_read(const fs::path& path) {
   }
 }
 
+namespace {
+
 Layers found_by_trying() {
   Layers layers;
-  if (geteuid() == 0 && others_may_read(program_folder()) && others_may_read(adapters())) {
+  if (geteuid() == 0) {
     layers.other_user = true;
+    if (!works(layers)) has_large_users = false;
     if (!works(layers)) layers.other_user = false;
   }
   layers.seccomp = true;
@@ -236,13 +275,45 @@ Layers chosen_layers(Sandbox sandbox) {
   return layers;
 }
 
-Layers layers_for(Layers layers, const std::vector<fs::path>& readable) {
-  layers.other_user =
-      layers.other_user && std::all_of(readable.begin(), readable.end(), others_may_read);
-  return layers;
+fs::path opened_copy(const fs::path& path) {
+  if (geteuid() != 0 || others_may_read(path)) return path;
+  static std::mutex mutex;
+  static std::map<fs::path, PrivateFolder> copies;
+  const std::lock_guard lock(mutex);
+  const auto [copy, is_new] = copies.try_emplace(path);
+  const fs::path to = copy->second.path() / path.filename();
+  if (is_new) {
+    copy->second.open();
+    fs::copy(path, to, fs::copy_options::recursive);
+    const auto open = [](const fs::path& of) {
+      const bool runs = fs::is_directory(of) ||
+                        (fs::status(of).permissions() & fs::perms::owner_exec) != fs::perms::none;
+      fs::permissions(
+          of, runs ? fs::perms::others_read | fs::perms::others_exec : fs::perms::others_read,
+          fs::perm_options::add);
+    };
+    open(to);
+    if (fs::is_directory(to)) {
+      for (const auto& entry : fs::recursive_directory_iterator(to)) open(entry.path());
+    }
+  }
+  return to;
 }
 
+fs::path helper(const std::string& name) { return opened_copy(program_folder() / name); }
+
 fs::path program_folder() { return fs::read_symlink("/proc/self/exe").parent_path(); }
+
+std::string last_line_text(const std::string& said) {
+  std::string text = said;
+  while (!text.empty() && text.back() == '\n') text.pop_back();
+  const std::size_t line = text.rfind('\n');
+  if (line != std::string::npos) text.erase(0, line + 1);
+  for (char& c : text) {
+    if (static_cast<unsigned char>(c) < ' ' || static_cast<unsigned char>(c) > '~') c = '?';
+  }
+  return text.empty() ? "" : "; it said: " + text;
+}
 
 PrivateFolder::PrivateFolder() {
   std::string name = fs::temp_directory_path() / "raycheck-XXXXXX";
@@ -250,6 +321,11 @@ PrivateFolder::PrivateFolder() {
     throw std::system_error(errno, std::generic_category(), name);
   }
   path_ = name;
+}
+
+void PrivateFolder::open() const {
+  fs::permissions(path_, fs::perms::owner_all | fs::perms::group_exec | fs::perms::group_read |
+                             fs::perms::others_exec | fs::perms::others_read);
 }
 
 PrivateFolder::~PrivateFolder() {
@@ -293,6 +369,9 @@ Process::Process(const Confined& confined) : confined_(confined) {
 
 Process::~Process() { kill_all(); }
 
+/// With bubblewrap all that it started ends with it.
+bool Process::must_sweep() const { return user_ != 0 && !confined_.layers.bubblewrap; }
+
 void Process::kill_all() {
   close_once(input_);
   if (pid_ > 0) {
@@ -300,7 +379,7 @@ void Process::kill_all() {
     kill(pid_, SIGKILL);
     waitpid(pid_, nullptr, 0);
     pid_ = -1;
-    if (user_ != 0) kill_all_of(user_);
+    if (must_sweep()) kill_all_of(user_);
   }
   close_once(output_);
   close_once(error_);
@@ -322,7 +401,7 @@ void Process::fail_ended() {
   const pid_t group = pid_;
   pid_ = -1;
   kill(-group, SIGKILL);
-  if (user_ != 0) kill_all_of(user_);
+  if (must_sweep()) kill_all_of(user_);
   fail(reason_ended(status));
 }
 
@@ -397,8 +476,9 @@ int Process::finish() {
       const pid_t group = pid_;
       pid_ = -1;
       kill(-group, SIGKILL);
-      if (user_ != 0) kill_all_of(user_);
-      if (WIFSIGNALED(status)) fail(reason_ended(status));
+      if (must_sweep()) kill_all_of(user_);
+      const bool signalled = WIFSIGNALED(status) || WEXITSTATUS(status) > kSignalled;
+      if (signalled) fail(reason_ended(status));
       return WEXITSTATUS(status);
     }
     if (Clock::now() > deadline) {

@@ -41,9 +41,14 @@ struct Limits {
   std::uint64_t processes = 64;
 };
 
-/// The layers among these in which a program may read some paths: a user of its own may not where
-/// they are closed to others.
-Layers layers_for(Layers layers, const std::vector<std::filesystem::path>& readable);
+/// raycheck's own files as any user may read them: where they are closed to others, a copy. Files
+/// of candidates have Opened (find.cpp).
+std::filesystem::path opened_copy(const std::filesystem::path& path);
+/// raycheck-jail or raycheck-worker.
+std::filesystem::path helper(const std::string& name);
+
+/// Whether a user of its own may read a path.
+bool others_may_read(const std::filesystem::path& path);
 
 /// A program to run, what it may read besides the system, and how it is kept.
 struct Confined {
@@ -65,6 +70,9 @@ class ProcessFailure : public std::runtime_error {
 /// The folder in which raycheck and its helpers (raycheck-jail, raycheck-worker) lie.
 std::filesystem::path program_folder();
 
+/// The end of what a program said, as a clause; empty where it was silent.
+std::string last_line_text(const std::string& said);
+
 /// An empty folder, gone with the object.
 class PrivateFolder {
  public:
@@ -73,6 +81,8 @@ class PrivateFolder {
   PrivateFolder(const PrivateFolder&) = delete;
   PrivateFolder& operator=(const PrivateFolder&) = delete;
   const std::filesystem::path& path() const { return path_; }
+  /// Lets every user read it.
+  void open() const;
 
  private:
   std::filesystem::path path_;
@@ -104,6 +114,7 @@ class Process {
   [[noreturn]] void fail_ended();
   void listen();
   void kill_all();
+  bool must_sweep() const;
 
   PrivateFolder folder_;
   Confined confined_;

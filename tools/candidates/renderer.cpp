@@ -136,16 +136,18 @@ properties::ImageAnswer render(const Renderer& renderer, const scene::Scene& sce
   program.files = {{kSceneFile, driver_text(scene, renderer.dialect)}};
   for (std::string& word : program.arguments) {
     for (const auto& [mark, file] : {std::pair("{scene}", kSceneFile), {"{image}", kImageFile}}) {
-      const std::size_t at = word.find(mark);
-      if (at != std::string::npos) word.replace(at, std::string_view(mark).size(), file);
+      for (std::size_t at; (at = word.find(mark)) != std::string::npos;) {
+        word.replace(at, std::string_view(mark).size(), file);
+      }
     }
   }
   Process process(program);
   try {
     const int code = process.finish();
-    if (code != 0) throw std::runtime_error(fmt::format("it exited with {}", code));
+    if (code != 0) throw ProcessFailure(fmt::format("exited with {}", code));
   } catch (const ProcessFailure& failure) {
-    throw std::runtime_error(fmt::format("it {}", failure.what()));
+    throw std::runtime_error(
+        fmt::format("it {}{}", failure.what(), last_line_text(process.said())));
   }
   const ReadPicture picture = parse_picture(read_made(process.folder() / kImageFile),
                                             scene.camera->width * scene.camera->height * 64);
