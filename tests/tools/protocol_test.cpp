@@ -104,6 +104,7 @@ TEST(PictureReader, ReadsPpmsWithCommentsAndOtherMaxima) {
   EXPECT_EQ(text.pixels, (std::vector<Colour>{{0, 85, 255}, {255, 0, 51}}));
   const auto binary = parse_picture("P6\n1 1\n255\nabc", 100);
   EXPECT_EQ(binary.pixels, (std::vector<Colour>{{'a', 'b', 'c'}}));
+  EXPECT_EQ(parse_picture("P6\r\n1 1\r\n255\r\nabc", 100).pixels, binary.pixels);
 }
 
 TEST(PictureReader, RefusesWhatIsNoPicture) {
