@@ -15,6 +15,12 @@ std::optional<double> parse_number(std::string_view text);
 /// The shortest decimal that reads back as the same double.
 std::string shortest(double value);
 
+/// A point's or a vector's coordinates as shortest decimals, a space between them.
+template <class Triple>
+std::string shortest_words(const Triple& v) {
+  return shortest(v.x) + " " + shortest(v.y) + " " + shortest(v.z);
+}
+
 /// C99 hexfloat, e.g. "0x1.8p+3"; reads back as the same double.
 std::string hexfloat(double value);
 

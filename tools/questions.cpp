@@ -21,11 +21,6 @@ using properties::Law;
 using properties::SphereHits;
 using properties::Trial;
 
-template <class Triple>
-std::string words(const Triple& v) {
-  return fmt::format("{} {} {}", scene::shortest(v.x), scene::shortest(v.y), scene::shortest(v.z));
-}
-
 /// "SOURCE@SEVERITY:SEED", and of one question ":RAY:SPHERE" more.
 std::string case_name(const std::string& source, std::uint64_t seed) {
   return fmt::format("{}:{:x}", source, seed);
@@ -145,7 +140,8 @@ std::string questions(const properties::ChosenSource& source, std::uint64_t seed
       const auto& [centre, radius] = scene.spheres[sphere];
       lines += fmt::format("{}:{}:{} {} {} {} {} {} {}\n", case_name(source.name(), seed), ray,
                            sphere, name(scene.conventions.root), name(scene.conventions.tangent),
-                           words(origin), words(direction), words(centre), scene::shortest(radius));
+                           scene::shortest_words(origin), scene::shortest_words(direction),
+                           scene::shortest_words(centre), scene::shortest(radius));
     }
   }
   return lines;

@@ -11,6 +11,7 @@
 #include "tools/methods.h"
 
 namespace raycheck::tools {
+
 /// Pictures of the last scene, for all threads; a failure is kept like a picture.
 class Pictures {
  public:

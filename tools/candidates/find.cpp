@@ -34,8 +34,7 @@ External library(const std::string& what, const fs::path& path, const RunOptions
   auto folder = std::make_shared<PrivateFolder>();
   const fs::path copy = folder->path() / path.filename();
   fs::copy_file(path, copy);
-  folder->open();
-  fs::permissions(copy, fs::perms::group_read | fs::perms::others_read, fs::perm_options::add);
+  open_to_others(folder->path());
   const std::string worker = helper("raycheck-worker");
   const Confined program{
       {worker, copy.string()}, {worker, folder->path()}, options.layers, options.limits};
@@ -58,7 +57,7 @@ void copy_opened(const std::string& what, const fs::path& from, const fs::path& 
     const fs::path target = to / fs::relative(entry.path(), from);
     const fs::file_status status = entry.symlink_status();
     if (fs::is_directory(status)) fs::create_directories(target);
-    // What is closed itself, in an open or a closed folder, is nobody else's.
+    // What is closed itself is not the candidate's to read, unless it is named.
     if (!fs::is_regular_file(status) ||
         (status.permissions() & fs::perms::others_read) == fs::perms::none) {
       continue;
@@ -72,13 +71,7 @@ void copy_opened(const std::string& what, const fs::path& from, const fs::path& 
     }
     fs::copy_file(entry.path(), target);
   }
-  for (const auto& entry : fs::recursive_directory_iterator(to)) {
-    const bool runs = entry.is_directory() ||
-                      (entry.status().permissions() & fs::perms::owner_exec) != fs::perms::none;
-    fs::permissions(entry.path(),
-                    runs ? fs::perms::others_read | fs::perms::others_exec : fs::perms::others_read,
-                    fs::perm_options::add);
-  }
+  open_to_others(to);
 }
 
 /// Paths as the user that a candidate runs as may read them: folders that are closed to others are
@@ -94,17 +87,21 @@ class Opened {
     if (!other_user_ || others_may_read(folder)) return path;
     if (!copies_) {
       copies_ = std::make_shared<PrivateFolder>();
-      copies_->open();
+      open_to_others(copies_->path());
     }
     const auto [copy, is_new] =
         known_.try_emplace(folder, copies_->path() / std::to_string(known_.size()));
     if (is_new) {
       fs::create_directory(copy->second);
-      fs::permissions(copy->second, fs::perms::others_read | fs::perms::others_exec,
-                      fs::perm_options::add);
       copy_opened(what_, folder, copy->second);
     }
-    return folder == path ? copy->second : copy->second / path.filename();
+    if (folder == path) return copy->second;
+    const fs::path file = copy->second / path.filename();
+    if (!fs::exists(file)) {
+      fs::copy_file(path, file);
+      open_to_others(file);
+    }
+    return file;
   }
   static fs::path folder_of(const fs::path& path) {
     return fs::is_directory(path) ? path : path.parent_path();

@@ -19,9 +19,8 @@
 #include <csignal>
 #include <cstring>
 #include <fstream>
-#include <map>
-#include <mutex>
 #include <system_error>
+#include <utility>
 
 #include "tools/version.h"
 
@@ -214,24 +213,6 @@ bool works(const Layers& layers) {
   }
 }
 
-}  // namespace
-
-bool others_may_read(const fs::path& path) {
-  std::error_code error;
-  const fs::perms own = fs::status(path, error).permissions();
-  const fs::perms needed = fs::is_directory(path, error)
-                               ? fs::perms::others_read | fs::perms::others_exec
-                               : fs::perms::others_read;
-  if (error || (own & needed) != needed) return false;
-  for (fs::path folder = path.parent_path();; folder = folder.parent_path()) {
-    const fs::perms perms = fs::status(folder, error).permissions();
-    if (error || (perms & fs::perms::others_exec) == fs::perms::none) return false;
-    if (folder == folder.root_path()) return true;
-  }
-}
-
-namespace {
-
 Layers found_by_trying() {
   Layers layers;
   if (geteuid() == 0) {
@@ -275,31 +256,6 @@ Layers chosen_layers(Sandbox sandbox) {
   return layers;
 }
 
-fs::path opened_copy(const fs::path& path) {
-  if (geteuid() != 0 || others_may_read(path)) return path;
-  static std::mutex mutex;
-  static std::map<fs::path, PrivateFolder> copies;
-  const std::lock_guard lock(mutex);
-  const auto [copy, is_new] = copies.try_emplace(path);
-  const fs::path to = copy->second.path() / path.filename();
-  if (is_new) {
-    copy->second.open();
-    fs::copy(path, to, fs::copy_options::recursive);
-    const auto open = [](const fs::path& of) {
-      const bool runs = fs::is_directory(of) ||
-                        (fs::status(of).permissions() & fs::perms::owner_exec) != fs::perms::none;
-      fs::permissions(
-          of, runs ? fs::perms::others_read | fs::perms::others_exec : fs::perms::others_read,
-          fs::perm_options::add);
-    };
-    open(to);
-    if (fs::is_directory(to)) {
-      for (const auto& entry : fs::recursive_directory_iterator(to)) open(entry.path());
-    }
-  }
-  return to;
-}
-
 fs::path helper(const std::string& name) { return opened_copy(program_folder() / name); }
 
 fs::path program_folder() { return fs::read_symlink("/proc/self/exe").parent_path(); }
@@ -313,24 +269,6 @@ std::string last_line_text(const std::string& said) {
     if (static_cast<unsigned char>(c) < ' ' || static_cast<unsigned char>(c) > '~') c = '?';
   }
   return text.empty() ? "" : "; it said: " + text;
-}
-
-PrivateFolder::PrivateFolder() {
-  std::string name = fs::temp_directory_path() / "raycheck-XXXXXX";
-  if (mkdtemp(name.data()) == nullptr) {
-    throw std::system_error(errno, std::generic_category(), name);
-  }
-  path_ = name;
-}
-
-void PrivateFolder::open() const {
-  fs::permissions(path_, fs::perms::owner_all | fs::perms::group_exec | fs::perms::group_read |
-                             fs::perms::others_exec | fs::perms::others_read);
-}
-
-PrivateFolder::~PrivateFolder() {
-  std::error_code ignored;
-  fs::remove_all(path_, ignored);
 }
 
 Process::Process(const Confined& confined) : confined_(confined) {
@@ -369,8 +307,19 @@ Process::Process(const Confined& confined) : confined_(confined) {
 
 Process::~Process() { kill_all(); }
 
-/// With bubblewrap all that it started ends with it.
-bool Process::must_sweep() const { return user_ != 0 && !confined_.layers.bubblewrap; }
+/// What a process may have left behind; with bubblewrap all that it started ends with it.
+void Process::kill_rest(pid_t group) const {
+  kill(-group, SIGKILL);
+  if (user_ != 0 && !confined_.layers.bubblewrap) kill_all_of(user_);
+}
+
+/// Whether it has ended by itself; if so nothing of it is left.
+bool Process::has_ended(int& status) {
+  if (waitpid(pid_, &status, WNOHANG) != pid_) return false;
+  listen();
+  kill_rest(std::exchange(pid_, -1));
+  return true;
+}
 
 void Process::kill_all() {
   close_once(input_);
@@ -378,8 +327,7 @@ void Process::kill_all() {
     kill(-pid_, SIGKILL);
     kill(pid_, SIGKILL);
     waitpid(pid_, nullptr, 0);
-    pid_ = -1;
-    if (must_sweep()) kill_all_of(user_);
+    kill_rest(std::exchange(pid_, -1));
   }
   close_once(output_);
   close_once(error_);
@@ -394,14 +342,10 @@ void Process::fail_ended() {
   // Its streams are closed: it ends soon, or does nothing that could be heard.
   const auto deadline = Clock::now() + std::chrono::seconds(1);
   int status = 0;
-  pid_t ended = 0;
-  while ((ended = waitpid(pid_, &status, WNOHANG)) == 0 && Clock::now() < deadline) usleep(1000);
-  listen();
-  if (ended != pid_) fail("closed its output");
-  const pid_t group = pid_;
-  pid_ = -1;
-  kill(-group, SIGKILL);
-  if (must_sweep()) kill_all_of(user_);
+  while (!has_ended(status)) {
+    if (Clock::now() > deadline) fail("closed its output");
+    usleep(1000);
+  }
   fail(reason_ended(status));
 }
 
@@ -471,12 +415,7 @@ int Process::finish() {
     listen();
     while (read(output_, ignored.data(), ignored.size()) > 0) {
     }
-    if (waitpid(pid_, &status, WNOHANG) == pid_) {
-      listen();
-      const pid_t group = pid_;
-      pid_ = -1;
-      kill(-group, SIGKILL);
-      if (must_sweep()) kill_all_of(user_);
+    if (has_ended(status)) {
       const bool signalled = WIFSIGNALED(status) || WEXITSTATUS(status) > kSignalled;
       if (signalled) fail(reason_ended(status));
       return WEXITSTATUS(status);

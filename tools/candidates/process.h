@@ -13,6 +13,8 @@
 #include <utility>
 #include <vector>
 
+#include "tools/candidates/private_folder.h"
+
 namespace raycheck::tools {
 
 /// What keeps a candidate in its place, beyond what always does: a group, a folder and an
@@ -41,14 +43,8 @@ struct Limits {
   std::uint64_t processes = 64;
 };
 
-/// raycheck's own files as any user may read them: where they are closed to others, a copy. Files
-/// of candidates have Opened (find.cpp).
-std::filesystem::path opened_copy(const std::filesystem::path& path);
 /// raycheck-jail or raycheck-worker.
 std::filesystem::path helper(const std::string& name);
-
-/// Whether a user of its own may read a path.
-bool others_may_read(const std::filesystem::path& path);
 
 /// A program to run, what it may read besides the system, and how it is kept.
 struct Confined {
@@ -72,21 +68,6 @@ std::filesystem::path program_folder();
 
 /// The end of what a program said, as a clause; empty where it was silent.
 std::string last_line_text(const std::string& said);
-
-/// An empty folder, gone with the object.
-class PrivateFolder {
- public:
-  PrivateFolder();
-  ~PrivateFolder();
-  PrivateFolder(const PrivateFolder&) = delete;
-  PrivateFolder& operator=(const PrivateFolder&) = delete;
-  const std::filesystem::path& path() const { return path_; }
-  /// Lets every user read it.
-  void open() const;
-
- private:
-  std::filesystem::path path_;
-};
 
 /// A process that is talked to through pipes, in a folder of its own; its end is the end of all
 /// that it started.
@@ -113,8 +94,9 @@ class Process {
   [[noreturn]] void fail(const std::string& what);
   [[noreturn]] void fail_ended();
   void listen();
+  bool has_ended(int& status);
   void kill_all();
-  bool must_sweep() const;
+  void kill_rest(pid_t group) const;
 
   PrivateFolder folder_;
   Confined confined_;

@@ -93,11 +93,6 @@ void declare(std::string_view value, const std::array<std::string_view, kCount>&
   declared = static_cast<Enum>(found - names.begin());
 }
 
-template <class Triple>
-std::string triple_text(const Triple& v) {
-  return fmt::format("{} {} {}", scene::shortest(v.x), scene::shortest(v.y), scene::shortest(v.z));
-}
-
 }  // namespace
 
 Introduction parse_introduction(std::string_view text) {
@@ -156,11 +151,11 @@ void Request::add(std::string_view words) {
 }
 
 Request& Request::camera(const scene::Camera& camera) {
-  add(fmt::format("camera {} {} {} {} {} {} {} {} {} {}\n", triple_text(camera.eye),
-                  triple_text(camera.look_at), triple_text(camera.up), scene::shortest(camera.near),
-                  scene::shortest(camera.left), scene::shortest(camera.right),
-                  scene::shortest(camera.bottom), scene::shortest(camera.top), camera.width,
-                  camera.height));
+  add(fmt::format("camera {} {} {} {} {} {} {} {} {} {}\n", scene::shortest_words(camera.eye),
+                  scene::shortest_words(camera.look_at), scene::shortest_words(camera.up),
+                  scene::shortest(camera.near), scene::shortest(camera.left),
+                  scene::shortest(camera.right), scene::shortest(camera.bottom),
+                  scene::shortest(camera.top), camera.width, camera.height));
   return *this;
 }
 
@@ -175,7 +170,7 @@ Request& Request::pixels(std::span<const scene::Pixel> pixels) {
 Request& Request::rays(std::span<const scene::Ray> rays) {
   std::string lines = fmt::format("rays {}\n", rays.size());
   for (const auto& [origin, direction] : rays) {
-    lines += triple_text(origin) + " " + triple_text(direction) + "\n";
+    lines += scene::shortest_words(origin) + " " + scene::shortest_words(direction) + "\n";
   }
   add(lines);
   return *this;
@@ -184,7 +179,7 @@ Request& Request::rays(std::span<const scene::Ray> rays) {
 Request& Request::spheres(std::span<const scene::Sphere> spheres) {
   std::string lines = fmt::format("spheres {}\n", spheres.size());
   for (const auto& [centre, radius] : spheres) {
-    lines += triple_text(centre) + " " + scene::shortest(radius) + "\n";
+    lines += scene::shortest_words(centre) + " " + scene::shortest(radius) + "\n";
   }
   add(lines);
   return *this;

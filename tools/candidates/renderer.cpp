@@ -22,11 +22,6 @@ using scene::Dialect;
 constexpr const char* kSceneFile = "scene.txt";
 constexpr const char* kImageFile = "image.ppm";
 
-template <class Triple>
-std::string words(const Triple& v) {
-  return fmt::format("{} {} {}", scene::shortest(v.x), scene::shortest(v.y), scene::shortest(v.z));
-}
-
 /// As many levels of a channel as give that many colours besides black.
 int levels_for(std::size_t count) {
   int levels = 2;
@@ -79,10 +74,11 @@ std::string driver_text(const scene::Scene& scene, Dialect dialect) {
   const std::string near = number(dialect == Dialect::kA ? -c.near : c.near);
   std::string text = "# written by raycheck\n";
   if (dialect == Dialect::kC) {
-    text += fmt::format("camera {} {} {} {}\n", words(c.eye), words(c.look_at), words(c.up), near);
+    text += fmt::format("camera {} {} {} {}\n", scene::shortest_words(c.eye),
+                        scene::shortest_words(c.look_at), scene::shortest_words(c.up), near);
   } else {
-    text += fmt::format("eye {}\nlook {}\nup {}\nd {}\n", words(c.eye), words(c.look_at),
-                        words(c.up), near);
+    text += fmt::format("eye {}\nlook {}\nup {}\nd {}\n", scene::shortest_words(c.eye),
+                        scene::shortest_words(c.look_at), scene::shortest_words(c.up), near);
   }
   text += dialect == Dialect::kA ? fmt::format("bounds {} {} {} {}\n", number(c.left),
                                                number(c.bottom), number(c.right), number(c.top))
@@ -92,9 +88,9 @@ std::string driver_text(const scene::Scene& scene, Dialect dialect) {
   const auto colours = id_colours(scene.spheres.size());
   for (std::size_t k = 0; k < scene.spheres.size(); ++k) {
     const auto& [centre, radius] = scene.spheres[k];
-    text += fmt::format("sphere {} {} {} {} {} 0 0 0 0 0 0 0 0 0\n", words(centre), number(radius),
-                        number(colours[k].red / 255.0), number(colours[k].green / 255.0),
-                        number(colours[k].blue / 255.0));
+    text += fmt::format("sphere {} {} {} {} {} 0 0 0 0 0 0 0 0 0\n", scene::shortest_words(centre),
+                        number(radius), number(colours[k].red / 255.0),
+                        number(colours[k].green / 255.0), number(colours[k].blue / 255.0));
   }
   return text;
 }

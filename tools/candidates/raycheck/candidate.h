@@ -2,8 +2,8 @@
 #define RAYCHECK_CANDIDATE_H_
 
 /* What a shared library offers so that raycheck can judge it (`--candidate library:PATH.so`): one
-   function, raycheck_candidate_functions(), that returns a struct raycheck_candidate. Every function
-   in it may be null: it is then not judged. In C++ <raycheck/candidate.hpp> is shorter.
+   function, raycheck_candidate_functions(), that returns a struct raycheck_candidate. Every
+   function in it may be null: it is then not judged. In C++ <raycheck/candidate.hpp> is shorter.
 
    Conventions. A camera looks along -W, W = (eye - look_at)/|eye - look_at|, U = up x W normalised,
    V = W x U. The image plane is at the signed position `near` along W (negative in front of the
@@ -59,10 +59,10 @@ typedef struct raycheck_hit {
 /* What a scene asks, or a candidate declares. AS_ASKED is for declarations: the candidate follows
    what it is asked. */
 enum { RAYCHECK_AS_ASKED = 0 };
-enum { RAYCHECK_ROWS_BOTTOM_FIRST = 1, RAYCHECK_ROWS_TOP_FIRST = 2 };      /* which row is j = 0 */
-enum { RAYCHECK_SAMPLES_EDGES = 1, RAYCHECK_SAMPLES_CENTRES = 2 };         /* i/(w-1), (i+1/2)/w */
-enum { RAYCHECK_ORIGIN_PIXEL = 1, RAYCHECK_ORIGIN_FOCAL = 2 };             /* rays start at P, E */
-enum { RAYCHECK_ROOT_NEAREST = 1, RAYCHECK_ROOT_SMALLER = 2 };             /* smallest s >= 0, or v-d */
+enum { RAYCHECK_ROWS_BOTTOM_FIRST = 1, RAYCHECK_ROWS_TOP_FIRST = 2 }; /* which row is j = 0 */
+enum { RAYCHECK_SAMPLES_EDGES = 1, RAYCHECK_SAMPLES_CENTRES = 2 };    /* i/(w-1), (i+1/2)/w */
+enum { RAYCHECK_ORIGIN_PIXEL = 1, RAYCHECK_ORIGIN_FOCAL = 2 };        /* rays start at P, E */
+enum { RAYCHECK_ROOT_NEAREST = 1, RAYCHECK_ROOT_SMALLER = 2 };        /* smallest s >= 0, or v-d */
 enum { RAYCHECK_TANGENT_HIT = 1, RAYCHECK_TANGENT_MISS = 2, RAYCHECK_TANGENT_EITHER = 3 };
 
 typedef struct raycheck_conventions {
@@ -97,7 +97,8 @@ typedef struct raycheck_candidate {
 #if defined(__GNUC__)
 __attribute__((visibility("default")))
 #endif
-const raycheck_candidate* raycheck_candidate_functions(void);
+const raycheck_candidate*
+raycheck_candidate_functions(void);
 
 #ifdef __cplusplus
 }

@@ -7,13 +7,14 @@
 //     using namespace raycheck;
 //
 //     Ray pixel_ray(const Camera& camera, const Conventions&, Pixel pixel) { ... }
-//     std::optional<Hit> intersect(const Ray& ray, const Sphere& sphere, const Conventions&) { ... }
+//     std::optional<Hit> intersect(const Ray& ray, const Sphere& sphere, const Conventions&) { ...
+//     }
 //
 //     RAYCHECK_CANDIDATE(.pixel_ray = pixel_ray, .intersect = intersect)
 //
 // What a function is to do stands in <raycheck/candidate.h>. The conventions that it fixes are
-// declared: RAYCHECK_CANDIDATE(.rows = Rows::top_first, .pixel_ray = pixel_ray). Members come in the
-// order of Functions. C++20.
+// declared: RAYCHECK_CANDIDATE(.rows = Rows::top_first, .pixel_ray = pixel_ray). Members come in
+// the order of Functions. C++20.
 
 #include <raycheck/candidate.h>
 
@@ -153,9 +154,9 @@ inline const raycheck_candidate* offer(const Functions& given) {
 }  // namespace raycheck
 
 /// Makes a shared library a candidate; once, outside of any namespace.
-#define RAYCHECK_CANDIDATE(...)                                                \
-  extern "C" const raycheck_candidate* raycheck_candidate_functions(void) {    \
-    return raycheck::detail::offer(raycheck::Functions{__VA_ARGS__});          \
+#define RAYCHECK_CANDIDATE(...)                                             \
+  extern "C" const raycheck_candidate* raycheck_candidate_functions(void) { \
+    return raycheck::detail::offer(raycheck::Functions{__VA_ARGS__});       \
   }
 
 #endif  // RAYCHECK_CANDIDATE_HPP_
