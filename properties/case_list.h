@@ -7,6 +7,9 @@
 
 namespace raycheck::properties {
 
+extern const CaseSource kCourseSource;  // course_cases.cpp
+extern const CaseSource kCourseBehindSource;
+
 extern const CaseSource kCamerasSource;  // camera_cases.cpp
 extern const CaseSource kPlainCamerasSource;
 extern const CaseSource kCrowdsSource;

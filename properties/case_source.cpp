@@ -11,13 +11,13 @@
 namespace raycheck::properties {
 namespace {
 
-const std::array<CaseSource, 21> kSources = {
-    kCamerasSource,        kPlainCamerasSource, kCrowdsSource,      kFarCameraSource,
-    kCameraScaleSource,    kUpSource,           kFieldOfViewSource, kImageSizeSource,
-    kNearPlaneSource,      kRaysSource,         kTiesSource,        kDistanceSource,
-    kTangencySource,       kTangentUlpsSource,  kSurfaceSource,     kInsideSource,
-    kHorizonSource,        kCoincidentSource,   kFarWorldSource,    kScaleSource,
-    kDirectionLengthSource};
+const std::array<CaseSource, 23> kSources = {
+    kCourseSource,      kCourseBehindSource, kCamerasSource,        kPlainCamerasSource,
+    kCrowdsSource,      kFarCameraSource,    kCameraScaleSource,    kUpSource,
+    kFieldOfViewSource, kImageSizeSource,    kNearPlaneSource,      kRaysSource,
+    kTiesSource,        kDistanceSource,     kTangencySource,       kTangentUlpsSource,
+    kSurfaceSource,     kInsideSource,       kHorizonSource,        kCoincidentSource,
+    kFarWorldSource,    kScaleSource,        kDirectionLengthSource};
 
 int any_severity(const Dial& dial, std::uint64_t seed) {
   Random random(~seed);  // apart from the draws that make the case

@@ -175,4 +175,18 @@ std::vector<Case> simpler(const Case& the_case) {
   return result;
 }
 
+Case smallest(Case from, int tries, const std::function<bool(const Case&)>& still) {
+  for (bool found = true; found && tries > 0;) {
+    found = false;
+    for (Case& next : simpler(from)) {
+      if (--tries < 0) break;
+      if (!still(next)) continue;
+      from = std::move(next);
+      found = true;
+      break;
+    }
+  }
+  return from;
+}
+
 }  // namespace raycheck::properties

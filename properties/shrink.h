@@ -1,6 +1,7 @@
 #ifndef RAYCHECK_PROPERTIES_SHRINK_H_
 #define RAYCHECK_PROPERTIES_SHRINK_H_
 
+#include <functional>
 #include <vector>
 
 #include "properties/trial.h"
@@ -17,6 +18,10 @@ std::vector<double> simpler(double value);
 /// Valid cases that are simpler in one respect: a sphere, pixel or ray fewer, a convention at its
 /// default, a smaller image, one number simpler.
 std::vector<Case> simpler(const Case& the_case);
+
+/// Where steps of simpler() lead from a case, each the first for which `still` holds; at most so
+/// many cases are tried.
+Case smallest(Case from, int tries, const std::function<bool(const Case&)>& still);
 
 }  // namespace raycheck::properties
 

@@ -131,18 +131,15 @@ void climb(WorstCase& at, const Climber& climber, int steps, const SearchOptions
 
 void shrink(WorstCase& at, const Climber& climber, const SearchOptions& options) {
   const double least = at.height / 2;
-  for (bool simpler_found = true; simpler_found && !options.interrupted();) {
-    simpler_found = false;
-    for (const Case& next : simpler(at.the_case)) {
-      std::optional<WorstCase> seen = climber.look(next);
-      if (!seen || seen->height < least || seen->stability.outcome != at.stability.outcome) {
-        continue;
-      }
-      at = std::move(*seen);
-      simpler_found = true;
-      break;
+  smallest(at.the_case, std::numeric_limits<int>::max(), [&](const Case& next) {
+    if (options.interrupted()) return false;
+    std::optional<WorstCase> seen = climber.look(next);
+    if (!seen || seen->height < least || seen->stability.outcome != at.stability.outcome) {
+      return false;
     }
-  }
+    at = std::move(*seen);
+    return true;
+  });
 }
 
 }  // namespace

@@ -75,7 +75,7 @@ TEST(List, names_every_method_law_and_convention) {
   }
   const json report = json::parse(run("list --format json").out);
   EXPECT_EQ(report["laws"].size(), 29u);
-  ASSERT_EQ(report["sources"].size(), 21u);
+  ASSERT_EQ(report["sources"].size(), 23u);
   EXPECT_TRUE(report["sources"][0]["dial"].is_null());
   EXPECT_EQ(report["sources"][3]["dial"]["highest"], 15);
 }
