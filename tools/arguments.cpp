@@ -73,16 +73,24 @@ std::vector<MethodPair> chosen_methods(const std::string& rays_name,
   return pairs;
 }
 
-void add_external(CLI::App& command, ExternalArguments& arguments) {
-  command.add_option("--candidate", arguments.candidates,
-                     "someone else's implementation instead: library:PATH.so, source:PATH, "
-                     "command:'WORDS' or renderer:'WORDS'; several times for several");
+void add_sandbox(CLI::App& command, std::string& sandbox) {
   command
-      .add_option("--sandbox", arguments.sandbox,
+      .add_option("--sandbox", sandbox,
                   "how candidates are kept: auto, what works here; require, refuse without seccomp "
                   "and bubblewrap; none, limits only")
       ->check(CLI::IsMember({"auto", "require", "none"}))
       ->capture_default_str();
+}
+
+Sandbox sandbox_of(const std::string& text) {
+  return text == "none" ? Sandbox::kNone : text == "require" ? Sandbox::kRequire : Sandbox::kAuto;
+}
+
+void add_external(CLI::App& command, ExternalArguments& arguments) {
+  command.add_option("--candidate", arguments.candidates,
+                     "someone else's implementation instead: library:PATH.so, source:PATH, "
+                     "command:'WORDS' or renderer:'WORDS'; several times for several");
+  add_sandbox(command, arguments.sandbox);
   command.add_option("--timeout", arguments.seconds, "seconds a candidate has for one reply")
       ->check(CLI::PositiveNumber)
       ->capture_default_str();
@@ -107,9 +115,7 @@ std::vector<Contestant> find_contestants(const ExternalArguments& arguments,
   std::vector<Contestant> found;
   if (arguments.candidates.empty()) return found;
   RunOptions options;
-  options.layers = chosen_layers(arguments.sandbox == "none"      ? Sandbox::kNone
-                                 : arguments.sandbox == "require" ? Sandbox::kRequire
-                                                                  : Sandbox::kAuto);
+  options.layers = chosen_layers(sandbox_of(arguments.sandbox));
   options.limits.seconds = arguments.seconds;
   options.dialect = dialect.value_or(options.dialect);
   options.excused_image_change = arguments.image_change;

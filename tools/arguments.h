@@ -30,6 +30,10 @@ extern const CLI::Validator kBound;
 std::vector<MethodPair> chosen_methods(const std::string& rays,
                                        const std::vector<std::string>& intersect);
 
+/// --sandbox, and what it says.
+void add_sandbox(CLI::App& command, std::string& sandbox);
+Sandbox sandbox_of(const std::string& text);
+
 /// What --candidate, --sandbox and --timeout are given.
 struct ExternalArguments {
   std::vector<std::string> candidates;

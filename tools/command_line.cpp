@@ -32,7 +32,7 @@ int run_command_line(int argc, char** argv) {
   app.require_subcommand(1);
   const std::vector<Command> commands = {add_check(app),  add_properties(app), add_explain(app),
                                          add_stress(app), add_tradeoff(app),   add_worst(app),
-                                         add_image(app),  add_plan(app),       add_generate(app),
+                                         add_image(app),  add_plan(app),       add_grade(app), add_generate(app),
                                          add_verify(app), add_list(app)};
   const std::string first = argc > 1 ? argv[1] : "";
   const bool is_command =

@@ -22,6 +22,7 @@ Command add_tradeoff(CLI::App& program);
 Command add_worst(CLI::App& program);
 Command add_image(CLI::App& program);
 Command add_plan(CLI::App& program);
+Command add_grade(CLI::App& program);
 Command add_generate(CLI::App& program);
 Command add_verify(CLI::App& program);
 Command add_list(CLI::App& program);

@@ -91,7 +91,7 @@ TEST(Candidate, is_right_in_java) {
   const std::string folder = temporary_file("java", "") + ".d";
   const std::string root = RAYCHECK_SOURCE_DIR;
   ASSERT_EQ(std::system(("javac -d " + folder + " " + root +
-                         "/tools/candidates/java/RaycheckCandidate.java " + root +
+                         "/tools/candidates/adapters/RaycheckCandidate.java " + root +
                          "/tests/candidates/Right.java")
                             .c_str()),
             0);

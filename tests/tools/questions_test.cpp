@@ -13,7 +13,7 @@ namespace {
 using nlohmann::json;
 
 const std::string kPython =
-    "PYTHONPATH=tools/candidates/python python3 tests/candidates/answers.py";
+    "PYTHONPATH=tools/candidates/adapters python3 tests/candidates/answers.py";
 const std::string kVerify = "'" RAYCHECK_BINARY "' verify ";
 
 Outcome piped(const std::string& generate, const std::string& program,

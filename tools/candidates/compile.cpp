@@ -13,18 +13,10 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr double kCompileSeconds = 120;
 constexpr std::uint64_t kCompilerProcesses = 256;
 constexpr std::uint64_t kCompilerFiles = 256;
+constexpr std::uintmax_t kMostBuilt = std::uintmax_t{256} << 20;
 constexpr const char* kEigen = "/usr/include/eigen3";
-
-/// Where <raycheck/candidate.h> is: beside an installed program, or in the sources it was built of.
-fs::path include_folder() {
-  const fs::path installed = program_folder().parent_path() / "include";
-  return opened_copy(fs::exists(installed / "raycheck" / "candidate.h")
-                         ? installed
-                         : fs::path(kSourceFolder) / "tools/candidates");
-}
 
 std::vector<fs::path> files_in(const fs::path& folder, std::string_view extension) {
   std::vector<fs::path> files;
@@ -77,15 +69,29 @@ class Step {
   Process process_;
 };
 
+/// Words are still to be said.
+Confined compiler(const RunOptions& options) {
+  Confined confined{{}, {}, options.layers, options.limits};
+  confined.limits.seconds = options.build_seconds;
+  confined.limits.processes = kCompilerProcesses;
+  confined.limits.files = kCompilerFiles;
+  return confined;
+}
+
 }  // namespace
+
+fs::path include_folder() {
+  const fs::path installed = program_folder().parent_path() / "include";
+  return opened_copy(fs::exists(installed / "raycheck" / "candidate.h")
+                         ? installed
+                         : fs::path(kSourceFolder) / "tools/candidates");
+}
 
 fs::path compile(const std::string& what, const fs::path& source, const fs::path& to,
                  const RunOptions& options) {
   const fs::path include = include_folder();
-  Confined confined{{}, {include}, options.layers, options.limits};
-  confined.limits.seconds = kCompileSeconds;
-  confined.limits.processes = kCompilerProcesses;
-  confined.limits.files = kCompilerFiles;
+  Confined confined = compiler(options);
+  confined.readable = {include};
   const bool is_folder = fs::is_directory(source);
   const fs::path folder = is_folder ? source : source.parent_path();
   confined.readable.push_back(folder);
@@ -121,6 +127,24 @@ fs::path compile(const std::string& what, const fs::path& source, const fs::path
   }
   const Step step(what, confined);
   return copied(step.folder() / "candidate.so", to);
+}
+
+void build(const fs::path& folder, const std::string& words, const fs::path& to,
+           const RunOptions& options) {
+  Confined confined = compiler(options);
+  confined.readable = {folder, include_folder()};
+  confined.arguments = {"sh", "-c",   "cp -r \"$1\"/. \"$2\"/*.java . && { " + words + "; } >&2",
+                        "sh", folder, adapters()};
+  const Step step(words, confined);
+  std::uintmax_t bytes = 0;
+  for (const auto& entry : fs::recursive_directory_iterator(step.folder())) {
+    if (!fs::is_regular_file(entry.symlink_status())) continue;
+    bytes += entry.file_size();
+    if (bytes > kMostBuilt) throw std::invalid_argument(words + ": it makes too large files");
+    const fs::path copy = to / fs::relative(entry.path(), step.folder());
+    fs::create_directories(copy.parent_path());
+    fs::copy_file(entry.path(), copy);
+  }
 }
 
 }  // namespace raycheck::tools

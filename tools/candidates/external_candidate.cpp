@@ -66,7 +66,7 @@ class Conversation {
       const std::string text = exchange(request, lines);
       return read(Reply(text, request.id()));
     } catch (const ProcessFailure& failure) {
-      silences_ += std::string_view(failure.what()).starts_with("gave no reply") ? 1 : 0;
+      silences_ += std::string_view(failure.what()).starts_with(kSilent) ? 1 : 0;
       fail(request, fmt::format("{}: it {}{}", function, failure.what(), last_line_text(said())));
     } catch (const ProtocolError& error) {
       fail(request, fmt::format("{}: {}", function, error.what()));

@@ -20,9 +20,9 @@ constexpr std::string_view kWays =
     "library:PATH.so, source:PATH, command:'WORDS' or "
     "renderer:'WORDS with {scene} and {image}'";
 
-fs::path existing(const std::string& what, const std::string& path) {
+fs::path existing(const std::string& what, const std::string& path, const RunOptions& options) {
   std::error_code error;
-  fs::path found = fs::canonical(path, error);
+  fs::path found = fs::canonical(options.folder / path, error);
   if (error) {
     throw std::invalid_argument(fmt::format("--candidate {}: {}: {}", what, path, error.message()));
   }
@@ -126,11 +126,12 @@ Confined program_of(const std::string& what, const std::string& words, const Run
     // A bare first word is a program on the path. Links stay: programs look at their own names.
     const bool is_program = program.arguments.empty() && word.find('/') == std::string::npos;
     std::error_code error;
-    if (is_program || !fs::exists(word, error)) {
+    const fs::path named = options.folder / word;
+    if (is_program || !fs::exists(named, error)) {
       program.arguments.push_back(word);
       continue;
     }
-    const fs::path path = opened(fs::absolute(word).lexically_normal());
+    const fs::path path = opened(fs::absolute(named).lexically_normal());
     const fs::path folder = Opened::folder_of(path);
     const bool is_everyones = folder == "/" || folder == fs::temp_directory_path();
     program.arguments.push_back(path);
@@ -170,11 +171,11 @@ External find_external(const std::string& what, const RunOptions& options) {
     throw std::invalid_argument(fmt::format("--candidate {}: give {}", what, kWays));
   }
   Opened opened(what, options.layers);
-  if (way == "library") return library(what, existing(what, rest), options);
+  if (way == "library") return library(what, existing(what, rest, options), options);
   if (way == "source") {
     const PrivateFolder built;
-    return library(what, compile(what, opened(existing(what, rest)), built.path(), options),
-                   options);
+    return library(
+        what, compile(what, opened(existing(what, rest, options)), built.path(), options), options);
   }
   if (way == "command") {
     const Confined program = program_of(what, rest, options, opened);

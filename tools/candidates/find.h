@@ -1,6 +1,7 @@
 #ifndef RAYCHECK_TOOLS_CANDIDATES_FIND_H_
 #define RAYCHECK_TOOLS_CANDIDATES_FIND_H_
 
+#include <filesystem>
 #include <string>
 
 #include "tools/candidates/external_candidate.h"
@@ -15,6 +16,9 @@ struct RunOptions {
   scene::Dialect dialect = scene::Dialect::kB;
   double excused_image_change = properties::kExcusedImageChange;
   double image_threshold = 0;
+  /// Relative paths start here; empty: in the working folder.
+  std::filesystem::path folder = {};
+  double build_seconds = 120;  ///< To compile it.
 };
 
 /// Someone else's implementation by what `--candidate` calls it:

@@ -63,13 +63,6 @@ void close_once(int& descriptor) {
   descriptor = -1;
 }
 
-/// Where the Python adapter is: beside an installed program, or in the sources it was built of.
-fs::path adapters() {
-  const fs::path installed = program_folder().parent_path() / "share" / "raycheck";
-  return opened_copy(fs::exists(installed) ? installed
-                                           : fs::path(kSourceFolder) / "tools/candidates/python");
-}
-
 /// Of the system what programs need: of /etc the loader's and Java's files, and no others.
 std::vector<std::string> system_paths() {
   std::vector<std::string> paths = {"/usr",
@@ -260,6 +253,12 @@ fs::path helper(const std::string& name) { return opened_copy(program_folder() /
 
 fs::path program_folder() { return fs::read_symlink("/proc/self/exe").parent_path(); }
 
+fs::path adapters() {
+  const fs::path installed = program_folder().parent_path() / "share" / "raycheck";
+  return opened_copy(fs::exists(installed) ? installed
+                                           : fs::path(kSourceFolder) / "tools/candidates/adapters");
+}
+
 std::string last_line_text(const std::string& said) {
   std::string text = said;
   while (!text.empty() && text.back() == '\n') text.pop_back();
@@ -375,7 +374,7 @@ std::string Process::exchange(std::string_view request,
   for (;;) {
     const auto left =
         std::chrono::duration_cast<std::chrono::milliseconds>(deadline - Clock::now()).count();
-    if (left <= 0) fail(fmt::format("gave no reply within {} s", confined_.limits.seconds));
+    if (left <= 0) fail(fmt::format("{} within {} s", kSilent, confined_.limits.seconds));
     std::array<pollfd, 3> streams = {
         {{output_, POLLIN, 0}, {error_, POLLIN, 0}, {request.empty() ? -1 : input_, POLLOUT, 0}}};
     if (poll(streams.data(), streams.size(), static_cast<int>(left)) < 0 && errno != EINTR) {

@@ -58,6 +58,7 @@ struct Confined {
 
 /// What went wrong with a candidate's process: "exited with 3", "was killed by signal 11
 /// (Segmentation fault)", "gave no reply within 10 s".
+inline constexpr std::string_view kSilent = "gave no reply";
 class ProcessFailure : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;
@@ -65,6 +66,10 @@ class ProcessFailure : public std::runtime_error {
 
 /// The folder in which raycheck and its helpers (raycheck-jail, raycheck-worker) lie.
 std::filesystem::path program_folder();
+
+/// Where the adapters of other languages are: beside an installed program, or in the sources that
+/// it was built of.
+std::filesystem::path adapters();
 
 /// The end of what a program said, as a clause; empty where it was silent.
 std::string last_line_text(const std::string& said);

@@ -1,0 +1,182 @@
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <array>
+#include <map>
+
+#include "tools/format.h"
+#include "tools/grade/html.h"
+#include "tools/grade/pages.h"
+#include "tools/grade/words.h"
+
+namespace raycheck::tools {
+namespace {
+
+constexpr int kBins = 10;
+
+/// 0 for what has no points.
+double share_of(const SubmissionGrade& grade) {
+  return grade.points > 0 ? grade.score / grade.points : 0;
+}
+
+std::string bar(double share, const char* kind) {
+  return fmt::format(
+      "<td class=\"{}\" style=\"width: 50%\"><span class=\"bar\" style=\"width: "
+      "{:.1f}%\"></span></td>",
+      kind, 100 * share);
+}
+
+std::string distribution(const ClassGrade& graded) {
+  std::array<std::size_t, kBins + 1> counts{};
+  for (const SubmissionGrade& grade : graded.submissions) {
+    ++counts[static_cast<std::size_t>(std::clamp(share_of(grade), 0.0, 1.0) * kBins)];
+  }
+  const std::size_t most =
+      std::max<std::size_t>(1, *std::max_element(counts.begin(), counts.end()));
+  std::string html = "<h2>Scores</h2>\n<table>\n";
+  for (int bin = kBins; bin >= 0; --bin) {
+    const std::size_t count = counts[static_cast<std::size_t>(bin)];
+    const std::string label =
+        bin == kBins ? "100% and more"
+                     : fmt::format("{}% to {}%", bin * 100 / kBins, (bin + 1) * 100 / kBins);
+    html += fmt::format("<tr><td>{}</td><td class=\"number\">{}</td>{}</tr>\n", label, count,
+                        bar(static_cast<double>(count) / static_cast<double>(most), "score"));
+  }
+  return html + "</table>\n";
+}
+
+std::string failing_items(const ClassGrade& graded) {
+  struct Row {
+    const Item* item;
+    std::size_t asked = 0, failing = 0, left_out = 0;
+  };
+  std::vector<Row> rows;
+  for (std::size_t k = 0; k < graded.rubric.items.size(); ++k) {
+    Row row{&graded.rubric.items[k]};
+    for (const SubmissionGrade& grade : graded.submissions) {
+      const ItemGrade& item = grade.items[k];
+      if (item.state == kNotAsked || !grade.refused.empty()) continue;
+      ++row.asked;
+      row.failing += item.state == kFails ? 1 : 0;
+      row.left_out += item.state == kLeftOut || item.state == kNotJudged ? 1 : 0;
+    }
+    rows.push_back(row);
+  }
+  std::stable_sort(rows.begin(), rows.end(),
+                   [](const Row& a, const Row& b) { return a.failing > b.failing; });
+  std::string html =
+      "<h2>Items that fail most</h2>\n<table>\n<tr><th>item</th><th "
+      "class=\"number\">fail</th><th class=\"number\">left out</th><th class=\"number\">asked"
+      "</th><th></th></tr>\n";
+  for (const Row& row : rows) {
+    html += fmt::format(
+        "<tr><td>{}</td><td class=\"number\">{}</td><td class=\"number\">{}</td><td "
+        "class=\"number\">{}</td>{}</tr>\n",
+        escaped(row.item->name), row.failing, row.left_out, row.asked,
+        bar(row.asked == 0 ? 0 : static_cast<double>(row.failing) / static_cast<double>(row.asked),
+            "fail"));
+  }
+  return html + "</table>\n";
+}
+
+std::string link(const SubmissionGrade& grade) {
+  std::string address;
+  for (const char c : grade.name) {
+    const bool is_plain = std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '-' || c == '_';
+    address += is_plain ? std::string(1, c) : fmt::format("%{:02X}", static_cast<unsigned char>(c));
+  }
+  return fmt::format("<a href=\"{}/report.html\">{}</a>", address, escaped(grade.name));
+}
+
+/// Submissions that give the same wrong answer to the same case.
+std::string alike(const ClassGrade& graded) {
+  struct Group {
+    std::string item, what, sentence;
+    std::vector<const SubmissionGrade*> members;
+  };
+  std::map<std::pair<std::size_t, std::string>, Group> groups;
+  for (const SubmissionGrade& grade : graded.submissions) {
+    for (std::size_t k = 0; k < grade.items.size(); ++k) {
+      const ItemGrade& item = grade.items[k];
+      if (item.first_wrong.empty()) continue;
+      Group& group = groups[{k, item.first_wrong}];
+      group.item = item.name;
+      group.what = item.first_wrong;
+      if (!item.sentences.empty()) group.sentence = item.sentences.front();
+      group.members.push_back(&grade);
+    }
+  }
+  std::vector<const Group*> shown;
+  for (const auto& [key, group] : groups) {
+    if (group.members.size() > 1) shown.push_back(&group);
+  }
+  std::stable_sort(shown.begin(), shown.end(), [](const Group* a, const Group* b) {
+    return a->members.size() > b->members.size();
+  });
+  std::string html = "<h2>Alike</h2>\n<p>The same wrong answer to the same case.</p>\n";
+  if (shown.empty()) return html + "<p>None.</p>\n";
+  for (const Group* group : shown) {
+    html += fmt::format(
+        "<details><summary><span class=\"name\">{}: {}</span></summary>\n<p>{}</p>"
+        "\n",
+        escaped(group->item), count_text(group->members.size(), "submission"),
+        escaped(group->what));
+    if (!group->sentence.empty())
+      html += "<p><strong>" + escaped(group->sentence) + "</strong></p>\n";
+    html += "<p>";
+    for (std::size_t k = 0; k < group->members.size(); ++k) {
+      html += (k == 0 ? "" : ", ") + link(*group->members[k]);
+    }
+    html += "</p></details>\n";
+  }
+  return html;
+}
+
+std::string everyone(const ClassGrade& graded) {
+  std::string html =
+      "<h2>Submissions</h2>\n<div class=\"wide\"><table>\n<tr><th>submission</th><th "
+      "class=\"number\">score</th>";
+  for (const Item& item : graded.rubric.items) {
+    html += "<th class=\"number\">" + escaped(item.name) + "</th>";
+  }
+  html += "</tr>\n";
+  for (const SubmissionGrade& grade : graded.submissions) {
+    html += fmt::format("<tr><td>{}</td><td class=\"number\">{} of {}</td>", link(grade),
+                        points_text(grade.score), points_text(grade.points));
+    if (!grade.refused.empty()) {
+      html += fmt::format("<td colspan=\"{}\">{}</td>", graded.rubric.items.size(),
+                          escaped(grade.refused.substr(0, grade.refused.find('\n'))));
+    } else {
+      for (const ItemGrade& item : grade.items) {
+        html += fmt::format("<td class=\"number\">{}</td>",
+                            item.state == kNotAsked ? "-" : points_text(item.score));
+      }
+    }
+    html += "</tr>\n";
+  }
+  return html + "</table></div>\n";
+}
+
+std::string summary(const ClassGrade& graded) {
+  std::vector<double> shares;
+  for (const SubmissionGrade& grade : graded.submissions) shares.push_back(share_of(grade));
+  std::sort(shares.begin(), shares.end());
+  const std::string median =
+      shares.empty() ? "-" : fmt::format("{:.0f}%", 100 * shares[(shares.size() - 1) / 2]);
+  std::string html =
+      fmt::format("<h1>{}</h1>\n<p>{}, median {}</p>\n", escaped(graded.rubric.title),
+                  count_text(graded.submissions.size(), "submission"), median);
+  if (graded.interrupted) {
+    html += "<p><strong>Interrupted: these are the submissions that were reached.</strong></p>\n";
+  }
+  return html;
+}
+
+}  // namespace
+
+std::string class_page(const ClassGrade& graded) {
+  return page(graded.rubric.title, summary(graded) + distribution(graded) + failing_items(graded) +
+                                       alike(graded) + everyone(graded));
+}
+
+}  // namespace raycheck::tools

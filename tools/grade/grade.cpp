@@ -1,0 +1,196 @@
+#include "tools/grade/grade.h"
+
+#include <fmt/core.h>
+
+#include <filesystem>
+#include <fstream>
+#include <stdexcept>
+
+#include "properties/image_explanation.h"
+#include "tools/grade/digest.h"
+#include "tools/grade/judge.h"
+#include "tools/grade/pages.h"
+#include "tools/in_order.h"
+#include "tools/methods.h"
+#include "tools/output_file.h"
+#include "tools/terminal.h"
+#include "tools/version.h"
+
+namespace raycheck::tools {
+namespace {
+
+namespace fs = std::filesystem;
+using RecordJson = nlohmann::json;
+
+constexpr const char* kRecord = "result.json";
+
+void judge_all(const Rubric& rubric, const properties::Candidate& candidate, bool is_renderer,
+               SubmissionGrade& grade) {
+  Judge judge(rubric, candidate, is_renderer, grade.seed);
+  for (std::size_t k = 0; k < rubric.items.size(); ++k) {
+    grade.items.push_back(judge.item(k, grade.items));
+    const ItemGrade& item = grade.items.back();
+    if (!item.bonus) grade.points += item.points;
+    grade.score += item.score;
+  }
+  grade.finished = !interrupted();
+}
+
+/// Nothing could be asked of it: every item has its points, and none is given.
+void refuse(const Rubric& rubric, const std::string& why, SubmissionGrade& grade) {
+  grade.refused = plain_text(why);
+  for (const Item& item : rubric.items) {
+    ItemGrade none;
+    none.name = item.name;
+    none.bonus = item.bonus;
+    none.points = item.points;
+    none.state = kNotJudged;
+    none.reason = "nothing could be asked";
+    if (!item.bonus) grade.points += item.points;
+    grade.items.push_back(std::move(none));
+  }
+}
+
+class Class {
+ public:
+  explicit Class(const GradeOptions& options)
+      : options_(options),
+        rubric_(load_rubric(options.rubric)),
+        layers_(chosen_layers(options.sandbox)),
+        submissions_(find_submissions(options.submissions)) {
+    for (const Submission& submission : submissions_) {
+      std::error_code error;
+      fs::create_directories(folder_of(submission), error);
+      if (error) {
+        throw std::invalid_argument(fmt::format("--out {}: {}", options.out, error.message()));
+      }
+    }
+  }
+
+  ClassGrade grade() {
+    ClassGrade result;
+    Progress progress("submissions");
+    struct Graded {
+      SubmissionGrade grade;
+      bool reused = false;
+    };
+    in_order<Graded>(
+        static_cast<std::int64_t>(submissions_.size()), options_.jobs,
+        [&](std::int64_t k) {
+          const Submission& submission = submissions_[static_cast<std::size_t>(k)];
+          Graded graded;
+          graded.grade = new_grade(submission);
+          if (std::optional<SubmissionGrade> known = record_of(submission, graded.grade.key)) {
+            graded = {std::move(*known), true};
+          } else {
+            grade_one(submission, graded.grade);
+          }
+          write(submission, graded.grade);
+          return graded;
+        },
+        [&](Graded& graded) {
+          result.reused += graded.reused ? 1 : 0;
+          result.submissions.push_back(std::move(graded.grade));
+          progress.show(
+              fmt::format("{} of {} graded", result.submissions.size(), submissions_.size()));
+        });
+    result.rubric = rubric_;
+    result.interrupted = interrupted();
+    const fs::path out(options_.out);
+    OutputFile("--out", out / "grades.csv").write(class_csv(result));
+    OutputFile("--out", out / "index.html").write(class_page(result));
+    return result;
+  }
+
+ private:
+  fs::path folder_of(const Submission& submission) const {
+    return fs::path(options_.out) / submission.name;
+  }
+
+  SubmissionGrade new_grade(const Submission& submission) const {
+    SubmissionGrade grade;
+    grade.name = submission.name;
+    grade.seed = options_.secret ? secret_seed(*options_.secret, submission.name) : options_.seed;
+    grade.key = digest({std::string(kVersion), rubric_.digest, digest(submission),
+                        std::to_string(grade.seed), layers_.text()});
+    grade.kept_by = layers_.text();
+    return grade;
+  }
+
+  void grade_one(const Submission& submission, SubmissionGrade& grade) const {
+    try {
+      const Prepared prepared = prepare(submission, rubric_, layers_);
+      grade.form = prepared.form;
+      judge_all(rubric_, external_candidate(prepared.external),
+                prepared.external.renderer.has_value(), grade);
+    } catch (const std::invalid_argument& error) {
+      refuse(rubric_, error.what(), grade);
+      grade.finished = !interrupted();
+    } catch (const std::exception& error) {
+      // Of this machine, not of the submission: it is graded again by the next run.
+      grade.items.clear();
+      grade.score = grade.points = 0;
+      refuse(rubric_, fmt::format("raycheck could not grade it: {}", error.what()), grade);
+    }
+  }
+
+  /// What an earlier run finished.
+  std::optional<SubmissionGrade> record_of(const Submission& submission,
+                                           const std::string& key) const {
+    std::ifstream file(folder_of(submission) / kRecord, std::ios::binary);
+    if (!file) return {};
+    try {
+      auto grade = RecordJson::parse(file).get<SubmissionGrade>();
+      if (grade.finished && grade.key == key) return grade;
+    } catch (const RecordJson::exception&) {
+      // no record, then
+    }
+    return {};
+  }
+
+  void write(const Submission& submission, const SubmissionGrade& grade) const {
+    const fs::path folder = folder_of(submission);
+    const auto put = [&](const std::string& name, const std::string& text) {
+      OutputFile("--out", folder / name).write(text);
+    };
+    for (const ItemGrade& item : grade.items) {
+      for (const FailingCase& failing : item.failing) {
+        put(file_name(item.name) + ".toml", failing.scene);
+        if (!failing.driver.empty()) put(file_name(item.name) + ".txt", failing.driver);
+      }
+    }
+    put("report.html", student_page(rubric_, grade));
+    if (options_.results_for == ResultsFor::kGradescope) {
+      put("results.json", gradescope_results(rubric_, grade));
+    } else if (options_.results_for == ResultsFor::kPrairieLearn) {
+      put("results.json", prairielearn_results(rubric_, grade));
+    }
+    put(kRecord, RecordJson(grade).dump(2) + "\n");
+  }
+
+  const GradeOptions& options_;
+  Rubric rubric_;
+  Layers layers_;
+  std::vector<Submission> submissions_;
+};
+
+}  // namespace
+
+ClassGrade grade(const GradeOptions& options) { return Class(options).grade(); }
+
+std::vector<SubmissionGrade> try_rubric(const Rubric& rubric, std::uint64_t seed) {
+  std::vector<SubmissionGrade> grades(2);
+  for (SubmissionGrade& grade : grades) grade.seed = seed;
+  grades[0].name = "functions";
+  properties::Candidate own = candidate_of(kDefaultMethods);
+  judge_all(rubric, own, false, grades[0]);
+  grades[1].name = "pictures";
+  properties::Candidate renderer;
+  renderer.name = "pictures";
+  renderer.excused_image_change = rubric.image_change;
+  renderer.image = properties::exact_image;
+  judge_all(rubric, renderer, true, grades[1]);
+  return grades;
+}
+
+}  // namespace raycheck::tools

@@ -1,0 +1,49 @@
+#ifndef RAYCHECK_TOOLS_GRADE_GRADE_H_
+#define RAYCHECK_TOOLS_GRADE_GRADE_H_
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "tools/grade/result.h"
+#include "tools/grade/rubric.h"
+#include "tools/grade/submission.h"
+
+namespace raycheck::tools {
+
+/// What is written of each submission for a course's system, besides what always is.
+enum class ResultsFor { kNone, kGradescope, kPrairieLearn };
+
+struct GradeOptions {
+  std::string rubric;
+  std::vector<std::string> submissions;
+  std::string out;  ///< A folder; it is made.
+  int jobs = 1;     ///< Submissions graded at a time.
+  std::uint64_t seed = 1;
+  std::optional<std::string> secret;  ///< Seeds follow from it and the submissions' names.
+  Sandbox sandbox = Sandbox::kAuto;
+  ResultsFor results_for = ResultsFor::kNone;
+};
+
+/// A class, graded: what the pages and tables about it are made of.
+struct ClassGrade {
+  Rubric rubric;
+  std::vector<SubmissionGrade> submissions;  ///< In the order given; those that were reached.
+  std::uint64_t reused = 0;                  ///< Of those, graded by an earlier run.
+  bool interrupted = false;
+};
+
+/// Grades every submission: OUT/NAME/ has its result.json and report.html as soon as it is done,
+/// OUT the pages of the class at the end. What an earlier run into the same folder finished, of the
+/// same files by the same rubric and seed, is not graded again.
+/// Errors: what load_rubric(), find_submissions() and chosen_layers() throw.
+ClassGrade grade(const GradeOptions& options);
+
+/// The rubric tried on raycheck's own methods, as a library and as a renderer: what a right
+/// submission is given.
+std::vector<SubmissionGrade> try_rubric(const Rubric& rubric, std::uint64_t seed);
+
+}  // namespace raycheck::tools
+
+#endif  // RAYCHECK_TOOLS_GRADE_GRADE_H_

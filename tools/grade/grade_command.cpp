@@ -1,0 +1,102 @@
+#include <tbb/info.h>
+
+#include <fstream>
+#include <iterator>
+#include <memory>
+#include <stdexcept>
+
+#include "tools/arguments.h"
+#include "tools/commands.h"
+#include "tools/grade/grade.h"
+#include "tools/grade/package.h"
+#include "tools/grade/pages.h"
+#include "tools/terminal.h"
+
+namespace raycheck::tools {
+namespace {
+
+struct Arguments {
+  GradeOptions options;
+  std::string secret_file;
+  std::string package;
+  std::string sandbox = "auto";
+  std::string format = "text";
+};
+
+std::string secret_of(const std::string& path) {
+  std::ifstream file(path, std::ios::binary);
+  std::string secret{std::istreambuf_iterator<char>(file), {}};
+  if (!file) throw std::invalid_argument("--secret-file " + path + ": cannot be read");
+  if (secret.empty()) throw std::invalid_argument("--secret-file " + path + ": is empty");
+  return secret;
+}
+
+/// Without submissions the rubric itself is tried.
+int try_command(const Arguments& arguments) {
+  ClassGrade tried;
+  tried.rubric = load_rubric(arguments.options.rubric);
+  tried.submissions = try_rubric(tried.rubric, arguments.options.seed);
+  print_report(arguments.format == "json"  ? class_json(tried)
+               : arguments.format == "csv" ? class_csv(tried)
+                                           : class_text(tried));
+  bool is_full = true;
+  for (const SubmissionGrade& grade : tried.submissions) {
+    for (const ItemGrade& item : grade.items) {
+      is_full = is_full && (item.state == kHolds || item.state == kNotAsked);
+      if (item.state != kFails) continue;
+      print_error(item.name + ": " +
+                  (item.reason.empty() ? "raycheck's own answer fails" : item.reason) + "\n");
+    }
+  }
+  return exit_code(interrupted(), !is_full, true);
+}
+
+int run_grade(const Arguments& arguments) {
+  catch_interrupts();
+  GradeOptions options = arguments.options;
+  if (!arguments.package.empty()) {
+    if (!options.submissions.empty()) {
+      throw std::invalid_argument("--package: grades nothing; leave out the submissions");
+    }
+    write_package(load_rubric(options.rubric), options.seed, arguments.package);
+    print_report("wrote " + arguments.package + "\n");
+    return kExitNothingFound;
+  }
+  if (options.submissions.empty()) return try_command(arguments);
+  if (options.out.empty()) throw std::invalid_argument("--out: give a folder for the results");
+  if (!arguments.secret_file.empty()) options.secret = secret_of(arguments.secret_file);
+  options.sandbox = sandbox_of(arguments.sandbox);
+  options.results_for = arguments.format == "gradescope"     ? ResultsFor::kGradescope
+                        : arguments.format == "prairielearn" ? ResultsFor::kPrairieLearn
+                                                             : ResultsFor::kNone;
+  const ClassGrade graded = grade(options);
+  print_report(arguments.format == "json"  ? class_json(graded)
+               : arguments.format == "csv" ? class_csv(graded)
+                                           : class_text(graded));
+  return exit_code(graded.interrupted, false, true);
+}
+
+}  // namespace
+
+Command add_grade(CLI::App& program) {
+  const auto given = std::make_shared<Arguments>();
+  Arguments& arguments = *given;
+  CLI::App& command = *program.add_subcommand(
+      "grade", "Grade submissions by a rubric; without any, try the rubric");
+  command.add_option("RUBRIC", arguments.options.rubric, "a TOML file")->required();
+  command.add_option("SUBMISSION", arguments.options.submissions, "folders or files handed in");
+  command.add_option("--out", arguments.options.out, "the folder that takes the results");
+  command.add_option("--jobs", arguments.options.jobs, "submissions graded at a time")
+      ->check(CLI::Range(1, 1024));
+  arguments.options.jobs = tbb::info::default_concurrency();
+  add_seed(command, arguments.options.seed);
+  command.add_option("--secret-file", arguments.secret_file,
+                     "a file of which, with its name, each submission's seed is made");
+  add_sandbox(command, arguments.sandbox);
+  command.add_option("--package", arguments.package,
+                     "write the zip file that Gradescope takes as an autograder");
+  add_format(command, arguments.format, {"text", "json", "csv", "gradescope", "prairielearn"});
+  return {&command, [given] { return run_grade(*given); }};
+}
+
+}  // namespace raycheck::tools

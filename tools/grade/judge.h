@@ -1,0 +1,44 @@
+#ifndef RAYCHECK_TOOLS_GRADE_JUDGE_H_
+#define RAYCHECK_TOOLS_GRADE_JUDGE_H_
+
+#include <chrono>
+#include <cstdint>
+
+#include "tools/grade/result.h"
+#include "tools/grade/rubric.h"
+
+namespace raycheck::tools {
+
+/// Asks a candidate what the items of a rubric ask, one after the other. The cases follow from the
+/// seed; what the candidate declares yields to the rubric's conventions. A case holds where the
+/// laws hold and the candidate answers all that raycheck's own methods answer.
+class Judge {
+ public:
+  /// `is_renderer`: it is asked for pictures, otherwise for functions.
+  Judge(const Rubric& rubric, properties::Candidate candidate, bool is_renderer,
+        std::uint64_t seed);
+
+  /// Domain: items in the order of the rubric, `before` what became of those before it.
+  ItemGrade item(std::size_t index, const std::vector<ItemGrade>& before);
+
+ private:
+  using Clock = std::chrono::steady_clock;
+
+  const Rubric& rubric_;
+  properties::Candidate candidate_;
+  bool is_renderer_;
+  std::uint64_t seed_;
+  Clock::time_point end_;
+};
+
+/// The item's points for a share of its cases.
+double score_of(const Item& item, std::uint64_t held, std::uint64_t cases);
+
+/// Of rubrics: pictures have at most so many pixels.
+inline constexpr std::int64_t kMostGradedPixels = std::int64_t{1} << 16;
+/// Functions are asked about at most so many rays of a scene, spread evenly.
+inline constexpr std::uint64_t kMostGradedRays = 512;
+
+}  // namespace raycheck::tools
+
+#endif  // RAYCHECK_TOOLS_GRADE_JUDGE_H_

@@ -1,0 +1,167 @@
+#include "tools/grade/package.h"
+
+#include <archive.h>
+#include <archive_entry.h>
+#include <fmt/core.h>
+
+#include <array>
+#include <cstdio>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <map>
+#include <memory>
+#include <sstream>
+#include <stdexcept>
+
+#include "tools/candidates/compile.h"
+#include "tools/candidates/process.h"
+#include "tools/output_file.h"
+
+namespace raycheck::tools {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Debian and Ubuntu call them so; what submissions are compiled and run with.
+constexpr const char* kSetup = R"(#!/usr/bin/env bash
+# Prepares the machine on which submissions are graded.
+set -euo pipefail
+if command -v apt-get > /dev/null && [ "$(id -u)" -eq 0 ];
+then apt - get update - qq DEBIAN_FRONTEND =
+    noninteractive apt - get install - y - qq-- no - install -
+    recommends bubblewrap cmake g++ libeigen3 - dev make openjdk - 17 - jdk -
+    headless python3 fi here = $(cd "$(dirname " $ { BASH_SOURCE[0] } ")" &&
+                                 pwd) if !"$here/raycheck/bin/raycheck" --version; then
+  echo "raycheck does not run here: choose a newer base image (Debian 12 or Ubuntu 24.04)" >&2
+  exit 1
+fi
+)";
+
+constexpr const char* kRun = R"(#!/usr/bin/env bash
+# Grades {root}/submission into {root}/results/results.json.
+root=${{RAYCHECK_AUTOGRADER:-/autograder}}
+source="$root/source"
+mkdir -p "$root/results"
+"$source/raycheck/bin/raycheck" grade "$source/rubric/{rubric}" "$root/submission" \
+  --seed {seed} --jobs 1 --out "$root/results" --format gradescope
+if [ -f "$root/results/submission/results.json" ]; then
+  cp "$root/results/submission/results.json" "$root/results/results.json"
+else
+  echo '{{"score": 0, "output": "raycheck could not grade this; ask your instructors"}}' \
+    > "$root/results/results.json"
+fi
+)";
+
+/// What every machine with a C++ compiler has; submissions need the compiler's own.
+bool is_of_the_system(const std::string& name) {
+  for (const char* own : {"libc.so", "libm.so", "libdl.so", "librt.so", "libpthread.so", "ld-linux",
+                          "libstdc++.so", "libgcc_s.so", "linux-vdso"}) {
+    if (name.find(own) != std::string::npos) return true;
+  }
+  return false;
+}
+
+/// The libraries that a program is loaded with: names and paths, as ldd lists them.
+std::map<std::string, fs::path> libraries_of(const fs::path& program) {
+  const std::unique_ptr<FILE, int (*)(FILE*)> pipe(
+      popen(fmt::format("ldd '{}'", program.string()).c_str(), "r"), pclose);
+  if (!pipe) throw std::runtime_error("--package: ldd does not run");
+  std::string text;
+  std::array<char, 4096> buffer{};
+  while (const std::size_t count = std::fread(buffer.data(), 1, buffer.size(), pipe.get())) {
+    text.append(buffer.data(), count);
+  }
+  std::map<std::string, fs::path> libraries;
+  std::istringstream words(text);
+  std::string name, arrow, path;
+  for (std::string line; std::getline(words, line);) {
+    std::istringstream parts(line);
+    if (parts >> name >> arrow >> path && arrow == "=>" && path.starts_with('/') &&
+        !is_of_the_system(name)) {
+      libraries[name] = path;
+    }
+  }
+  return libraries;
+}
+
+std::string read(const fs::path& path) {
+  std::ifstream file(path, std::ios::binary);
+  std::string bytes{std::istreambuf_iterator<char>(file), {}};
+  if (!file) throw std::runtime_error(fmt::format("--package: {} cannot be read", path.string()));
+  return bytes;
+}
+
+struct Part {
+  std::string bytes;
+  bool runs = false;
+};
+using Parts = std::map<std::string, Part>;
+
+void add_folder(const fs::path& folder, const std::string& to, Parts& parts) {
+  for (const auto& entry : fs::directory_iterator(folder)) {
+    if (!entry.is_regular_file()) continue;
+    parts[to + entry.path().filename().string()] = {read(entry.path())};
+  }
+}
+
+extern "C" la_ssize_t append_bytes(archive*, void* to, const void* bytes, std::size_t count) {
+  static_cast<std::string*>(to)->append(static_cast<const char*>(bytes), count);
+  return static_cast<la_ssize_t>(count);
+}
+
+std::string zipped(const Parts& parts) {
+  std::string bytes;
+  const std::unique_ptr<archive, int (*)(archive*)> zip(archive_write_new(), archive_write_free);
+  const auto require = [&](int result) {
+    if (result != ARCHIVE_OK) {
+      throw std::runtime_error(fmt::format("--package: {}", archive_error_string(zip.get())));
+    }
+  };
+  require(archive_write_set_format_zip(zip.get()));
+  require(archive_write_open(zip.get(), &bytes, nullptr, append_bytes, nullptr));
+  for (const auto& [name, part] : parts) {
+    const std::unique_ptr<archive_entry, void (*)(archive_entry*)> entry(archive_entry_new(),
+                                                                         archive_entry_free);
+    archive_entry_set_pathname(entry.get(), name.c_str());
+    archive_entry_set_size(entry.get(), static_cast<la_int64_t>(part.bytes.size()));
+    archive_entry_set_filetype(entry.get(), AE_IFREG);
+    archive_entry_set_perm(entry.get(), part.runs ? 0755 : 0644);
+    archive_entry_set_mtime(entry.get(), 946684800, 0);  // the same rubric makes the same file
+    require(archive_write_header(zip.get(), entry.get()));
+    if (archive_write_data(zip.get(), part.bytes.data(), part.bytes.size()) < 0) {
+      require(ARCHIVE_FATAL);
+    }
+  }
+  require(archive_write_close(zip.get()));
+  return bytes;
+}
+
+}  // namespace
+
+void write_package(const Rubric& rubric, std::uint64_t seed, const std::string& path) {
+  OutputFile file("--package", path);
+  const fs::path rubric_path(rubric.path);
+  const std::string rubric_name = rubric_path.filename().string();
+  Parts parts;
+  parts["setup.sh"] = {kSetup, true};
+  parts["run_autograder"] = {fmt::format(kRun, fmt::arg("root", "$root"),
+                                         fmt::arg("rubric", rubric_name), fmt::arg("seed", seed)),
+                             true};
+  parts["rubric/" + rubric_name] = {read(rubric_path)};
+  for (const std::string& name : rubric.scene_files) {
+    parts["rubric/" + name] = {read(rubric_path.parent_path() / name)};
+  }
+  for (const char* program : {"raycheck", "raycheck-jail", "raycheck-worker"}) {
+    const fs::path from = program_folder() / program;
+    parts[std::string("raycheck/bin/") + program] = {read(from), true};
+    for (const auto& [name, library] : libraries_of(from)) {
+      parts["raycheck/lib/" + name] = {read(library)};
+    }
+  }
+  add_folder(include_folder() / "raycheck", "raycheck/include/raycheck/", parts);
+  add_folder(adapters(), "raycheck/share/raycheck/", parts);
+  file.write(zipped(parts));
+}
+
+}  // namespace raycheck::tools

@@ -1,0 +1,18 @@
+#ifndef RAYCHECK_TOOLS_GRADE_PACKAGE_H_
+#define RAYCHECK_TOOLS_GRADE_PACKAGE_H_
+
+#include <cstdint>
+#include <string>
+
+#include "tools/grade/rubric.h"
+
+namespace raycheck::tools {
+
+/// Writes the zip file of a Gradescope autograder: setup.sh and run_autograder, the rubric with its
+/// scenes, and raycheck with the libraries that it needs besides those of C and C++.
+/// Errors: std::invalid_argument or std::runtime_error naming the file.
+void write_package(const Rubric& rubric, std::uint64_t seed, const std::string& path);
+
+}  // namespace raycheck::tools
+
+#endif  // RAYCHECK_TOOLS_GRADE_PACKAGE_H_

@@ -1,0 +1,113 @@
+#include <fmt/core.h>
+
+#include <algorithm>
+
+#include "tools/format.h"
+#include "tools/grade/pages.h"
+#include "tools/grade/words.h"
+
+namespace raycheck::tools {
+
+std::string points_text(double points) {
+  std::string text = fmt::format("{:.2f}", points);
+  while (text.back() == '0') text.pop_back();
+  if (text.back() == '.') text.pop_back();
+  return text;
+}
+
+std::string state_text(const ItemGrade& grade) {
+  if (grade.state == kHolds) {
+    return fmt::format("holds over {}, {}", count_text(grade.cases, "case"),
+                       count_text(grade.comparisons, "comparison"));
+  }
+  if (grade.state != kFails) return grade.state + ": " + grade.reason;
+  std::string text =
+      fmt::format("fails {} of {}", grade.cases - grade.held, count_text(grade.cases, "case"));
+  if (!grade.reason.empty()) text += fmt::format(" ({})", grade.reason);
+  return text;
+}
+
+std::string item_text(const Item& item, const ItemGrade& grade) {
+  std::string text;
+  const auto line = [&](const std::string& words) { text += words + "\n"; };
+  if (!item.asks.empty()) line("asked: " + item.asks);
+  line(state_text(grade));
+  for (const std::string& sentence : grade.sentences) line("mistake: " + sentence);
+  for (const FailingCase& failing : grade.failing) {
+    line("the law: " + failing.law);
+    line(failing.what);
+    if (!failing.actual.empty()) line("  got   " + failing.actual);
+    if (!failing.expected.empty()) line("  exact " + failing.expected);
+    if (!failing.step.empty()) line("goes wrong at: " + failing.step);
+  }
+  if (grade.state == kFails && !item.hint.empty()) line("hint: " + item.hint);
+  for (const FailingCase& failing : grade.failing) {
+    line(fmt::format("the smallest failing case (from {}), a scene for `raycheck check`:",
+                     failing.origin));
+    text += failing.scene;
+    if (!failing.driver.empty()) {
+      line("the same as a driver file:");
+      text += failing.driver;
+    }
+  }
+  return text;
+}
+
+std::string class_csv(const ClassGrade& graded) {
+  const auto quoted = [](const std::string& text) {
+    // What a spreadsheet would take for a formula is text.
+    std::string result = text.find_first_of("=+-@") == 0 ? "'" + text : text;
+    for (std::size_t at = 0; (at = result.find('"', at)) != std::string::npos; at += 2) {
+      result.insert(at, 1, '"');
+    }
+    return '"' + result + '"';
+  };
+  std::string text = "submission,score,points";
+  for (const Item& item : graded.rubric.items) text += "," + quoted(item.name);
+  text += ",refused\n";
+  for (const SubmissionGrade& grade : graded.submissions) {
+    text += fmt::format("{},{},{}", quoted(grade.name), points_text(grade.score),
+                        points_text(grade.points));
+    for (const ItemGrade& item : grade.items) {
+      text += "," + (item.state == kNotAsked ? "" : points_text(item.score));
+    }
+    const std::string first_line = grade.refused.substr(0, grade.refused.find('\n'));
+    text += "," + (first_line.empty() ? "" : quoted(first_line)) + "\n";
+  }
+  return text;
+}
+
+std::string class_text(const ClassGrade& graded) {
+  std::size_t width = 0;
+  for (const SubmissionGrade& grade : graded.submissions) {
+    width = std::max(width, grade.name.size());
+  }
+  std::string text = graded.rubric.title + "\n";
+  for (const SubmissionGrade& grade : graded.submissions) {
+    text += fmt::format("{:<{}}  {:>6} of {}", grade.name, width, points_text(grade.score),
+                        points_text(grade.points));
+    std::string failing;
+    for (const ItemGrade& item : grade.items) {
+      if (item.state == kFails) failing += (failing.empty() ? "" : ", ") + item.name;
+    }
+    if (!grade.refused.empty()) {
+      text += "  " + grade.refused.substr(0, grade.refused.find('\n'));
+    } else if (!failing.empty()) {
+      text += "  fails " + failing;
+    }
+    text += "\n";
+    for (const ItemGrade& item : grade.items) {
+      if (item.sentences.empty()) continue;
+      text += fmt::format("{:<{}}    {}\n", "", width, item.sentences.front());
+      break;
+    }
+  }
+  if (graded.interrupted) {
+    text += "INTERRUPTED: the same command goes on where it was cut.\n";
+  }
+  text += count_text(graded.submissions.size(), "submission") + " graded";
+  if (graded.reused > 0) text += fmt::format(", {} of them by an earlier run", graded.reused);
+  return text + "\n";
+}
+
+}  // namespace raycheck::tools

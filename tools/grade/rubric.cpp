@@ -1,0 +1,254 @@
+#include "tools/grade/rubric.h"
+
+#include <algorithm>
+#include <cmath>
+#include <fstream>
+#include <iterator>
+#include <set>
+
+#include "scene/toml_fields.h"
+#include "tools/grade/digest.h"
+
+namespace raycheck::tools {
+namespace {
+
+namespace fs = std::filesystem;
+using scene::TomlFields;
+using Field = TomlFields::Field;
+using Table = TomlFields::Table;
+
+constexpr std::array<std::string_view, 3> kDialectNames = {"A", "B", "C"};
+constexpr std::array<std::string_view, 2> kRaysNames = {"own", "given"};
+constexpr double kMostSeconds = 86400;
+constexpr std::int64_t kMostCases = 1000000;
+
+std::string read_file(const fs::path& path, const std::string& name) {
+  std::ifstream file(path, std::ios::binary);
+  std::string text{std::istreambuf_iterator<char>(file), {}};
+  if (!file) throw scene::SceneFileError(name + ": cannot be read");
+  return text;
+}
+
+class RubricReader {
+ public:
+  explicit RubricReader(const fs::path& path) : path_(path), fields_(path.string()) {}
+
+  Rubric read() {
+    const std::string text = read_file(path_, path_.string());
+    const toml::table root = scene::parse_toml(text, path_.string());
+    const Table file{root, "rubric", "", 1};
+    fields_.require_known(
+        file, {"title", "seconds", "reply_seconds", "build_seconds", "dialect", "image_change",
+               "t_threshold", "conventions", "tolerance", "form", "item"});
+    Rubric rubric;
+    rubric.path = path_.string();
+    rubric.title = given_text(file, "title", path_.stem().string());
+    set_positive(file, "seconds", rubric.seconds, kMostSeconds);
+    set_positive(file, "reply_seconds", rubric.reply_seconds, kMostSeconds);
+    set_positive(file, "build_seconds", rubric.build_seconds, kMostSeconds);
+    fields_.choose(file, "dialect", kDialectNames, rubric.dialect);
+    set_not_negative(file, "image_change", rubric.image_change);
+    set_not_negative(file, "t_threshold", rubric.t_threshold);
+    if (const auto field = fields_.optional(file, "conventions")) {
+      scene::read_conventions(fields_, fields_.table(*field), rubric.conventions);
+    }
+    if (const auto field = fields_.optional(file, "tolerance")) tolerance_ = tolerance(*field);
+    for (const Table& each : fields_.tables(file, "form")) rubric.forms.push_back(form(each));
+    for (const Table& each : fields_.tables(file, "item")) rubric.items.push_back(item(each));
+    if (rubric.items.empty()) fields_.fail(fields_.required(file, "item"), "has no items");
+    rubric.scene_files = {scene_files_.begin(), scene_files_.end()};
+    std::vector<std::string> digested = {text};
+    for (const std::string& name : rubric.scene_files) {
+      digested.push_back(name);
+      digested.push_back(read_file(path_.parent_path() / name, name));
+    }
+    rubric.digest = digest(digested);
+    return rubric;
+  }
+
+ private:
+  std::string given_text(const Table& from, std::string_view key, std::string otherwise) const {
+    const auto field = fields_.optional(from, key);
+    return field ? fields_.text(*field) : std::move(otherwise);
+  }
+  double number_between(const Field& field, double least, double most,
+                        std::string_view what) const {
+    const double value = fields_.number(field);
+    if (!(value >= least && value <= most)) fields_.fail(field, what);
+    return value;
+  }
+  void set_positive(const Table& from, std::string_view key, double& value, double most) const {
+    if (const auto field = fields_.optional(from, key)) {
+      value = number_between(*field, 0, most, "must be above 0, and at most a day");
+      if (value == 0) fields_.fail(*field, "must be above 0");
+    }
+  }
+  void set_not_negative(const Table& from, std::string_view key, double& value) const {
+    if (const auto field = fields_.optional(from, key)) {
+      value = number_between(*field, 0, HUGE_VAL, "must be 0 or more");
+    }
+  }
+
+  Tolerance tolerance(const Field& field) {
+    const Table from = fields_.table(field);
+    fields_.require_known(from, {"ulp", "conditioning"});
+    Tolerance result;
+    const auto set = [&](std::string_view key, std::optional<double>& value) {
+      if (const auto given = fields_.optional(from, key)) {
+        value = number_between(*given, 0, HUGE_VAL, "must be 0 or more");
+      }
+    };
+    set("ulp", result.ulp);
+    set("conditioning", result.conditioning);
+    if (result.ulp && result.conditioning) {
+      fields_.fail(field, "has both ulp and conditioning; give one");
+    }
+    return result;
+  }
+
+  Form form(const Table& from) {
+    fields_.require_known(from, {"has", "build", "candidate"});
+    Form result{fields_.text(fields_.required(from, "has")), given_text(from, "build", ""),
+                fields_.text(fields_.required(from, "candidate"))};
+    if (result.has.find('/') != std::string::npos) {
+      fields_.fail(fields_.required(from, "has"), "names a file of the submission's own folder");
+    }
+    return result;
+  }
+
+  void read_steps(const Table& from, Item& item) {
+    const auto field = fields_.optional(from, "steps");
+    if (item.credit == Credit::kSteps && !field) {
+      fields_.located().fail(from.line, from.prefix + "steps",
+                             "is missing: [[share, credit], ...]");
+    }
+    if (!field) return;
+    if (item.credit != Credit::kSteps) fields_.fail(*field, "goes with credit = \"steps\"");
+    for (const Field& step : fields_.list(*field)) {
+      const auto pair = fields_.list(step);
+      if (pair.size() != 2) fields_.fail(step, "must be [share, credit]");
+      constexpr std::string_view kShare = "must be between 0 and 1";
+      item.steps.push_back(
+          {number_between(pair[0], 0, 1, kShare), number_between(pair[1], 0, 1, kShare)});
+    }
+  }
+
+  Item item(const Table& from) {
+    fields_.require_known(from,
+                          {"name", "asks", "hint", "points", "bonus", "credit", "steps", "requires",
+                           "tolerance", "visibility", "detail", "functions", "pictures"});
+    Item result;
+    const Field name = fields_.required(from, "name");
+    result.name = fields_.text(name);
+    if (result.name.empty()) fields_.fail(name, "is empty");
+    if (names_.contains(result.name)) fields_.fail(name, "is the name of an item before it");
+    result.asks = given_text(from, "asks", "");
+    result.hint = given_text(from, "hint", "");
+    result.points = number_between(fields_.required(from, "points"), 0, 1e9, "must be 0 or more");
+    if (const auto field = fields_.optional(from, "bonus")) result.bonus = fields_.flag(*field);
+    fields_.choose(from, "credit", kCreditNames, result.credit);
+    read_steps(from, result);
+    if (const auto field = fields_.optional(from, "requires")) {
+      for (const Field& needed : fields_.list(*field)) {
+        result.needs.push_back(fields_.text(needed));
+        if (!names_.contains(result.needs.back())) {
+          fields_.fail(needed, "is no item before this one");
+        }
+      }
+    }
+    names_.insert(result.name);
+    const auto tolerance_given = fields_.optional(from, "tolerance");
+    result.tolerance = tolerance_given ? tolerance(*tolerance_given) : tolerance_;
+    fields_.choose(from, "visibility", kVisibilityNames, result.visibility);
+    fields_.choose(from, "detail", kDetailNames, result.detail);
+    if (const auto field = fields_.optional(from, "functions")) {
+      result.functions = questions(*field, false);
+    }
+    if (const auto field = fields_.optional(from, "pictures")) {
+      result.pictures = questions(*field, true);
+    }
+    if (!result.functions && !result.pictures) {
+      fields_.located().fail(from.line, from.prefix + "functions",
+                             "is missing, and so is pictures: the item asks nothing");
+    }
+    return result;
+  }
+
+  Questions questions(const Field& field, bool pictures) {
+    const Table from = fields_.table(field);
+    if (pictures) {
+      fields_.require_known(from, {"scenes", "sources", "cases"});
+    } else {
+      fields_.require_known(from, {"laws", "scenes", "sources", "cases", "rays"});
+    }
+    Questions result;
+    if (pictures) {
+      result.laws = {properties::find_law("image")};
+    } else {
+      const Field laws = fields_.required(from, "laws");
+      for (const Field& name : fields_.list(laws)) {
+        result.laws.push_back(properties::find_law(fields_.text(name)));
+        if (result.laws.back() == nullptr) {
+          fields_.fail(name, "is no law; `raycheck list` shows the laws");
+        }
+      }
+      if (result.laws.empty()) fields_.fail(laws, "names no law");
+      bool given = false;
+      fields_.choose(from, "rays", kRaysNames, given);
+      result.given_rays = given;
+    }
+    if (const auto scenes = fields_.optional(from, "scenes")) {
+      for (const Field& name : fields_.list(*scenes)) result.scenes.push_back(scene_of(name));
+    }
+    read_sources(from, result);
+    if (result.scenes.empty() && result.sources.empty()) {
+      fields_.fail(field, "names neither scenes nor sources");
+    }
+    return result;
+  }
+
+  void read_sources(const Table& from, Questions& result) {
+    if (const auto sources = fields_.optional(from, "sources")) {
+      for (const Field& name : fields_.list(*sources)) {
+        try {
+          result.sources.push_back(properties::chosen_source(fields_.text(name)));
+        } catch (const std::invalid_argument& error) {
+          fields_.fail(name, std::string(error.what()) + "; `raycheck list` shows the sources");
+        }
+      }
+    }
+    const auto cases = fields_.optional(from, "cases");
+    if (!result.sources.empty() && !cases) fields_.required(from, "cases");
+    if (!cases) return;
+    const std::int64_t count = fields_.integer(*cases, "a whole number of cases");
+    if (count < 1 || count > kMostCases) fields_.fail(*cases, "must be 1 to 1000000");
+    if (result.sources.empty()) fields_.fail(*cases, "goes with sources");
+    result.cases = static_cast<int>(count);
+  }
+
+  RubricScene scene_of(const Field& field) {
+    const std::string name = fields_.text(field);
+    if (fs::path(name).is_absolute() || name.find("..") != std::string::npos) {
+      fields_.fail(field, "must be a path below the rubric's folder");
+    }
+    try {
+      RubricScene scene{name, scene::load_scene(path_.parent_path() / name).scene};
+      scene_files_.insert(name);
+      return scene;
+    } catch (const scene::SceneFileError& error) {
+      fields_.fail(field, error.what());
+    }
+  }
+
+  fs::path path_;
+  TomlFields fields_;
+  Tolerance tolerance_;
+  std::set<std::string> names_;
+  std::set<std::string> scene_files_;
+};
+
+}  // namespace
+
+Rubric load_rubric(const fs::path& path) { return RubricReader(path).read(); }
+
+}  // namespace raycheck::tools

@@ -1,0 +1,111 @@
+#ifndef RAYCHECK_TOOLS_GRADE_RUBRIC_H_
+#define RAYCHECK_TOOLS_GRADE_RUBRIC_H_
+
+#include <array>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "properties/case_source.h"
+#include "properties/law.h"
+#include "scene/scene_file.h"
+
+namespace raycheck::tools {
+
+/// How an item's points follow from its cases.
+enum class Credit {
+  kAll,    ///< All points where every case holds, else none.
+  kShare,  ///< The share of the cases that hold.
+  kSteps   ///< The credit of the highest step that this share reaches.
+};
+inline constexpr std::array<std::string_view, 3> kCreditNames = {"all", "share", "steps"};
+
+/// From this share of the cases on, this share of the points.
+struct CreditStep {
+  double share = 0;
+  double credit = 0;
+};
+
+/// When students see an item, in the words of Gradescope.
+enum class Visibility { kVisible, kAfterDueDate, kAfterPublished, kHidden };
+inline constexpr std::array<std::string_view, 4> kVisibilityNames = {"visible", "after_due_date",
+                                                                     "after_published", "hidden"};
+
+/// What students see of a failing case: all, their own answer but not the right one, or nothing.
+enum class Detail { kFull, kActualOnly, kNothing };
+inline constexpr std::array<std::string_view, 3> kDetailNames = {"full", "actual-only", "nothing"};
+
+/// What errors are allowed; neither given: the documented bounds of direct/cross.
+struct Tolerance {
+  /// Errors up to so many units (ulp, u), and classes that a relative change of the inputs by as
+  /// many u may flip.
+  std::optional<double> ulp;
+  /// Errors up to so many times the condition number, at least 16, in units; and classes likewise
+  /// that 16 times as many u may flip.
+  std::optional<double> conditioning;
+};
+
+/// A scene file that an item asks about.
+struct RubricScene {
+  std::string name;  ///< As the rubric calls it.
+  scene::Scene scene;
+};
+
+/// The cases of an item, and the laws that are asked of each.
+struct Questions {
+  std::vector<const properties::Law*> laws;
+  std::vector<RubricScene> scenes;  ///< Every pixel or given ray.
+  std::vector<properties::ChosenSource> sources;
+  int cases = 0;            ///< So many random ones, from the sources in turn.
+  bool given_rays = false;  ///< Cameras' rays are raycheck's, not the submission's.
+};
+
+struct Item {
+  std::string name;
+  std::string asks;  ///< What is asked, for students.
+  std::string hint;
+  double points = 0;
+  bool bonus = false;  ///< Its points come on top.
+  Credit credit = Credit::kAll;
+  std::vector<CreditStep> steps;
+  std::vector<std::string> needs;  ///< Items that come before it and must have all points.
+  Tolerance tolerance;
+  Visibility visibility = Visibility::kVisible;
+  Detail detail = Detail::kFull;
+  std::optional<Questions> functions;  ///< Of libraries and programs; empty: not asked of them.
+  std::optional<Questions> pictures;   ///< Of renderers.
+};
+
+/// A form of submission: a folder in which a file of that name lies.
+struct Form {
+  std::string has;        ///< A name with * and ?.
+  std::string build;      ///< Shell words, run in a copy of the folder; empty: nothing to build.
+  std::string candidate;  ///< As for --candidate; {file} is the file found.
+};
+
+struct Rubric {
+  std::string path;
+  std::string title;
+  std::string digest;                           ///< Of the file and of the scenes that it names.
+  properties::DeclaredConventions conventions;  ///< Whatever a submission declares.
+  double seconds = 120;                         ///< For all that a submission is asked.
+  double reply_seconds = 5;                     ///< For one reply, or one picture.
+  double build_seconds = 60;
+  scene::Dialect dialect = scene::Dialect::kB;
+  double image_change = properties::kExcusedImageChange;
+  double t_threshold = 0;
+  std::vector<Form> forms;
+  std::vector<Item> items;
+  /// The files besides its own that it names, by the names it uses.
+  std::vector<std::string> scene_files;
+};
+
+/// Reads a rubric and the scenes that it names, beside it.
+/// Errors: scene::SceneFileError naming file, line, field and value.
+Rubric load_rubric(const std::filesystem::path& path);
+
+}  // namespace raycheck::tools
+
+#endif  // RAYCHECK_TOOLS_GRADE_RUBRIC_H_

@@ -1,0 +1,157 @@
+#include "tools/grade/submission.h"
+
+#include <fmt/core.h>
+#include <fnmatch.h>
+
+#include <algorithm>
+#include <fstream>
+#include <iterator>
+#include <map>
+#include <memory>
+#include <regex>
+#include <set>
+#include <stdexcept>
+
+#include "tools/candidates/compile.h"
+#include "tools/grade/digest.h"
+
+namespace raycheck::tools {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::uintmax_t kMostBytes = std::uintmax_t{64} << 20;
+constexpr std::size_t kMostFiles = 10000;
+
+/// The regular files of a submission, by their paths in it, in order. Links are not followed: they
+/// may lead to what is not the submission's.
+std::map<std::string, fs::path> files_of(const fs::path& path) {
+  std::map<std::string, fs::path> files;
+  if (!fs::is_directory(path)) return {{path.filename().string(), path}};
+  std::uintmax_t bytes = 0;
+  for (const auto& entry : fs::recursive_directory_iterator(path)) {
+    if (!fs::is_regular_file(entry.symlink_status())) continue;
+    files.emplace(fs::relative(entry.path(), path).string(), entry.path());
+    bytes += entry.file_size();
+    if (files.size() > kMostFiles || bytes > kMostBytes) {
+      throw std::invalid_argument(
+          fmt::format("it has more than {} files or {} MiB", kMostFiles, kMostBytes >> 20));
+    }
+  }
+  return files;
+}
+
+/// Where a folder has nothing but another, as unpacked archives do, that.
+fs::path innermost(fs::path path) {
+  while (fs::is_directory(path)) {
+    std::vector<fs::directory_entry> entries;
+    for (const auto& entry : fs::directory_iterator(path)) entries.push_back(entry);
+    if (entries.size() != 1 || !fs::is_directory(entries[0].symlink_status())) break;
+    path = entries[0].path();
+  }
+  return path;
+}
+
+std::string with_file(std::string text, const std::string& file) {
+  constexpr std::string_view kMark = "{file}";
+  for (std::size_t at; (at = text.find(kMark)) != std::string::npos;) {
+    text.replace(at, kMark.size(), file);
+  }
+  return text;
+}
+
+/// The form that fits, and the file that says so.
+std::pair<const Form*, std::string> form_of(const fs::path& folder, const Rubric& rubric) {
+  std::set<std::string> names;
+  for (const auto& entry : fs::directory_iterator(folder)) {
+    names.insert(entry.path().filename().string());
+  }
+  for (const Form& form : rubric.forms) {
+    for (const std::string& name : names) {
+      if (fnmatch(form.has.c_str(), name.c_str(), 0) == 0) return {&form, name};
+    }
+  }
+  std::string asked;
+  for (const Form& form : rubric.forms) asked += (asked.empty() ? "" : ", ") + form.has;
+  throw std::invalid_argument(
+      asked.empty() ? "the rubric has no [[form]] of submissions"
+                    : fmt::format("it has none of the files that are asked for: {}", asked));
+}
+
+}  // namespace
+
+std::vector<Submission> find_submissions(const std::vector<std::string>& paths) {
+  std::vector<Submission> found;
+  std::map<std::string, std::string> known;
+  for (const std::string& given : paths) {
+    std::error_code error;
+    const fs::path path = fs::canonical(given, error);
+    if (error) throw std::invalid_argument(fmt::format("{}: {}", given, error.message()));
+    const std::string name =
+        fs::is_directory(path) ? path.filename().string() : path.stem().string();
+    const auto [other, is_new] = known.try_emplace(name, given);
+    if (!is_new) {
+      throw std::invalid_argument(
+          fmt::format("{}: {} has the same name, {}", given, other->second, name));
+    }
+    found.push_back({name, path});
+  }
+  return found;
+}
+
+std::string digest(const Submission& submission) {
+  std::vector<std::string> texts;
+  try {
+    for (const auto& [name, path] : files_of(submission.path)) {
+      std::ifstream file(path, std::ios::binary);
+      texts.push_back(name);
+      texts.emplace_back(std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>());
+    }
+  } catch (const std::exception& error) {
+    texts = {error.what()};
+  }
+  return digest(texts);
+}
+
+Prepared prepare(const Submission& submission, const Rubric& rubric, const Layers& layers) {
+  auto folder = std::make_shared<PrivateFolder>();
+  for (const auto& [name, path] : files_of(innermost(submission.path))) {
+    const fs::path to = folder->path() / name;
+    fs::create_directories(to.parent_path());
+    fs::copy_file(path, to);
+  }
+  const auto [form, file] = form_of(folder->path(), rubric);
+  RunOptions options;
+  options.layers = layers;
+  options.limits.seconds = rubric.reply_seconds;
+  options.build_seconds = rubric.build_seconds;
+  options.dialect = rubric.dialect;
+  options.excused_image_change = rubric.image_change;
+  options.image_threshold = rubric.t_threshold;
+  open_to_others(folder->path());
+  if (!form->build.empty()) {
+    auto built = std::make_shared<PrivateFolder>();
+    build(folder->path(), with_file(form->build, file), built->path(), options);
+    folder = std::move(built);
+    open_to_others(folder->path());
+  }
+  options.folder = folder->path();
+  const std::string what = with_file(form->candidate, file);
+  Prepared prepared{find_external(what, options), what};
+  // The program's folder lasts as long as it; a library has one of its own.
+  if (!prepared.external.folder) prepared.external.folder = std::move(folder);
+  return prepared;
+}
+
+std::string plain_text(std::string text) {
+  static const std::regex folders(fs::temp_directory_path().string() +
+                                  "/raycheck-[A-Za-z0-9]{6}/?");
+  text = std::regex_replace(text, folders, "");
+  for (char& c : text) {
+    const auto byte = static_cast<unsigned char>(c);
+    if ((byte < ' ' && c != '\n' && c != '\t') || byte > '~') c = '?';
+  }
+  return text;
+}
+
+}  // namespace raycheck::tools

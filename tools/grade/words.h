@@ -1,0 +1,18 @@
+#ifndef RAYCHECK_TOOLS_GRADE_WORDS_H_
+#define RAYCHECK_TOOLS_GRADE_WORDS_H_
+
+#include <string>
+
+#include "tools/grade/result.h"
+
+namespace raycheck::tools {
+
+/// At most two decimals, none that say nothing: "7", "2.5".
+std::string points_text(double points);
+
+/// "holds over 40 cases", "fails 3 of 40 cases", "left out: it needs ..."
+std::string state_text(const ItemGrade& grade);
+
+}  // namespace raycheck::tools
+
+#endif  // RAYCHECK_TOOLS_GRADE_WORDS_H_
