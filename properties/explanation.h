@@ -1,0 +1,25 @@
+#ifndef RAYCHECK_PROPERTIES_EXPLANATION_H_
+#define RAYCHECK_PROPERTIES_EXPLANATION_H_
+
+#include <cstdint>
+#include <string>
+
+namespace raycheck::properties {
+
+/// One convention or one classic mistake that makes right what was wrong.
+struct Explanation {
+  std::string sentence;  ///< "rows are upside down"
+  std::uint64_t errors = 0, explained = 0;
+};
+
+/// What explains fewer of the errors, or contradicts as many answers as it leaves errors, is none.
+inline constexpr double kExplainedShare = 0.9;
+
+/// How many answers an explanation may leave otherwise than it says, of so many errors.
+constexpr std::uint64_t most_unexplained(std::uint64_t errors) {
+  return static_cast<std::uint64_t>(static_cast<double>(errors) * (1 - kExplainedShare));
+}
+
+}  // namespace raycheck::properties
+
+#endif  // RAYCHECK_PROPERTIES_EXPLANATION_H_
