@@ -7,6 +7,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "properties/fast_candidate.h"
 #include "properties/mistake_list.h"
 #include "properties/trial.h"
 
@@ -113,38 +114,52 @@ std::optional<Answers> try_to_ask(Stage stage, const Question& question,
   }
 }
 
-/// What a candidate answered to a question at a stage, and what is right.
+/// What a candidate answered to a question at a stage, what is right, and what other right formulas
+/// make of it.
 struct Given {
   const Question* question;
   Answers answers, right;
-  std::vector<bool> is_open;  ///< Either answer is right.
+  std::vector<Answers> also_right;
 };
 
-/// The answers that differ from those expected.
+/// The answers that differ from those expected, but for those that are right in another way.
 std::uint64_t count_different(const Given& given, const Answers& expected, double tolerance) {
   std::uint64_t count = 0;
   for (std::size_t k = 0; k < given.answers.size(); ++k) {
-    if (given.is_open[k] || agree(given.answers[k], expected[k], tolerance)) continue;
+    const Answer& answer = given.answers[k];
+    const auto is_like = [&](const Answers& other) { return agree(answer, other[k], tolerance); };
+    if (is_like(expected)) continue;
+    if (!is_like(given.right) &&
+        std::any_of(given.also_right.begin(), given.also_right.end(), is_like)) {
+      continue;
+    }
     ++count;
   }
   return count;
 }
 
-/// Where an answer hangs on what the convention leaves open.
-std::vector<bool> open_answers(Stage stage, Question question, const Answers& right) {
-  std::vector<bool> is_open(right.size());
-  scene::Conventions& conventions = question.the_case.scene.conventions;
-  if (conventions.tangent != scene::Tangent::kEither || stage < Stage::kIntersect) return is_open;
-  conventions.tangent = scene::Tangent::kMiss;
-  const Answers others = ask(stage, question, right_candidate()).value();
-  for (std::size_t k = 0; k < right.size(); ++k) is_open[k] = right[k].choice != others[k].choice;
-  return is_open;
+/// The methods of fast/ beside direct/cross, but for those that are less precise than a candidate.
+std::vector<Candidate> other_right_candidates(const Candidate& candidate) {
+  std::vector<Candidate> others;
+  const double coarsest = std::max(candidate.unit_roundoff, kDoubleRoundoff);
+  const auto add = [&](const fast::PixelRayMethod& rays, const fast::IntersectMethod& intersect) {
+    Candidate other = fast_candidate(rays, intersect);
+    if (other.unit_roundoff <= coarsest) others.push_back(std::move(other));
+  };
+  for (const auto* rays : fast::pixel_ray_methods()) {
+    if (rays != &fast::kDirectRays) add(*rays, fast::kCross);
+  }
+  for (const auto* intersect : fast::intersect_methods()) {
+    if (intersect != &fast::kCross) add(fast::kDirectRays, *intersect);
+  }
+  return others;
 }
 
 /// A candidate's answers to cases, each stage's worked out when first asked for.
 class Examination {
  public:
-  Examination(std::span<const Case> cases, const Candidate& candidate) : candidate_(candidate) {
+  Examination(std::span<const Case> cases, const Candidate& candidate)
+      : candidate_(candidate), others_(other_right_candidates(candidate)) {
     for (const Case& the_case : cases) {
       if (!is_inside_domain(candidate, the_case.scene)) continue;
       questions_.push_back({the_case, {}});
@@ -162,9 +177,11 @@ class Examination {
     for (const Question& question : questions_) {
       std::optional<Answers> answers = try_to_ask(stage, question, candidate_);
       if (!answers) continue;
-      Answers right = ask(stage, question, right_).value();
-      std::vector<bool> is_open = open_answers(stage, question, right);
-      known->push_back({&question, std::move(*answers), std::move(right), std::move(is_open)});
+      Given given = {&question, std::move(*answers), ask(stage, question, right_).value(), {}};
+      if (count_different(given, given.right, kAnswerTolerances.front()) > 0) {
+        given.also_right = ask_others(stage, question);
+      }
+      known->push_back(std::move(given));
     }
     return *known;
   }
@@ -191,8 +208,24 @@ class Examination {
   }
 
  private:
+  std::vector<Answers> ask_others(Stage stage, Question question) const {
+    std::vector<Answers> answers;
+    scene::Conventions& conventions = question.the_case.scene.conventions;
+    const auto add = [&](const Candidate& other) {
+      if (!(other.declared.over(conventions) == conventions)) return;
+      if (auto its = try_to_ask(stage, question, other)) answers.push_back(std::move(*its));
+    };
+    for (const Candidate& other : others_) add(other);
+    if (conventions.tangent == scene::Tangent::kEither && stage >= Stage::kIntersect) {
+      conventions.tangent = scene::Tangent::kMiss;
+      add(right_);
+    }
+    return answers;
+  }
+
   const Candidate& candidate_;
   const Candidate right_ = right_candidate();
+  const std::vector<Candidate> others_;
   std::vector<Question> questions_;
   std::array<std::optional<std::vector<Given>>, kStageCount> given_;
 };
