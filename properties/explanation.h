@@ -12,10 +12,11 @@ struct Explanation {
   std::uint64_t errors = 0, explained = 0;
 };
 
-/// What explains fewer of the errors, or contradicts as many answers as it leaves errors, is none.
+/// The least share of the errors that is explained; a right answer that the explanation contradicts
+/// counts against it as an error that it leaves.
 inline constexpr double kExplainedShare = 0.9;
 
-/// How many answers an explanation may leave otherwise than it says, of so many errors.
+/// How many answers may be otherwise than an explanation says, of so many errors.
 constexpr std::uint64_t most_unexplained(std::uint64_t errors) {
   return static_cast<std::uint64_t>(static_cast<double>(errors) * (1 - kExplainedShare));
 }

@@ -31,17 +31,22 @@ ImageAnswer seen(const Scene& scene, const Conventions& conventions) {
   return image;
 }
 
-/// The image whose pixels are other ones'; empty where these lie outside.
-std::optional<ImageAnswer> rearranged(const ImageAnswer& image, const Camera& camera,
-                                      const ChangePixel& source) {
+/// The image whose pixels are other ones'.
+ImageAnswer rearranged(const ImageAnswer& image, const Camera& camera, const ChangePixel& source) {
   ImageAnswer result;
   result.reserve(image.size());
   for (const Pixel& pixel : all_pixels(camera)) {
     const auto [i, j] = source(camera, pixel);
-    if (i >= camera.width || j >= camera.height) return {};
     result.push_back(image[static_cast<std::size_t>(j * camera.width + i)]);
   }
   return result;
+}
+
+/// Whether a mistake is a right answer to another question about the same number of pixels.
+bool is_exact(const Mistake& mistake, const Camera& camera) {
+  if (!mistake.pixel) return mistake.camera || mistake.conventions;
+  const auto [i, j] = mistake.pixel(camera, {camera.width - 1, camera.height - 1});
+  return i < camera.width && j < camera.height;
 }
 
 /// The whole image as a right formula makes it of what the mistake takes for the question, exactly;
@@ -52,6 +57,10 @@ std::optional<ImageAnswer> exactly(const Mistake& mistake, const Scene& asked,
   const Scene other = mistaken(mistake, asked, asked.conventions);
   if (other == asked || !scene::problems(other).empty()) return {};
   return seen(other, other.conventions);
+}
+
+bool shows_nothing(const ImageAnswer& image) {
+  return std::none_of(image.begin(), image.end(), [](const auto& sphere) { return bool(sphere); });
 }
 
 bool is_right(const std::optional<std::size_t>& answer, const std::optional<std::size_t>& truth) {
@@ -117,22 +126,18 @@ class Best {
   std::vector<Explanation> found_;
 };
 
-bool is_formula(const Mistake& mistake) {
-  return !mistake.camera && !mistake.conventions && !mistake.pixel;
-}
-
 }  // namespace
 
 std::vector<Explanation> explanations(const Scene& scene, const Conventions& conventions,
                                       const ImageAnswer& image) {
   const ImageAnswer truth = seen(scene, conventions);
   const std::uint64_t wrong = errors(image, truth);
-  if (wrong == 0) return {};
+  if (wrong == 0 || shows_nothing(image)) return {};
   Scene asked = scene;
   asked.conventions = conventions;
   Best best(wrong);
   for (const Mistake& mistake : mistakes()) {
-    if (is_formula(mistake)) continue;
+    if (!is_exact(mistake, *asked.camera)) continue;
     if (const auto other = exactly(mistake, asked, truth)) {
       best.add(mistake.sentence, errors(image, *other));
     }
@@ -141,7 +146,7 @@ std::vector<Explanation> explanations(const Scene& scene, const Conventions& con
   if (!most) return best.take();
   const std::size_t step = sampling_step(image, *asked.camera);
   for (const Mistake& mistake : mistakes()) {
-    if (!is_formula(mistake)) continue;
+    if (is_exact(mistake, *asked.camera)) continue;
     // Twice what an even sample of as many errors would show, and a few by chance.
     const std::uint64_t most_of_sample = 2 * *most / step + 16;
     if (step > 1 && errors(image, asked, mistake.candidate, step, most_of_sample) > most_of_sample)

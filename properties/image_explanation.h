@@ -11,7 +11,7 @@ namespace raycheck::properties {
 /// What explains at least kExplainedShare of an image's errors; of several the best, all where they
 /// explain as many. The image as another camera, other conventions or another order of pixels make
 /// it is worked out exactly; as a wrong formula makes it, in doubles, and one is named only where
-/// it explains more than any of these.
+/// it explains more than any of these. An image that shows nothing does not tell why: none.
 /// Domain: a scene with a camera; an answer for every pixel, under these conventions.
 std::vector<Explanation> explanations(const scene::Scene& scene,
                                       const scene::Conventions& conventions,
