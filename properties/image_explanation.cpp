@@ -1,24 +1,21 @@
 #include "properties/image_explanation.h"
 
 #include <algorithm>
-#include <functional>
+#include <numeric>
 #include <utility>
 
+#include "properties/mistakes.h"
+#include "properties/trial.h"
 #include "reference/visibility.h"
 #include "scene/plan.h"
 #include "scene/validate.h"
 
 namespace raycheck::properties {
-namespace {
 
-using scene::Camera;
-using scene::Conventions;
-using scene::Scene;
-
-ImageAnswer seen(const Scene& scene, const Conventions& conventions) {
+ImageAnswer exact_image(const scene::Scene& scene, const scene::Conventions& conventions) {
   const reference::Visibility visibility(
       scene, scene::plan_scene(scene, conventions, scene::Wanted::kNearest));
-  const Camera& camera = *scene.camera;
+  const scene::Camera& camera = *scene.camera;
   std::vector<std::int32_t> spheres(static_cast<std::size_t>(camera.width * camera.height));
   visibility.nearest(0, camera.height, {spheres, {}, {}, {}, {}});
   ImageAnswer image(spheres.size());
@@ -28,151 +25,137 @@ ImageAnswer seen(const Scene& scene, const Conventions& conventions) {
   return image;
 }
 
-/// Of the spheres that a pixel's ray meets the first in the file, or the last.
-ImageAnswer seen_in_file_order(const Scene& scene, const Conventions& conventions, bool last) {
-  const reference::Visibility visibility(
-      scene, scene::plan_scene(scene, conventions, scene::Wanted::kClass));
-  const Camera& camera = *scene.camera;
-  ImageAnswer image(static_cast<std::size_t>(camera.width * camera.height));
-  std::vector<reference::HitClass> classes(image.size());
-  for (std::size_t sphere = 0; sphere < scene.spheres.size(); ++sphere) {
-    visibility.classes(sphere, 0, camera.height, classes);
-    for (std::size_t k = 0; k < image.size(); ++k) {
-      if (classes[k] != reference::HitClass::kMiss && (last || !image[k])) image[k] = sphere;
-    }
-  }
-  return image;
-}
+namespace {
 
-/// The image whose pixel (i, j) is that of another one.
-template <class Source>
-ImageAnswer rearranged(const ImageAnswer& image, const Camera& camera, const Source& source) {
-  ImageAnswer result(image.size());
-  for (std::int64_t j = 0; j < camera.height; ++j) {
-    for (std::int64_t i = 0; i < camera.width; ++i) {
-      const auto [from_i, from_j] = source(i, j);
-      result[static_cast<std::size_t>(j * camera.width + i)] =
-          image[static_cast<std::size_t>(from_j * camera.width + from_i)];
-    }
+using scene::Camera;
+using scene::Conventions;
+using scene::Pixel;
+using scene::Scene;
+
+/// The image whose pixels are other ones'.
+ImageAnswer rearranged(const ImageAnswer& image, const Camera& camera, const ChangePixel& source) {
+  ImageAnswer result;
+  result.reserve(image.size());
+  for (const Pixel& pixel : all_pixels(camera)) {
+    const auto [i, j] = source(camera, pixel);
+    result.push_back(image[static_cast<std::size_t>(j * camera.width + i)]);
   }
   return result;
 }
 
+/// Whether a mistake is a right answer to another question about the same number of pixels.
+bool is_exact(const Mistake& mistake, const Camera& camera) {
+  if (!mistake.pixel) return mistake.camera || mistake.conventions;
+  const auto [i, j] = mistake.pixel(camera, {camera.width - 1, camera.height - 1});
+  return i < camera.width && j < camera.height;
+}
+
+/// The whole image as a right formula makes it of what the mistake takes for the question, exactly;
+/// empty where that is no question, or the one that was asked.
+std::optional<ImageAnswer> exactly(const Mistake& mistake, const Scene& asked,
+                                   const ImageAnswer& truth) {
+  if (mistake.pixel) return rearranged(truth, *asked.camera, mistake.pixel);
+  const Scene other = mistaken(mistake, asked, asked.conventions);
+  if (other == asked || !scene::problems(other).empty()) return {};
+  return exact_image(other, other.conventions);
+}
+
+bool shows_nothing(const ImageAnswer& image) {
+  return std::none_of(image.begin(), image.end(), [](const auto& sphere) { return bool(sphere); });
+}
+
+bool is_right(const std::optional<std::size_t>& answer, const std::optional<std::size_t>& truth) {
+  return answer == truth || (answer == kSomeSphere && truth);
+}
+
 std::uint64_t errors(const ImageAnswer& image, const ImageAnswer& truth) {
   std::uint64_t count = 0;
-  for (std::size_t k = 0; k < image.size(); ++k) {
-    const bool is_right = image[k] == truth[k] || (image[k] == kSomeSphere && truth[k]);
-    count += is_right ? 0 : 1;
+  for (std::size_t k = 0; k < image.size(); ++k) count += is_right(image[k], truth[k]) ? 0 : 1;
+  return count;
+}
+
+/// So many pixels are asked about at a time, and first of an image, evenly over it.
+constexpr std::size_t kPixelsAtATime = std::size_t{1} << 14;
+
+/// Errors among every step-th pixel as a candidate that is asked ray by ray sees them.
+std::uint64_t errors(const ImageAnswer& image, const Scene& asked, const Candidate& candidate,
+                     std::size_t step, std::uint64_t most) {
+  const auto width = static_cast<std::size_t>(asked.camera->width);
+  std::uint64_t count = 0;
+  for (std::size_t next = 0; next < image.size() && count <= most;) {
+    Case part = {asked, {}};
+    const std::size_t first = next;
+    for (; next < image.size() && part.pixels.size() < kPixelsAtATime; next += step) {
+      part.pixels.push_back(
+          {static_cast<std::int64_t>(next % width), static_cast<std::int64_t>(next / width)});
+    }
+    Trial trial(part, candidate);
+    for (std::size_t k = 0; k < part.pixels.size(); ++k) {
+      count += is_right(image[first + k * step], trial.nearest()[k]) ? 0 : 1;
+    }
   }
   return count;
 }
 
-struct Mistake {
-  std::string sentence;
-  std::function<ImageAnswer()> image;
-};
+/// A step that walks over all columns, to at most kPixelsAtATime pixels.
+std::size_t sampling_step(const ImageAnswer& image, const Camera& camera) {
+  std::size_t step = (image.size() + kPixelsAtATime - 1) / kPixelsAtATime;
+  while (std::gcd(step, static_cast<std::size_t>(camera.width)) != 1) ++step;
+  return step;
+}
 
-using Pair = std::pair<std::int64_t, std::int64_t>;
+/// The best explanations so far.
+class Best {
+ public:
+  explicit Best(std::uint64_t wrong) : wrong_(wrong), most_left_(most_unexplained(wrong)) {}
 
-std::vector<Mistake> arrangements(const ImageAnswer& truth, const Camera& camera) {
-  const std::int64_t right = camera.width - 1, top = camera.height - 1;
-  const auto by = [&](auto source) {
-    return [&truth, &camera, source] { return rearranged(truth, camera, source); };
-  };
-  std::vector<Mistake> mistakes = {
-      {"rows are upside down", by([top](auto i, auto j) { return Pair(i, top - j); })},
-      {"columns are mirrored", by([right](auto i, auto j) { return Pair(right - i, j); })},
-      {"the image is turned by half a turn",
-       by([right, top](auto i, auto j) { return Pair(right - i, top - j); })}};
-  if (camera.width == camera.height) {
-    mistakes.push_back(
-        {"rows and columns are exchanged", by([](auto i, auto j) { return Pair(j, i); })});
+  void add(const std::string& sentence, std::uint64_t left) {
+    if (left > most_left_) return;
+    if (left < most_left_) found_.clear();
+    most_left_ = left;
+    found_.push_back({sentence, wrong_, wrong_ - left});
   }
-  return mistakes;
-}
+  /// The errors that may be left by one that is better than all before.
+  std::optional<std::uint64_t> most_left_by_better() const {
+    if (found_.empty()) return most_left_;
+    return most_left_ > 0 ? std::optional(most_left_ - 1) : std::nullopt;
+  }
+  std::vector<Explanation> take() { return std::move(found_); }
 
-std::vector<Mistake> other_conventions(const Scene& scene, const Conventions& conventions) {
-  std::vector<Mistake> mistakes;
-  const auto add = [&](const std::string& sentence, const Conventions& other) {
-    if (other == conventions) return;
-    mistakes.push_back({sentence, [&scene, other] { return seen(scene, other); }});
-  };
-  Conventions other = conventions;
-  other.samples = scene::Samples::kCentres;
-  add("pixels are sampled at their centres", other);
-  other.samples = scene::Samples::kEdges;
-  add("pixels are sampled from edge to edge", other);
-  other = conventions;
-  other.origin = scene::Origin::kFocal;
-  add("rays start at the eye, so that spheres before the image plane are seen", other);
-  other.origin = scene::Origin::kPixel;
-  add("rays start on the image plane, so that spheres before it are not seen", other);
-  other = conventions;
-  other.root = scene::Root::kSmaller;
-  add("only the near root counts, so that spheres around the origin are not seen", other);
-  other.root = scene::Root::kNearest;
-  add("the far root counts too, so that spheres around the origin are seen", other);
-  return mistakes;
-}
-
-std::vector<Mistake> other_cameras(const Scene& scene, const Conventions& conventions) {
-  std::vector<Mistake> mistakes;
-  const auto add = [&](const std::string& sentence, const std::function<void(Camera&)>& change) {
-    Scene other = scene;
-    change(*other.camera);
-    if (other == scene || !scene::problems(other).empty()) return;
-    mistakes.push_back({sentence, [other, conventions] { return seen(other, conventions); }});
-  };
-  add("top is -bottom", [](Camera& camera) { camera.top = -camera.bottom; });
-  add("bottom is -top", [](Camera& camera) { camera.bottom = -camera.top; });
-  add("right is -left", [](Camera& camera) { camera.right = -camera.left; });
-  add("left is -right", [](Camera& camera) { camera.left = -camera.right; });
-  add("top is taken from right", [](Camera& camera) { camera.top = camera.right; });
-  add("the bounds of rows are those of columns", [](Camera& camera) {
-    camera.bottom = camera.left;
-    camera.top = camera.right;
-  });
-  add("W has the wrong sign, the image plane is behind the eye",
-      [](Camera& camera) { camera.near = -camera.near; });
-  add("up is taken for (0, 1, 0)", [](Camera& camera) { camera.up = {0, 1, 0}; });
-  const auto columns = static_cast<double>(scene.camera->width - 1);
-  const auto rows = static_cast<double>(scene.camera->height - 1);
-  add("width and height are exchanged", [columns, rows](Camera& camera) {
-    if (columns < 1 || rows < 1) return;
-    camera.right = camera.left + (camera.right - camera.left) * (columns / rows);
-    camera.top = camera.bottom + (camera.top - camera.bottom) * (rows / columns);
-  });
-  return mistakes;
-}
+ private:
+  std::uint64_t wrong_, most_left_;
+  std::vector<Explanation> found_;
+};
 
 }  // namespace
 
 std::vector<Explanation> explanations(const Scene& scene, const Conventions& conventions,
                                       const ImageAnswer& image) {
-  const ImageAnswer truth = seen(scene, conventions);
+  const ImageAnswer truth = exact_image(scene, conventions);
   const std::uint64_t wrong = errors(image, truth);
-  if (wrong == 0) return {};
-  std::vector<Mistake> mistakes = arrangements(truth, *scene.camera);
-  for (auto* more : {&other_conventions, &other_cameras}) {
-    const auto found = (*more)(scene, conventions);
-    mistakes.insert(mistakes.end(), found.begin(), found.end());
+  if (wrong == 0 || shows_nothing(image)) return {};
+  Scene asked = scene;
+  asked.conventions = conventions;
+  Best best(wrong);
+  for (const Mistake& mistake : mistakes()) {
+    if (!is_exact(mistake, *asked.camera)) continue;
+    if (const auto other = exactly(mistake, asked, truth)) {
+      best.add(mistake.sentence, errors(image, *other));
+    }
   }
-  for (const bool last : {false, true}) {
-    mistakes.push_back(
-        {last ? "the last sphere in the file wins" : "the first sphere in the file wins",
-         [&, last] { return seen_in_file_order(scene, conventions, last); }});
+  const std::optional<std::uint64_t> most = best.most_left_by_better();
+  if (!most) return best.take();
+  const std::size_t step = sampling_step(image, *asked.camera);
+  for (const Mistake& mistake : mistakes()) {
+    if (is_exact(mistake, *asked.camera)) continue;
+    // Twice what an even sample of as many errors would show, and a few by chance.
+    const std::uint64_t most_of_sample = 2 * *most / step + 16;
+    if (step > 1 && errors(image, asked, mistake.candidate, step, most_of_sample) > most_of_sample)
+      continue;
+    const std::uint64_t left = errors(image, asked, mistake.candidate, 1, *most);
+    if (left <= *most) best.add(mistake.sentence, left);
   }
-  std::vector<Explanation> best;
-  std::uint64_t fewest =
-      static_cast<std::uint64_t>(static_cast<double>(wrong) * (1 - kExplainedShare));
-  for (const Mistake& mistake : mistakes) {
-    const std::uint64_t left = errors(image, mistake.image());
-    if (left > fewest) continue;
-    if (left < fewest) best.clear();
-    fewest = left;
-    best.push_back({mistake.sentence, wrong, wrong - left});
-  }
-  return best;
+  return best.take();
 }
 
 }  // namespace raycheck::properties

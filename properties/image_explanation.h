@@ -1,27 +1,24 @@
 #ifndef RAYCHECK_PROPERTIES_IMAGE_EXPLANATION_H_
 #define RAYCHECK_PROPERTIES_IMAGE_EXPLANATION_H_
 
-#include <cstdint>
-#include <string>
 #include <vector>
 
 #include "properties/candidate.h"
+#include "properties/explanation.h"
 
 namespace raycheck::properties {
 
-/// One convention or one classic mistake that makes right what was wrong.
-struct Explanation {
-  std::string sentence;  ///< "rows are upside down"
-  std::uint64_t errors = 0, explained = 0;
-};
+/// What each pixel sees, exactly. Domain: a scene with a camera.
+ImageAnswer exact_image(const scene::Scene& scene, const scene::Conventions& conventions);
 
 /// What explains at least kExplainedShare of an image's errors; of several the best, all where they
-/// explain as many. The image as each mistake makes it is worked out exactly.
+/// explain as many. The image as another camera, other conventions or another order of pixels make
+/// it is worked out exactly; as a wrong formula makes it, in doubles, and one is named only where
+/// it explains more than any of these. An image that shows nothing does not tell why: none.
 /// Domain: a scene with a camera; an answer for every pixel, under these conventions.
 std::vector<Explanation> explanations(const scene::Scene& scene,
                                       const scene::Conventions& conventions,
                                       const ImageAnswer& image);
-inline constexpr double kExplainedShare = 0.9;
 
 }  // namespace raycheck::properties
 

@@ -14,7 +14,6 @@ using scene::Camera;
 using scene::Conventions;
 using scene::Point3;
 using scene::Ray;
-using scene::UnitVector3;
 using scene::Vector3;
 
 Vector3 scaled(double factor, const Vector3& v) {
@@ -23,22 +22,19 @@ Vector3 scaled(double factor, const Vector3& v) {
 
 double length(const Vector3& v) { return std::sqrt(v.x * v.x + v.y * v.y + v.z * v.z); }
 
-Vector3 normalised(const Vector3& v) { return scaled(1 / length(v), v); }
-
-UnitVector3 unit(const Vector3& v) { return {v.x, v.y, v.z}; }
-
 Candidate named(std::string name) {
   Candidate candidate = unmutated();
   candidate.name = std::move(name);
   return candidate;
 }
 
-/// Axes changed after the fact.
-Candidate with_frame(std::string name, std::function<void(const Camera&, FrameAnswer&)> change) {
-  Candidate candidate = named(std::move(name));
-  candidate.frame = [base = candidate.frame, change](const Camera& camera) {
+Candidate with_guarded_W() {
+  Candidate candidate = named("guarded-W");
+  candidate.frame = [base = candidate.frame](const Camera& camera) {
     FrameAnswer frame = base(camera);
-    change(camera, frame);
+    const Vector3 view = camera.eye - camera.look_at;
+    const Vector3 W = scaled(1 / (length(view) + 1e-6), view);
+    frame.W = {W.x, W.y, W.z};
     return frame;
   };
   return candidate;
@@ -95,41 +91,15 @@ Candidate points_on_a_sphere() {
   return candidate;
 }
 
-Candidate rays_from_the_eye() {
-  Candidate candidate = named("origin-at-eye");
-  candidate.pixel_rays = candidate.focal_rays;
-  return candidate;
-}
-
 std::vector<Mutant> frame_mutants() {
   return {
-      {"U = W x up: the image is mirrored",
-       {"frame"},
-       with_frame("flipped-U",
-                  [](const Camera&, FrameAnswer& f) {
-                    f.U = {-f.U.x, -f.U.y, -f.U.z};
-                  })},
-      {"V = U x W: the axes are left-handed",
-       {"frame"},
-       with_frame("left-handed-V",
-                  [](const Camera&, FrameAnswer& f) {
-                    f.V = {-f.V.x, -f.V.y, -f.V.z};
-                  })},
-      {"W = E - A is not normalised",
-       {"frame", "look-at"},
-       with_frame("unnormalised-W",
-                  [](const Camera& c, FrameAnswer& f) { f.W = unit(c.eye - c.look_at); })},
+      from_mistake("flipped-U", "U has the wrong sign", {"frame"}),
+      from_mistake("left-handed-V", "V has the wrong sign", {"frame"}),
+      from_mistake("unnormalised-W", "W is not normalised: W = E - A", {"frame", "look-at"}),
       {"W = (E - A)/(|E - A| + 1e-6), against a division by zero",
        {"frame", "look-at"},
-       with_frame("guarded-W",
-                  [](const Camera& c, FrameAnswer& f) {
-                    const Vector3 view = c.eye - c.look_at;
-                    f.W = unit(scaled(1 / (length(view) + 1e-6), view));
-                  })},
-      {"V = up/|up| is not made perpendicular to W",
-       {"frame", "up"},
-       with_frame("V-is-up",
-                  [](const Camera& c, FrameAnswer& f) { f.V = unit(normalised(c.up)); })},
+       with_guarded_W()},
+      from_mistake("V-is-up", "V is up/|up|, not made perpendicular to W", {"frame", "up"}),
   };
 }
 
@@ -151,33 +121,22 @@ Candidate first_pixel_one_ulp_off() {
 
 std::vector<Mutant> plane_mutants() {
   return {
-      {"alpha(i) = left + i/w (right - left)",
-       {"pixel-point", "bounds", "image-plane", "centre-pixel", "density", "direction"},
-       with_inputs("off-by-one", [](Camera& c, Conventions&) { ++c.width; })},
-      {"pixels are sampled at their centres whatever was asked",
-       {"pixel-point", "bounds", "density", "direction"},
-       with_inputs("always-centres",
-                   [](Camera&, Conventions& asked) { asked.samples = scene::Samples::kCentres; })},
-      {"rows are upside down",
-       {"pixel-zero-zero", "pixel-point", "bounds", "direction"},
-       with_inputs("upside-down", [](Camera& c, Conventions&) { std::swap(c.bottom, c.top); })},
-      {"columns are mirrored",
-       {"pixel-zero-zero", "pixel-point", "bounds", "direction"},
-       with_inputs("mirrored-columns",
-                   [](Camera& c, Conventions&) { std::swap(c.left, c.right); })},
-      {"the plane is at -near, behind the eye",
-       {"pixel-point", "image-plane", "direction"},
-       with_inputs("near-flipped", [](Camera& c, Conventions&) { c.near = -c.near; })},
-      {"beta(j) divides by the width",
-       {"pixel-point", "image-plane", "bounds"},
-       with_inputs("beta-by-width", [](Camera& c, Conventions&) { c.height = c.width; })},
-      {"the height is corrected for an aspect ratio that the bounds hold already",
-       {"square-pixels", "bounds", "pixel-point"},
-       with_inputs("aspect-twice",
-                   [](Camera& c, Conventions&) {
-                     c.top = c.bottom + (c.top - c.bottom) * static_cast<double>(c.width) /
-                                            static_cast<double>(c.height);
-                   })},
+      from_mistake(
+          "off-by-one", "alpha = left + i/w (right - left)",
+          {"pixel-point", "bounds", "image-plane", "centre-pixel", "density", "direction"}),
+      from_mistake("always-centres", "pixels are sampled at their centres",
+                   {"pixel-point", "bounds", "density", "direction"}),
+      from_mistake("upside-down", "rows are upside down",
+                   {"pixel-zero-zero", "pixel-point", "bounds", "direction"}),
+      from_mistake("mirrored-columns", "columns are mirrored",
+                   {"pixel-zero-zero", "pixel-point", "bounds", "direction"}),
+      from_mistake("near-flipped", "W has the wrong sign, the image plane is behind the eye",
+                   {"pixel-point", "image-plane", "direction"}),
+      from_mistake("beta-by-width", "rows are divided by the width",
+                   {"pixel-point", "image-plane", "bounds"}),
+      from_mistake("aspect-twice",
+                   "the height is corrected for an aspect ratio that the bounds hold already",
+                   {"square-pixels", "bounds", "pixel-point"}),
       {"everything is half a pixel to the right",
        {"centre-pixel", "bounds", "pixel-point"},
        with_inputs("half-a-pixel",
@@ -205,10 +164,8 @@ std::vector<Mutant> plane_mutants() {
 
 std::vector<Mutant> ray_mutants() {
   return {
-      {"D = P - E is not normalised",
-       {"unit-direction"},
-       with_directions("unnormalised-D",
-                       [](const Camera& c, const Point3& P, const Vector3&) { return P - c.eye; })},
+      from_mistake("unnormalised-D", "directions are not normalised: D = P - E",
+                   {"unit-direction"}),
       {"D = g/(|g| + 1e-9), against a division by zero",
        {"unit-direction", "scaling"},
        with_directions("guarded-D",
@@ -216,17 +173,13 @@ std::vector<Mutant> ray_mutants() {
                          const double size = length(P - c.eye);
                          return scaled(size / (size + 1e-9), D);
                        })},
-      {"directions run from the pixel to the eye",
-       {"direction"},
-       with_directions("backwards", [](const Camera&, const Point3&,
-                                       const Vector3& D) { return scaled(-1, D); })},
-      {"D = (P + E)/|P + E|",
-       {"direction"},
-       with_directions("eye-plus-point",
-                       [](const Camera& c, const Point3& P, const Vector3&) {
-                         return normalised({P.x + c.eye.x, P.y + c.eye.y, P.z + c.eye.z});
-                       })},
-      {"pixel rays start at the eye", {"ray-origin", "focal-and-pixel"}, rays_from_the_eye()},
+      from_mistake("backwards", "directions run from the pixel to the eye: D = (E - P)/|E - P|",
+                   {"direction"}),
+      from_mistake("eye-plus-point",
+                   "E is added where it should be subtracted: D = (P + E)/|P + E|", {"direction"}),
+      from_mistake("origin-at-eye",
+                   "rays start at the eye, so that spheres before the image plane are seen",
+                   {"ray-origin", "focal-and-pixel"}),
   };
 }
 

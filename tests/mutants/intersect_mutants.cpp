@@ -1,25 +1,26 @@
 #include <cmath>
 #include <functional>
-#include <span>
 #include <string>
 #include <utility>
 
 #include "fast/intersect.h"
 #include "properties/fast_candidate.h"
+#include "properties/hit_choice.h"
 #include "tests/mutants/mutants.h"
 
 namespace raycheck::mutants {
 namespace {
 
+using properties::answer_by;
+using properties::AskSphere;
 using properties::Candidate;
-using properties::HitAnswer;
+using properties::Hit;
+using properties::hit_at;
+using properties::hits_of;
 using scene::Conventions;
-using scene::Point3;
 using scene::Ray;
 using scene::Root;
 using scene::Sphere;
-using Hit = std::optional<HitAnswer>;
-using Index = std::optional<std::size_t>;
 
 Candidate named(std::string name) {
   Candidate candidate = unmutated();
@@ -27,53 +28,7 @@ Candidate named(std::string name) {
   return candidate;
 }
 
-HitAnswer hit_at(const Ray& ray, double s) {
-  return {s, Point3{ray.origin.x + s * ray.direction.x, ray.origin.y + s * ray.direction.y,
-                    ray.origin.z + s * ray.direction.z}};
-}
-
-/// One sphere at a time, an answer a ray: what mutants change.
-using AskSphere =
-    std::function<std::vector<Hit>(Candidate::Rays, const Sphere&, const Conventions&)>;
-
-AskSphere unmutated_hits() {
-  return [base = unmutated().intersect](Candidate::Rays rays, const Sphere& sphere,
-                                        const Conventions& conventions) {
-    std::vector<Hit> hits(rays.size());
-    const auto found = base(rays, std::span(&sphere, 1), conventions);
-    for (const auto& [ray, hit] : found.front()) hits[ray] = hit;
-    return hits;
-  };
-}
-
-/// The hits by `ask`, and the nearest sphere by these, as nearest_spheres() has it.
-void answer_by(Candidate& candidate, const AskSphere& ask) {
-  candidate.intersect = [ask](Candidate::Rays rays, Candidate::Spheres spheres,
-                              const Conventions& conventions) {
-    std::vector<properties::SphereHits> answers(spheres.size());
-    for (std::size_t index = 0; index < spheres.size(); ++index) {
-      const std::vector<Hit> hits = ask(rays, spheres[index], conventions);
-      for (std::size_t k = 0; k < hits.size(); ++k) {
-        if (hits[k]) answers[index].push_back({k, *hits[k]});
-      }
-    }
-    return answers;
-  };
-  candidate.nearest = [ask](Candidate::Rays rays, Candidate::Spheres spheres,
-                            const Conventions& conventions) {
-    std::vector<Index> nearest(rays.size());
-    std::vector<double> parameter(rays.size());
-    for (std::size_t index = 0; index < spheres.size(); ++index) {
-      const std::vector<Hit> hits = ask(rays, spheres[index], conventions);
-      for (std::size_t k = 0; k < rays.size(); ++k) {
-        if (!hits[k] || (nearest[k] && parameter[k] <= hits[k]->parameter)) continue;
-        nearest[k] = index;
-        parameter[k] = hits[k]->parameter;
-      }
-    }
-    return nearest;
-  };
-}
+AskSphere unmutated_hits() { return hits_of(unmutated()); }
 
 /// Spheres changed before they are intersected.
 Candidate with_sphere(std::string name, std::function<Sphere(const Sphere&)> change) {
@@ -128,27 +83,12 @@ Hit usual_choice(const Ray& ray, const fast::Roots& roots, const Conventions& co
 std::vector<Mutant> choice_mutants() {
   using fast::Roots;
   return {
-      {"always the far root",
-       {"nearest-root"},
-       with_choice("far-root",
-                   [](const Ray& ray, const Roots& roots, const Conventions&) -> Hit {
-                     if (!(roots.half_chord_sq >= 0 && roots.larger >= 0)) return {};
-                     return hit_at(ray, roots.larger);
-                   })},
-      {"no test for s >= 0: what is behind counts",
-       {"class", "nearest-sphere"},
-       with_choice("behind-counts",
-                   [](const Ray& ray, const Roots& roots, const Conventions&) -> Hit {
-                     if (!(roots.half_chord_sq >= 0)) return {};
-                     return hit_at(ray, roots.smaller);
-                   })},
-      {"the larger root is never tried: from inside, nothing is seen",
-       {"class", "growing-radius"},
-       with_choice("never-from-inside",
-                   [](const Ray& ray, const Roots& roots, const Conventions&) -> Hit {
-                     if (!(roots.half_chord_sq >= 0 && roots.smaller >= 0)) return {};
-                     return hit_at(ray, roots.smaller);
-                   })},
+      from_mistake("far-root", "the far root is taken for the near one", {"nearest-root"}),
+      from_mistake("behind-counts", "s >= 0 is not tested: spheres behind the origin are hit",
+                   {"class", "nearest-sphere"}),
+      from_mistake("never-from-inside",
+                   "only the near root counts, so that spheres around the origin are not seen",
+                   {"class", "growing-radius"}),
       {"the near root counts from s = 1e-3 on",
        {"nearest-root", "scaling"},
        with_choice("epsilon-on-s",
@@ -203,13 +143,7 @@ std::vector<Mutant> value_mutants() {
                      }
                      return sphere;
                    })},
-      {"Q = s D: the origin is forgotten",
-       {"hit-point"},
-       with_hits("origin-forgotten",
-                 [](const Ray& ray, const Sphere&, Hit hit) {
-                   if (hit) hit->point = hit_at({{}, ray.direction}, hit->parameter).point;
-                   return hit;
-                 })},
+      from_mistake("origin-forgotten", "Q = s D: the origin is not added", {"hit-point"}),
       {"Q is kept in single precision",
        {"hit-point"},
        with_hits("single-point",
@@ -227,40 +161,14 @@ std::vector<Mutant> value_mutants() {
                    if (!hit || !(hit->parameter < 1e30)) return hit;
                    return hit_at(ray, static_cast<double>(static_cast<float>(hit->parameter)));
                  })},
-      {"s is a length whatever the length of the direction",
-       {"parameter"},
-       with_hits("s-is-a-length",
-                 [](const Ray& ray, const Sphere&, Hit hit) {
-                   if (hit) {
-                     hit->parameter *=
-                         std::hypot(ray.direction.x, ray.direction.y, ray.direction.z);
-                   }
-                   return hit;
-                 })},
+      from_mistake("s-is-a-length", "s is a length whatever the length of the direction",
+                   {"parameter"}),
   };
 }
 
 Candidate naive_discriminant() {
   Candidate candidate = properties::fast_candidate(fast::kDirectRays, fast::kQuadratic);
   candidate.name = "naive-discriminant";
-  return candidate;
-}
-
-/// The first sphere of the file that is met, or the last.
-Candidate by_file_order(std::string name, bool first) {
-  Candidate candidate = named(std::move(name));
-  candidate.nearest = [ask = unmutated_hits(), first](Candidate::Rays rays,
-                                                      Candidate::Spheres spheres,
-                                                      const Conventions& conventions) {
-    std::vector<Index> chosen(rays.size());
-    for (std::size_t index = 0; index < spheres.size(); ++index) {
-      const std::vector<Hit> hits = ask(rays, spheres[index], conventions);
-      for (std::size_t k = 0; k < rays.size(); ++k) {
-        if (hits[k] && !(first && chosen[k])) chosen[k] = index;
-      }
-    }
-    return chosen;
-  };
   return candidate;
 }
 
@@ -271,8 +179,8 @@ std::vector<Mutant> intersect_mutants() {
       {"the textbook's b^2 - 4ac",
        {"class", "parameter", "backward-error", "nearest-sphere"},
        naive_discriminant()},
-      {"the first sphere of the file wins", {"nearest-sphere"}, by_file_order("first-wins", true)},
-      {"the last sphere of the file wins", {"nearest-sphere"}, by_file_order("last-wins", false)}};
+      from_mistake("first-wins", "the first sphere in the file wins", {"nearest-sphere"}),
+      from_mistake("last-wins", "the last sphere in the file wins", {"nearest-sphere"})};
   for (auto& more : {choice_mutants(), value_mutants()})
     all.insert(all.end(), more.begin(), more.end());
   return all;

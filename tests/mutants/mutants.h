@@ -1,6 +1,7 @@
 #ifndef RAYCHECK_TESTS_MUTANTS_MUTANTS_H_
 #define RAYCHECK_TESTS_MUTANTS_MUTANTS_H_
 
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -19,6 +20,11 @@ struct Mutant {
 
 /// The candidate that the mutants are made from.
 properties::Candidate unmutated();
+
+/// The mutant that makes a classic mistake of properties/mistakes.h, under a name of its own.
+/// Throws std::invalid_argument where no mistake has that sentence.
+Mutant from_mistake(std::string name, std::string_view sentence,
+                    std::vector<std::string_view> caught_by);
 
 /// Every mutant; the names of their candidates differ.
 std::vector<Mutant> all_mutants();
