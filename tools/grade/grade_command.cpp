@@ -6,6 +6,7 @@
 #include <stdexcept>
 
 #include "tools/arguments.h"
+#include "tools/command_line.h"
 #include "tools/commands.h"
 #include "tools/grade/grade.h"
 #include "tools/grade/package.h"

@@ -24,22 +24,23 @@ namespace {
 namespace fs = std::filesystem;
 
 /// Debian and Ubuntu call them so; what submissions are compiled and run with.
-constexpr const char* kSetup = R"(#!/usr/bin/env bash
+constexpr const char* kSetup = R"sh(#!/usr/bin/env bash
 # Prepares the machine on which submissions are graded.
 set -euo pipefail
-if command -v apt-get > /dev/null && [ "$(id -u)" -eq 0 ];
-then apt - get update - qq DEBIAN_FRONTEND =
-    noninteractive apt - get install - y - qq-- no - install -
-    recommends bubblewrap cmake g++ libeigen3 - dev make openjdk - 17 - jdk -
-    headless python3 fi here = $(cd "$(dirname " $ { BASH_SOURCE[0] } ")" &&
-                                 pwd) if !"$here/raycheck/bin/raycheck" --version; then
+if command -v apt-get > /dev/null && [ "$(id -u)" -eq 0 ]; then
+  apt-get update -qq
+  DEBIAN_FRONTEND=noninteractive apt-get install -y -qq --no-install-recommends \
+    bubblewrap cmake g++ libeigen3-dev make openjdk-17-jdk-headless python3
+fi
+here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
+if ! "$here/raycheck/bin/raycheck" --version; then
   echo "raycheck does not run here: choose a newer base image (Debian 12 or Ubuntu 24.04)" >&2
   exit 1
 fi
-)";
+)sh";
 
-constexpr const char* kRun = R"(#!/usr/bin/env bash
-# Grades {root}/submission into {root}/results/results.json.
+constexpr const char* kRun = R"sh(#!/usr/bin/env bash
+# Grades ROOT/submission into ROOT/results/results.json; ROOT is /autograder.
 root=${{RAYCHECK_AUTOGRADER:-/autograder}}
 source="$root/source"
 mkdir -p "$root/results"
@@ -51,7 +52,7 @@ else
   echo '{{"score": 0, "output": "raycheck could not grade this; ask your instructors"}}' \
     > "$root/results/results.json"
 fi
-)";
+)sh";
 
 /// What every machine with a C++ compiler has; submissions need the compiler's own.
 bool is_of_the_system(const std::string& name) {

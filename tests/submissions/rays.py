@@ -1,0 +1,197 @@
+"""A student's rays and spheres in Python, right as it stands. A first line MISTAKE = "u_flipped"
+makes it wrong in the one way of that name."""
+import math
+import struct
+
+import raycheck_candidate as rc
+
+MISTAKE = globals().get("MISTAKE", "none")
+MISTAKES = ("none", "width_height", "top_from_right", "top_is_minus_bottom", "u_flipped",
+            "u_and_w_flipped", "no_test_for_t", "first_sphere_wins", "normalize_discarded",
+            "by_discriminant", "eye_plus_point", "axes_dropped", "float_directions",
+            "near_root_only", "far_root", "upside_down", "mirrored")
+if MISTAKE not in MISTAKES:
+    raise ValueError(f"no such mistake: {MISTAKE}")
+
+
+def add(a, b):
+    return tuple(x + y for x, y in zip(a, b))
+
+
+def sub(a, b):
+    return tuple(x - y for x, y in zip(a, b))
+
+
+def scaled(k, a):
+    return tuple(k * x for x in a)
+
+
+def dot(a, b):
+    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
+
+
+def cross(a, b):
+    return (a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0])
+
+
+def normalize(a):
+    length = math.hypot(*a)
+    return tuple(x / length for x in a)
+
+
+def to_float(a):
+    return struct.unpack("3f", struct.pack("3f", *a))
+
+
+class View:
+    """A camera and its axes."""
+
+    def __init__(self, camera):
+        self.camera = camera
+        if MISTAKE == "top_from_right":
+            self.camera = camera._replace(top=camera.right)
+        if MISTAKE == "top_is_minus_bottom":
+            self.camera = camera._replace(top=-camera.bottom)
+        self.u = self.v = self.w = (0.0, 0.0, 0.0)
+
+    def find_axes(self):
+        camera = self.camera
+        self.w = normalize(sub(camera.eye, camera.look_at))
+        if MISTAKE == "u_and_w_flipped":
+            self.w = normalize(sub(camera.look_at, camera.eye))
+        self.u = normalize(cross(camera.up, self.w))
+        if MISTAKE == "u_flipped":
+            self.u = normalize(cross(self.w, camera.up))
+        # An up vector near W leaves U askew.
+        self.v = normalize(cross(self.w, self.u))
+        self.u = cross(self.v, self.w)
+
+    def copy(self):
+        other = View(self.camera)
+        if MISTAKE != "axes_dropped":
+            other.u, other.v, other.w = self.u, self.v, self.w
+        return other
+
+
+def view_of(camera):
+    view = View(camera)
+    view.find_axes()
+    return view.copy()
+
+
+def frame(camera):
+    view = view_of(camera)
+    return view.u, view.v, view.w
+
+
+def position(low, high, index, count, samples):
+    share = (index + 0.5) / count if samples == "centres" else index / (count - 1)
+    return low + share * (high - low)
+
+
+def to_pixel(camera, asked, pixel):
+    """P - E, without the rounding of P."""
+    view = view_of(camera)
+    camera = view.camera
+    i, j = pixel
+    if (asked.rows == "top-first") != (MISTAKE == "upside_down"):
+        j = camera.height - 1 - j
+    if MISTAKE == "mirrored":
+        i = camera.width - 1 - i
+    across, down = camera.width, camera.height
+    if MISTAKE == "width_height":
+        across, down = down, across
+    alpha = position(camera.left, camera.right, i, across, asked.samples)
+    beta = position(camera.bottom, camera.top, j, down, asked.samples)
+    return add(add(scaled(camera.near, view.w), scaled(alpha, view.u)), scaled(beta, view.v))
+
+
+def direction(eye, point, g):
+    if MISTAKE == "normalize_discarded":
+        d = sub(point, eye)
+        normalize(d)
+        return d
+    if MISTAKE == "eye_plus_point":
+        return normalize(add(eye, point))
+    d = normalize(g)
+    return to_float(d) if MISTAKE == "float_directions" else d
+
+
+def pixel_point(camera, asked, pixel):
+    return add(camera.eye, to_pixel(camera, asked, pixel))
+
+
+def pixel_ray(camera, asked, pixel):
+    g = to_pixel(camera, asked, pixel)
+    point = add(camera.eye, g)
+    return point, direction(camera.eye, point, g)
+
+
+def focal_ray(camera, asked, pixel):
+    g = to_pixel(camera, asked, pixel)
+    return camera.eye, direction(camera.eye, add(camera.eye, g), g)
+
+
+def lecture_roots(ray, sphere):
+    """The lecture's, of unit directions."""
+    (origin, d), (centre, r) = ray, sphere
+    t = sub(centre, origin)
+    v = dot(t, d)
+    d_sq = r * r - (dot(t, t) - v * v)
+    if d_sq < 0:
+        return None
+    return v - math.sqrt(d_sq), v + math.sqrt(d_sq), d_sq
+
+
+def roots(ray, sphere):
+    """Of a s^2 - 2 b s + c = 0, and the square of half the chord, of unit directions."""
+    if MISTAKE == "normalize_discarded":
+        return lecture_roots(ray, sphere)
+    (origin, d), (centre, r) = ray, sphere
+    t = sub(centre, origin)
+    moment = cross(t, d)
+    a, b = dot(d, d), dot(t, d)
+    discriminant = a * r * r - dot(moment, moment)
+    if discriminant < 0:
+        return None
+    q = b + math.copysign(math.sqrt(discriminant), b)
+    distance = math.hypot(*t)
+    one = q / a
+    other = (distance - r) * (distance + r) / q if q != 0 else 0.0
+    return min(one, other), max(one, other), discriminant / a
+
+
+def intersect(ray, sphere, asked):
+    found = roots(ray, sphere)
+    if found is None:
+        return None
+    smaller, larger, d_sq = found
+    if d_sq == 0 and asked.tangent == "miss":
+        return None
+    s = smaller
+    may_be_larger = asked.root == "nearest" and MISTAKE not in ("near_root_only", "no_test_for_t")
+    if (s < 0 and may_be_larger) or MISTAKE == "far_root":
+        s = larger
+    if s < 0 and MISTAKE != "no_test_for_t":
+        return None
+    origin, d = ray
+    return s, add(origin, scaled(s, d))
+
+
+def nearest(ray, spheres, asked):
+    best, least = None, 0.0
+    for k, sphere in enumerate(spheres):
+        hit = intersect(ray, sphere, asked)
+        if hit is None:
+            continue
+        if MISTAKE == "first_sphere_wins":
+            return k
+        key = -roots(ray, sphere)[2] if MISTAKE == "by_discriminant" else hit[0]
+        if best is None or key < least:
+            best, least = k, key
+    return best
+
+
+if __name__ == "__main__":
+    rc.run("rays", frame=frame, pixel_point=pixel_point, pixel_ray=pixel_ray,
+           focal_ray=focal_ray, intersect=intersect, nearest=nearest)

@@ -1,0 +1,244 @@
+// A student's finished renderer in C++, right as it stands: rt DRIVER IMAGE reads a driver file of
+// dialect B and writes a PPM (P3), the top line first, by ambient light alone. A first line
+// `#define MISTAKE u_flipped` makes it wrong in the one way of that name.
+
+#include <algorithm>
+#include <cmath>
+#include <fstream>
+#include <iostream>
+#include <map>
+#include <optional>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#ifndef MISTAKE
+#define MISTAKE none
+#endif
+
+namespace {
+
+enum class Mistake {
+  none,
+  width_height,
+  top_from_right,
+  top_is_minus_bottom,
+  u_flipped,
+  u_and_w_flipped,
+  no_test_for_t,
+  first_sphere_wins,
+  normalize_discarded,
+  by_discriminant,
+  eye_plus_point,
+  axes_dropped,
+  float_directions,
+  near_root_only,
+  far_root,
+  upside_down,
+  mirrored
+};
+
+constexpr bool has(Mistake mistake) { return mistake == Mistake::MISTAKE; }
+
+struct Vector {
+  double x = 0, y = 0, z = 0;
+};
+
+Vector operator+(Vector a, Vector b) { return {a.x + b.x, a.y + b.y, a.z + b.z}; }
+Vector operator-(Vector a, Vector b) { return {a.x - b.x, a.y - b.y, a.z - b.z}; }
+Vector operator*(double k, Vector a) { return {k * a.x, k * a.y, k * a.z}; }
+double dot(Vector a, Vector b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
+Vector cross(Vector a, Vector b) {
+  return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
+}
+double length(Vector a) { return std::hypot(a.x, a.y, a.z); }
+Vector normalize(Vector a) {
+  const double l = length(a);
+  return {a.x / l, a.y / l, a.z / l};
+}
+Vector to_float(Vector a) {
+  return {static_cast<float>(a.x), static_cast<float>(a.y), static_cast<float>(a.z)};
+}
+
+struct Ray {
+  Vector origin, direction;
+};
+struct Sphere {
+  Vector centre;
+  double radius = 0;
+  Vector ambient;
+};
+struct Roots {
+  double smaller, larger;
+  double d_sq;  // the square of half the chord, of unit directions
+};
+
+class Camera {
+ public:
+  Camera() = default;
+  Camera(const Camera& other) { *this = other; }
+  Camera& operator=(const Camera& other) {
+    eye = other.eye, look = other.look, up = other.up, near_plane = other.near_plane;
+    left = other.left, right = other.right, bottom = other.bottom, top = other.top;
+    width = other.width, height = other.height;
+    if (!has(Mistake::axes_dropped)) u_ = other.u_, v_ = other.v_, w_ = other.w_;
+    return *this;
+  }
+
+  void find_axes() {
+    w_ = normalize(eye - look);
+    if (has(Mistake::u_and_w_flipped)) w_ = normalize(look - eye);
+    u_ = normalize(cross(up, w_));
+    if (has(Mistake::u_flipped)) u_ = normalize(cross(w_, up));
+    // An up vector near W leaves U askew.
+    v_ = normalize(cross(w_, u_));
+    u_ = cross(v_, w_);
+    if (has(Mistake::top_from_right)) top = right;
+    if (has(Mistake::top_is_minus_bottom)) top = -bottom;
+  }
+
+  /// From the pixel's point away from the eye; row 0 is the lowest.
+  Ray ray(int i, int j) const {
+    if (has(Mistake::mirrored)) i = width - 1 - i;
+    if (has(Mistake::upside_down)) j = height - 1 - j;
+    const double across = (has(Mistake::width_height) ? height : width) - 1;
+    const double down = (has(Mistake::width_height) ? width : height) - 1;
+    const double alpha = left + i / across * (right - left);
+    const double beta = bottom + j / down * (top - bottom);
+    const Vector g = near_plane * w_ + alpha * u_ + beta * v_;
+    const Vector point = eye + g;
+    if (has(Mistake::normalize_discarded)) {
+      const Vector d = point - eye;
+      normalize(d);
+      return {point, d};
+    }
+    if (has(Mistake::eye_plus_point)) return {point, normalize(eye + point)};
+    if (has(Mistake::float_directions)) return {point, to_float(normalize(g))};
+    return {point, normalize(g)};
+  }
+
+  Vector eye, look, up;
+  double near_plane = 0, left = 0, right = 0, bottom = 0, top = 0;
+  int width = 0, height = 0;
+
+ private:
+  Vector u_, v_, w_;
+};
+
+struct Scene {
+  Camera camera;
+  Vector ambient;
+  std::vector<Sphere> spheres;
+};
+
+Scene read(const std::string& path) {
+  std::ifstream file(path);
+  std::map<std::string, std::vector<double>> view;
+  Scene scene;
+  for (std::string line; std::getline(file, line);) {
+    std::istringstream words(line.substr(0, line.find('#')));
+    std::string keyword;
+    if (!(words >> keyword)) continue;
+    std::vector<double> n;
+    for (double x; words >> x;) n.push_back(x);
+    if (keyword == "sphere") {
+      scene.spheres.push_back({{n.at(0), n.at(1), n.at(2)}, n.at(3), {n.at(4), n.at(5), n.at(6)}});
+    } else {
+      view[keyword] = n;
+    }
+  }
+  const auto triple = [&](const char* key) {
+    const auto& n = view[key];
+    return Vector{n.at(0), n.at(1), n.at(2)};
+  };
+  Camera camera;
+  camera.eye = triple("eye");
+  camera.look = triple("look");
+  camera.up = triple("up");
+  camera.near_plane = view["d"].at(0);
+  camera.left = view["bounds"].at(0);
+  camera.right = view["bounds"].at(1);
+  camera.bottom = view["bounds"].at(2);
+  camera.top = view["bounds"].at(3);
+  camera.width = static_cast<int>(view["res"].at(0));
+  camera.height = static_cast<int>(view["res"].at(1));
+  camera.find_axes();
+  scene.camera = camera;
+  scene.ambient = triple("ambient");
+  return scene;
+}
+
+/// The lecture's, of unit directions.
+std::optional<Roots> lecture_roots(const Ray& ray, const Sphere& sphere) {
+  const Vector t = sphere.centre - ray.origin;
+  const double v = dot(t, ray.direction);
+  const double d_sq = sphere.radius * sphere.radius - (dot(t, t) - v * v);
+  if (d_sq < 0) return {};
+  const double d = std::sqrt(d_sq);
+  return Roots{v - d, v + d, d_sq};
+}
+
+/// a s^2 - 2 b s + c = 0; this discriminant does not cancel on far spheres.
+std::optional<Roots> roots(const Ray& ray, const Sphere& sphere) {
+  if (has(Mistake::normalize_discarded)) return lecture_roots(ray, sphere);
+  const Vector t = sphere.centre - ray.origin;
+  const Vector moment = cross(t, ray.direction);
+  const double a = dot(ray.direction, ray.direction);
+  const double b = dot(t, ray.direction);
+  const double r = sphere.radius;
+  const double discriminant = a * r * r - dot(moment, moment);
+  if (discriminant < 0) return {};
+  const double q = b + std::copysign(std::sqrt(discriminant), b);
+  const double c = (length(t) - r) * (length(t) + r);
+  const double one = q / a;
+  const double other = q == 0 ? 0 : c / q;
+  return Roots{std::min(one, other), std::max(one, other), discriminant / a};
+}
+
+/// The parameter of the hit.
+std::optional<double> intersect(const Roots& found) {
+  double s = found.smaller;
+  if (has(Mistake::no_test_for_t)) return s;
+  if ((s < 0 && !has(Mistake::near_root_only)) || has(Mistake::far_root)) s = found.larger;
+  if (s < 0) return {};
+  return s;
+}
+
+Vector colour(const Scene& scene, const Ray& ray) {
+  const Sphere* best = nullptr;
+  double least = 0;
+  for (const Sphere& sphere : scene.spheres) {
+    const auto found = roots(ray, sphere);
+    const auto s = found ? intersect(*found) : std::nullopt;
+    if (!s || (best != nullptr && has(Mistake::first_sphere_wins))) continue;
+    const double key = has(Mistake::by_discriminant) ? -found->d_sq : *s;
+    if (best != nullptr && key >= least) continue;
+    best = &sphere;
+    least = key;
+  }
+  if (best == nullptr) return {};
+  return {scene.ambient.x * best->ambient.x, scene.ambient.y * best->ambient.y,
+          scene.ambient.z * best->ambient.z};
+}
+
+long level(double share) { return std::lround(255 * std::clamp(share, 0.0, 1.0)); }
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  if (argc != 3) {
+    std::cerr << "usage: rt DRIVER IMAGE\n";
+    return 2;
+  }
+  const Scene scene = read(argv[1]);
+  const Camera& camera = scene.camera;
+  std::ofstream image(argv[2]);
+  image << "P3\n" << camera.width << " " << camera.height << "\n255\n";
+  for (int line = 0; line < camera.height; ++line) {
+    for (int i = 0; i < camera.width; ++i) {
+      const Vector c = colour(scene, camera.ray(i, camera.height - 1 - line));
+      image << level(c.x) << " " << level(c.y) << " " << level(c.z) << "\n";
+    }
+  }
+  return image.flush() ? 0 : 1;
+}
