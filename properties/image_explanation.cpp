@@ -134,6 +134,10 @@ std::vector<Explanation> explanations(const Scene& scene, const Conventions& con
   const ImageAnswer truth = exact_image(scene, conventions);
   const std::uint64_t wrong = errors(image, truth);
   if (wrong == 0 || shows_nothing(image)) return {};
+  if (std::adjacent_find(image.begin(), image.end(), std::not_equal_to<>()) == image.end()) {
+    return {{"every pixel shows a sphere, as where directions are no numbers: axes that are lost",
+             wrong, wrong}};
+  }
   Scene asked = scene;
   asked.conventions = conventions;
   Best best(wrong);

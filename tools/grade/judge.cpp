@@ -84,6 +84,19 @@ Candidate tolerated(Candidate candidate, const Tolerance& tolerance) {
   return candidate;
 }
 
+/// The candidate of whose pictures only the mask counts.
+Candidate masked(Candidate candidate) {
+  candidate.image = [image = candidate.image](const scene::Scene& scene,
+                                              const scene::Conventions& conventions) {
+    properties::ImageAnswer answer = image(scene, conventions);
+    for (auto& sphere : answer) {
+      if (sphere) sphere = properties::kSomeSphere;
+    }
+    return answer;
+  };
+  return candidate;
+}
+
 /// A case, and where it comes from.
 struct Asked {
   Case the_case;
@@ -255,10 +268,9 @@ std::vector<std::string> sentences(const std::vector<Case>& cases, const Candida
   std::vector<std::string> result;
   std::vector<properties::Explanation> found;
   try {
-    if (!pictures) {
-      found = properties::explanations(cases, candidate);
-    } else {
-      const auto& scene = cases.front().scene;
+    if (!pictures) found = properties::explanations(cases, candidate);
+    for (std::size_t k = 0; pictures && found.empty() && k < cases.size(); ++k) {
+      const auto& scene = cases[k].scene;
       const auto conventions = candidate.declared.over(scene.conventions);
       found = properties::explanations(scene, conventions, candidate.image(scene, conventions));
     }
@@ -318,7 +330,8 @@ ItemGrade Judge::item(std::size_t index, const std::vector<ItemGrade>& before) {
     return grade;
   }
   const auto is_late = [this] { return Clock::now() > end_ || interrupted(); };
-  const Candidate candidate = tolerated(candidate_, item.tolerance);
+  Candidate candidate = tolerated(candidate_, item.tolerance);
+  if (questions->masks_only) candidate = masked(std::move(candidate));
   properties::Random seeds(seed_ + index);
   const Cases cases(*questions, is_renderer_, seeds.bits(), candidate.declared);
   std::vector<Case> wrong;
@@ -355,7 +368,9 @@ ItemGrade Judge::item(std::size_t index, const std::vector<ItemGrade>& before) {
   const auto& [asked, shown] = *first;
   grade.first_wrong = plain_text(asked.origin + ": " + head(*shown.discrepancy) + ": " +
                                  numbers_text(shown.discrepancy->got));
-  grade.sentences = sentences(wrong, candidate, is_renderer_);
+  // Which sphere is shown tells more about a mistake than whether there is one.
+  grade.sentences =
+      sentences(wrong, is_renderer_ ? tolerated(candidate_, item.tolerance) : candidate, is_renderer_);
   const Case smallest =
       simplest(asked.the_case, shown, candidate, item.tolerance, is_renderer_, is_late);
   grade.failing.push_back(failing_case(smallest, asked.origin, *shown.broken, candidate, item,

@@ -15,6 +15,28 @@ std::string points_text(double points) {
   return text;
 }
 
+std::string mistake_text(const SubmissionGrade& grade) {
+  // How many items a sentence explains, the counts that follow it aside.
+  std::vector<std::pair<std::string, int>> counts;
+  for (const ItemGrade& item : grade.items) {
+    for (const std::string& sentence : item.sentences) {
+      const std::string mistake = sentence.substr(0, sentence.rfind(": "));
+      const auto known = std::find_if(counts.begin(), counts.end(), [&](const auto& entry) {
+        return entry.first == mistake;
+      });
+      if (known == counts.end()) {
+        counts.emplace_back(mistake, 1);
+      } else {
+        ++known->second;
+      }
+    }
+  }
+  const auto most = std::max_element(counts.begin(), counts.end(), [](const auto& a, const auto& b) {
+    return a.second < b.second;
+  });
+  return most == counts.end() ? "" : most->first;
+}
+
 std::string state_text(const ItemGrade& grade) {
   if (grade.state == kHolds) {
     return fmt::format("holds over {}, {}", count_text(grade.cases, "case"),
@@ -96,11 +118,8 @@ std::string class_text(const ClassGrade& graded) {
       text += "  fails " + failing;
     }
     text += "\n";
-    for (const ItemGrade& item : grade.items) {
-      if (item.sentences.empty()) continue;
-      text += fmt::format("{:<{}}    {}\n", "", width, item.sentences.front());
-      break;
-    }
+    const std::string mistake = mistake_text(grade);
+    if (!mistake.empty()) text += fmt::format("{:<{}}    {}\n", "", width, mistake);
   }
   if (graded.interrupted) {
     text += "INTERRUPTED: the same command goes on where it was cut.\n";

@@ -18,6 +18,7 @@ using Field = TomlFields::Field;
 using Table = TomlFields::Table;
 
 constexpr std::array<std::string_view, 3> kDialectNames = {"A", "B", "C"};
+constexpr std::array<std::string_view, 2> kJudgeNames = {"spheres", "mask"};
 constexpr std::array<std::string_view, 2> kRaysNames = {"own", "given"};
 constexpr double kMostSeconds = 86400;
 constexpr std::int64_t kMostCases = 1000000;
@@ -177,13 +178,14 @@ class RubricReader {
   Questions questions(const Field& field, bool pictures) {
     const Table from = fields_.table(field);
     if (pictures) {
-      fields_.require_known(from, {"scenes", "sources", "cases"});
+      fields_.require_known(from, {"judge", "scenes", "sources", "cases"});
     } else {
       fields_.require_known(from, {"laws", "scenes", "sources", "cases", "rays"});
     }
     Questions result;
     if (pictures) {
       result.laws = {properties::find_law("image")};
+      fields_.choose(from, "judge", kJudgeNames, result.masks_only);
     } else {
       const Field laws = fields_.required(from, "laws");
       for (const Field& name : fields_.list(laws)) {

@@ -27,6 +27,17 @@ std::string failing_html(const FailingCase& failing, const std::string& name) {
   return html + "</p>\n<pre>" + escaped(failing.scene) + "</pre>\n";
 }
 
+/// What a student may see: the visible items, thinned.
+SubmissionGrade shown(const Rubric& rubric, SubmissionGrade grade) {
+  std::vector<ItemGrade> items;
+  for (std::size_t k = 0; k < grade.items.size(); ++k) {
+    if (rubric.items[k].visibility != Visibility::kVisible) continue;
+    items.push_back(thinned(rubric.items[k], grade.items[k]));
+  }
+  grade.items = std::move(items);
+  return grade;
+}
+
 std::string item_html(const Item& item, const ItemGrade& grade) {
   const std::string of = item.bonus ? " of " + points_text(grade.points) + " (bonus)"
                                     : " of " + points_text(grade.points);
@@ -56,6 +67,8 @@ std::string student_page(const Rubric& rubric, const SubmissionGrade& grade) {
       fmt::format("<h1>{}</h1>\n<p>{}</p>\n", escaped(rubric.title), escaped(grade.name));
   html += fmt::format("<p class=\"total\">{} of {}</p>\n", points_text(grade.score),
                       points_text(grade.points));
+  const std::string mistake = mistake_text(shown(rubric, grade));
+  if (!mistake.empty()) html += "<p><strong>" + escaped(mistake) + "</strong></p>\n";
   if (!grade.finished) {
     html += "<p><strong>Grading was cut short: this is what was judged.</strong></p>\n";
   }

@@ -10,6 +10,9 @@ namespace raycheck::tools {
 /// At most two decimals, none that say nothing: "7", "2.5".
 std::string points_text(double points);
 
+/// The mistake that explains most items; empty where none is known.
+std::string mistake_text(const SubmissionGrade& grade);
+
 /// "holds over 40 cases", "fails 3 of 40 cases", "left out: it needs ..."
 std::string state_text(const ItemGrade& grade);
 
