@@ -46,7 +46,8 @@ std::string printable(std::string text) {
   return text;
 }
 
-/// A program that is to succeed; its folder, where it leaves what it makes, lasts as long.
+/// A program that is to succeed, which errors call `what`; its folder, where it leaves what it
+/// makes, lasts as long.
 class Step {
  public:
   Step(const std::string& what, const Confined& confined) : process_(confined) {
@@ -58,9 +59,8 @@ class Step {
       failure = error.what();
     }
     if (!failure.empty()) {
-      throw std::invalid_argument(fmt::format("--candidate {}: {} {}\n{}", what,
-                                              fs::path(confined.arguments[0]).filename().string(),
-                                              failure, printable(process_.said())));
+      throw std::invalid_argument(
+          fmt::format("{} {}\n{}", what, failure, printable(process_.said())));
     }
   }
   const fs::path& folder() const { return process_.folder(); }
@@ -105,7 +105,7 @@ fs::path compile(const std::string& what, const fs::path& source, const fs::path
                           "sh",
                           folder,
                           include};
-    const Step step(what, confined);
+    const Step step(fmt::format("--candidate {}: cmake", what), confined);
     const auto libraries = files_in(step.folder(), ".so");
     if (libraries.size() != 1) {
       throw std::invalid_argument(
@@ -125,7 +125,7 @@ fs::path compile(const std::string& what, const fs::path& source, const fs::path
   } else {
     confined.arguments.push_back(source);
   }
-  const Step step(what, confined);
+  const Step step(fmt::format("--candidate {}: g++", what), confined);
   return copied(step.folder() / "candidate.so", to);
 }
 
@@ -135,7 +135,7 @@ void build(const fs::path& folder, const std::string& words, const fs::path& to,
   confined.readable = {folder, include_folder()};
   confined.arguments = {"sh", "-c",   "cp -r \"$1\"/. \"$2\"/*.java . && { " + words + "; } >&2",
                         "sh", folder, adapters()};
-  const Step step(words, confined);
+  const Step step(fmt::format("'{}'", words), confined);
   std::uintmax_t bytes = 0;
   for (const auto& entry : fs::recursive_directory_iterator(step.folder())) {
     if (!fs::is_regular_file(entry.symlink_status())) continue;

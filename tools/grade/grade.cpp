@@ -24,9 +24,9 @@ using RecordJson = nlohmann::json;
 
 constexpr const char* kRecord = "result.json";
 
-void judge_all(const Rubric& rubric, const properties::Candidate& candidate, bool is_renderer,
+void judge_all(const Rubric& rubric, const properties::Candidate& candidate, bool pictures,
                SubmissionGrade& grade) {
-  Judge judge(rubric, candidate, is_renderer, grade.seed);
+  Judge judge(rubric, candidate, pictures, grade.seed);
   for (std::size_t k = 0; k < rubric.items.size(); ++k) {
     grade.items.push_back(judge.item(k, grade.items));
     const ItemGrade& item = grade.items.back();
@@ -36,17 +36,20 @@ void judge_all(const Rubric& rubric, const properties::Candidate& candidate, boo
   grade.finished = !interrupted();
 }
 
-/// Nothing could be asked of it: every item has its points, and none is given.
+bool is_renderer(const std::string& form) { return form.starts_with("renderer:"); }
+
+/// Nothing could be asked of it: every item of its form has its points, and none is given.
 void refuse(const Rubric& rubric, const std::string& why, SubmissionGrade& grade) {
   grade.refused = plain_text(why);
   for (const Item& item : rubric.items) {
     ItemGrade none;
     none.name = item.name;
     none.bonus = item.bonus;
-    none.points = item.points;
-    none.state = kNotJudged;
+    const bool is_asked = (is_renderer(grade.form) ? item.pictures : item.functions).has_value();
+    none.points = is_asked ? item.points : 0;
+    none.state = is_asked ? kNotJudged : kNotAsked;
     none.reason = "nothing could be asked";
-    if (!item.bonus) grade.points += item.points;
+    if (!item.bonus) grade.points += none.points;
     grade.items.push_back(std::move(none));
   }
 }
@@ -121,10 +124,10 @@ class Class {
     try {
       const Prepared prepared = prepare(submission, rubric_, layers_);
       grade.form = prepared.form;
-      judge_all(rubric_, external_candidate(prepared.external),
-                prepared.external.renderer.has_value(), grade);
-    } catch (const std::invalid_argument& error) {
-      refuse(rubric_, error.what(), grade);
+      judge_all(rubric_, external_candidate(prepared.external), is_renderer(grade.form), grade);
+    } catch (const Refused& refused) {
+      grade.form = refused.form();
+      refuse(rubric_, refused.what(), grade);
       grade.finished = !interrupted();
     } catch (const std::exception& error) {
       // Of this machine, not of the submission: it is graded again by the next run.

@@ -229,6 +229,7 @@ std::string step_of(const Case& the_case, const Candidate& candidate, const Tole
 }
 
 std::string head(const Discrepancy& d) {
+  if (d.wrong == Wrong::kFailed || d.wrong == Wrong::kRefused) return d.what;
   std::string text(info(d.quantity).name);
   if (has_place(d.quantity)) text += ", " + place_text(d.place);
   if (!d.what.empty()) text += ", " + d.what;
@@ -366,11 +367,13 @@ ItemGrade Judge::item(std::size_t index, const std::vector<ItemGrade>& before) {
   grade.state = grade.cases > 0 && grade.held == grade.cases ? kHolds : kFails;
   if (!first) return grade;
   const auto& [asked, shown] = *first;
-  grade.first_wrong = plain_text(asked.origin + ": " + head(*shown.discrepancy) + ": " +
-                                 numbers_text(shown.discrepancy->got));
+  grade.first_wrong = plain_text(asked.origin + ": " + head(*shown.discrepancy));
+  if (!shown.discrepancy->got.empty()) {
+    grade.first_wrong += ", " + numbers_text(shown.discrepancy->got);
+  }
   // Which sphere is shown tells more about a mistake than whether there is one.
-  grade.sentences =
-      sentences(wrong, is_renderer_ ? tolerated(candidate_, item.tolerance) : candidate, is_renderer_);
+  grade.sentences = sentences(
+      wrong, is_renderer_ ? tolerated(candidate_, item.tolerance) : candidate, is_renderer_);
   const Case smallest =
       simplest(asked.the_case, shown, candidate, item.tolerance, is_renderer_, is_late);
   grade.failing.push_back(failing_case(smallest, asked.origin, *shown.broken, candidate, item,

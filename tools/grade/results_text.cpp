@@ -21,9 +21,8 @@ std::string mistake_text(const SubmissionGrade& grade) {
   for (const ItemGrade& item : grade.items) {
     for (const std::string& sentence : item.sentences) {
       const std::string mistake = sentence.substr(0, sentence.rfind(": "));
-      const auto known = std::find_if(counts.begin(), counts.end(), [&](const auto& entry) {
-        return entry.first == mistake;
-      });
+      const auto known = std::find_if(counts.begin(), counts.end(),
+                                      [&](const auto& entry) { return entry.first == mistake; });
       if (known == counts.end()) {
         counts.emplace_back(mistake, 1);
       } else {
@@ -31,9 +30,9 @@ std::string mistake_text(const SubmissionGrade& grade) {
       }
     }
   }
-  const auto most = std::max_element(counts.begin(), counts.end(), [](const auto& a, const auto& b) {
-    return a.second < b.second;
-  });
+  const auto most =
+      std::max_element(counts.begin(), counts.end(),
+                       [](const auto& a, const auto& b) { return a.second < b.second; });
   return most == counts.end() ? "" : most->first;
 }
 
@@ -86,15 +85,18 @@ std::string class_csv(const ClassGrade& graded) {
   };
   std::string text = "submission,score,points";
   for (const Item& item : graded.rubric.items) text += "," + quoted(item.name);
-  text += ",refused\n";
+  text += ",note\n";
   for (const SubmissionGrade& grade : graded.submissions) {
     text += fmt::format("{},{},{}", quoted(grade.name), points_text(grade.score),
                         points_text(grade.points));
     for (const ItemGrade& item : grade.items) {
       text += "," + (item.state == kNotAsked ? "" : points_text(item.score));
     }
-    const std::string first_line = grade.refused.substr(0, grade.refused.find('\n'));
-    text += "," + (first_line.empty() ? "" : quoted(first_line)) + "\n";
+    const std::string note = !grade.refused.empty()
+                                 ? grade.refused.substr(0, grade.refused.find('\n'))
+                             : grade.finished ? mistake_text(grade)
+                                              : "interrupted";
+    text += "," + (note.empty() ? "" : quoted(note)) + "\n";
   }
   return text;
 }

@@ -34,8 +34,8 @@ std::map<std::string, fs::path> files_of(const fs::path& path) {
     files.emplace(fs::relative(entry.path(), path).string(), entry.path());
     bytes += entry.file_size();
     if (files.size() > kMostFiles || bytes > kMostBytes) {
-      throw std::invalid_argument(
-          fmt::format("it has more than {} files or {} MiB", kMostFiles, kMostBytes >> 20));
+      throw Refused(
+          fmt::format("it has more than {} files or {} MiB", kMostFiles, kMostBytes >> 20), "");
     }
   }
   return files;
@@ -73,9 +73,10 @@ std::pair<const Form*, std::string> form_of(const fs::path& folder, const Rubric
   }
   std::string asked;
   for (const Form& form : rubric.forms) asked += (asked.empty() ? "" : ", ") + form.has;
-  throw std::invalid_argument(
-      asked.empty() ? "the rubric has no [[form]] of submissions"
-                    : fmt::format("it has none of the files that are asked for: {}", asked));
+  throw Refused(asked.empty()
+                    ? "the rubric has no [[form]] of submissions"
+                    : fmt::format("it has none of the files that are asked for: {}", asked),
+                "");
 }
 
 }  // namespace
@@ -121,6 +122,7 @@ Prepared prepare(const Submission& submission, const Rubric& rubric, const Layer
     fs::copy_file(path, to);
   }
   const auto [form, file] = form_of(folder->path(), rubric);
+  const std::string what = with_file(form->candidate, file);
   RunOptions options;
   options.layers = layers;
   options.limits.seconds = rubric.reply_seconds;
@@ -129,18 +131,24 @@ Prepared prepare(const Submission& submission, const Rubric& rubric, const Layer
   options.excused_image_change = rubric.image_change;
   options.image_threshold = rubric.t_threshold;
   open_to_others(folder->path());
-  if (!form->build.empty()) {
-    auto built = std::make_shared<PrivateFolder>();
-    build(folder->path(), with_file(form->build, file), built->path(), options);
-    folder = std::move(built);
-    open_to_others(folder->path());
+  try {
+    if (!form->build.empty()) {
+      auto built = std::make_shared<PrivateFolder>();
+      build(folder->path(), with_file(form->build, file), built->path(), options);
+      folder = std::move(built);
+      open_to_others(folder->path());
+    }
+    options.folder = folder->path();
+    Prepared prepared{find_external(what, options), what};
+    // The program's folder lasts as long as it; a library has one of its own.
+    if (!prepared.external.folder) prepared.external.folder = std::move(folder);
+    return prepared;
+  } catch (const std::invalid_argument& error) {
+    std::string why = error.what();
+    const std::string option = "--candidate " + what + ": ";
+    if (why.starts_with(option)) why.erase(0, option.size());
+    throw Refused(why, what);
   }
-  options.folder = folder->path();
-  const std::string what = with_file(form->candidate, file);
-  Prepared prepared{find_external(what, options), what};
-  // The program's folder lasts as long as it; a library has one of its own.
-  if (!prepared.external.folder) prepared.external.folder = std::move(folder);
-  return prepared;
 }
 
 std::string plain_text(std::string text) {

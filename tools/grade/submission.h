@@ -2,7 +2,9 @@
 #define RAYCHECK_TOOLS_GRADE_SUBMISSION_H_
 
 #include <filesystem>
+#include <stdexcept>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "tools/candidates/find.h"
@@ -23,6 +25,18 @@ std::vector<Submission> find_submissions(const std::vector<std::string>& paths);
 /// Of its files' names and contents.
 std::string digest(const Submission& submission);
 
+/// Why nothing can be asked of a submission, and the candidate that its form makes of it, empty
+/// where none fits.
+class Refused : public std::invalid_argument {
+ public:
+  Refused(const std::string& why, std::string form)
+      : std::invalid_argument(why), form_(std::move(form)) {}
+  const std::string& form() const { return form_; }
+
+ private:
+  std::string form_;
+};
+
 /// A submission in a folder that its program may read, built where its form says so.
 struct Prepared {
   External external;
@@ -31,7 +45,7 @@ struct Prepared {
 };
 
 /// Copies, builds and starts a submission, each step kept like a candidate.
-/// Errors: std::invalid_argument with what is wrong: no form fits, a compiler's message, a program
+/// Errors: Refused with what is wrong: no form fits, a compiler's message, a program
 /// that does not introduce itself.
 Prepared prepare(const Submission& submission, const Rubric& rubric, const Layers& layers);
 
