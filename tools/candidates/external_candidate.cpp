@@ -173,6 +173,7 @@ Candidate external_candidate(const External& external) {
   const Candidate plain = candidate_of(kDefaultMethods);
   candidate.max_error = plain.max_error;
   candidate.max_error_end_to_end = plain.max_error_end_to_end;
+  candidate.smallest_length = candidate.smallest_camera_length = kSmallestJudgedLength;
   if (offers("frame")) {
     candidate.frame = [talk](const scene::Camera& camera) {
       return talk->ask(

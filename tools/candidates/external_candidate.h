@@ -42,6 +42,9 @@ External rendering(std::string name, Renderer renderer);
 /// again after it failed, and none after kMostSilences that were answered by silence.
 properties::Candidate external_candidate(const External& external);
 inline constexpr int kMostSilences = 3;
+/// Of smaller lengths what comes out may be subnormal, of too few digits for any bound in units of
+/// its size.
+inline constexpr double kSmallestJudgedLength = 0x1p-960;
 
 }  // namespace raycheck::tools
 

@@ -88,46 +88,56 @@ std::string link(const SubmissionGrade& grade) {
   return fmt::format("<a href=\"{}/report.html\">{}</a>", address, escaped(grade.name));
 }
 
-/// Submissions that give the same wrong answer to the same case.
-std::string alike(const ClassGrade& graded) {
-  struct Group {
-    std::string item, what, sentence;
-    std::vector<const SubmissionGrade*> members;
-  };
-  std::map<std::pair<std::size_t, std::string>, Group> groups;
-  for (const SubmissionGrade& grade : graded.submissions) {
-    for (std::size_t k = 0; k < grade.items.size(); ++k) {
-      const ItemGrade& item = grade.items[k];
-      if (item.first_wrong.empty()) continue;
-      Group& group = groups[{k, item.first_wrong}];
-      group.item = item.name;
-      group.what = item.first_wrong;
-      if (!item.sentences.empty()) group.sentence = item.sentences.front();
-      group.members.push_back(&grade);
+using Members = std::vector<const SubmissionGrade*>;
+
+/// What several submissions have in common: items of which they give the same wrong answer to the
+/// same case.
+struct Alike {
+  Members members;
+  std::vector<std::pair<std::string, std::string>> wrong;  ///< Items, and what is wrong.
+};
+
+std::vector<Alike> find_alike(const ClassGrade& graded) {
+  std::vector<Alike> found;
+  for (std::size_t k = 0; k < graded.rubric.items.size(); ++k) {
+    std::map<std::string, Members> by_answer;
+    for (const SubmissionGrade& grade : graded.submissions) {
+      const std::string& wrong = grade.items[k].first_wrong;
+      if (!wrong.empty()) by_answer[wrong].push_back(&grade);
+    }
+    for (const auto& [wrong, members] : by_answer) {
+      if (members.size() < 2) continue;
+      auto known = std::find_if(found.begin(), found.end(),
+                                [&](const Alike& one) { return one.members == members; });
+      if (known == found.end()) known = found.insert(found.end(), Alike{members, {}});
+      known->wrong.emplace_back(graded.rubric.items[k].name, wrong);
     }
   }
-  std::vector<const Group*> shown;
-  for (const auto& [key, group] : groups) {
-    if (group.members.size() > 1) shown.push_back(&group);
-  }
-  std::stable_sort(shown.begin(), shown.end(), [](const Group* a, const Group* b) {
-    return a->members.size() > b->members.size();
+  std::stable_sort(found.begin(), found.end(), [](const Alike& a, const Alike& b) {
+    return std::pair(a.members.size(), a.wrong.size()) >
+           std::pair(b.members.size(), b.wrong.size());
   });
-  std::string html = "<h2>Alike</h2>\n<p>The same wrong answer to the same case.</p>\n";
-  if (shown.empty()) return html + "<p>None.</p>\n";
-  for (const Group* group : shown) {
+  return found;
+}
+
+std::string alike(const ClassGrade& graded) {
+  std::string html = "<h2>Alike</h2>\n<p>The same wrong answers to the same cases.</p>\n";
+  const std::vector<Alike> found = find_alike(graded);
+  if (found.empty()) return html + "<p>None.</p>\n";
+  for (const Alike& one : found) {
     html += fmt::format(
-        "<details><summary><span class=\"name\">{}: {}</span></summary>\n<p>{}</p>"
-        "\n",
-        escaped(group->item), count_text(group->members.size(), "submission"),
-        escaped(group->what));
-    if (!group->sentence.empty())
-      html += "<p><strong>" + escaped(group->sentence) + "</strong></p>\n";
-    html += "<p>";
-    for (std::size_t k = 0; k < group->members.size(); ++k) {
-      html += (k == 0 ? "" : ", ") + link(*group->members[k]);
+        "<details><summary><span class=\"name\">{} alike in {}</span><span>{}"
+        "</span></summary>\n<p>",
+        one.members.size(), count_text(one.wrong.size(), "item"),
+        escaped(mistake_text(*one.members.front())));
+    for (const SubmissionGrade* member : one.members) {
+      html += (member == one.members.front() ? "" : ", ") + link(*member);
     }
-    html += "</p></details>\n";
+    html += "</p>\n<dl>\n";
+    for (const auto& [item, wrong] : one.wrong) {
+      html += fmt::format("<dt>{}</dt><dd>{}</dd>\n", escaped(item), escaped(wrong));
+    }
+    html += "</dl></details>\n";
   }
   return html;
 }

@@ -195,6 +195,15 @@ Shown show(const Questions& questions, const Item& item, const Case& the_case,
   return shown;
 }
 
+/// Whether a camera still looks the way in which another does, its bounds in the same order: what
+/// programs may rely on.
+bool is_alike(const scene::Scene& now, const scene::Scene& before) {
+  if (!before.camera) return true;
+  const auto& [a, b] = std::pair(*now.camera, *before.camera);
+  return (a.near < 0) == (b.near < 0) && (a.left < a.right) == (b.left < b.right) &&
+         (a.bottom < a.top) == (b.bottom < b.top);
+}
+
 /// A failing case that is simpler and fails in the same way.
 Case simplest(const Case& from, const Shown& shown, const Candidate& candidate,
               const Tolerance& tolerance, bool pictures, const std::function<bool()>& is_late) {
@@ -210,7 +219,7 @@ Case simplest(const Case& from, const Shown& shown, const Candidate& candidate,
   Case start = from;
   if (pictures) start.pixels.clear();
   return whole(properties::smallest(std::move(start), tries, [&](const Case& next) {
-    if (is_late()) return false;
+    if (is_late() || !is_alike(next.scene, from.scene)) return false;
     const Case judged = whole(next);
     Trial trial(judged, candidate, options_of(tolerance));
     const Verdict verdict = apply(*shown.broken, trial);
