@@ -7,7 +7,9 @@
 #include <set>
 
 #include "scene/toml_fields.h"
+#include "tools/candidates/process.h"
 #include "tools/grade/digest.h"
+#include "tools/version.h"
 
 namespace raycheck::tools {
 namespace {
@@ -251,6 +253,14 @@ class RubricReader {
 
 }  // namespace
 
-Rubric load_rubric(const fs::path& path) { return RubricReader(path).read(); }
+Rubric load_rubric(const fs::path& path) {
+  if (!fs::exists(path) && !path.has_parent_path()) {
+    for (const fs::path& folder : {program_folder().parent_path() / "share/raycheck/rubrics",
+                                   fs::path(kSourceFolder) / "tools/rubrics"}) {
+      if (fs::exists(folder / path)) return RubricReader(folder / path).read();
+    }
+  }
+  return RubricReader(path).read();
+}
 
 }  // namespace raycheck::tools

@@ -103,7 +103,8 @@ struct Rubric {
   std::vector<std::string> scene_files;
 };
 
-/// Reads a rubric and the scenes that it names, beside it.
+/// Reads a rubric and the scenes that it names, beside it; where there is no file of that path, the
+/// one of that name among those that come with raycheck.
 /// Errors: scene::SceneFileError naming file, line, field and value.
 Rubric load_rubric(const std::filesystem::path& path);
 
