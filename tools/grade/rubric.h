@@ -2,6 +2,7 @@
 #define RAYCHECK_TOOLS_GRADE_RUBRIC_H_
 
 #include <array>
+#include <cstdint>
 #include <filesystem>
 #include <optional>
 #include <string>
@@ -52,6 +53,11 @@ struct RubricScene {
   std::string name;  ///< As the rubric calls it.
   scene::Scene scene;
 };
+
+/// Pictures have at most so many pixels.
+inline constexpr std::int64_t kMostGradedPixels = std::int64_t{1} << 16;
+/// Functions are asked about at most so many rays of a scene, spread evenly.
+inline constexpr std::uint64_t kMostGradedRays = 512;
 
 /// The cases of an item, and the laws that are asked of each.
 struct Questions {
