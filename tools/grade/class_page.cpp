@@ -120,6 +120,15 @@ std::vector<Alike> find_alike(const ClassGrade& graded) {
   return found;
 }
 
+/// Empty where they differ.
+std::string mistake_of_all(const Members& members) {
+  const std::string mistake = mistake_text(*members.front());
+  const bool is_same = std::all_of(members.begin(), members.end(), [&](const auto* member) {
+    return mistake_text(*member) == mistake;
+  });
+  return is_same ? mistake : "";
+}
+
 std::string alike(const ClassGrade& graded) {
   std::string html = "<h2>Alike</h2>\n<p>The same wrong answers to the same cases.</p>\n";
   const std::vector<Alike> found = find_alike(graded);
@@ -129,7 +138,7 @@ std::string alike(const ClassGrade& graded) {
         "<details><summary><span class=\"name\">{} alike in {}</span><span>{}"
         "</span></summary>\n<p>",
         one.members.size(), count_text(one.wrong.size(), "item"),
-        escaped(mistake_text(*one.members.front())));
+        escaped(mistake_of_all(one.members)));
     for (const SubmissionGrade* member : one.members) {
       html += (member == one.members.front() ? "" : ", ") + link(*member);
     }

@@ -62,6 +62,15 @@ std::string step_of(const Case& the_case, const Asking& asking) {
   return "";
 }
 
+/// What was answered, or should have been.
+std::string answer_text(const Discrepancy& d, const std::vector<double>& answer) {
+  if (d.quantity == properties::Quantity::kRefusal) return "";
+  if (d.quantity != properties::Quantity::kNearestSphere) return numbers_text(answer);
+  if (!answer.empty()) return fmt::format("sphere {}", answer.front());
+  const bool is_untold = &answer == &d.got && d.wrong == Wrong::kFalseHit;
+  return is_untold ? "a sphere" : "no sphere";
+}
+
 }  // namespace
 
 std::string head(const Discrepancy& d) {
@@ -109,13 +118,11 @@ std::optional<FailingCase> failing_case(const Case& the_case, const std::string&
   failing.law = law.sentence;
   failing.origin = origin;
   failing.what = plain_text(head(d));
-  if (d.quantity != properties::Quantity::kRefusal) {
-    failing.actual = numbers_text(d.got);
-    failing.expected = numbers_text(d.exact);
-  }
+  failing.actual = answer_text(d, d.got);
+  failing.expected = answer_text(d, d.exact);
   Case told = the_case;
   told.scene.conventions = trial.conventions();
-  failing.scene = properties::text(told);
+  failing.scene = asking.pictures ? scene::write_toml(told.scene) : properties::text(told);
   if (told.scene.camera) failing.driver = driver_text(told.scene, asking.dialect);
   if (!asking.pictures && d.wrong != Wrong::kFailed) failing.step = step_of(the_case, asking);
   return failing;
