@@ -77,7 +77,7 @@ TEST(List, names_every_method_law_and_convention) {
   EXPECT_EQ(report["laws"].size(), 29u);
   ASSERT_EQ(report["sources"].size(), 23u);
   EXPECT_TRUE(report["sources"][0]["dial"].is_null());
-  EXPECT_EQ(report["sources"][3]["dial"]["highest"], 15);
+  EXPECT_EQ(report["sources"][5]["dial"]["highest"], 15);
 }
 
 }  // namespace
