@@ -187,5 +187,30 @@ TEST(GradeCommand, grades_the_others_when_a_submission_has_no_form) {
   EXPECT_EQ(grading.result("mine")["score"], 110);
 }
 
+TEST(GradeCommand, grades_the_others_when_names_are_no_text) {
+  const Grading grading;
+  std::string rubric = kRubric;
+  rubric.replace(rubric.find("rays.py"), 7, "*.py");
+  const std::string text = contents(grading.submit("mine", "rays.py") + "/rays.py");
+  const std::string odd =
+      "o\xff"
+      "dd";
+  grading.write("submissions/" + odd + "/rays.py", text);
+  grading.write("submissions/file/" + odd + ".py", text);
+  const std::string path = grading.write("rubric.toml", rubric);
+  for (const char* format : {"json", "csv", "gradescope", "prairielearn"}) {
+    const Outcome outcome =
+        grading.grade(path,
+                      {grading.path("submissions/" + odd), grading.path("submissions/file"),
+                       grading.path("submissions/mine")},
+                      "out", std::string("--format ") + format);
+    EXPECT_EQ(outcome.exit_code, 0) << format << outcome.err;
+    for (const std::string& name : {odd, std::string("file"), std::string("mine")}) {
+      EXPECT_EQ(grading.result(name)["score"], 4) << format;
+    }
+    EXPECT_TRUE(contains(grading.file("", "index.html"), "o%FFdd/report.html")) << format;
+  }
+}
+
 }  // namespace
 }  // namespace raycheck::tests

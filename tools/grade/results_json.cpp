@@ -72,7 +72,8 @@ std::string class_json(const ClassGrade& graded) {
   json["reused"] = graded.reused;
   json["submissions"] = Json::array();
   for (const SubmissionGrade& grade : graded.submissions) {
-    json["submissions"].push_back(Json::parse(nlohmann::json(grade).dump()));
+    json["submissions"].push_back(Json::parse(
+        nlohmann::json(grade).dump(-1, ' ', false, nlohmann::json::error_handler_t::replace)));
   }
   return json.dump(2) + "\n";
 }
