@@ -9,13 +9,15 @@
 
 In a template a line `{{ARGUMENTS}}` stands for what `./run ARGUMENTS` prints. In a console block
 `$ ./run ARGUMENTS` is followed by what it prints; where the block elides lines by `...`, it stays
-as it is and must be looked after by hand.
+as it is and must be looked after by hand. The session blocks of a page are one shell's commands.
 """
 import json
+import os
 import pathlib
 import re
 import subprocess
 import sys
+import tempfile
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 
@@ -58,6 +60,44 @@ def shown(path):
 
     text = path.read_text()
     path.write_text(re.sub(r"```console\n\$ \./run (.*)\n((?:(?!```).*\n)*)```", again, text))
+
+
+MARK = "\x01"
+
+
+def sessions(path):
+    """Runs the session blocks of a page, one after the other in one folder that is empty at first,
+    and puts what they print below their commands, where no line is elided."""
+    block = re.compile(r"```session\n((?:(?!```).*\n)*)```")
+    commands = []  # of all blocks: the command's lines, and whether its output stays
+    for match in block.finditer(path.read_text()):
+        commands.append([])
+        for line in match[1].splitlines():
+            if line.startswith("$ "):
+                commands[-1].append(([line], []))
+            elif line.startswith("> ") or line == ">":
+                commands[-1][-1][0].append(line)
+            else:
+                commands[-1][-1][1].append(line)
+    script = "exec 2>&1\n"
+    for lines, _ in sum(commands, []):
+        script += f"printf '{MARK}'\n" + "\n".join(line[2:] for line in lines) + "\n"
+    with tempfile.TemporaryDirectory() as folder:
+        environment = dict(os.environ, RAYCHECK=str(ROOT))
+        environment["PATH"] = f"{ROOT}/build/release/tools:" + environment["PATH"]
+        result = subprocess.run(["bash", "-c", script], cwd=folder, text=True, env=environment,
+                                stdout=subprocess.PIPE)
+    outputs = iter(result.stdout.split(MARK)[1:])
+    texts = []
+    for entries in commands:
+        text = ""
+        for lines, shown_lines in entries:
+            now = next(outputs)
+            kept = "\n".join(shown_lines) + "\n"
+            text += "\n".join(lines) + "\n" + (kept if "..." in shown_lines else now)
+        texts.append(f"```session\n{text}```")
+    texts = iter(texts)
+    path.write_text(block.sub(lambda match: next(texts), path.read_text()))
 
 
 def benchmarks(program, *options):
@@ -196,5 +236,7 @@ if __name__ == "__main__":
     elif sys.argv[1:] == ["--shown"]:
         for path in [ROOT / "README.md", ROOT / "CONTRIBUTING.md", *sorted((ROOT / "docs").glob("*.md"))]:
             shown(path)
+        for name in ("grading", "students"):
+            sessions(ROOT / "docs" / f"{name}.md")
     else:
         from_template("error-against-run-time")

@@ -7,9 +7,11 @@
 #include <cmath>
 #include <map>
 #include <memory>
+#include <span>
 #include <stdexcept>
 #include <utility>
 
+#include "properties/answer_explanation.h"
 #include "properties/law.h"
 #include "scene/plan.h"
 #include "tools/in_order.h"
@@ -81,17 +83,22 @@ ChunkVerdict judge_chunk(const Case& chunk, std::uint64_t first, std::shared_ptr
   return found;
 }
 
-/// What explains the errors of a picture, which is asked for again and was kept.
+/// The mistake that explains the errors of someone else's: of a picture, which is asked for again
+/// and was kept, or of the answers about some rays.
 std::vector<properties::Explanation> explained(const CandidateReport& report,
                                                const scene::Scene& scene) {
-  if (!scene.camera || report.verdict.holds()) return {};
+  if (external_of(report.contestant) == nullptr || report.verdict.holds()) return {};
   const Candidate candidate = candidate_of(report.contestant);
-  if (!candidate.image) return {};
   try {
-    return properties::explanations(scene, report.conventions,
-                                    candidate.image(scene, report.conventions));
+    if (candidate.image) {
+      return properties::explanations(scene, report.conventions,
+                                      candidate.image(scene, report.conventions));
+    }
+    const SceneCases some(scene, kChunk);
+    const Case rays = some.from(0, std::min<std::uint64_t>(kChunk, some.rays_judged()));
+    return properties::explanations(std::span(&rays, 1), candidate);
   } catch (const std::runtime_error&) {
-    return {};  // there is no picture, as the verdict says
+    return {};  // it gives no answer, as the verdict says
   }
 }
 

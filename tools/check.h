@@ -44,7 +44,7 @@ struct CandidateReport {
   std::vector<double> bounds;      ///< By quantity.
   properties::Verdict verdict;
   std::vector<LeftOut> left_out;
-  std::vector<properties::Explanation> explanations;  ///< Of what a renderer's picture has wrong.
+  std::vector<properties::Explanation> explanations;  ///< Of what someone else's has wrong.
   Timing timing;                                      ///< Of raycheck's methods.
 };
 

@@ -57,9 +57,8 @@ Json candidate_json(const CandidateReport& candidate, std::size_t top) {
   }
   json["explanations"] = Json::array();
   for (const properties::Explanation& one : candidate.explanations) {
-    json["explanations"].push_back({{"sentence", one.sentence},
-                                    {"wrong_pixels", one.errors},
-                                    {"explained_pixels", one.explained}});
+    json["explanations"].push_back(
+        {{"sentence", one.sentence}, {"wrong", one.errors}, {"explained", one.explained}});
   }
   json["discrepancies"] = candidate.verdict.discrepancies();
   json["discrepancies_excused"] = candidate.verdict.excused();

@@ -112,8 +112,8 @@ std::string check_text(const CheckReport& report, bool colours) {
     }
     text += quantities_table(candidate);
     for (const properties::Explanation& one : candidate.explanations) {
-      text += fmt::format("  {}: {} of {} wrong pixels are right that way\n", one.sentence,
-                          one.explained, one.errors);
+      text += fmt::format("  {}: {} of {} wrong {} are right that way\n", one.sentence,
+                          one.explained, one.errors, external->renderer ? "pixels" : "answers");
     }
     std::size_t rank = 0;
     for (const auto& discrepancy : candidate.verdict.worst(report.top)) {

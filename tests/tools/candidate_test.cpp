@@ -242,7 +242,7 @@ TEST_P(EachMistake, IsNamed) {
   const json& one = report["explanations"][0];
   EXPECT_NE(one["sentence"].get<std::string>().find(GetParam().sentence), std::string::npos)
       << one.dump(2);
-  EXPECT_EQ(one["wrong_pixels"], one["explained_pixels"]);
+  EXPECT_EQ(one["wrong"], one["explained"]);
 }
 
 INSTANTIATE_TEST_SUITE_P(Classic, EachMistake,

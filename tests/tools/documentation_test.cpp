@@ -142,5 +142,63 @@ TEST(Documentation, shows_what_the_program_prints) {
   EXPECT_GE(commands, 6);
 }
 
+/// The session blocks of a page: commands with what they print, run one after the other by one
+/// shell in a folder that is empty at first.
+std::vector<Shown> session_of(const std::filesystem::path& path) {
+  std::vector<Shown> result;
+  std::ifstream file(path);
+  bool inside = false;
+  int number = 0;
+  for (std::string line; std::getline(file, line);) {
+    ++number;
+    if (line.rfind("```", 0) == 0) {
+      inside = line == "```session";
+    } else if (inside && line.rfind("$ ", 0) == 0) {
+      result.push_back({path.filename().string() + ":" + std::to_string(number), false,
+                        line.substr(2), {}});
+    } else if (inside && (line.rfind("> ", 0) == 0 || line == ">")) {
+      result.back().arguments += "\n" + line.substr(std::min<std::size_t>(2, line.size()));
+    } else if (inside) {
+      result.back().lines.push_back(line);
+    }
+  }
+  return result;
+}
+
+void expect_session(const std::filesystem::path& page, std::size_t fewest) {
+  constexpr char kMark = '\1';
+  const std::vector<Shown> session = session_of(page);
+  EXPECT_GE(session.size(), fewest) << page;
+  const std::string tools = std::filesystem::path(RAYCHECK_BINARY).parent_path().string();
+  const std::string folder = temporary_file(page.stem().string(), "") + ".d";
+  std::filesystem::create_directory(folder);
+  std::string script = "exec 2>&1\ncd '" + folder + "'\nexport RAYCHECK='" RAYCHECK_SOURCE_DIR
+                       "' PATH='" + tools + "':$PATH\n";
+  for (const Shown& shown : session) {
+    script += std::string("printf '") + kMark + "'\n" + shown.arguments + "\n";
+  }
+  const Outcome result = run_bash(temporary_file("session.sh", script));
+  std::size_t at = result.out.find(kMark);
+  for (const Shown& shown : session) {
+    ASSERT_NE(at, std::string::npos) << shown.where << ": not run";
+    const std::size_t end = std::min(result.out.find(kMark, at + 1), result.out.size());
+    const std::string printed = result.out.substr(at + 1, end - at - 1);
+    if (shown.lines.empty()) {
+      EXPECT_EQ(printed, "") << shown.where;
+    }
+    expect_shown(shown, lines_of(printed));
+    at = end;
+  }
+  std::filesystem::remove_all(folder);
+}
+
+TEST(Documentation, instructors_get_from_an_empty_folder_to_a_graded_class) {
+  expect_session(std::filesystem::path(RAYCHECK_SOURCE_DIR) / "docs/grading.md", 8);
+}
+
+TEST(Documentation, students_check_three_functions_by_one_command) {
+  expect_session(std::filesystem::path(RAYCHECK_SOURCE_DIR) / "docs/students.md", 4);
+}
+
 }  // namespace
 }  // namespace raycheck::tests

@@ -56,6 +56,8 @@ Outcome run(const std::string& arguments) { return start(RAYCHECK_BINARY, argume
 
 Outcome run_python(const std::string& arguments) { return start("python3", arguments, -1); }
 
+Outcome run_bash(const std::string& path) { return start("bash", "'" + path + "'", -1); }
+
 Outcome run_interrupted(const std::string& arguments, int milliseconds) {
   return start(RAYCHECK_BINARY, arguments, milliseconds);
 }

@@ -18,6 +18,9 @@ Outcome run(const std::string& arguments);
 /// Runs `python3 ARGUMENTS` in the same way.
 Outcome run_python(const std::string& arguments);
 
+/// Runs a script by bash.
+Outcome run_bash(const std::string& path);
+
 /// Starts it, sends SIGINT after `milliseconds`, and waits for its end.
 Outcome run_interrupted(const std::string& arguments, int milliseconds);
 

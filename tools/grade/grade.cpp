@@ -2,6 +2,7 @@
 
 #include <fmt/core.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <fstream>
 #include <stdexcept>
@@ -98,6 +99,7 @@ class Class {
               fmt::format("{} of {} graded", result.submissions.size(), submissions_.size()));
         });
     result.rubric = rubric_;
+    result.out = options_.out;
     result.interrupted = interrupted();
     const fs::path out(options_.out);
     OutputFile("--out", out / "grades.csv").write(class_csv(result));
@@ -158,6 +160,9 @@ class Class {
       OutputFile("--out", folder / name).write(text);
     };
     for (const ItemGrade& item : grade.items) {
+      // Those of an earlier grade.
+      for (const char* ending : {".toml", ".txt"})
+        fs::remove(folder / (file_name(item.name) + ending));
       for (const FailingCase& failing : item.failing) {
         put(file_name(item.name) + ".toml", failing.scene);
         if (!failing.driver.empty()) put(file_name(item.name) + ".txt", failing.driver);
@@ -185,17 +190,26 @@ class Class {
 ClassGrade grade(const GradeOptions& options) { return Class(options).grade(); }
 
 std::vector<SubmissionGrade> try_rubric(const Rubric& rubric, std::uint64_t seed) {
-  std::vector<SubmissionGrade> grades(2);
-  for (SubmissionGrade& grade : grades) grade.seed = seed;
-  grades[0].name = "functions";
-  properties::Candidate own = candidate_of(kDefaultMethods);
-  judge_all(rubric, own, false, grades[0]);
-  grades[1].name = "pictures";
-  properties::Candidate renderer;
-  renderer.name = "pictures";
-  renderer.excused_image_change = rubric.image_change;
-  renderer.image = properties::exact_image;
-  judge_all(rubric, renderer, true, grades[1]);
+  const auto asks = [&](const auto& questions) {
+    return std::any_of(rubric.items.begin(), rubric.items.end(),
+                       [&](const Item& item) { return (item.*questions).has_value(); });
+  };
+  std::vector<SubmissionGrade> grades;
+  const auto try_on = [&](const char* name, const properties::Candidate& candidate, bool pictures) {
+    SubmissionGrade grade;
+    grade.name = name;
+    grade.seed = seed;
+    judge_all(rubric, candidate, pictures, grade);
+    grades.push_back(std::move(grade));
+  };
+  if (asks(&Item::functions)) try_on("functions", candidate_of(kDefaultMethods), false);
+  if (asks(&Item::pictures)) {
+    properties::Candidate renderer;
+    renderer.name = "pictures";
+    renderer.excused_image_change = rubric.image_change;
+    renderer.image = properties::exact_image;
+    try_on("pictures", renderer, true);
+  }
   return grades;
 }
 

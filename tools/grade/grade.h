@@ -29,6 +29,7 @@ struct GradeOptions {
 /// A class, graded: what the pages and tables about it are made of.
 struct ClassGrade {
   Rubric rubric;
+  std::string out;                           ///< Where the results are; empty: nowhere.
   std::vector<SubmissionGrade> submissions;  ///< In the order given; those that were reached.
   std::uint64_t reused = 0;                  ///< Of those, graded by an earlier run.
   bool interrupted = false;

@@ -84,7 +84,10 @@ Command add_grade(CLI::App& program) {
   Arguments& arguments = *given;
   CLI::App& command = *program.add_subcommand(
       "grade", "Grade submissions by a rubric; without any, try the rubric");
-  command.add_option("RUBRIC", arguments.options.rubric, "a TOML file")->required();
+  command
+      .add_option("RUBRIC", arguments.options.rubric,
+                  "a TOML file, or one that comes with raycheck: lecture7.toml")
+      ->required();
   command.add_option("SUBMISSION", arguments.options.submissions, "folders or files handed in");
   command.add_option("--out", arguments.options.out, "the folder that takes the results");
   command.add_option("--jobs", arguments.options.jobs, "submissions graded at a time")

@@ -34,11 +34,6 @@ class Judge {
 /// The item's points for a share of its cases.
 double score_of(const Item& item, std::uint64_t held, std::uint64_t cases);
 
-/// Of rubrics: pictures have at most so many pixels.
-inline constexpr std::int64_t kMostGradedPixels = std::int64_t{1} << 16;
-/// Functions are asked about at most so many rays of a scene, spread evenly.
-inline constexpr std::uint64_t kMostGradedRays = 512;
-
 }  // namespace raycheck::tools
 
 #endif  // RAYCHECK_TOOLS_GRADE_JUDGE_H_

@@ -101,12 +101,15 @@ std::string class_csv(const ClassGrade& graded) {
   return text;
 }
 
-std::string class_text(const ClassGrade& graded) {
+namespace {
+
+/// A line a submission, and its mistake.
+std::string submission_lines(const ClassGrade& graded) {
   std::size_t width = 0;
   for (const SubmissionGrade& grade : graded.submissions) {
     width = std::max(width, grade.name.size());
   }
-  std::string text = graded.rubric.title + "\n";
+  std::string text;
   for (const SubmissionGrade& grade : graded.submissions) {
     text += fmt::format("{:<{}}  {:>6} of {}", grade.name, width, points_text(grade.score),
                         points_text(grade.points));
@@ -122,6 +125,40 @@ std::string class_text(const ClassGrade& graded) {
     text += "\n";
     const std::string mistake = mistake_text(grade);
     if (!mistake.empty()) text += fmt::format("{:<{}}    {}\n", "", width, mistake);
+  }
+  return text;
+}
+
+/// A line an item, for who looks at one submission.
+std::string item_lines(const Rubric& rubric, const SubmissionGrade& grade) {
+  std::string text = fmt::format("{}: {} of {}\n", grade.name, points_text(grade.score),
+                                 points_text(grade.points));
+  if (!grade.refused.empty()) return text + grade.refused + "\n";
+  std::size_t width = 0;
+  for (const Item& item : rubric.items) width = std::max(width, item.name.size());
+  for (std::size_t k = 0; k < grade.items.size(); ++k) {
+    const ItemGrade& item = grade.items[k];
+    const std::string of = item.state == kNotAsked
+                               ? ""
+                               : fmt::format(" of {}{}", points_text(rubric.items[k].points),
+                                             item.bonus ? " (bonus)" : "");
+    text +=
+        fmt::format("  {:<{}}  {:>5}{}  {}\n", item.name, width,
+                    item.state == kNotAsked ? "-" : points_text(item.score), of, state_text(item));
+  }
+  const std::string mistake = mistake_text(grade);
+  if (!mistake.empty()) text += "  " + mistake + "\n";
+  return text;
+}
+
+}  // namespace
+
+std::string class_text(const ClassGrade& graded) {
+  std::string text = graded.rubric.title + "\n";
+  const bool is_one = graded.submissions.size() == 1;
+  text += is_one ? item_lines(graded.rubric, graded.submissions.front()) : submission_lines(graded);
+  if (is_one && !graded.out.empty()) {
+    text += fmt::format("see {}/{}/report.html\n", graded.out, graded.submissions[0].name);
   }
   if (graded.interrupted) {
     text += "INTERRUPTED: the same command goes on where it was cut.\n";

@@ -7,7 +7,9 @@
 #include <set>
 
 #include "scene/toml_fields.h"
+#include "tools/candidates/process.h"
 #include "tools/grade/digest.h"
+#include "tools/version.h"
 
 namespace raycheck::tools {
 namespace {
@@ -200,22 +202,26 @@ class RubricReader {
       result.given_rays = given;
     }
     if (const auto scenes = fields_.optional(from, "scenes")) {
-      for (const Field& name : fields_.list(*scenes)) result.scenes.push_back(scene_of(name));
+      for (const Field& name : fields_.list(*scenes))
+        result.scenes.push_back(scene_of(name, pictures));
     }
-    read_sources(from, result);
+    read_sources(from, pictures, result);
     if (result.scenes.empty() && result.sources.empty()) {
       fields_.fail(field, "names neither scenes nor sources");
     }
     return result;
   }
 
-  void read_sources(const Table& from, Questions& result) {
+  void read_sources(const Table& from, bool pictures, Questions& result) {
     if (const auto sources = fields_.optional(from, "sources")) {
       for (const Field& name : fields_.list(*sources)) {
         try {
           result.sources.push_back(properties::chosen_source(fields_.text(name)));
         } catch (const std::invalid_argument& error) {
           fields_.fail(name, std::string(error.what()) + "; `raycheck list` shows the sources");
+        }
+        if (pictures && !result.sources.back().source->has_camera) {
+          fields_.fail(name, "has no cameras to make pictures with");
         }
       }
     }
@@ -228,18 +234,24 @@ class RubricReader {
     result.cases = static_cast<int>(count);
   }
 
-  RubricScene scene_of(const Field& field) {
+  RubricScene scene_of(const Field& field, bool pictures) {
     const std::string name = fields_.text(field);
     if (fs::path(name).is_absolute() || name.find("..") != std::string::npos) {
       fields_.fail(field, "must be a path below the rubric's folder");
     }
-    try {
-      RubricScene scene{name, scene::load_scene(path_.parent_path() / name).scene};
-      scene_files_.insert(name);
-      return scene;
-    } catch (const scene::SceneFileError& error) {
-      fields_.fail(field, error.what());
+    const scene::Scene scene = [&] {
+      try {
+        return scene::load_scene(path_.parent_path() / name).scene;
+      } catch (const scene::SceneFileError& error) {
+        fields_.fail(field, error.what());
+      }
+    }();
+    if (pictures && !scene.camera) fields_.fail(field, "has no camera to make a picture with");
+    if (pictures && scene.camera->width > kMostGradedPixels / scene.camera->height) {
+      fields_.fail(field, "has more than 65536 pixels");
     }
+    scene_files_.insert(name);
+    return {name, scene};
   }
 
   fs::path path_;
@@ -251,6 +263,14 @@ class RubricReader {
 
 }  // namespace
 
-Rubric load_rubric(const fs::path& path) { return RubricReader(path).read(); }
+Rubric load_rubric(const fs::path& path) {
+  if (!fs::exists(path) && !path.has_parent_path()) {
+    for (const fs::path& folder : {program_folder().parent_path() / "share/raycheck/rubrics",
+                                   fs::path(kSourceFolder) / "tools/rubrics"}) {
+      if (fs::exists(folder / path)) return RubricReader(folder / path).read();
+    }
+  }
+  return RubricReader(path).read();
+}
 
 }  // namespace raycheck::tools

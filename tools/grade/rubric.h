@@ -2,6 +2,7 @@
 #define RAYCHECK_TOOLS_GRADE_RUBRIC_H_
 
 #include <array>
+#include <cstdint>
 #include <filesystem>
 #include <optional>
 #include <string>
@@ -53,6 +54,11 @@ struct RubricScene {
   scene::Scene scene;
 };
 
+/// Pictures have at most so many pixels.
+inline constexpr std::int64_t kMostGradedPixels = std::int64_t{1} << 16;
+/// Functions are asked about at most so many rays of a scene, spread evenly.
+inline constexpr std::uint64_t kMostGradedRays = 512;
+
 /// The cases of an item, and the laws that are asked of each.
 struct Questions {
   std::vector<const properties::Law*> laws;
@@ -103,7 +109,8 @@ struct Rubric {
   std::vector<std::string> scene_files;
 };
 
-/// Reads a rubric and the scenes that it names, beside it.
+/// Reads a rubric and the scenes that it names, beside it; where there is no file of that path, the
+/// one of that name among those that come with raycheck.
 /// Errors: scene::SceneFileError naming file, line, field and value.
 Rubric load_rubric(const std::filesystem::path& path);
 

@@ -1,0 +1,145 @@
+#include "tools/grade/failure.h"
+
+#include <fmt/core.h>
+
+#include <stdexcept>
+#include <utility>
+
+#include "properties/answer_explanation.h"
+#include "properties/campaign.h"
+#include "properties/image_explanation.h"
+#include "properties/shrink.h"
+#include "tools/candidates/process.h"
+#include "tools/candidates/renderer.h"
+#include "tools/format.h"
+#include "tools/grade/submission.h"
+
+namespace raycheck::tools {
+namespace {
+
+using properties::Candidate;
+using properties::Case;
+using properties::Discrepancy;
+using properties::Law;
+using properties::Trial;
+using properties::Verdict;
+using properties::Wrong;
+
+/// Simpler cases tried in place of a failing one: of functions, of programs that fail altogether,
+/// and of pictures, for each of which a program is started.
+constexpr int kTries = 400;
+constexpr int kTriesOfFailures = 40;
+constexpr int kTriesOfPictures = 60;
+
+/// The steps from a scene to what is seen, and the laws by which each is judged, in order.
+constexpr std::pair<std::string_view, std::string_view> kSteps[] = {
+    {"frame", "frame"},
+    {"pixel-point", "pixel point"},
+    {"unit-direction", "direction"},
+    {"direction", "direction"},
+    {"ray-origin", "ray origin"},
+    {"class", "discriminant"},
+    {"nearest-root", "root"},
+    {"parameter", "root"},
+    {"hit-point", "hit point"},
+    {"nearest-sphere", "nearest sphere"}};
+
+/// Whether a camera still looks the way in which another does, its bounds in the same order: what
+/// programs may rely on.
+bool is_alike(const scene::Scene& now, const scene::Scene& before) {
+  if (!before.camera) return true;
+  const scene::Camera& a = *now.camera;
+  const scene::Camera& b = *before.camera;
+  return (a.near < 0) == (b.near < 0) && (a.left < a.right) == (b.left < b.right) &&
+         (a.bottom < a.top) == (b.bottom < b.top);
+}
+
+std::string step_of(const Case& the_case, const Asking& asking) {
+  Trial trial(the_case, asking.candidate, asking.options());
+  for (const auto& [law, step] : kSteps) {
+    if (!apply(*properties::find_law(law), trial).holds()) return std::string(step);
+  }
+  return "";
+}
+
+}  // namespace
+
+std::string head(const Discrepancy& d) {
+  if (d.wrong == Wrong::kFailed || d.wrong == Wrong::kRefused) return d.what;
+  std::string text(info(d.quantity).name);
+  if (has_place(d.quantity)) text += ", " + place_text(d.place);
+  if (!d.what.empty()) text += ", " + d.what;
+  return text + ": " +
+         (d.wrong != Wrong::kNot
+              ? std::string(name(d.wrong))
+              : fmt::format("off by {} {}", error_text(d.error), info(d.quantity).unit));
+}
+
+Case simplest(const Case& from, const Law& law, const Discrepancy& first, const Asking& asking,
+              const std::function<bool()>& is_late) {
+  const bool failed = first.wrong == Wrong::kFailed;
+  // A silence costs as much as it lasts.
+  if (failed && first.what.find(kSilent) != std::string::npos) return from;
+  const int tries = failed ? kTriesOfFailures : asking.pictures ? kTriesOfPictures : kTries;
+  // A picture is judged in every pixel.
+  const auto whole = [&](Case the_case) {
+    if (asking.pictures) the_case.pixels = properties::all_pixels(*the_case.scene.camera);
+    return the_case;
+  };
+  Case start = from;
+  if (asking.pictures) start.pixels.clear();
+  return whole(properties::smallest(std::move(start), tries, [&](const Case& next) {
+    if (is_late() || !is_alike(next.scene, from.scene)) return false;
+    const Case judged = whole(next);
+    Trial trial(judged, asking.candidate, asking.options());
+    const Verdict verdict = apply(law, trial);
+    if (verdict.holds()) return false;
+    const Discrepancy now = verdict.worst(1).front();
+    return now.wrong == first.wrong && now.quantity == first.quantity;
+  }));
+}
+
+std::optional<FailingCase> failing_case(const Case& the_case, const std::string& origin,
+                                        const Law& law, const Asking& asking) {
+  Trial trial(the_case, asking.candidate, asking.options());
+  const Verdict verdict = apply(law, trial);
+  if (verdict.holds()) return {};
+  const Discrepancy d = verdict.worst(1).front();
+  FailingCase failing;
+  failing.law = law.sentence;
+  failing.origin = origin;
+  failing.what = plain_text(head(d));
+  if (d.quantity != properties::Quantity::kRefusal) {
+    failing.actual = numbers_text(d.got);
+    failing.expected = numbers_text(d.exact);
+  }
+  Case told = the_case;
+  told.scene.conventions = trial.conventions();
+  failing.scene = properties::text(told);
+  if (told.scene.camera) failing.driver = driver_text(told.scene, asking.dialect);
+  if (!asking.pictures && d.wrong != Wrong::kFailed) failing.step = step_of(the_case, asking);
+  return failing;
+}
+
+std::vector<std::string> mistake_sentences(const std::vector<Case>& cases,
+                                           const Candidate& candidate, bool pictures) {
+  std::vector<std::string> result;
+  std::vector<properties::Explanation> found;
+  try {
+    if (!pictures) found = properties::explanations(cases, candidate);
+    for (std::size_t k = 0; pictures && found.empty() && k < cases.size(); ++k) {
+      const auto& scene = cases[k].scene;
+      const auto conventions = candidate.declared.over(scene.conventions);
+      found = properties::explanations(scene, conventions, candidate.image(scene, conventions));
+    }
+  } catch (const std::runtime_error&) {
+    return {};  // it fails, as the verdict says
+  }
+  for (const properties::Explanation& one : found) {
+    result.push_back(fmt::format("{}: {} of {} wrong {} are right that way", one.sentence,
+                                 one.explained, one.errors, pictures ? "pixels" : "answers"));
+  }
+  return result;
+}
+
+}  // namespace raycheck::tools
