@@ -146,6 +146,7 @@ class Class {
     if (!file) return {};
     try {
       auto grade = RecordJson::parse(file).get<SubmissionGrade>();
+      grade.name = submission.name;
       if (grade.finished && grade.key == key) return grade;
     } catch (const RecordJson::exception&) {
       // no record, then
@@ -173,7 +174,9 @@ class Class {
     } else if (options_.results_for == ResultsFor::kPrairieLearn) {
       put("results.json", prairielearn_results(rubric_, grade));
     }
-    put(kRecord, RecordJson(grade).dump(2) + "\n");
+    // Names of files and folders may be no UTF-8.
+    put(kRecord,
+        RecordJson(grade).dump(2, ' ', false, RecordJson::error_handler_t::replace) + "\n");
   }
 
   const GradeOptions& options_;

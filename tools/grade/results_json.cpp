@@ -1,5 +1,7 @@
 #include <fmt/core.h>
 
+#include <algorithm>
+
 #include "tools/format.h"
 #include "tools/grade/pages.h"
 #include "tools/grade/words.h"
@@ -44,7 +46,7 @@ std::string prairielearn_results(const Rubric& rubric, const SubmissionGrade& gr
   // What cannot be run costs no attempt.
   json["gradable"] = grade.refused.empty();
   if (!grade.refused.empty()) json["format_errors"] = Json::array({grade.refused});
-  json["score"] = grade.points > 0 ? grade.score / grade.points : 0.0;
+  json["score"] = grade.points > 0 ? std::min(grade.score / grade.points, 1.0) : 0.0;
   json["message"] = fmt::format("{}: {} of {} points", rubric.title, points_text(grade.score),
                                 points_text(grade.points));
   json["output"] = grade.refused;
@@ -70,7 +72,8 @@ std::string class_json(const ClassGrade& graded) {
   json["reused"] = graded.reused;
   json["submissions"] = Json::array();
   for (const SubmissionGrade& grade : graded.submissions) {
-    json["submissions"].push_back(Json::parse(nlohmann::json(grade).dump()));
+    json["submissions"].push_back(Json::parse(
+        nlohmann::json(grade).dump(-1, ' ', false, nlohmann::json::error_handler_t::replace)));
   }
   return json.dump(2) + "\n";
 }
