@@ -51,10 +51,9 @@ TEST(Attacks, gain_nothing_and_leave_the_others_as_they_are) {
         grading.submit(attack.name, "hostile.cpp", std::string("#define ATTACK ") + attack.name));
   }
   const std::vector<std::string> innocents = {
-      grading.submit("right-functions", "rays.cpp"), grading.submit("right-program", "rays.py"),
+      grading.submit("right-program", "rays.py"),
       grading.submit("wrong-functions", "rays.cpp", "#define MISTAKE far_root"),
-      grading.submit("right-pictures", "rt.cpp"),
-      grading.submit("wrong-pictures", "rt.cpp", "#define MISTAKE no_test_for_t")};
+      grading.submit("right-pictures", "rt.cpp")};
   for (std::size_t k = 0; k < innocents.size(); ++k) {
     folders.insert(folders.begin() + static_cast<std::ptrdiff_t>(4 * k + 1), innocents[k]);
   }
