@@ -31,6 +31,9 @@ constexpr int kTries = 400;
 constexpr int kTriesOfFailures = 40;
 constexpr int kTriesOfPictures = 60;
 
+/// Fewer wrong answers are explained by too much to name a mistake.
+constexpr std::uint64_t kFewestErrors = 3;
+
 /// The steps from a scene to what is seen, and the laws by which each is judged, in order.
 constexpr std::pair<std::string_view, std::string_view> kSteps[] = {
     {"frame", "frame"},
@@ -109,11 +112,13 @@ Case simplest(const Case& from, const Law& law, const Discrepancy& first, const 
 }
 
 std::optional<FailingCase> failing_case(const Case& the_case, const std::string& origin,
-                                        const Law& law, const Asking& asking) {
+                                        const Law& law, const Discrepancy& first,
+                                        const Asking& asking) {
   Trial trial(the_case, asking.candidate, asking.options());
   const Verdict verdict = apply(law, trial);
   if (verdict.holds()) return {};
-  const Discrepancy d = verdict.worst(1).front();
+  // Asked again, a program that failed may not be asked at all.
+  const Discrepancy d = first.wrong == Wrong::kFailed ? first : verdict.worst(1).front();
   FailingCase failing;
   failing.law = law.sentence;
   failing.origin = origin;
@@ -143,6 +148,7 @@ std::vector<std::string> mistake_sentences(const std::vector<Case>& cases,
     return {};  // it fails, as the verdict says
   }
   for (const properties::Explanation& one : found) {
+    if (one.errors < kFewestErrors) continue;
     result.push_back(fmt::format("{}: {} of {} wrong {} are right that way", one.sentence,
                                  one.explained, one.errors, pictures ? "pixels" : "answers"));
   }

@@ -36,9 +36,12 @@ properties::Case simplest(const properties::Case& from, const properties::Law& l
                           const properties::Discrepancy& first, const Asking& asking,
                           const std::function<bool()>& is_late);
 
-/// A case in words; empty where it does not break the law any more.
+/// A case in words, `first` being how it was found to fail; empty where it does not break the law
+/// any more.
 std::optional<FailingCase> failing_case(const properties::Case& the_case, const std::string& origin,
-                                        const properties::Law& law, const Asking& asking);
+                                        const properties::Law& law,
+                                        const properties::Discrepancy& first,
+                                        const Asking& asking);
 
 /// The mistakes that explain what is wrong on these cases.
 std::vector<std::string> mistake_sentences(const std::vector<properties::Case>& cases,

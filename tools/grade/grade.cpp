@@ -11,6 +11,7 @@
 #include "tools/grade/digest.h"
 #include "tools/grade/judge.h"
 #include "tools/grade/pages.h"
+#include "tools/grade/words.h"
 #include "tools/in_order.h"
 #include "tools/methods.h"
 #include "tools/output_file.h"
@@ -102,8 +103,8 @@ class Class {
     result.out = options_.out;
     result.interrupted = interrupted();
     const fs::path out(options_.out);
-    OutputFile("--out", out / "grades.csv").write(class_csv(result));
-    OutputFile("--out", out / "index.html").write(class_page(result));
+    OutputFile("--out", out / kClassTable).write(class_csv(result));
+    OutputFile("--out", out / kClassPage).write(class_page(result));
     return result;
   }
 

@@ -208,7 +208,8 @@ ItemGrade Judge::item(std::size_t index, const std::vector<ItemGrade>& before) {
   grade.sentences = mistake_sentences(wrong, telling, is_renderer_);
   const Case smallest =
       simplest(asked.the_case, *shown.broken, *shown.discrepancy, asking, is_late);
-  if (auto failing = failing_case(smallest, asked.origin, *shown.broken, asking)) {
+  if (auto failing =
+          failing_case(smallest, asked.origin, *shown.broken, *shown.discrepancy, asking)) {
     grade.failing.push_back(std::move(*failing));
   }
   return grade;

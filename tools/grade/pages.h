@@ -32,9 +32,6 @@ std::string class_page(const ClassGrade& graded);
 /// The table that the command prints.
 std::string class_text(const ClassGrade& graded);
 
-/// A name of letters, digits and hyphens for the files of an item.
-std::string file_name(std::string_view item);
-
 }  // namespace raycheck::tools
 
 #endif  // RAYCHECK_TOOLS_GRADE_PAGES_H_

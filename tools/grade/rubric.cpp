@@ -9,6 +9,7 @@
 #include "scene/toml_fields.h"
 #include "tools/candidates/process.h"
 #include "tools/grade/digest.h"
+#include "tools/grade/words.h"
 #include "tools/version.h"
 
 namespace raycheck::tools {
@@ -159,6 +160,9 @@ class RubricReader {
         }
       }
     }
+    if (!file_names_.insert(file_name(result.name)).second) {
+      fields_.fail(name, "has the letters and digits of an item before it, and so its files");
+    }
     names_.insert(result.name);
     const auto tolerance_given = fields_.optional(from, "tolerance");
     result.tolerance = tolerance_given ? tolerance(*tolerance_given) : tolerance_;
@@ -258,6 +262,7 @@ class RubricReader {
   TomlFields fields_;
   Tolerance tolerance_;
   std::set<std::string> names_;
+  std::set<std::string> file_names_;
   std::set<std::string> scene_files_;
 };
 

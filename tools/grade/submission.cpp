@@ -90,6 +90,10 @@ std::vector<Submission> find_submissions(const std::vector<std::string>& paths) 
     if (error) throw std::invalid_argument(fmt::format("{}: {}", given, error.message()));
     const std::string name =
         fs::is_directory(path) ? path.filename().string() : path.stem().string();
+    if (name == kClassPage || name == kClassTable) {
+      throw std::invalid_argument(
+          fmt::format("{}: rename it; the results of the class are called so", given));
+    }
     const auto [other, is_new] = known.try_emplace(name, given);
     if (!is_new) {
       throw std::invalid_argument(
@@ -155,6 +159,9 @@ std::string plain_text(std::string text) {
   static const std::regex folders(fs::temp_directory_path().string() +
                                   "/raycheck-[A-Za-z0-9]{6}/?");
   text = std::regex_replace(text, folders, "");
+  // How compilers quote.
+  static const std::regex quotes("\xe2\x80[\x98\x99]");
+  text = std::regex_replace(text, quotes, "'");
   for (char& c : text) {
     const auto byte = static_cast<unsigned char>(c);
     if ((byte < ' ' && c != '\n' && c != '\t') || byte > '~') c = '?';

@@ -12,6 +12,10 @@
 
 namespace raycheck::tools {
 
+/// What lies beside the submissions' folders.
+inline constexpr const char* kClassPage = "index.html";
+inline constexpr const char* kClassTable = "grades.csv";
+
 /// What someone handed in: a folder, or a single file.
 struct Submission {
   std::string name;

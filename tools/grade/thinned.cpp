@@ -1,6 +1,7 @@
 #include <cctype>
 
 #include "tools/grade/pages.h"
+#include "tools/grade/words.h"
 
 namespace raycheck::tools {
 

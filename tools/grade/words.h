@@ -2,6 +2,7 @@
 #define RAYCHECK_TOOLS_GRADE_WORDS_H_
 
 #include <string>
+#include <string_view>
 
 #include "tools/grade/result.h"
 
@@ -15,6 +16,9 @@ std::string mistake_text(const SubmissionGrade& grade);
 
 /// "holds over 40 cases", "fails 3 of 40 cases", "left out: it needs ..."
 std::string state_text(const ItemGrade& grade);
+
+/// A name of letters, digits and hyphens for the files of an item.
+std::string file_name(std::string_view item);
 
 }  // namespace raycheck::tools
 
