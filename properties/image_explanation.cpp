@@ -104,6 +104,13 @@ std::size_t sampling_step(const ImageAnswer& image, const Camera& camera) {
   return step;
 }
 
+/// Whether every pixel shows something, most of them what is no sphere's own.
+bool has_a_background(const ImageAnswer& image) {
+  const bool has_black = std::find(image.begin(), image.end(), std::nullopt) != image.end();
+  const auto untold = std::count(image.begin(), image.end(), std::optional(kSomeSphere));
+  return !has_black && 2 * static_cast<std::size_t>(untold) > image.size();
+}
+
 /// The best explanations so far.
 class Best {
  public:
@@ -137,6 +144,9 @@ std::vector<Explanation> explanations(const Scene& scene, const Conventions& con
   if (std::adjacent_find(image.begin(), image.end(), std::not_equal_to<>()) == image.end()) {
     return {{"every pixel shows a sphere, as where directions are no numbers: axes that are lost",
              wrong, wrong}};
+  }
+  if (has_a_background(image)) {
+    return {{"no pixel is black: where there is no sphere another colour is shown", wrong, wrong}};
   }
   Scene asked = scene;
   asked.conventions = conventions;

@@ -23,10 +23,15 @@ class Pictures {
       scene_ = scene;
       rows_ = rows;
       failure_.clear();
+      if (silences_ >= kMostSilences) {
+        failure_ = fmt::format("not started, after {} times without an end", silences_);
+        throw std::runtime_error("image: " + failure_);
+      }
       try {
         picture_ = render(renderer_, scene, rows);
       } catch (const std::exception& error) {
         failure_ = error.what();
+        silences_ += failure_.find(kEndless) != std::string::npos ? 1 : 0;
       }
     }
     if (!failure_.empty()) throw std::runtime_error("image: " + failure_);
@@ -40,6 +45,7 @@ class Pictures {
   scene::Rows rows_ = {};
   properties::ImageAnswer picture_;
   std::string failure_;
+  int silences_ = 0;
 };
 
 namespace {

@@ -63,6 +63,10 @@ void close_once(int& descriptor) {
   descriptor = -1;
 }
 
+/// Java would take more addresses than there are for one process.
+constexpr const char* kJava =
+    "JAVA_TOOL_OPTIONS=-Xmx512m -XX:+UseSerialGC -XX:ReservedCodeCacheSize=64m";
+
 /// Of the system what programs need: of /etc the loader's and Java's files, and no others.
 std::vector<std::string> system_paths() {
   std::vector<std::string> paths = {"/usr",
@@ -114,8 +118,11 @@ std::vector<std::string> jailed(const Confined& confined, const fs::path& folder
 pid_t spawn(const std::vector<std::string>& arguments, const fs::path& folder, int input,
             int output, int error) {
   std::vector<std::string> environment = {"PATH=/usr/local/bin:/usr/bin:/bin",
-                                          "HOME=" + folder.string(), "TMPDIR=" + folder.string(),
-                                          "LANG=C.UTF-8", "PYTHONPATH=" + adapters().string()};
+                                          "HOME=" + folder.string(),
+                                          "TMPDIR=" + folder.string(),
+                                          "LANG=C.UTF-8",
+                                          kJava,
+                                          "PYTHONPATH=" + adapters().string()};
   std::vector<char*> argv, envp;
   for (const std::string& argument : arguments) argv.push_back(const_cast<char*>(argument.c_str()));
   for (std::string& entry : environment) envp.push_back(entry.data());
@@ -374,7 +381,7 @@ std::string Process::exchange(std::string_view request,
   for (;;) {
     const auto left =
         std::chrono::duration_cast<std::chrono::milliseconds>(deadline - Clock::now()).count();
-    if (left <= 0) fail(fmt::format("{} within {} s", kSilent, confined_.limits.seconds));
+    if (left <= 0) fail(fmt::format("{} {} s", kSilent, confined_.limits.seconds));
     std::array<pollfd, 3> streams = {
         {{output_, POLLIN, 0}, {error_, POLLIN, 0}, {request.empty() ? -1 : input_, POLLOUT, 0}}};
     if (poll(streams.data(), streams.size(), static_cast<int>(left)) < 0 && errno != EINTR) {
@@ -420,7 +427,7 @@ int Process::finish() {
       return WEXITSTATUS(status);
     }
     if (Clock::now() > deadline) {
-      fail(fmt::format("did not end within {} s", confined_.limits.seconds));
+      fail(fmt::format("{} {} s", kEndless, confined_.limits.seconds));
     }
     usleep(500);
   }

@@ -58,7 +58,8 @@ struct Confined {
 
 /// What went wrong with a candidate's process: "exited with 3", "was killed by signal 11
 /// (Segmentation fault)", "gave no reply within 10 s".
-inline constexpr std::string_view kSilent = "gave no reply";
+inline constexpr std::string_view kSilent = "gave no reply within";
+inline constexpr std::string_view kEndless = "did not end within";
 class ProcessFailure : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;

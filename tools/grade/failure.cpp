@@ -2,6 +2,7 @@
 
 #include <fmt/core.h>
 
+#include <algorithm>
 #include <stdexcept>
 #include <utility>
 
@@ -91,7 +92,9 @@ Case simplest(const Case& from, const Law& law, const Discrepancy& first, const 
               const std::function<bool()>& is_late) {
   const bool failed = first.wrong == Wrong::kFailed;
   // A silence costs as much as it lasts.
-  if (failed && first.what.find(kSilent) != std::string::npos) return from;
+  for (const std::string_view late : {kSilent, kEndless}) {
+    if (failed && first.what.find(late) != std::string::npos) return from;
+  }
   const int tries = failed ? kTriesOfFailures : asking.pictures ? kTriesOfPictures : kTries;
   // A picture is judged in every pixel.
   const auto whole = [&](Case the_case) {
@@ -133,21 +136,56 @@ std::optional<FailingCase> failing_case(const Case& the_case, const std::string&
   return failing;
 }
 
+namespace {
+
+using properties::Explanation;
+
+bool shows_nothing(const properties::ImageAnswer& image) {
+  return std::none_of(image.begin(), image.end(), [](const auto& sphere) { return sphere; });
+}
+
+/// What explains the wrong pixels of all pictures together; one that shows nothing tells nothing.
+std::vector<Explanation> explained_pictures(const std::vector<Case>& cases,
+                                            const Candidate& candidate) {
+  std::vector<Explanation> found;
+  std::uint64_t wrong = 0;
+  for (const Case& one : cases) {
+    const auto conventions = candidate.declared.over(one.scene.conventions);
+    const properties::ImageAnswer image = candidate.image(one.scene, conventions);
+    if (shows_nothing(image)) continue;
+    Trial trial(one, candidate);
+    wrong += apply(*properties::find_law("image"), trial).discrepancies();
+    for (const Explanation& mistake : properties::explanations(one.scene, conventions, image)) {
+      const auto known = std::find_if(found.begin(), found.end(), [&](const Explanation& other) {
+        return other.sentence == mistake.sentence;
+      });
+      if (known == found.end()) {
+        found.push_back(mistake);
+      } else {
+        known->explained += mistake.explained;
+      }
+    }
+  }
+  for (Explanation& mistake : found) mistake.errors = std::max(wrong, mistake.explained);
+  std::erase_if(found, [](const Explanation& mistake) {
+    return mistake.errors - mistake.explained > properties::most_unexplained(mistake.errors);
+  });
+  return found;
+}
+
+}  // namespace
+
 std::vector<std::string> mistake_sentences(const std::vector<Case>& cases,
                                            const Candidate& candidate, bool pictures) {
-  std::vector<std::string> result;
-  std::vector<properties::Explanation> found;
+  std::vector<Explanation> found;
   try {
-    if (!pictures) found = properties::explanations(cases, candidate);
-    for (std::size_t k = 0; pictures && found.empty() && k < cases.size(); ++k) {
-      const auto& scene = cases[k].scene;
-      const auto conventions = candidate.declared.over(scene.conventions);
-      found = properties::explanations(scene, conventions, candidate.image(scene, conventions));
-    }
+    found = pictures ? explained_pictures(cases, candidate)
+                     : properties::explanations(cases, candidate);
   } catch (const std::runtime_error&) {
     return {};  // it fails, as the verdict says
   }
-  for (const properties::Explanation& one : found) {
+  std::vector<std::string> result;
+  for (const Explanation& one : found) {
     if (one.errors < kFewestErrors) continue;
     result.push_back(fmt::format("{}: {} of {} wrong {} are right that way", one.sentence,
                                  one.explained, one.errors, pictures ? "pixels" : "answers"));

@@ -21,6 +21,7 @@ struct Asking {
   const properties::Candidate& candidate;
   const Tolerance& tolerance;
   bool pictures = false;
+  bool masks_only = false;
   scene::Dialect dialect = scene::Dialect::kB;
 
   properties::TrialOptions options(std::shared_ptr<properties::Truth> truth = nullptr) const {
@@ -40,8 +41,7 @@ properties::Case simplest(const properties::Case& from, const properties::Law& l
 /// any more.
 std::optional<FailingCase> failing_case(const properties::Case& the_case, const std::string& origin,
                                         const properties::Law& law,
-                                        const properties::Discrepancy& first,
-                                        const Asking& asking);
+                                        const properties::Discrepancy& first, const Asking& asking);
 
 /// The mistakes that explain what is wrong on these cases.
 std::vector<std::string> mistake_sentences(const std::vector<properties::Case>& cases,

@@ -160,11 +160,17 @@ class Class {
     const auto put = [&](const std::string& name, const std::string& text) {
       OutputFile("--out", folder / name).write(text);
     };
-    for (const ItemGrade& item : grade.items) {
-      // Those of an earlier grade.
-      for (const char* ending : {".toml", ".txt"})
-        fs::remove(folder / (file_name(item.name) + ending));
-      for (const FailingCase& failing : item.failing) {
+    // Those of an earlier grade.
+    for (const auto& entry : fs::directory_iterator(folder)) {
+      const fs::path ending = entry.path().extension();
+      const bool is_old =
+          ending == ".toml" || ending == ".txt" || entry.path().filename() == "results.json";
+      if (is_old) fs::remove(entry.path());
+    }
+    for (std::size_t k = 0; k < grade.items.size(); ++k) {
+      const Item& item = rubric_.items[k];
+      if (item.visibility != Visibility::kVisible) continue;
+      for (const FailingCase& failing : thinned(rubric_, item, grade.items[k]).failing) {
         put(file_name(item.name) + ".toml", failing.scene);
         if (!failing.driver.empty()) put(file_name(item.name) + ".txt", failing.driver);
       }

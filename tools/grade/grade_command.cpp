@@ -43,10 +43,13 @@ int try_command(const Arguments& arguments) {
   bool is_full = true;
   for (const SubmissionGrade& grade : tried.submissions) {
     for (const ItemGrade& item : grade.items) {
-      is_full = is_full && (item.state == kHolds || item.state == kNotAsked);
-      if (item.state != kFails) continue;
-      print_error(item.name + ": " +
-                  (item.reason.empty() ? "raycheck's own answer fails" : item.reason) + "\n");
+      const bool is_given = item.state == kNotAsked || item.score >= item.points;
+      is_full = is_full && is_given;
+      if (is_given) continue;
+      print_error(
+          item.name + ": " +
+          (item.reason.empty() ? "raycheck's own answer is not given all points" : item.reason) +
+          "\n");
     }
   }
   return exit_code(interrupted(), !is_full, true);
@@ -58,6 +61,10 @@ int run_grade(const Arguments& arguments) {
   if (!arguments.package.empty()) {
     if (!options.submissions.empty()) {
       throw std::invalid_argument("--package: grades nothing; leave out the submissions");
+    }
+    if (!arguments.secret_file.empty()) {
+      throw std::invalid_argument(
+          "--secret-file: every submission to a package has one name; give a --seed");
     }
     write_package(load_rubric(options.rubric), options.seed, arguments.package);
     print_report("wrote " + arguments.package + "\n");

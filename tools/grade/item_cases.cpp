@@ -2,6 +2,7 @@
 
 #include <fmt/core.h>
 
+#include <cmath>
 #include <utility>
 
 #include "properties/random.h"
@@ -16,6 +17,7 @@ ItemCases::ItemCases(const Questions& questions, bool pictures, std::uint64_t se
                      const properties::DeclaredConventions& declared)
     : questions_(questions), pictures_(pictures), declared_(declared) {
   properties::Random random(seed);
+  scene_seed_ = random.bits();
   for (int k = 0; k < questions.cases; ++k) seeds_.push_back(random.bits());
 }
 
@@ -31,10 +33,30 @@ std::optional<Asked> ItemCases::operator[](std::size_t k) const {
   return asked;
 }
 
+namespace {
+
+/// The same scene for pictures, in other numbers: lengths times a power of two, some more pixels
+/// (an even number, so that a middle one stays), so that no picture can be known beforehand.
+scene::Scene varied(scene::Scene scene, std::uint64_t seed) {
+  properties::Random random(seed);
+  const double factor = std::ldexp(1.0, static_cast<int>(random.integer(0, 6)));
+  const std::int64_t more = 2 * random.integer(0, 5);
+  const auto scale = [factor](auto&... lengths) { ((lengths *= factor), ...); };
+  scene::Camera& c = *scene.camera;
+  scale(c.eye.x, c.eye.y, c.eye.z, c.look_at.x, c.look_at.y, c.look_at.z, c.near);
+  scale(c.left, c.right, c.bottom, c.top);
+  for (auto& [centre, radius] : scene.spheres) scale(centre.x, centre.y, centre.z, radius);
+  c.width += more;
+  c.height += more;
+  return scene;
+}
+
+}  // namespace
+
 Asked ItemCases::of_scene(const RubricScene& scene) const {
   const std::optional<std::uint64_t> at_most =
       pictures_ ? std::nullopt : std::optional(kMostGradedRays);
-  const SceneCases cases(scene.scene, at_most);
+  const SceneCases cases(pictures_ ? varied(scene.scene, scene_seed_) : scene.scene, at_most);
   return {cases.from(0, cases.rays_judged()), "scene " + scene.name};
 }
 

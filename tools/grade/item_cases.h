@@ -35,6 +35,7 @@ class ItemCases {
   const Questions& questions_;
   bool pictures_;
   const properties::DeclaredConventions& declared_;
+  std::uint64_t scene_seed_ = 0;
   std::vector<std::uint64_t> seeds_;
 };
 

@@ -29,6 +29,9 @@ using properties::Verdict;
 /// So many failing cases of an item are kept to find the mistake that explains them.
 constexpr std::size_t kKeptCases = 8;
 
+/// After so many cases of an item on which a program fails altogether, the others are not asked.
+constexpr int kMostFailures = 8;
+
 /// The rubric's conventions in place of the candidate's.
 properties::DeclaredConventions over(const properties::DeclaredConventions& rubric,
                                      properties::DeclaredConventions declared) {
@@ -102,10 +105,15 @@ Shown show(const std::vector<const Law*>& laws, const Case& the_case, const Aski
     const std::uint64_t expected = asking.pictures ? 0 : apply(*law, own_trial).compared();
     shown.compared += verdict.compared();
     shown.answers = shown.answers || verdict.compared() > 0 || expected > 0;
+    // Who shows colours of its own does not tell which sphere it sees.
+    const bool is_untold =
+        asking.pictures && !asking.masks_only && the_case.scene.spheres.size() > 1;
     if (!verdict.holds()) {
       if (shown.broken != nullptr) continue;
       shown.broken = law;
       shown.discrepancy = verdict.worst(1).front();
+    } else if (is_untold && !verdict.reason_left_out().empty()) {
+      shown.unanswered = "its colours are not those of the driver file";
     } else if (verdict.compared() < expected && shown.unanswered.empty() &&
                !may_miss_answers(trial)) {
       const std::string& reason = verdict.reason_left_out();
@@ -155,7 +163,7 @@ ItemGrade Judge::item(std::size_t index, const std::vector<ItemGrade>& before) {
   for (const std::string& needed : item.needs) {
     const auto found = std::find_if(before.begin(), before.end(),
                                     [&](const ItemGrade& other) { return other.name == needed; });
-    if (found->state == kHolds || found->state == kNotAsked) continue;
+    if (found->state == kNotAsked || found->score >= found->points) continue;
     grade.state = kLeftOut;
     grade.reason = fmt::format("it needs '{}', which {}", needed,
                                found->state == kFails ? "fails" : "is " + found->state);
@@ -163,13 +171,16 @@ ItemGrade Judge::item(std::size_t index, const std::vector<ItemGrade>& before) {
   }
   const auto is_late = [this] { return Clock::now() > end_ || interrupted(); };
   // Which sphere is shown tells more about a mistake than whether there is one.
-  const Candidate telling = tolerated(candidate_, item.tolerance);
+  Candidate telling = tolerated(candidate_, item.tolerance);
+  telling.excused_image_change = questions->image_change.value_or(telling.excused_image_change);
   const Candidate candidate = questions->masks_only ? masked(telling) : telling;
-  const Asking asking{candidate, item.tolerance, is_renderer_, rubric_.dialect};
+  const Asking asking{candidate, item.tolerance, is_renderer_, questions->masks_only,
+                      rubric_.dialect};
   properties::Random seeds(seed_);
   for (std::size_t k = 0; k < index; ++k) seeds.bits();
   const ItemCases cases(*questions, is_renderer_, seeds.bits(), candidate.declared);
   std::vector<Case> wrong;
+  int failures = 0;
   std::optional<std::pair<Asked, Shown>> first;
   for (std::size_t k = 0; k < cases.size(); ++k) {
     if (is_late()) {
@@ -194,7 +205,12 @@ ItemGrade Judge::item(std::size_t index, const std::vector<ItemGrade>& before) {
     if (!shown.unanswered.empty() && grade.reason.empty()) grade.reason = shown.unanswered;
     if (shown.broken == nullptr) continue;
     if (wrong.size() < kKeptCases) wrong.push_back(asked->the_case);
+    const bool failed = shown.discrepancy->wrong == properties::Wrong::kFailed;
     if (!first) first.emplace(std::move(*asked), std::move(shown));
+    if (failed && ++failures == kMostFailures) {
+      grade.cases += cases.size() - k - 1;
+      break;
+    }
   }
   if (grade.cases == 0) grade.reason = "there was nothing to compare";
   grade.score = score_of(item, grade.held, grade.cases);

@@ -8,8 +8,9 @@
 
 namespace raycheck::tools {
 
-/// What students may see of a submission's failing case: without what the item's detail withholds.
-ItemGrade thinned(const Item& item, ItemGrade grade);
+/// What students may see of an item: without what its detail withholds and without the names of
+/// hidden ones.
+ItemGrade thinned(const Rubric& rubric, const Item& item, ItemGrade grade);
 
 /// What was asked and became of an item, as lines; of a thinned grade what students may read.
 std::string item_text(const Item& item, const ItemGrade& grade);

@@ -24,7 +24,7 @@ std::string gradescope_results(const Rubric& rubric, const SubmissionGrade& grad
   json["tests"] = Json::array();
   for (std::size_t k = 0; k < grade.items.size(); ++k) {
     const Item& item = rubric.items[k];
-    const ItemGrade told = thinned(item, grade.items[k]);
+    const ItemGrade told = thinned(rubric, item, grade.items[k]);
     if (told.state == kNotAsked) continue;
     Json test;
     test["name"] = item.name;
@@ -53,7 +53,7 @@ std::string prairielearn_results(const Rubric& rubric, const SubmissionGrade& gr
   json["tests"] = Json::array();
   for (std::size_t k = 0; k < grade.items.size(); ++k) {
     const Item& item = rubric.items[k];
-    const ItemGrade told = thinned(item, grade.items[k]);
+    const ItemGrade told = thinned(rubric, item, grade.items[k]);
     if (told.state == kNotAsked || item.visibility != Visibility::kVisible) continue;
     json["tests"].push_back({{"name", item.name},
                              {"description", item.asks},

@@ -103,22 +103,32 @@ std::string class_csv(const ClassGrade& graded) {
 
 namespace {
 
+/// A name without what a terminal would obey.
+std::string line_text(const std::string& name) {
+  std::string text = plain_text(name);
+  std::replace_if(
+      text.begin(), text.end(), [](char c) { return c == '\n' || c == '\t'; }, '?');
+  return text;
+}
+
 /// A line a submission, and its mistake.
 std::string submission_lines(const ClassGrade& graded) {
   std::size_t width = 0;
   for (const SubmissionGrade& grade : graded.submissions) {
-    width = std::max(width, grade.name.size());
+    width = std::max(width, line_text(grade.name).size());
   }
   std::string text;
   for (const SubmissionGrade& grade : graded.submissions) {
-    text += fmt::format("{:<{}}  {:>6} of {}", grade.name, width, points_text(grade.score),
-                        points_text(grade.points));
+    text += fmt::format("{:<{}}  {:>6} of {}", line_text(grade.name), width,
+                        points_text(grade.score), points_text(grade.points));
     std::string failing;
     for (const ItemGrade& item : grade.items) {
       if (item.state == kFails) failing += (failing.empty() ? "" : ", ") + item.name;
     }
     if (!grade.refused.empty()) {
       text += "  " + grade.refused.substr(0, grade.refused.find('\n'));
+    } else if (!grade.finished) {
+      text += "  not finished";
     } else if (!failing.empty()) {
       text += "  fails " + failing;
     }
@@ -131,7 +141,7 @@ std::string submission_lines(const ClassGrade& graded) {
 
 /// A line an item, for who looks at one submission.
 std::string item_lines(const Rubric& rubric, const SubmissionGrade& grade) {
-  std::string text = fmt::format("{}: {} of {}\n", grade.name, points_text(grade.score),
+  std::string text = fmt::format("{}: {} of {}\n", line_text(grade.name), points_text(grade.score),
                                  points_text(grade.points));
   if (!grade.refused.empty()) return text + grade.refused + "\n";
   std::size_t width = 0;
@@ -158,7 +168,8 @@ std::string class_text(const ClassGrade& graded) {
   const bool is_one = graded.submissions.size() == 1;
   text += is_one ? item_lines(graded.rubric, graded.submissions.front()) : submission_lines(graded);
   if (is_one && !graded.out.empty()) {
-    text += fmt::format("see {}/{}/report.html\n", graded.out, graded.submissions[0].name);
+    text +=
+        fmt::format("see {}/{}/report.html\n", graded.out, line_text(graded.submissions[0].name));
   }
   if (graded.interrupted) {
     text += "INTERRUPTED: the same command goes on where it was cut.\n";

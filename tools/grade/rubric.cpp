@@ -4,6 +4,7 @@
 #include <cmath>
 #include <fstream>
 #include <iterator>
+#include <limits>
 #include <set>
 
 #include "scene/toml_fields.h"
@@ -24,6 +25,7 @@ constexpr std::array<std::string_view, 3> kDialectNames = {"A", "B", "C"};
 constexpr std::array<std::string_view, 2> kJudgeNames = {"spheres", "mask"};
 constexpr std::array<std::string_view, 2> kRaysNames = {"own", "given"};
 constexpr double kMostSeconds = 86400;
+constexpr double kLargest = std::numeric_limits<double>::max();
 constexpr std::int64_t kMostCases = 1000000;
 
 std::string read_file(const fs::path& path, const std::string& name) {
@@ -89,7 +91,7 @@ class RubricReader {
   }
   void set_not_negative(const Table& from, std::string_view key, double& value) const {
     if (const auto field = fields_.optional(from, key)) {
-      value = number_between(*field, 0, HUGE_VAL, "must be 0 or more");
+      value = number_between(*field, 0, kLargest, "must be 0 or more, and finite");
     }
   }
 
@@ -99,7 +101,7 @@ class RubricReader {
     Tolerance result;
     const auto set = [&](std::string_view key, std::optional<double>& value) {
       if (const auto given = fields_.optional(from, key)) {
-        value = number_between(*given, 0, HUGE_VAL, "must be 0 or more");
+        value = number_between(*given, 0, kLargest, "must be 0 or more, and finite");
       }
     };
     set("ulp", result.ulp);
@@ -184,7 +186,7 @@ class RubricReader {
   Questions questions(const Field& field, bool pictures) {
     const Table from = fields_.table(field);
     if (pictures) {
-      fields_.require_known(from, {"judge", "scenes", "sources", "cases"});
+      fields_.require_known(from, {"judge", "image_change", "scenes", "sources", "cases"});
     } else {
       fields_.require_known(from, {"laws", "scenes", "sources", "cases", "rays"});
     }
@@ -192,6 +194,9 @@ class RubricReader {
     if (pictures) {
       result.laws = {properties::find_law("image")};
       fields_.choose(from, "judge", kJudgeNames, result.masks_only);
+      if (const auto change = fields_.optional(from, "image_change")) {
+        result.image_change = number_between(*change, 0, 1, "must be between 0 and 1");
+      }
     } else {
       const Field laws = fields_.required(from, "laws");
       for (const Field& name : fields_.list(laws)) {

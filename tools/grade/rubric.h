@@ -64,9 +64,10 @@ struct Questions {
   std::vector<const properties::Law*> laws;
   std::vector<RubricScene> scenes;  ///< Every pixel or given ray.
   std::vector<properties::ChosenSource> sources;
-  int cases = 0;            ///< So many random ones, from the sources in turn.
-  bool masks_only = false;  ///< Of pictures: whether a pixel shows a sphere, not which.
-  bool given_rays = false;  ///< Cameras' rays are raycheck's, not the submission's.
+  int cases = 0;                       ///< So many random ones, from the sources in turn.
+  bool masks_only = false;             ///< Of pictures: whether a pixel shows a sphere, not which.
+  std::optional<double> image_change;  ///< Of pictures, in place of the rubric's.
+  bool given_rays = false;             ///< Cameras' rays are raycheck's, not the submission's.
 };
 
 struct Item {

@@ -32,7 +32,7 @@ SubmissionGrade shown(const Rubric& rubric, SubmissionGrade grade) {
   std::vector<ItemGrade> items;
   for (std::size_t k = 0; k < grade.items.size(); ++k) {
     if (rubric.items[k].visibility != Visibility::kVisible) continue;
-    items.push_back(thinned(rubric.items[k], grade.items[k]));
+    items.push_back(thinned(rubric, rubric.items[k], grade.items[k]));
   }
   grade.items = std::move(items);
   return grade;
@@ -80,7 +80,7 @@ std::string student_page(const Rubric& rubric, const SubmissionGrade& grade) {
     if (rubric.items[k].visibility != Visibility::kVisible) {
       ++hidden;
     } else if (grade.refused.empty()) {
-      html += item_html(rubric.items[k], thinned(rubric.items[k], grade.items[k]));
+      html += item_html(rubric.items[k], thinned(rubric, rubric.items[k], grade.items[k]));
     }
   }
   if (hidden > 0) {

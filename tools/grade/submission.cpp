@@ -27,7 +27,16 @@ constexpr std::size_t kMostFiles = 10000;
 /// may lead to what is not the submission's.
 std::map<std::string, fs::path> files_of(const fs::path& path) {
   std::map<std::string, fs::path> files;
-  if (!fs::is_directory(path)) return {{path.filename().string(), path}};
+  const fs::file_status status = fs::symlink_status(path);
+  if (fs::is_regular_file(status) && fs::file_size(path) <= kMostBytes) {
+    return {{path.filename().string(), path}};
+  }
+  if (!fs::is_directory(status)) {
+    throw Refused(fs::is_regular_file(status)
+                      ? fmt::format("it has more than {} MiB", kMostBytes >> 20)
+                      : "it is neither a file nor a folder",
+                  "");
+  }
   std::uintmax_t bytes = 0;
   for (const auto& entry : fs::recursive_directory_iterator(path)) {
     if (!fs::is_regular_file(entry.symlink_status())) continue;
@@ -41,21 +50,37 @@ std::map<std::string, fs::path> files_of(const fs::path& path) {
   return files;
 }
 
-/// Where a folder has nothing but another, as unpacked archives do, that.
+/// Where a folder has nothing but another, as unpacked archives do, that; what is hidden aside.
 fs::path innermost(fs::path path) {
-  while (fs::is_directory(path)) {
+  while (fs::is_directory(fs::symlink_status(path))) {
     std::vector<fs::directory_entry> entries;
-    for (const auto& entry : fs::directory_iterator(path)) entries.push_back(entry);
+    for (const auto& entry : fs::directory_iterator(path)) {
+      const std::string name = entry.path().filename().string();
+      if (!name.starts_with('.') && name != "__MACOSX") entries.push_back(entry);
+    }
     if (entries.size() != 1 || !fs::is_directory(entries[0].symlink_status())) break;
     path = entries[0].path();
   }
   return path;
 }
 
-std::string with_file(std::string text, const std::string& file) {
+/// A file's name as one word of a shell.
+std::string shell_word(const std::string& name) {
+  std::string word = "'";
+  for (const char c : name) word += c == '\'' ? std::string("'\\''") : std::string(1, c);
+  return word + "'";
+}
+
+/// A file's name as one of a candidate's words, which are split where no quotes are.
+std::string candidate_word(const std::string& name) {
+  const char quote = name.find('"') == std::string::npos ? '"' : '\'';
+  return name.find_first_of(" \t\"'") == std::string::npos ? name : quote + name + quote;
+}
+
+std::string with_file(std::string text, const std::string& word) {
   constexpr std::string_view kMark = "{file}";
-  for (std::size_t at; (at = text.find(kMark)) != std::string::npos;) {
-    text.replace(at, kMark.size(), file);
+  for (std::size_t at = 0; (at = text.find(kMark, at)) != std::string::npos; at += word.size()) {
+    text.replace(at, kMark.size(), word);
   }
   return text;
 }
@@ -86,10 +111,14 @@ std::vector<Submission> find_submissions(const std::vector<std::string>& paths) 
   std::map<std::string, std::string> known;
   for (const std::string& given : paths) {
     std::error_code error;
-    const fs::path path = fs::canonical(given, error);
-    if (error) throw std::invalid_argument(fmt::format("{}: {}", given, error.message()));
-    const std::string name =
-        fs::is_directory(path) ? path.filename().string() : path.stem().string();
+    // A link is not followed: it may lead to someone else's.
+    fs::path path = fs::absolute(given).lexically_normal();
+    if (!path.has_filename()) path = path.parent_path();
+    if (!fs::exists(fs::symlink_status(path, error))) {
+      throw std::invalid_argument(fmt::format("{}: there is no such file or folder", given));
+    }
+    const bool is_file = fs::is_regular_file(fs::symlink_status(path));
+    const std::string name = is_file ? path.stem().string() : path.filename().string();
     if (name == kClassPage || name == kClassTable) {
       throw std::invalid_argument(
           fmt::format("{}: rename it; the results of the class are called so", given));
@@ -110,6 +139,8 @@ std::string digest(const Submission& submission) {
     for (const auto& [name, path] : files_of(submission.path)) {
       std::ifstream file(path, std::ios::binary);
       texts.push_back(name);
+      const bool runs = (fs::status(path).permissions() & fs::perms::owner_exec) != fs::perms::none;
+      texts.emplace_back(runs ? "runs" : "");
       texts.emplace_back(std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>());
     }
   } catch (const std::exception& error) {
@@ -118,7 +149,7 @@ std::string digest(const Submission& submission) {
   return digest(texts);
 }
 
-Prepared prepare(const Submission& submission, const Rubric& rubric, const Layers& layers) {
+Prepared prepare(const Submission& submission, const Rubric& rubric, const Layers& layers) try {
   auto folder = std::make_shared<PrivateFolder>();
   for (const auto& [name, path] : files_of(innermost(submission.path))) {
     const fs::path to = folder->path() / name;
@@ -126,7 +157,9 @@ Prepared prepare(const Submission& submission, const Rubric& rubric, const Layer
     fs::copy_file(path, to);
   }
   const auto [form, file] = form_of(folder->path(), rubric);
-  const std::string what = with_file(form->candidate, file);
+  const bool has_words =
+      form->candidate.starts_with("command:") || form->candidate.starts_with("renderer:");
+  const std::string what = with_file(form->candidate, has_words ? candidate_word(file) : file);
   RunOptions options;
   options.layers = layers;
   options.limits.seconds = rubric.reply_seconds;
@@ -138,7 +171,7 @@ Prepared prepare(const Submission& submission, const Rubric& rubric, const Layer
   try {
     if (!form->build.empty()) {
       auto built = std::make_shared<PrivateFolder>();
-      build(folder->path(), with_file(form->build, file), built->path(), options);
+      build(folder->path(), with_file(form->build, shell_word(file)), built->path(), options);
       folder = std::move(built);
       open_to_others(folder->path());
     }
@@ -153,6 +186,8 @@ Prepared prepare(const Submission& submission, const Rubric& rubric, const Layer
     if (why.starts_with(option)) why.erase(0, option.size());
     throw Refused(why, what);
   }
+} catch (const fs::filesystem_error& error) {
+  throw Refused("its files: " + error.code().message(), "");
 }
 
 std::string plain_text(std::string text) {

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cctype>
 
 #include "tools/grade/pages.h"
@@ -5,7 +6,22 @@
 
 namespace raycheck::tools {
 
-ItemGrade thinned(const Item& item, ItemGrade grade) {
+namespace {
+
+/// File systems take 255 bytes at most.
+constexpr std::size_t kLongestName = 80;
+
+}  // namespace
+
+ItemGrade thinned(const Rubric& rubric, const Item& item, ItemGrade grade) {
+  if (grade.state == kLeftOut) {
+    const bool tells_hidden =
+        std::any_of(rubric.items.begin(), rubric.items.end(), [&](const Item& other) {
+          return other.visibility != Visibility::kVisible &&
+                 std::find(item.needs.begin(), item.needs.end(), other.name) != item.needs.end();
+        });
+    if (tells_hidden) grade.reason = "it needs other items";
+  }
   if (item.detail == Detail::kFull) return grade;
   grade.first_wrong.clear();
   if (item.detail == Detail::kNothing) {
@@ -13,7 +29,11 @@ ItemGrade thinned(const Item& item, ItemGrade grade) {
     grade.sentences.clear();
     return grade;
   }
-  for (FailingCase& failing : grade.failing) failing.expected.clear();
+  for (FailingCase& failing : grade.failing) {
+    failing.expected.clear();
+    // By how much it is off tells the rest.
+    failing.what.erase(std::min(failing.what.size(), failing.what.find(": off by ")));
+  }
   return grade;
 }
 
@@ -27,6 +47,7 @@ std::string file_name(std::string_view item) {
       name += '-';
     }
   }
+  name.resize(std::min(name.size(), kLongestName));
   while (!name.empty() && name.back() == '-') name.pop_back();
   return name.empty() ? "item" : name;
 }
