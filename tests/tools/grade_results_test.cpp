@@ -86,7 +86,7 @@ TEST(PrairieLearnResults, have_the_keys_of_its_specification) {
   const Outcome outcome =
       grading.grade(rubric_of(grading),
                     {grading.submit("right", "rays.py"),
-                     grading.submit("wrong", "rays.py", "MISTAKE = \"eye_plus_point\""),
+                     grading.submit("wrong", "rays.py", "MISTAKE = \"normalize_discarded\""),
                      grading.submit("broken", "hostile.cpp", "#define ATTACK compile_error")},
                     "out", "--format prairielearn");
   EXPECT_EQ(outcome.exit_code, 0) << outcome.err;

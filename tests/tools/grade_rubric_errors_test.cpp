@@ -151,7 +151,7 @@ TEST(GradeCommand, fails_with_2_and_grades_nothing) {
   fails("", "RUBRIC");
   fails("nowhere.toml " + mine + out, "nowhere.toml: cannot be read");
   fails(rubric + " " + mine, "--out: give a folder for the results");
-  fails(rubric + " nowhere" + out, "nowhere: No such file or directory");
+  fails(rubric + " nowhere" + out, "nowhere: there is no such file or folder");
   fails(rubric + " " + mine + " " + grading.path("elsewhere/mine") + out,
         grading.path("elsewhere/mine") + ": " + mine + " has the same name, mine");
   fails(rubric + " " + mine + " " + mine + out, "has the same name, mine");

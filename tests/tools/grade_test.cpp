@@ -20,7 +20,7 @@ constexpr double kFull = 110;  // with the bonus
 /// How many seeds are tried.
 int seeds() {
   const char* given = std::getenv("RAYCHECK_GRADE_SEEDS");
-  return given != nullptr ? std::atoi(given) : 10;
+  return given != nullptr ? std::atoi(given) : 4;
 }
 
 std::string source_text(const std::string& path) {
@@ -118,7 +118,9 @@ TEST(Rubric, that_asks_for_more_than_raycheck_can_answer_fails_with_1) {
                                            "cases = 20\n");
   const Outcome outcome = run("grade '" + rubric + "'");
   EXPECT_EQ(outcome.exit_code, 1);
-  EXPECT_TRUE(contains(outcome.err, "beyond doubles: raycheck's own answer fails")) << outcome.err;
+  EXPECT_TRUE(
+      contains(outcome.err, "beyond doubles: raycheck's own answer is not given all points"))
+      << outcome.err;
 }
 
 /// A class with something of every kind that is quick.
@@ -207,7 +209,7 @@ TEST(Grades, of_an_earlier_run_are_kept_until_something_changes) {
   EXPECT_EQ(graded(), 1) << "a file more";
   grading.submit("two", "rays.py", "MISTAKE = \"mirrored\"");
   EXPECT_EQ(graded(), 1) << "another text";
-  EXPECT_EQ(grading.result("two")["score"], 75);
+  EXPECT_EQ(grading.result("two")["score"], 85);
   EXPECT_EQ(graded("--seed 2"), 0) << "another seed";
   EXPECT_EQ(graded("--seed 2"), 2);
   grading.lecture7_with({{"points = 15", "points = 14"}});
@@ -250,7 +252,7 @@ TEST(Grades, of_an_interrupted_run_are_finished_by_the_next) {
 TEST(SlowSubmission, is_cut_and_its_other_items_are_not_judged) {
   const Grading grading;
   const std::string rubric = grading.lecture7_with(
-      {{"seconds = 120", "seconds = 2"}, {"reply_seconds = 5", "reply_seconds = 60"}});
+      {{"seconds = 60 ", "seconds = 2 "}, {"reply_seconds = 5", "reply_seconds = 60"}});
   const std::string folder = grading.submit("slow", "hostile.cpp", "#define ATTACK slow");
   const Outcome outcome = grading.grade(rubric, {folder});
   EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
