@@ -25,6 +25,10 @@ ImageAnswer exact_image(const scene::Scene& scene, const scene::Conventions& con
   return image;
 }
 
+bool shows_nothing(const ImageAnswer& image) {
+  return std::none_of(image.begin(), image.end(), [](const auto& sphere) { return bool(sphere); });
+}
+
 namespace {
 
 using scene::Camera;
@@ -58,10 +62,6 @@ std::optional<ImageAnswer> exactly(const Mistake& mistake, const Scene& asked,
   const Scene other = mistaken(mistake, asked, asked.conventions);
   if (other == asked || !scene::problems(other).empty()) return {};
   return exact_image(other, other.conventions);
-}
-
-bool shows_nothing(const ImageAnswer& image) {
-  return std::none_of(image.begin(), image.end(), [](const auto& sphere) { return bool(sphere); });
 }
 
 bool is_right(const std::optional<std::size_t>& answer, const std::optional<std::size_t>& truth) {

@@ -30,10 +30,10 @@ int run_command_line(int argc, char** argv) {
   CLI::App app{"raycheck: an exact reference for camera rays and ray-sphere intersections"};
   app.set_version_flag("--version", std::string(kVersion));
   app.require_subcommand(1);
-  const std::vector<Command> commands = {add_check(app),  add_properties(app), add_explain(app),
-                                         add_stress(app), add_tradeoff(app),   add_worst(app),
-                                         add_image(app),  add_plan(app),       add_grade(app), add_generate(app),
-                                         add_verify(app), add_list(app)};
+  const std::vector<Command> commands = {add_check(app),    add_properties(app), add_explain(app),
+                                         add_stress(app),   add_tradeoff(app),   add_worst(app),
+                                         add_image(app),    add_plan(app),       add_grade(app),
+                                         add_generate(app), add_verify(app),     add_list(app)};
   const std::string first = argc > 1 ? argv[1] : "";
   const bool is_command =
       std::any_of(commands.begin(), commands.end(),

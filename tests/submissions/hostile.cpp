@@ -121,7 +121,7 @@ void write_outside() {
   const char* const home = std::getenv("HOME");
   for (const std::string& path :
        {std::string("../result.json"), std::string("/tmp/x"), std::string(home ? home : "/") + "/x",
-        std::string("/work/main/x"), std::string("/etc/x")}) {
+        std::string("/usr/x"), std::string("/etc/x")}) {
     std::ofstream file(path);
     file << "{\"score\": 100}\n";
     file.close();

@@ -22,19 +22,32 @@ struct Shown {
   std::vector<std::string> lines;
 };
 
-std::vector<Shown> shown_in(const std::filesystem::path& path) {
-  std::vector<Shown> result;
+/// A line of a fenced block, and where it is.
+struct Line {
+  std::string where;
+  std::string text;
+};
+
+/// The lines of a page's blocks of one language.
+std::vector<Line> blocks(const std::filesystem::path& path, const std::string& language) {
+  std::vector<Line> lines;
   std::ifstream file(path);
   bool inside = false;
   int number = 0;
   for (std::string line; std::getline(file, line);) {
     ++number;
     if (line.rfind("```", 0) == 0) {
-      inside = line == "```console";
-      continue;
+      inside = line == "```" + language;
+    } else if (inside) {
+      lines.push_back({path.filename().string() + ":" + std::to_string(number), line});
     }
-    if (!inside) continue;
-    const std::string where = path.filename().string() + ":" + std::to_string(number);
+  }
+  return lines;
+}
+
+std::vector<Shown> shown_in(const std::filesystem::path& path) {
+  std::vector<Shown> result;
+  for (const auto& [where, line] : blocks(path, "console")) {
     if (line.rfind("$ ./run ", 0) == 0) {
       result.push_back({where, false, line.substr(8), {}});
     } else if (line.rfind("$ python3 ", 0) == 0) {
@@ -146,19 +159,12 @@ TEST(Documentation, shows_what_the_program_prints) {
 /// shell in a folder that is empty at first.
 std::vector<Shown> session_of(const std::filesystem::path& path) {
   std::vector<Shown> result;
-  std::ifstream file(path);
-  bool inside = false;
-  int number = 0;
-  for (std::string line; std::getline(file, line);) {
-    ++number;
-    if (line.rfind("```", 0) == 0) {
-      inside = line == "```session";
-    } else if (inside && line.rfind("$ ", 0) == 0) {
-      result.push_back({path.filename().string() + ":" + std::to_string(number), false,
-                        line.substr(2), {}});
-    } else if (inside && (line.rfind("> ", 0) == 0 || line == ">")) {
+  for (const auto& [where, line] : blocks(path, "session")) {
+    if (line.rfind("$ ", 0) == 0) {
+      result.push_back({where, false, line.substr(2), {}});
+    } else if (line.rfind("> ", 0) == 0 || line == ">") {
       result.back().arguments += "\n" + line.substr(std::min<std::size_t>(2, line.size()));
-    } else if (inside) {
+    } else {
       result.back().lines.push_back(line);
     }
   }
@@ -172,8 +178,8 @@ void expect_session(const std::filesystem::path& page, std::size_t fewest) {
   const std::string tools = std::filesystem::path(RAYCHECK_BINARY).parent_path().string();
   const std::string folder = temporary_file(page.stem().string(), "") + ".d";
   std::filesystem::create_directory(folder);
-  std::string script = "exec 2>&1\ncd '" + folder + "'\nexport RAYCHECK='" RAYCHECK_SOURCE_DIR
-                       "' PATH='" + tools + "':$PATH\n";
+  std::string script = "exec 2>&1\ncd '" + folder +
+                       "'\nexport RAYCHECK='" RAYCHECK_SOURCE_DIR "' PATH='" + tools + "':$PATH\n";
   for (const Shown& shown : session) {
     script += std::string("printf '") + kMark + "'\n" + shown.arguments + "\n";
   }

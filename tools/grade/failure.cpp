@@ -140,10 +140,6 @@ namespace {
 
 using properties::Explanation;
 
-bool shows_nothing(const properties::ImageAnswer& image) {
-  return std::none_of(image.begin(), image.end(), [](const auto& sphere) { return sphere; });
-}
-
 /// What explains the wrong pixels of all pictures together; one that shows nothing tells nothing.
 std::vector<Explanation> explained_pictures(const std::vector<Case>& cases,
                                             const Candidate& candidate) {
@@ -152,7 +148,7 @@ std::vector<Explanation> explained_pictures(const std::vector<Case>& cases,
   for (const Case& one : cases) {
     const auto conventions = candidate.declared.over(one.scene.conventions);
     const properties::ImageAnswer image = candidate.image(one.scene, conventions);
-    if (shows_nothing(image)) continue;
+    if (properties::shows_nothing(image)) continue;
     Trial trial(one, candidate);
     wrong += apply(*properties::find_law("image"), trial).discrepancies();
     for (const Explanation& mistake : properties::explanations(one.scene, conventions, image)) {

@@ -146,9 +146,8 @@ void write_package(const Rubric& rubric, std::uint64_t seed, const std::string& 
   const std::string rubric_name = rubric_path.filename().string();
   Parts parts;
   parts["setup.sh"] = {kSetup, true};
-  parts["run_autograder"] = {fmt::format(kRun, fmt::arg("root", "$root"),
-                                         fmt::arg("rubric", rubric_name), fmt::arg("seed", seed)),
-                             true};
+  parts["run_autograder"] = {
+      fmt::format(kRun, fmt::arg("rubric", rubric_name), fmt::arg("seed", seed)), true};
   parts["rubric/" + rubric_name] = {read(rubric_path)};
   for (const std::string& name : rubric.scene_files) {
     parts["rubric/" + name] = {read(rubric_path.parent_path() / name)};
