@@ -1,6 +1,7 @@
 // Submissions that cheat or fail: they gain nothing, and the others are graded as if alone.
 
 #include <gtest/gtest.h>
+#include <sys/stat.h>
 
 #include <algorithm>
 #include <filesystem>
@@ -143,6 +144,54 @@ TEST(Attacks, cannot_see_the_other_submissions_the_rubric_or_the_results) {
   EXPECT_EQ(score_of_spy("writes", "writes(\"" + grading.path("out/other/result.json") +
                                        "\") || writes(\"" + grading.path("out/new.json") + "\")"),
             kDeserved);
+}
+
+TEST(Attacks, by_colours_that_are_no_spheres_earn_nothing_where_spheres_are_asked) {
+  const Grading grading;
+  std::string text = contents(std::string(RAYCHECK_SOURCE_DIR) + "/tests/submissions/rt.cpp");
+  const std::string call = "scene.ambient.x * best->ambient.x";
+  const std::size_t at = text.find("return {" + call);
+  ASSERT_NE(at, std::string::npos);
+  text.insert(at, "return {0.4, 0.4, 0.4};\n  ");
+  grading.write("submissions/grey/rt.cpp", "#define MISTAKE first_sphere_wins\n" + text);
+  EXPECT_EQ(grading.grade(kLecture7, {grading.path("submissions/grey")}).exit_code, 0);
+  const json result = grading.result("grey");
+  EXPECT_EQ(item(result, "hit or miss")["state"], "holds");
+  for (const char* name : {"nearest sphere", "whole scenes"}) {
+    EXPECT_EQ(item(result, name)["score"], 0) << name;
+    EXPECT_EQ(item(result, name)["reason"], "its colours are not those of the driver file");
+  }
+}
+
+TEST(Attacks, by_renderers_that_hang_cost_three_silences) {
+  const Grading grading;
+  const std::string rubric = grading.lecture7_with({{"reply_seconds = 5", "reply_seconds = 1"}});
+  grading.write("submissions/hangs/rt.cpp",
+                "int main() { for (volatile int k = 0;; k = k + 1) {} }");
+  EXPECT_EQ(grading.grade(rubric, {grading.path("submissions/hangs")}).exit_code, 0);
+  const json result = grading.result("hangs");
+  EXPECT_EQ(result["score"], 0);
+  EXPECT_TRUE(contains(result.dump(), "did not end within 1 s"));
+  EXPECT_TRUE(contains(result.dump(), "not started, after 3 times without an end"));
+}
+
+TEST(Attacks, by_links_pipes_and_names_are_refused_and_the_others_graded) {
+  const Grading grading;
+  const std::string right = grading.submit("right", "rays.py");
+  std::filesystem::create_directory_symlink(right, grading.path("submissions/link"));
+  const std::string pipe = grading.path("submissions/pipe");
+  ASSERT_EQ(mkfifo(pipe.c_str(), 0600), 0);
+  grading.write("submissions/mark/rays.{file}", "");
+  const std::string rubric = grading.lecture7_with(
+      {{"has = \"rays.cpp\"", "has = \"rays.{*\""}, {"\"source:.\"", "\"source:{file}\""}});
+  const Outcome outcome = grading.grade(
+      rubric, {grading.path("submissions/link"), pipe, grading.path("submissions/mark"), right});
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+  for (const char* name : {"link", "pipe"}) {
+    EXPECT_EQ(grading.result(name)["refused"], "it is neither a file nor a folder");
+  }
+  EXPECT_NE(grading.result("mark")["refused"], "");
+  EXPECT_EQ(grading.result("right")["score"], 110);
 }
 
 }  // namespace
