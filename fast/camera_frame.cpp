@@ -1,6 +1,6 @@
 #include "fast/camera_frame.h"
 
-#include "fast/eigen.h"
+#include "fast/internal/eigen.h"
 #include "scene/validate.h"
 
 namespace raycheck::fast {

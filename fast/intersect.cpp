@@ -3,7 +3,7 @@
 #include <stdexcept>
 #include <string>
 
-#include "fast/batch_arrays.h"
+#include "fast/internal/batch_arrays.h"
 #include "fast/ray_by_ray.h"
 #include "scene/validate.h"
 

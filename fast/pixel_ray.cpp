@@ -1,6 +1,6 @@
 #include "fast/pixel_ray.h"
 
-#include "fast/pixel_plane.h"
+#include "fast/internal/pixel_plane.h"
 
 namespace raycheck::fast {
 namespace {

@@ -8,7 +8,7 @@
 
 #include "fast/intersect.h"
 #include "fast/pixel_ray.h"
-#include "scene/plan.h"
+#include "scene/plan/plan.h"
 #include "scene/scene.h"
 
 namespace raycheck::fast {

@@ -12,7 +12,7 @@
 #include <vector>
 
 #include "properties/quantity.h"
-#include "scene/plan.h"
+#include "scene/plan/plan.h"
 #include "scene/scene.h"
 
 namespace raycheck::properties {

@@ -4,7 +4,7 @@
 #include <stdexcept>
 
 #include "reference/ray_error.h"
-#include "reference/visibility.h"
+#include "reference/visibility/visibility.h"
 
 namespace raycheck::properties {
 namespace {

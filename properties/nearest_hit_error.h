@@ -20,7 +20,7 @@ struct NearestHitError {
 /// Compares a candidate's nearest hits with the exact ones, as the laws `nearest-sphere` and
 /// `parameter` do, ray by ray.
 /// Shape:  `seen`, the exact nearest sphere of each ray of the trial's case
-///         (reference/visibility.h) -> one answer a ray.
+///         (reference/visibility/visibility.h) -> one answer a ray.
 /// Units:  ulp of the exact s.
 /// Domain: a candidate that makes rays from the trial's origin and ranks spheres.
 /// Error:  an upper bound, from an enclosure of s.

@@ -10,7 +10,7 @@
 
 #include "reference/exact_camera.h"
 #include "reference/exact_ray.h"
-#include "scene/plan.h"
+#include "scene/plan/plan.h"
 #include "scene/scene.h"
 
 namespace raycheck::properties {

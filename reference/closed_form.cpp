@@ -2,10 +2,10 @@
 
 #include <optional>
 
-#include "reference/radical_sum.h"
+#include "reference/internal/radical_sum.h"
 // The formulas find first_root(RadicalSum) when they are instantiated here.
-#include "reference/camera_impl.h"
-#include "reference/formulas.h"
+#include "reference/internal/camera_impl.h"
+#include "reference/internal/formulas.h"
 #include "scene/scene.h"
 #include "scene/validate.h"
 

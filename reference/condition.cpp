@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "reference/condition_impl.h"
+#include "reference/internal/condition_impl.h"
 
 namespace raycheck::reference {
 namespace {

@@ -17,7 +17,8 @@ namespace raycheck::reference {
 // Domain: as ExactRay. Infinite where q = 0 and not all |dq/dx| |x| are certainly 0, and beyond the
 //         doubles; 0 where q and all of them are 0 (a change of the inputs leaves q at 0).
 // Error:  an upper bound, too large by at most kConditionWidth relatively or kNegligibleCondition.
-// Source: derivatives by forward-mode automatic differentiation of reference/formulas.h, enclosed
+// Source: derivatives by forward-mode automatic differentiation of reference/internal/formulas.h,
+// enclosed
 //         by intervals first, then by balls of growing precision.
 inline constexpr double kConditionWidth = 0x1p-10;
 inline constexpr double kNegligibleCondition = 0x1p-30;

@@ -1,4 +1,4 @@
-#include "reference/ray_impl.h"
+#include "reference/internal/ray_impl.h"
 
 namespace raycheck::reference {
 

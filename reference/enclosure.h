@@ -6,7 +6,7 @@
 #include <optional>
 #include <utility>
 
-#include "reference/triple.h"
+#include "reference/internal/triple.h"
 
 namespace raycheck::reference {
 

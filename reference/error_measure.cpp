@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-#include "reference/error_formulas.h"
+#include "reference/internal/error_formulas.h"
 #include "scene/validate.h"
 
 namespace raycheck::reference {

@@ -3,7 +3,7 @@
 #include <stdexcept>
 #include <string>
 
-#include "reference/camera_impl.h"
+#include "reference/internal/camera_impl.h"
 #include "scene/scene.h"
 #include "scene/validate.h"
 

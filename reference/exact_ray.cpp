@@ -4,7 +4,7 @@
 #include <stdexcept>
 #include <utility>
 
-#include "reference/ray_impl.h"
+#include "reference/internal/ray_impl.h"
 #include "scene/validate.h"
 
 namespace raycheck::reference {

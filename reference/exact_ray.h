@@ -8,9 +8,9 @@
 #include <span>
 #include <vector>
 
-#include "reference/double_double.h"
 #include "reference/enclosure.h"
 #include "reference/exact_camera.h"
+#include "reference/internal/double_double.h"
 #include "scene/conventions.h"
 #include "scene/geometry.h"
 
@@ -88,7 +88,7 @@ class ExactRay {
     scene::Ray given;
   };
   const Source& source() const { return source_; }
-  /// g and |g|^2 of the line base + lambda g (reference/formulas.h) in double-doubles.
+  /// g and |g|^2 of the line base + lambda g (reference/internal/formulas.h) in double-doubles.
   struct Direction {
     Triple<DoubleDouble> g;
     DoubleDouble a;

@@ -1,6 +1,6 @@
 #include "reference/interval_ray.h"
 
-#include "reference/formulas.h"
+#include "reference/internal/formulas.h"
 #include "scene/validate.h"
 
 namespace raycheck::reference {

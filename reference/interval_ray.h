@@ -22,7 +22,7 @@ struct IntervalIntersection {
 /// Units:  s in multiples of the ray's direction.
 /// Domain: every valid input; otherwise throws std::invalid_argument naming the field.
 /// Error:  an intersection is exact, s lies within its bounds (infinite where intervals overflow).
-/// Source: reference/formulas.h.
+/// Source: reference/internal/formulas.h.
 std::optional<IntervalIntersection> intersect_by_intervals(const scene::Ray& ray,
                                                            const scene::Sphere& sphere,
                                                            scene::Root root);

@@ -7,11 +7,11 @@
 #include <stdexcept>
 #include <utility>
 
-#include "reference/ray_impl.h"
+#include "reference/internal/ray_impl.h"
 #include "scene/scene.h"
 #include "scene/validate.h"
 // The formulas find first_root(RationalInterval) when they are instantiated here.
-#include "reference/rational_interval.h"
+#include "reference/internal/rational_interval.h"
 
 namespace raycheck::reference {
 namespace {

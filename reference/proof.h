@@ -31,8 +31,8 @@ struct Bracket {
 /// The ends of a finite ball.
 Bracket bracket(const Enclosure& x);
 
-/// How a ray meets a sphere, and the numbers whose signs prove it (reference/formulas.h): the
-/// discriminant, and c and b where the ones before them leave the answer open.
+/// How a ray meets a sphere, and the numbers whose signs prove it (reference/internal/formulas.h):
+/// the discriminant, and c and b where the ones before them leave the answer open.
 struct ProvenMeeting {
   bool met = false;  ///< Under the conventions; which root and parameter speak only of this.
   Intersection intersection;

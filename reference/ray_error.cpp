@@ -2,9 +2,9 @@
 
 #include <cmath>
 
-#include "reference/error_formulas.h"
 #include "reference/error_measure.h"
-#include "reference/ray_impl.h"
+#include "reference/internal/error_formulas.h"
+#include "reference/internal/ray_impl.h"
 
 namespace raycheck::reference {
 namespace {

@@ -1,7 +1,7 @@
 // Condition numbers of single steps: reference/condition.h.
 
 #include "reference/condition.h"
-#include "reference/condition_impl.h"
+#include "reference/internal/condition_impl.h"
 
 namespace raycheck::reference {
 namespace {

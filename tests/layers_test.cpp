@@ -1,13 +1,15 @@
-// The arrows between folders, read from their #include lines:
-// scene <- reference, scene <- fast, {scene, reference, fast} <- properties <- tools.
+// The rooms of the house, their arrows, and what may not leave a room: read from the #include lines
+// and the CMake files of every folder.
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <filesystem>
 #include <fstream>
+#include <iterator>
 #include <map>
 #include <set>
+#include <sstream>
 #include <string>
 #include <vector>
 
@@ -15,150 +17,326 @@ namespace {
 
 namespace fs = std::filesystem;
 
-struct Include {
-  std::string from;    ///< "reference/kernels.h"
-  std::string target;  ///< What stands between the quotes or brackets.
-};
-
 fs::path root() { return RAYCHECK_SOURCE_DIR; }
 
-/// Includes of a folder's sources, by folder.
-std::vector<Include> includes_of(const std::string& folder) {
+using Rooms = std::set<std::string>;
+
+/// Every room, and the rooms that its files may include. A folder inside a room (kInside) is part
+/// of it. The commands, tools/*/..._command.cpp, are of the edge, which is `tools`.
+const std::map<std::string, Rooms> kSees = {
+    {"scene", {}},
+    {"scene/files", {"scene"}},
+    {"scene/plan", {"scene"}},
+    {"reference", {"scene"}},
+    {"reference/visibility", {"scene", "scene/plan", "reference"}},
+    {"fast", {"scene", "scene/plan"}},
+    {"properties", {"scene", "scene/plan", "reference", "reference/visibility"}},
+    {"properties/laws", {"scene", "scene/plan", "reference", "reference/visibility", "properties"}},
+    {"properties/cases", {"scene", "properties"}},
+    {"properties/candidates", {"reference", "reference/visibility", "fast", "properties"}},
+    {"properties/mistakes",
+     {"scene", "scene/plan", "reference/visibility", "fast", "properties",
+      "properties/candidates"}},
+    {"properties/search",
+     {"scene", "scene/files", "properties", "properties/laws", "properties/cases"}},
+    {"tools/run", {"properties"}},
+    {"tools/report",
+     {"scene", "reference", "reference/visibility", "properties", "properties/laws"}},
+    {"tools/methods", {"fast", "properties/candidates", "properties/search", "tools/peers"}},
+    {"tools/external", {"scene", "scene/files", "properties", "tools/methods", "tools/report"}},
+    {"tools/check",
+     {"scene", "scene/files", "scene/plan", "properties", "properties/laws", "properties/cases",
+      "properties/mistakes", "tools/run", "tools/report", "tools/external"}},
+    {"tools/exchange", {"scene", "properties/laws", "properties/cases", "tools/check"}},
+    {"tools/explain",
+     {"scene", "reference", "fast", "properties", "properties/candidates", "tools/methods",
+      "tools/report"}},
+    {"tools/grade",
+     {"scene/files", "properties", "properties/laws", "properties/cases", "properties/mistakes",
+      "properties/search", "tools/run", "tools/report", "tools/methods", "tools/external"}},
+    {"tools/image",
+     {"scene", "scene/files", "reference/visibility", "properties", "tools/run", "tools/report",
+      "tools/methods"}},
+    {"tools/list",
+     {"scene", "fast", "properties/laws", "properties/cases", "tools/report", "tools/methods"}},
+    {"tools/plan", {"scene/files", "scene/plan", "reference/visibility", "tools/report"}},
+    {"tools/properties", {"properties", "properties/search", "tools/report", "tools/external"}},
+    {"tools/stress", {"properties", "properties/search", "tools/report", "tools/methods"}},
+    {"tools/tradeoff",
+     {"scene/files", "fast", "properties", "properties/cases", "properties/search", "tools/report",
+      "tools/methods"}},
+    {"tools/peers", {"scene", "fast"}}};
+
+/// Folders that are part of the room around them: `internal` ones are for that room's .cpp files
+/// and for each other; of `reference` one room more may look inside.
+const std::map<std::string, std::string> kInside = {
+    {"reference/internal", "reference"},
+    {"fast/internal", "fast"},
+    {"fast/methods", "fast"},
+    {"tools/external/sandbox", "tools/external"},
+    {"tools/external/protocol", "tools/external"},
+    {"tools/external/sdk/raycheck", "tools/external"}};
+
+/// Programs of their own, which may see whatever they measure.
+const Rooms kPrograms = {"tools/bench"};
+
+const std::string kEdge = "tools";
+
+/// What implementations include as <raycheck/...>.
+const std::string kSdk = "tools/external/sdk";
+
+bool is_source(const fs::path& path) {
+  return path.extension() == ".h" || path.extension() == ".hpp" || path.extension() == ".cpp";
+}
+
+bool is_header(const std::string& file) { return !file.ends_with(".cpp"); }
+
+std::string text_of(const fs::path& path) {
+  std::ifstream file(path);
+  return {std::istreambuf_iterator<char>(file), {}};
+}
+
+std::string folder_of(const std::string& file) { return file.substr(0, file.rfind('/')); }
+
+/// The room of a file, by its path.
+std::string room_of(const std::string& file) {
+  if (file.ends_with("_command.cpp")) return kEdge;
+  if (fs::exists(root() / kSdk / file)) return "tools/external";
+  std::string folder = folder_of(file);
+  while (kInside.contains(folder)) folder = kInside.at(folder);
+  return folder;
+}
+
+struct Include {
+  std::string from;    ///< "reference/exact_ray.h"
+  std::string target;  ///< What stands between the quotes or brackets.
+  bool quoted = false;
+};
+
+/// Every source below the product's folders.
+std::vector<std::string> sources() {
+  std::vector<std::string> result;
+  for (const char* top : {"scene", "reference", "fast", "properties", "tools"}) {
+    for (const auto& entry : fs::recursive_directory_iterator(root() / top)) {
+      if (!is_source(entry.path())) continue;
+      result.push_back(fs::relative(entry.path(), root()).generic_string());
+    }
+  }
+  std::sort(result.begin(), result.end());
+  return result;
+}
+
+const std::vector<Include>& includes() {
+  static const std::vector<Include> all = [] {
+    std::vector<Include> result;
+    for (const std::string& file : sources()) {
+      std::istringstream lines(text_of(root() / file));
+      for (std::string line; std::getline(lines, line);) {
+        const std::size_t at = line.find_first_not_of(" \t");
+        if (at == std::string::npos || line.compare(at, 8, "#include") != 0) continue;
+        const std::size_t begin = line.find_first_of("\"<", at);
+        const std::size_t end = line.find_first_of("\">", begin + 1);
+        result.push_back({file, line.substr(begin + 1, end - begin - 1), line[begin] == '"'});
+      }
+    }
+    return result;
+  }();
+  return all;
+}
+
+bool is_of(const std::string& target, const std::string& library) {
+  return target.starts_with(library);
+}
+
+/// Files that include a library, as the messages have them.
+std::vector<Include> includes_of(const std::vector<std::string>& libraries) {
   std::vector<Include> result;
-  for (const auto& entry : fs::directory_iterator(root() / folder)) {
-    const std::string extension = entry.path().extension().string();
-    if (extension != ".h" && extension != ".cpp") continue;
-    std::ifstream file(entry.path());
-    for (std::string line; std::getline(file, line);) {
-      const std::size_t at = line.find_first_not_of(" \t");
-      if (at == std::string::npos || line.compare(at, 8, "#include") != 0) continue;
-      const std::size_t begin = line.find_first_of("\"<", at);
-      const std::size_t end = line.find_first_of("\">", begin + 1);
-      result.push_back({folder + "/" + entry.path().filename().string(),
-                        line.substr(begin + 1, end - begin - 1)});
+  for (const Include& include : includes()) {
+    if (std::any_of(libraries.begin(), libraries.end(),
+                    [&](const auto& library) { return is_of(include.target, library); })) {
+      result.push_back(include);
     }
   }
   return result;
 }
 
-bool starts_with(const std::string& text, const std::string& start) {
-  return text.rfind(start, 0) == 0;
+TEST(Rooms, AreAllKnown) {
+  EXPECT_GT(sources().size(), 250u);
+  for (const std::string& file : sources()) {
+    const std::string room = room_of(file);
+    EXPECT_TRUE(kSees.contains(room) || kPrograms.contains(room) || room == kEdge)
+        << file << " lies in no known room";
+  }
+  for (const auto& [room, seen] : kSees) {
+    EXPECT_TRUE(fs::is_directory(root() / room)) << room;
+    for (const std::string& other : seen) EXPECT_TRUE(kSees.contains(other)) << other;
+  }
 }
 
-bool is_header(const std::string& file) { return file.size() > 2 && file.ends_with(".h"); }
+TEST(Rooms, HaveIncludesThatSayTheRoom) {
+  for (const Include& include : includes()) {
+    if (!include.quoted) continue;
+    EXPECT_EQ(include.target.find(".."), std::string::npos) << include.from;
+    EXPECT_TRUE(fs::exists(root() / include.target) || include.target.ends_with("/version.h") ||
+                fs::exists(root() / kSdk / include.target))
+        << include.from << " includes " << include.target;
+  }
+}
 
-const std::vector<std::string> kFolders = {"scene", "reference", "fast", "properties", "tools"};
+TEST(Rooms, HaveArrowsOneWay) {
+  std::map<std::string, Rooms> used;
+  for (const Include& include : includes()) {
+    if (!include.quoted) continue;
+    const std::string from = room_of(include.from);
+    const std::string to = room_of(include.target);
+    if (from == to || kPrograms.contains(from) || from == kEdge) continue;
+    used[from].insert(to);
+    EXPECT_TRUE(kSees.at(from).contains(to)) << include.from << " includes " << include.target;
+  }
+  for (const auto& [room, seen] : kSees) {
+    for (const std::string& other : seen) {
+      EXPECT_TRUE(used[room].contains(other)) << room << " never includes " << other;
+    }
+  }
+}
 
-/// Which folders each may see, itself aside.
-const std::map<std::string, std::set<std::string>> kSees = {
-    {"scene", {}},
-    {"reference", {"scene"}},
-    {"fast", {"scene"}},
-    {"properties", {"scene", "reference", "fast"}},
-    {"tools", {"scene", "reference", "fast", "properties"}}};
-
-/// Headers of reference/ that show CGAL; none of its other headers may include one.
-const std::set<std::string> kInternalToReference = {
-    "reference/kernels.h",        "reference/formulas.h",       "reference/rounding.h",
-    "reference/camera_impl.h",    "reference/radical_sum.h",    "reference/ray_impl.h",
-    "reference/dual.h",           "reference/condition_impl.h", "reference/rational_interval.h",
-    "reference/error_formulas.h", "reference/visibility_impl.h"};
-
-TEST(Layers, HaveArrowsOneWay) {
-  for (const std::string& folder : kFolders) {
-    const auto includes = includes_of(folder);
-    EXPECT_GT(includes.size(), 10u) << folder;
-    for (const Include& include : includes) {
-      for (const std::string& other : kFolders) {
-        if (other == folder || !starts_with(include.target, other + "/")) continue;
-        EXPECT_TRUE(kSees.at(folder).contains(other))
-            << include.from << " includes " << include.target;
+TEST(Rooms, SeeNoRoomThatSeesThem) {
+  // Rooms in an order in which each sees earlier ones only.
+  Rooms placed;
+  bool found = true;
+  while (found) {
+    found = false;
+    for (const auto& [room, seen] : kSees) {
+      if (placed.contains(room)) continue;
+      if (std::includes(placed.begin(), placed.end(), seen.begin(), seen.end())) {
+        placed.insert(room);
+        found = true;
       }
-      EXPECT_FALSE(starts_with(include.target, "tests/")) << include.from;
-      EXPECT_EQ(include.target.find(".."), std::string::npos) << include.from;
     }
+  }
+  EXPECT_EQ(placed.size(), kSees.size()) << "rooms see each other in a circle";
+}
+
+/// The rooms after SEES in each raycheck_room(...) of a folder's CMake file.
+std::map<std::string, Rooms> linked_rooms() {
+  std::map<std::string, Rooms> result;
+  for (const char* top : {"scene", "reference", "fast", "properties", "tools"}) {
+    const std::string text = text_of(root() / top / "CMakeLists.txt");
+    const std::string call = "raycheck_room(";
+    for (std::size_t at = text.find(call); at != std::string::npos; at = text.find(call, at + 1)) {
+      const std::size_t begin = at + call.size();
+      std::istringstream words(text.substr(begin, text.find(')', begin) - begin));
+      std::string room;
+      words >> room;
+      Rooms& seen = result[room];
+      bool sees = false;
+      for (std::string word; words >> word;) {
+        if (word == "SEES" || word == "LINKS" || word == "SHOWS" || word == "INSIDE" ||
+            word == "EXCEPT") {
+          sees = word == "SEES";
+        } else if (sees) {
+          seen.insert(word);
+        }
+      }
+    }
+  }
+  return result;
+}
+
+TEST(Rooms, LinkWhatTheySeeAndNoMore) {
+  const auto linked = linked_rooms();
+  for (const auto& [room, seen] : kSees) {
+    if (room == "tools/peers") continue;  // a library for each peer, in a CMake file of its own
+    ASSERT_TRUE(linked.contains(room)) << room;
+    Rooms expected = seen;
+    expected.erase("tools/peers");  // linked only where they are built
+    EXPECT_EQ(linked.at(room), expected) << room;
   }
 }
 
-TEST(Layers, LetPeersSeeScenesAndMethodsOnly) {
+TEST(Rooms, ShowNoInternalHeader) {
+  for (const Include& include : includes()) {
+    const std::string folder = folder_of(include.target);
+    if (!include.quoted || !folder.ends_with("/internal")) continue;
+    EXPECT_EQ(room_of(include.from), room_of(include.target))
+        << include.from << " includes " << include.target;
+  }
+}
+
+/// Headers of reference/internal that show no CGAL, so that others may show them.
+const std::set<std::string> kPlainInternalHeaders = {"reference/internal/double_double.h",
+                                                     "reference/internal/triple.h"};
+
+TEST(Rooms, KeepCgalInsideReference) {
   std::size_t found = 0;
-  for (const Include& include : includes_of("tools/peers")) {
-    if (starts_with(include.target, "tools/peers/")) continue;
-    for (const std::string& other : kFolders) {
-      if (!starts_with(include.target, other + "/")) continue;
-      ++found;
-      EXPECT_TRUE(other == "scene" || other == "fast")
-          << include.from << " includes " << include.target;
-    }
-    if (starts_with(include.target, "CGAL/")) {
-      EXPECT_EQ(include.from, "tools/peers/core.cpp");
-    }
+  for (const Include& include : includes_of({"CGAL/"})) {
+    if (include.from == "tools/peers/core.cpp") continue;
+    ++found;
+    EXPECT_EQ(room_of(include.from), "reference") << include.from;
+    EXPECT_TRUE(!is_header(include.from) || folder_of(include.from) == "reference/internal")
+        << include.from;
   }
-  EXPECT_GT(found, 5u);
-}
-
-TEST(Layers, LinkOnlyWhatTheyMaySee) {
-  for (const std::string folder : {"reference", "fast", "properties"}) {
-    std::ifstream file(root() / folder / "CMakeLists.txt");
-    std::string seen;
-    for (std::string line; std::getline(file, line);) {
-      const std::size_t at = line.find("SEES ");
-      if (at != std::string::npos) seen = line.substr(at + 5);
-    }
-    std::string expected;
-    for (const std::string& other : kFolders) {
-      if (!kSees.at(folder).contains(other)) continue;
-      expected += (expected.empty() ? "" : " ") + other;
-    }
-    EXPECT_EQ(seen, expected) << folder;
+  EXPECT_GT(found, 0u);
+  for (const Include& include : includes()) {
+    if (folder_of(include.target) != "reference/internal") continue;
+    const bool shown =
+        is_header(include.from) && (folder_of(include.from) != "reference/internal" ||
+                                    kPlainInternalHeaders.contains(include.from));
+    EXPECT_TRUE(!shown || kPlainInternalHeaders.contains(include.target))
+        << include.from << " shows " << include.target;
   }
 }
 
-TEST(Layers, KeepCgalInsideReference) {
+TEST(Rooms, KeepEigenInsideFast) {
+  for (const Include& include : includes_of({"Eigen/"})) {
+    EXPECT_EQ(room_of(include.from), "fast") << include.from;
+  }
+}
+
+TEST(Rooms, KeepRapidCheckInsideSearch) {
+  for (const Include& include : includes_of({"rapidcheck"})) {
+    EXPECT_EQ(room_of(include.from), "properties/search") << include.from;
+    EXPECT_FALSE(is_header(include.from)) << include.from;
+  }
+}
+
+TEST(Rooms, LetTheEdgeAloneReadFlags) {
   std::size_t found = 0;
-  for (const std::string& folder : kFolders) {
-    for (const Include& include : includes_of(folder)) {
-      if (!starts_with(include.target, "CGAL/")) continue;
-      ++found;
-      EXPECT_EQ(folder, "reference") << include.from << " includes " << include.target;
-      EXPECT_TRUE(!is_header(include.from) || kInternalToReference.contains(include.from))
-          << include.from << " includes " << include.target;
-    }
+  for (const Include& include : includes_of({"CLI/"})) {
+    ++found;
+    EXPECT_EQ(room_of(include.from), kEdge) << include.from << " includes " << include.target;
   }
   EXPECT_GT(found, 0u);
 }
 
-TEST(Layers, ShowNoInternalHeaderOfReference) {
-  for (const std::string& folder : kFolders) {
-    for (const Include& include : includes_of(folder)) {
-      if (!kInternalToReference.contains(include.target)) continue;
-      EXPECT_EQ(folder, "reference") << include.from << " includes " << include.target;
-      EXPECT_TRUE(!is_header(include.from) || kInternalToReference.contains(include.from))
-          << include.from << " includes " << include.target;
-    }
-  }
-  for (const std::string& header : kInternalToReference) {
-    EXPECT_TRUE(fs::exists(root() / header)) << header;
-  }
+/// Sources of programs that speak to raycheck through their standard output.
+bool speaks_through_its_output(const std::string& file) {
+  return file.starts_with("tools/external/sdk/") || file == "tools/external/sandbox/jail.cpp" ||
+         file == "tools/external/protocol/worker.cpp";
 }
 
-TEST(Layers, KeepEigenInsideFast) {
-  for (const std::string& folder : kFolders) {
-    for (const Include& include : includes_of(folder)) {
-      if (starts_with(include.target, "Eigen/")) {
-        EXPECT_EQ(folder, "fast") << include.from;
-      }
+TEST(Rooms, LetTheEdgeAlonePrint) {
+  for (const std::string& file : sources()) {
+    const std::string room = room_of(file);
+    if (room == kEdge || kPrograms.contains(room) || speaks_through_its_output(file)) continue;
+    const std::string text = text_of(root() / file);
+    for (const char* way : {"std::cout", "std::cerr", "std::clog", "printf(", "puts(", "fmt::print",
+                            ", stdout", ", stderr", "perror(", "std::exit", "std::abort",
+                            "std::quick_exit", "std::signal", "sigaction("}) {
+      const std::size_t at = text.find(way);
+      EXPECT_TRUE(at == std::string::npos || text.compare(at - 2, 2, "sn") == 0)
+          << file << " uses " << way;
     }
   }
 }
 
-TEST(Layers, KeepRapidCheckOutOfHeaders) {
-  for (const std::string& folder : kFolders) {
-    for (const Include& include : includes_of(folder)) {
-      if (!starts_with(include.target, "rapidcheck")) continue;
-      EXPECT_EQ(folder, "properties") << include.from;
-      EXPECT_FALSE(is_header(include.from)) << include.from;
-    }
+TEST(Rooms, AreMirroredByTheTests) {
+  for (const auto& entry : fs::recursive_directory_iterator(root() / "tests")) {
+    if (!entry.path().filename().string().ends_with("_test.cpp")) continue;
+    const std::string folder =
+        fs::relative(entry.path(), root() / "tests").parent_path().generic_string();
+    if (folder.empty() || folder == "mutants") continue;
+    EXPECT_TRUE(fs::is_directory(root() / folder)) << entry.path() << " mirrors no room";
   }
 }
 

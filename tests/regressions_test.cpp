@@ -13,9 +13,9 @@
 #include <string>
 #include <vector>
 
-#include "properties/fast_candidate.h"
-#include "properties/law.h"
-#include "scene/scene_file.h"
+#include "properties/candidates/fast_candidate.h"
+#include "properties/laws/law.h"
+#include "scene/files/scene_file.h"
 
 namespace raycheck::properties {
 namespace {

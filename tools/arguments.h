@@ -10,9 +10,9 @@
 #include <string_view>
 #include <vector>
 
-#include "scene/scene_file.h"
-#include "tools/contestant.h"
-#include "tools/plot.h"
+#include "scene/files/scene_file.h"
+#include "tools/external/contestant.h"
+#include "tools/report/plot.h"
 
 namespace raycheck::tools {
 

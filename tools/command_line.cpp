@@ -10,8 +10,8 @@
 
 #include "tools/arguments.h"
 #include "tools/commands.h"
-#include "tools/list.h"
-#include "tools/version.h"
+#include "tools/list/list.h"
+#include "tools/report/version.h"
 
 namespace raycheck::tools {
 

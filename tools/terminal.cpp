@@ -1,6 +1,5 @@
 #include "tools/terminal.h"
 
-#include <fmt/color.h>
 #include <fmt/core.h>
 #include <unistd.h>
 
@@ -8,6 +7,8 @@
 #include <csignal>
 #include <cstdio>
 #include <cstdlib>
+#include <memory>
+#include <utility>
 
 namespace raycheck::tools {
 namespace {
@@ -33,10 +34,6 @@ bool stdout_takes_colours() {
   return isatty(STDOUT_FILENO) != 0 && (no_color == nullptr || *no_color == '\0');
 }
 
-std::string red(std::string_view text, bool colours) {
-  return colours ? fmt::format(fmt::fg(fmt::terminal_color::red), "{}", text) : std::string(text);
-}
-
 Progress::Progress(std::string what)
     : what_(std::move(what)), next_(std::chrono::steady_clock::now() + std::chrono::seconds(1)) {}
 
@@ -51,6 +48,12 @@ void Progress::show(std::string_view state) {
   std::fflush(stderr);
   shown_ = true;
   next_ = now + std::chrono::milliseconds(200);
+}
+
+properties::RunControl run_control(std::string what, int threads) {
+  catch_interrupts();
+  const auto shown = std::make_shared<Progress>(std::move(what));
+  return {interrupted, [shown](std::string_view state) { shown->show(state); }, threads};
 }
 
 }  // namespace raycheck::tools

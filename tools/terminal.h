@@ -5,17 +5,17 @@
 #include <string>
 #include <string_view>
 
+#include "properties/run_control.h"
+
 namespace raycheck::tools {
 
-/// Makes Ctrl-C (or SIGTERM) raise a flag instead of ending the program; a second one ends it.
+/// Makes Ctrl-C (or SIGTERM) raise a flag instead of ending the program; a second one ends it. For
+/// work that takes no RunControl.
 void catch_interrupts();
 bool interrupted();
 
 /// Whether standard output takes colours: a terminal, and NO_COLOR is not set.
 bool stdout_takes_colours();
-
-/// `text` in red, where colours are taken.
-std::string red(std::string_view text, bool colours);
 
 /// One line on standard error that says how far long work has come; silent when standard error is
 /// no terminal, and for the first second.
@@ -32,6 +32,10 @@ class Progress {
   std::chrono::steady_clock::time_point next_;
   bool shown_ = false;
 };
+
+/// Runs work from the terminal: interrupts are caught and end it early, and `what` is said to have
+/// come so far on standard error until the control is gone.
+properties::RunControl run_control(std::string what, int threads = 1);
 
 }  // namespace raycheck::tools
 

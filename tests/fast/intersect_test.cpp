@@ -9,7 +9,7 @@
 #include <stdexcept>
 #include <string>
 
-#include "properties/case_source.h"
+#include "properties/cases/case_source.h"
 #include "properties/quantity.h"
 #include "reference/condition.h"
 #include "reference/error_measure.h"

@@ -1,7 +1,7 @@
 // The method `robust` held to the letter of its promise: no wrong class and no s off by more than
 // kRobustMaxUlp, on any valid input.
 
-#include "fast/robust.h"
+#include "fast/internal/robust.h"
 
 #include <gtest/gtest.h>
 
@@ -12,8 +12,8 @@
 #include <string>
 
 #include "fast/intersect.h"
-#include "properties/case_source.h"
-#include "properties/random.h"
+#include "properties/cases/case_source.h"
+#include "properties/cases/random.h"
 #include "reference/error_measure.h"
 #include "scene/validate.h"
 

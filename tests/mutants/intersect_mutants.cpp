@@ -4,8 +4,8 @@
 #include <utility>
 
 #include "fast/intersect.h"
-#include "properties/fast_candidate.h"
-#include "properties/hit_choice.h"
+#include "properties/candidates/fast_candidate.h"
+#include "properties/mistakes/altered_hits.h"
 #include "tests/mutants/mutants.h"
 
 namespace raycheck::mutants {

@@ -4,8 +4,8 @@
 #include <stdexcept>
 #include <utility>
 
-#include "properties/mistakes.h"
-#include "tests/properties/drawing.h"
+#include "properties/mistakes/mistakes.h"
+#include "tests/properties/cases/drawing.h"
 
 namespace raycheck::mutants {
 

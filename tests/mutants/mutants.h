@@ -21,8 +21,8 @@ struct Mutant {
 /// The candidate that the mutants are made from.
 properties::Candidate unmutated();
 
-/// The mutant that makes a classic mistake of properties/mistakes.h, under a name of its own.
-/// Throws std::invalid_argument where no mistake has that sentence.
+/// The mutant that makes a classic mistake of properties/mistakes/mistakes.h, under a name of its
+/// own. Throws std::invalid_argument where no mistake has that sentence.
 Mutant from_mistake(std::string name, std::string_view sentence,
                     std::vector<std::string_view> caught_by);
 

@@ -5,8 +5,8 @@
 #include <set>
 #include <string>
 
-#include "properties/campaign.h"
-#include "scene/scene_file.h"
+#include "properties/search/campaign.h"
+#include "scene/files/scene_file.h"
 #include "scene/validate.h"
 
 namespace raycheck::mutants {

@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "fast/visible.h"
-#include "properties/certified_candidate.h"
+#include "properties/candidates/visibility_candidate.h"
 #include "tests/mutants/mutants.h"
 
 namespace raycheck::mutants {

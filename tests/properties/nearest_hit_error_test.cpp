@@ -5,8 +5,8 @@
 #include <optional>
 #include <vector>
 
-#include "properties/fast_candidate.h"
-#include "reference/visibility.h"
+#include "properties/candidates/fast_candidate.h"
+#include "reference/visibility/visibility.h"
 
 namespace raycheck::properties {
 namespace {

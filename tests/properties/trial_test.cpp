@@ -5,8 +5,8 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "properties/fast_candidate.h"
-#include "properties/law.h"
+#include "properties/candidates/fast_candidate.h"
+#include "properties/laws/law.h"
 
 namespace raycheck::properties {
 namespace {

@@ -8,7 +8,7 @@
 #include <limits>
 #include <string>
 
-#include "properties/random.h"
+#include "properties/cases/random.h"
 #include "scene/camera.h"
 #include "scene/number.h"
 #include "scene/validate.h"

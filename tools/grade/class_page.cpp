@@ -4,10 +4,10 @@
 #include <array>
 #include <map>
 
-#include "tools/format.h"
 #include "tools/grade/html.h"
 #include "tools/grade/pages.h"
 #include "tools/grade/words.h"
+#include "tools/report/format.h"
 
 namespace raycheck::tools {
 namespace {

@@ -6,14 +6,14 @@
 #include <stdexcept>
 #include <utility>
 
-#include "properties/answer_explanation.h"
-#include "properties/campaign.h"
-#include "properties/image_explanation.h"
-#include "properties/shrink.h"
-#include "tools/candidates/process.h"
-#include "tools/candidates/renderer.h"
-#include "tools/format.h"
+#include "properties/cases/shrink.h"
+#include "properties/mistakes/answer_explanation.h"
+#include "properties/mistakes/image_explanation.h"
+#include "properties/search/campaign.h"
+#include "tools/external/renderer.h"
+#include "tools/external/sandbox/process.h"
 #include "tools/grade/submission.h"
+#include "tools/report/format.h"
 
 namespace raycheck::tools {
 namespace {

@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "properties/law.h"
+#include "properties/laws/law.h"
 #include "properties/trial.h"
 #include "tools/grade/result.h"
 #include "tools/grade/rubric.h"

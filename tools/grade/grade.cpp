@@ -7,35 +7,35 @@
 #include <fstream>
 #include <stdexcept>
 
-#include "properties/image_explanation.h"
+#include "properties/mistakes/image_explanation.h"
 #include "tools/grade/digest.h"
 #include "tools/grade/judge.h"
 #include "tools/grade/pages.h"
 #include "tools/grade/words.h"
-#include "tools/in_order.h"
-#include "tools/methods.h"
-#include "tools/output_file.h"
-#include "tools/terminal.h"
-#include "tools/version.h"
+#include "tools/methods/methods.h"
+#include "tools/report/output_file.h"
+#include "tools/report/version.h"
+#include "tools/run/in_order.h"
 
 namespace raycheck::tools {
 namespace {
 
 namespace fs = std::filesystem;
+using properties::RunControl;
 using RecordJson = nlohmann::json;
 
 constexpr const char* kRecord = "result.json";
 
 void judge_all(const Rubric& rubric, const properties::Candidate& candidate, bool pictures,
-               SubmissionGrade& grade) {
-  Judge judge(rubric, candidate, pictures, grade.seed);
+               const RunControl& control, SubmissionGrade& grade) {
+  Judge judge(rubric, candidate, pictures, grade.seed, control);
   for (std::size_t k = 0; k < rubric.items.size(); ++k) {
     grade.items.push_back(judge.item(k, grade.items));
     const ItemGrade& item = grade.items.back();
     if (!item.bonus) grade.points += item.points;
     grade.score += item.score;
   }
-  grade.finished = !interrupted();
+  grade.finished = !control.interrupted();
 }
 
 bool is_renderer(const std::string& form) { return form.starts_with("renderer:"); }
@@ -72,15 +72,14 @@ class Class {
     }
   }
 
-  ClassGrade grade() {
+  ClassGrade grade(const RunControl& control) {
     ClassGrade result;
-    Progress progress("submissions");
     struct Graded {
       SubmissionGrade grade;
       bool reused = false;
     };
     in_order<Graded>(
-        static_cast<std::int64_t>(submissions_.size()), options_.jobs,
+        static_cast<std::int64_t>(submissions_.size()), control,
         [&](std::int64_t k) {
           const Submission& submission = submissions_[static_cast<std::size_t>(k)];
           Graded graded;
@@ -88,7 +87,7 @@ class Class {
           if (std::optional<SubmissionGrade> known = record_of(submission, graded.grade.key)) {
             graded = {std::move(*known), true};
           } else {
-            grade_one(submission, graded.grade);
+            grade_one(submission, control, graded.grade);
           }
           write(submission, graded.grade);
           return graded;
@@ -96,12 +95,12 @@ class Class {
         [&](Graded& graded) {
           result.reused += graded.reused ? 1 : 0;
           result.submissions.push_back(std::move(graded.grade));
-          progress.show(
+          control.progress(
               fmt::format("{} of {} graded", result.submissions.size(), submissions_.size()));
         });
     result.rubric = rubric_;
     result.out = options_.out;
-    result.interrupted = interrupted();
+    result.interrupted = control.interrupted();
     const fs::path out(options_.out);
     OutputFile("--out", out / kClassTable).write(class_csv(result));
     OutputFile("--out", out / kClassPage).write(class_page(result));
@@ -123,15 +122,17 @@ class Class {
     return grade;
   }
 
-  void grade_one(const Submission& submission, SubmissionGrade& grade) const {
+  void grade_one(const Submission& submission, const RunControl& control,
+                 SubmissionGrade& grade) const {
     try {
       const Prepared prepared = prepare(submission, rubric_, layers_);
       grade.form = prepared.form;
-      judge_all(rubric_, external_candidate(prepared.external), is_renderer(grade.form), grade);
+      judge_all(rubric_, external_candidate(prepared.external), is_renderer(grade.form), control,
+                grade);
     } catch (const Refused& refused) {
       grade.form = refused.form();
       refuse(rubric_, refused.what(), grade);
-      grade.finished = !interrupted();
+      grade.finished = !control.interrupted();
     } catch (const std::exception& error) {
       // Of this machine, not of the submission: it is graded again by the next run.
       grade.items.clear();
@@ -194,9 +195,12 @@ class Class {
 
 }  // namespace
 
-ClassGrade grade(const GradeOptions& options) { return Class(options).grade(); }
+ClassGrade grade(const GradeOptions& options, const RunControl& control) {
+  return Class(options).grade(control);
+}
 
-std::vector<SubmissionGrade> try_rubric(const Rubric& rubric, std::uint64_t seed) {
+std::vector<SubmissionGrade> try_rubric(const Rubric& rubric, std::uint64_t seed,
+                                        const RunControl& control) {
   const auto asks = [&](const auto& questions) {
     return std::any_of(rubric.items.begin(), rubric.items.end(),
                        [&](const Item& item) { return (item.*questions).has_value(); });
@@ -206,7 +210,7 @@ std::vector<SubmissionGrade> try_rubric(const Rubric& rubric, std::uint64_t seed
     SubmissionGrade grade;
     grade.name = name;
     grade.seed = seed;
-    judge_all(rubric, candidate, pictures, grade);
+    judge_all(rubric, candidate, pictures, control, grade);
     grades.push_back(std::move(grade));
   };
   if (asks(&Item::functions)) try_on("functions", candidate_of(kDefaultMethods), false);

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "properties/run_control.h"
 #include "tools/grade/result.h"
 #include "tools/grade/rubric.h"
 #include "tools/grade/submission.h"
@@ -19,7 +20,6 @@ struct GradeOptions {
   std::string rubric;
   std::vector<std::string> submissions;
   std::string out;  ///< A folder; it is made.
-  int jobs = 1;     ///< Submissions graded at a time.
   std::uint64_t seed = 1;
   std::optional<std::string> secret;  ///< Seeds follow from it and the submissions' names.
   Sandbox sandbox = Sandbox::kAuto;
@@ -39,11 +39,12 @@ struct ClassGrade {
 /// OUT the pages of the class at the end. What an earlier run into the same folder finished, of the
 /// same files by the same rubric and seed, is not graded again.
 /// Errors: what load_rubric(), find_submissions() and chosen_layers() throw.
-ClassGrade grade(const GradeOptions& options);
+ClassGrade grade(const GradeOptions& options, const properties::RunControl& control = {});
 
 /// The rubric tried on raycheck's own methods, as a library and as a renderer: what a right
 /// submission is given.
-std::vector<SubmissionGrade> try_rubric(const Rubric& rubric, std::uint64_t seed);
+std::vector<SubmissionGrade> try_rubric(const Rubric& rubric, std::uint64_t seed,
+                                        const properties::RunControl& control = {});
 
 }  // namespace raycheck::tools
 

@@ -18,6 +18,7 @@ namespace {
 
 struct Arguments {
   GradeOptions options;
+  int jobs = tbb::info::default_concurrency();  ///< Submissions graded at a time.
   std::string secret_file;
   std::string package;
   std::string sandbox = "auto";
@@ -36,7 +37,7 @@ std::string secret_of(const std::string& path) {
 int try_command(const Arguments& arguments) {
   ClassGrade tried;
   tried.rubric = load_rubric(arguments.options.rubric);
-  tried.submissions = try_rubric(tried.rubric, arguments.options.seed);
+  tried.submissions = try_rubric(tried.rubric, arguments.options.seed, run_control("rubric"));
   print_report(arguments.format == "json"  ? class_json(tried)
                : arguments.format == "csv" ? class_csv(tried)
                                            : class_text(tried));
@@ -56,7 +57,6 @@ int try_command(const Arguments& arguments) {
 }
 
 int run_grade(const Arguments& arguments) {
-  catch_interrupts();
   GradeOptions options = arguments.options;
   if (!arguments.package.empty()) {
     if (!options.submissions.empty()) {
@@ -77,7 +77,7 @@ int run_grade(const Arguments& arguments) {
   options.results_for = arguments.format == "gradescope"     ? ResultsFor::kGradescope
                         : arguments.format == "prairielearn" ? ResultsFor::kPrairieLearn
                                                              : ResultsFor::kNone;
-  const ClassGrade graded = grade(options);
+  const ClassGrade graded = grade(options, run_control("submissions", arguments.jobs));
   print_report(arguments.format == "json"  ? class_json(graded)
                : arguments.format == "csv" ? class_csv(graded)
                                            : class_text(graded));
@@ -97,9 +97,8 @@ Command add_grade(CLI::App& program) {
       ->required();
   command.add_option("SUBMISSION", arguments.options.submissions, "folders or files handed in");
   command.add_option("--out", arguments.options.out, "the folder that takes the results");
-  command.add_option("--jobs", arguments.options.jobs, "submissions graded at a time")
+  command.add_option("--jobs", arguments.jobs, "submissions graded at a time")
       ->check(CLI::Range(1, 1024));
-  arguments.options.jobs = tbb::info::default_concurrency();
   add_seed(command, arguments.options.seed);
   command.add_option("--secret-file", arguments.secret_file,
                      "a file of which, with its name, each submission's seed is made");

@@ -5,11 +5,11 @@
 #include <cmath>
 #include <utility>
 
-#include "properties/random.h"
-#include "properties/stress.h"
+#include "properties/cases/random.h"
+#include "properties/cases/scene_cases.h"
+#include "properties/search/stress.h"
 #include "properties/trial.h"
-#include "tools/methods.h"
-#include "tools/scene_cases.h"
+#include "tools/methods/methods.h"
 
 namespace raycheck::tools {
 

@@ -6,13 +6,12 @@
 #include <memory>
 #include <utility>
 
-#include "properties/random.h"
-#include "tools/format.h"
+#include "properties/cases/random.h"
 #include "tools/grade/failure.h"
 #include "tools/grade/item_cases.h"
 #include "tools/grade/submission.h"
-#include "tools/methods.h"
-#include "tools/terminal.h"
+#include "tools/methods/methods.h"
+#include "tools/report/format.h"
 
 namespace raycheck::tools {
 namespace {
@@ -137,9 +136,11 @@ double score_of(const Item& item, std::uint64_t held, std::uint64_t cases) {
   return credit * item.points;
 }
 
-Judge::Judge(const Rubric& rubric, Candidate candidate, bool is_renderer, std::uint64_t seed)
+Judge::Judge(const Rubric& rubric, Candidate candidate, bool is_renderer, std::uint64_t seed,
+             const properties::RunControl& control)
     : rubric_(rubric),
       candidate_(std::move(candidate)),
+      control_(control),
       is_renderer_(is_renderer),
       seed_(seed),
       end_(Clock::now() + std::chrono::duration_cast<Clock::duration>(
@@ -168,7 +169,7 @@ ItemGrade Judge::item(std::size_t index, const std::vector<ItemGrade>& before) {
                                found->state == kFails ? "fails" : "is " + found->state);
     return grade;
   }
-  const auto is_late = [this] { return Clock::now() > end_ || interrupted(); };
+  const auto is_late = [this] { return Clock::now() > end_ || control_.interrupted(); };
   // Which sphere is shown tells more about a mistake than whether there is one.
   Candidate telling = tolerated(candidate_, item.tolerance);
   telling.excused_image_change = questions->image_change.value_or(telling.excused_image_change);
@@ -184,11 +185,11 @@ ItemGrade Judge::item(std::size_t index, const std::vector<ItemGrade>& before) {
   for (std::size_t k = 0; k < cases.size(); ++k) {
     if (is_late()) {
       grade.state = kNotJudged;
-      grade.reason = interrupted() ? "interrupted"
-                                   : fmt::format(
-                                         "time is up: a submission has {} s for all that "
-                                         "it is asked",
-                                         rubric_.seconds);
+      grade.reason = control_.interrupted() ? "interrupted"
+                                            : fmt::format(
+                                                  "time is up: a submission has {} s for all that "
+                                                  "it is asked",
+                                                  rubric_.seconds);
       return grade;
     }
     std::optional<Asked> asked = cases[k];

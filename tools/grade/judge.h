@@ -4,6 +4,7 @@
 #include <chrono>
 #include <cstdint>
 
+#include "properties/run_control.h"
 #include "tools/grade/result.h"
 #include "tools/grade/rubric.h"
 
@@ -15,8 +16,8 @@ namespace raycheck::tools {
 class Judge {
  public:
   /// `is_renderer`: it is asked for pictures, otherwise for functions.
-  Judge(const Rubric& rubric, properties::Candidate candidate, bool is_renderer,
-        std::uint64_t seed);
+  Judge(const Rubric& rubric, properties::Candidate candidate, bool is_renderer, std::uint64_t seed,
+        const properties::RunControl& control);
 
   /// Domain: items in the order of the rubric, `before` what became of those before it.
   ItemGrade item(std::size_t index, const std::vector<ItemGrade>& before);
@@ -26,6 +27,7 @@ class Judge {
 
   const Rubric& rubric_;
   properties::Candidate candidate_;
+  const properties::RunControl& control_;
   bool is_renderer_;
   std::uint64_t seed_;
   Clock::time_point end_;

@@ -14,9 +14,9 @@
 #include <sstream>
 #include <stdexcept>
 
-#include "tools/candidates/compile.h"
-#include "tools/candidates/process.h"
-#include "tools/output_file.h"
+#include "tools/external/compile.h"
+#include "tools/external/sandbox/process.h"
+#include "tools/report/output_file.h"
 
 namespace raycheck::tools {
 namespace {

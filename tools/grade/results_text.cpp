@@ -2,9 +2,9 @@
 
 #include <algorithm>
 
-#include "tools/format.h"
 #include "tools/grade/pages.h"
 #include "tools/grade/words.h"
+#include "tools/report/format.h"
 
 namespace raycheck::tools {
 

@@ -7,11 +7,11 @@
 #include <limits>
 #include <set>
 
-#include "scene/toml_fields.h"
-#include "tools/candidates/process.h"
+#include "scene/files/toml_fields.h"
+#include "tools/external/sandbox/process.h"
 #include "tools/grade/digest.h"
 #include "tools/grade/words.h"
-#include "tools/version.h"
+#include "tools/report/version.h"
 
 namespace raycheck::tools {
 namespace {
@@ -276,7 +276,7 @@ class RubricReader {
 Rubric load_rubric(const fs::path& path) {
   if (!fs::exists(path) && !path.has_parent_path()) {
     for (const fs::path& folder : {program_folder().parent_path() / "share/raycheck/rubrics",
-                                   fs::path(kSourceFolder) / "tools/rubrics"}) {
+                                   fs::path(kSourceFolder) / "tools/grade/rubrics"}) {
       if (fs::exists(folder / path)) return RubricReader(folder / path).read();
     }
   }

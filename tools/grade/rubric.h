@@ -9,9 +9,9 @@
 #include <string_view>
 #include <vector>
 
-#include "properties/case_source.h"
-#include "properties/law.h"
-#include "scene/scene_file.h"
+#include "properties/cases/case_source.h"
+#include "properties/laws/law.h"
+#include "scene/files/scene_file.h"
 
 namespace raycheck::tools {
 

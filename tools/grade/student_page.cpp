@@ -1,9 +1,9 @@
 #include <fmt/core.h>
 
-#include "tools/format.h"
 #include "tools/grade/html.h"
 #include "tools/grade/pages.h"
 #include "tools/grade/words.h"
+#include "tools/report/format.h"
 
 namespace raycheck::tools {
 namespace {

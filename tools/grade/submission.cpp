@@ -12,7 +12,7 @@
 #include <set>
 #include <stdexcept>
 
-#include "tools/candidates/compile.h"
+#include "tools/external/compile.h"
 #include "tools/grade/digest.h"
 
 namespace raycheck::tools {

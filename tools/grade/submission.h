@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-#include "tools/candidates/find.h"
+#include "tools/external/locate.h"
 #include "tools/grade/rubric.h"
 
 namespace raycheck::tools {

@@ -1,0 +1,22 @@
+#ifndef RAYCHECK_FAST_INTERNAL_EIGEN_H_
+#define RAYCHECK_FAST_INTERNAL_EIGEN_H_
+
+// Between the plain structs of scene/ and Eigen's vectors. Internal to fast/.
+
+#include <Eigen/Dense>
+
+namespace raycheck::fast {
+
+template <class Triple>
+Eigen::Vector3d eigen(const Triple& value) {
+  return {value.x, value.y, value.z};
+}
+
+template <class Triple>
+Triple plain(const Eigen::Vector3d& value) {
+  return {value.x(), value.y(), value.z()};
+}
+
+}  // namespace raycheck::fast
+
+#endif  // RAYCHECK_FAST_INTERNAL_EIGEN_H_

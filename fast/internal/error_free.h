@@ -1,0 +1,163 @@
+// Sums and products of two numbers as a rounded result and its error. Internal to fast/. Compiled
+// once for each of Highway's targets (fast/internal/lanes.h).
+
+#if defined(RAYCHECK_FAST_INTERNAL_ERROR_FREE_H_) == defined(HWY_TARGET_TOGGLE)
+#ifdef RAYCHECK_FAST_INTERNAL_ERROR_FREE_H_
+#undef RAYCHECK_FAST_INTERNAL_ERROR_FREE_H_
+#else
+#define RAYCHECK_FAST_INTERNAL_ERROR_FREE_H_
+#endif
+
+#include <cmath>
+
+#include "fast/internal/lanes.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace raycheck::fast::HWY_NAMESPACE {
+
+/// x + error, unevaluated; |error| <= ulp(x)/2.
+template <class N>
+struct Rounded {
+  N x;
+  N error;
+};
+
+/// a + b exactly, unless it overflows (Knuth, The Art of Computer Programming 2, 4.2.2).
+template <class N>
+HWY_INLINE Rounded<N> two_sum(N a, N b) {
+  const N sum = a + b;
+  const N b_part = sum - a;
+  return {sum, (a - (sum - b_part)) + (b - b_part)};
+}
+
+/// a - b, as two_sum.
+template <class N>
+HWY_INLINE Rounded<N> two_difference(N a, N b) {
+  const N difference = a - b;
+  const N b_part = a - difference;
+  return {difference, (a - (difference + b_part)) + (b_part - b)};
+}
+
+/// two_sum where |a| >= |b| or a = 0 (Dekker, A floating-point technique for extending the
+/// available precision, 1971).
+template <class N>
+HWY_INLINE Rounded<N> fast_two_sum(N a, N b) {
+  const N sum = a + b;
+  return {sum, b - (sum - a)};
+}
+
+#if HWY_NATIVE_FMA
+
+/// a b - c, rounded once.
+HWY_INLINE Lanes fused_minus(Lanes a, Lanes b, Lanes c) {
+  return Lanes(hn::MulSub(a.raw, b.raw, c.raw));
+}
+template <class N>
+HWY_INLINE N product_error(N a, N b, N product) {
+  return fused_minus(a, b, product);
+}
+template <class N>
+HWY_INLINE N square_error(N a, N square) {
+  return fused_minus(a, a, square);
+}
+template <class N>
+HWY_INLINE N square_rest(N a, N /*square*/, N high) {
+  return fused_minus(a, a, high);
+}
+
+#else
+
+// Without the instruction a call of std::fma costs more than the 17 operations of Dekker's product,
+// which finds the same errors, to the bit, where nothing over- or underflows on the way.
+
+/// a b - c, rounded once.
+inline HWY_NOINLINE double fused_minus(double a, double b, double c) { return std::fma(a, b, -c); }
+inline HWY_NOINLINE Lanes fused_minus(Lanes a, Lanes b, Lanes c) {
+  double x[kLaneCount], y[kLaneCount], z[kLaneCount];
+  store(a, x);
+  store(b, y);
+  store(c, z);
+  for (std::size_t k = 0; k < kLaneCount; ++k) x[k] = std::fma(x[k], y[k], -z[k]);
+  return load(x);
+}
+
+/// The errors of products from here on, and all their parts, are in the double range.
+inline constexpr double kLeastProduct = 0x1p-960;
+
+/// a as two numbers of at most 26 bits (Veltkamp; in Dekker 1971); NaN where |a| > 2^996.
+template <class N>
+HWY_INLINE Rounded<N> split(N a) {
+  const N scaled = N(0x1p27 + 1) * a;
+  const N high = scaled - (scaled - a);
+  return {high, a - high};
+}
+
+/// Dekker's error of a product, unless it cannot be trusted: what overflows on the way does not
+/// come out finite.
+template <class N>
+HWY_INLINE N trusted(N error, N a, N b, N product) {
+  const auto is_exact = (absolute(product) > N(kLeastProduct)) & (error - error == N(0));
+  return any(!is_exact) ? fused_minus(a, b, product) : error;
+}
+
+template <class N>
+HWY_INLINE N product_error(N a, N b, N product) {
+  const Rounded<N> x = split(a);
+  const Rounded<N> y = split(b);
+  return trusted(((x.x * y.x - product) + x.x * y.error + x.error * y.x) + x.error * y.error, a, b,
+                 product);
+}
+
+template <class N>
+HWY_INLINE N square_error(N a, N square) {
+  const Rounded<N> x = split(a);
+  return trusted(((x.x * x.x - square) + N(2) * (x.x * x.error)) + x.error * x.error, a, a, square);
+}
+
+template <class N>
+HWY_INLINE N square_rest(N a, N square, N high) {
+  return (square - high) + square_error(a, square);
+}
+
+#endif
+
+/// a b, and its error rounded once: exact where |a b| >= 2^-969, off by at most 2^-1075 below.
+/// Domain: no overflow.
+template <class N>
+HWY_INLINE Rounded<N> two_product(N a, N b) {
+  const N product = a * b;
+  return {product, product_error(a, b, product)};
+}
+
+/// a^2, as two_product.
+template <class N>
+HWY_INLINE Rounded<N> two_square(N a) {
+  const N square = a * a;
+  return {square, square_error(a, square)};
+}
+
+/// a^2 as a multiple of ulp(scale), and the rest, at most ulp(scale) + ulp(a^2)/2 and rounded once:
+/// such multiples have exact sums and differences up to 2^53 ulp(scale). (As Rump, Ogita and Oishi
+/// extract leading parts, Accurate floating-point summation, 2008.)
+/// Domain: a^2 <= scale, which is at least 2^-800.
+template <class N>
+HWY_INLINE Rounded<N> coarse_square(N a, N scale) {
+  const N square = a * a;
+  const N high = (scale + square) - scale;
+  return {high, square_rest(a, square, high)};
+}
+
+/// x y - z w with no more error than a few roundings of the result (Kahan; analysed by Jeannerod,
+/// Louvet and Muller, Further analysis of Kahan's algorithm for the accurate computation of 2x2
+/// determinants, 2013; here with the errors of both products).
+template <class N>
+HWY_INLINE N difference_of_products(N x, N y, N z, N w) {
+  const Rounded<N> first = two_product(x, y);
+  const Rounded<N> second = two_product(z, w);
+  return (first.x - second.x) + (first.error - second.error);
+}
+
+}  // namespace raycheck::fast::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#endif  // RAYCHECK_FAST_INTERNAL_ERROR_FREE_H_

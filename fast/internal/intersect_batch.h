@@ -1,0 +1,221 @@
+// From a method's roots of one ray and one sphere, in any type of number, to its answers to one ray
+// and to a batch. Internal to fast/. Compiled once for each of Highway's targets
+// (fast/internal/lanes.h).
+
+#if defined(RAYCHECK_FAST_INTERNAL_INTERSECT_BATCH_H_) == defined(HWY_TARGET_TOGGLE)
+#ifdef RAYCHECK_FAST_INTERNAL_INTERSECT_BATCH_H_
+#undef RAYCHECK_FAST_INTERNAL_INTERSECT_BATCH_H_
+#else
+#define RAYCHECK_FAST_INTERNAL_INTERSECT_BATCH_H_
+#endif
+
+#include <cstddef>
+#include <cstdint>
+#include <cstring>
+#include <optional>
+
+#include "fast/internal/batch_arrays.h"
+#include "fast/internal/chosen.h"
+#include "fast/internal/triple.h"
+#include "fast/ray_by_ray.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace raycheck::fast::HWY_NAMESPACE {
+
+/// Roots, in the type of number that a method reckons with.
+template <class N>
+struct RootsOf {
+  N axial_distance;
+  N half_chord_sq;
+  N smaller;
+  N larger;
+  N discriminant;  ///< A multiple of half_chord_sq, for its sign.
+};
+
+/// The roots of a t^2 - 2 b t + c = 0 from its discriminant: q = b + sign(b) sqrt(disc) does not
+/// cancel, the roots are q/a and c/q (Numerical Recipes 5.6). q = 0 only for a double root 0. A
+/// comparison chooses the sign, not the sign bit, which would exchange the roots at b = -0.
+template <class N>
+HWY_INLINE RootsOf<N> roots_by_q(const N& a, const N& b, const N& c, const N& discriminant) {
+  const auto forward = b >= N(0);
+  const N root = square_root(discriminant);
+  const N q = select(forward, b + root, b - root);
+  const N one = q / a;
+  const N other = select(q == N(0), N(0), c / q);
+  return {b / square_root(a), discriminant / a, select(forward, other, one),
+          select(forward, one, other), discriminant};
+}
+
+/// An answer; without a hit its parameter and point mean nothing.
+template <class N>
+struct ChosenOf {
+  MaskOf<N> hit;
+  N parameter;
+  Triple<N> point;
+};
+
+/// The root that the conventions choose, and the point there.
+template <class N>
+HWY_INLINE ChosenOf<N> choose(const RootsOf<N>& found, const Triple<N>& origin,
+                              const Triple<N>& direction, scene::Root root,
+                              scene::Tangent tangent) {
+  const N zero(0);
+  const auto meets =
+      tangent == scene::Tangent::kMiss ? found.discriminant > zero : found.discriminant >= zero;
+  const N s = root == scene::Root::kNearest
+                  ? select(found.smaller >= zero, found.smaller, found.larger)
+                  : found.smaller;
+  const MaskOf<N> hit = meets & (s >= zero);
+  return {hit, s, origin + s * direction};
+}
+
+/// A method that has Method::roots(origin, direction, centre, radius) in the type Method::Number.
+template <class Method>
+struct FromRoots : Method {
+  using Number = typename Method::Number;
+
+  HWY_INLINE static ChosenOf<Number> answer(const Triple<Number>& origin,
+                                            const Triple<Number>& direction,
+                                            const Triple<Number>& centre, const Number& radius,
+                                            scene::Root root, scene::Tangent tangent) {
+    return choose(Method::roots(origin, direction, centre, radius), origin, direction, root,
+                  tangent);
+  }
+};
+
+// The functions of an IntersectMethod, of an Answerer: a type with an answer() as FromRoots has.
+// Flattened: a call would pass vectors through memory, and reckon what the answer does not need.
+
+template <class N>
+HWY_INLINE Chosen plain(const ChosenOf<N>& chosen) {
+  return {chosen.hit,
+          {static_cast<double>(chosen.parameter),
+           {static_cast<double>(chosen.point.x), static_cast<double>(chosen.point.y),
+            static_cast<double>(chosen.point.z)}}};
+}
+
+template <class Answerer>
+[[gnu::flatten]] std::optional<Hit> intersect_one(const scene::Ray& ray,
+                                                  const scene::Sphere& sphere, scene::Root root,
+                                                  scene::Tangent tangent) {
+  using N = typename Answerer::Number;
+  const Chosen chosen =
+      plain(Answerer::answer(triple<N>(ray.origin), triple<N>(ray.direction),
+                             triple<N>(sphere.centre), N(sphere.radius), root, tangent));
+  return chosen.hit ? std::optional(chosen.at) : std::nullopt;
+}
+
+template <class Method>
+Roots roots_of(const scene::Ray& ray, const scene::Sphere& sphere) {
+  using N = typename Method::Number;
+  const RootsOf<N> found = Method::roots(triple<N>(ray.origin), triple<N>(ray.direction),
+                                         triple<N>(sphere.centre), N(sphere.radius));
+  return {static_cast<double>(found.axial_distance), static_cast<double>(found.half_chord_sq),
+          static_cast<double>(found.smaller), static_cast<double>(found.larger)};
+}
+
+/// IntersectMethod::intersect, one ray after the other.
+template <class Answerer>
+[[gnu::flatten]] void intersect_batch(const Rays& rays, const scene::Sphere& sphere,
+                                      scene::Root root, scene::Tangent tangent, Hits& hits) {
+  using N = typename Answerer::Number;
+  require_valid(rays, sphere);
+  const std::size_t count = rays.size();
+  hits.resize(count);
+  const Triple<N> centre = triple<N>(sphere.centre);
+  for (std::size_t k = 0; k < count; ++k) {
+    const scene::Ray ray = ray_at(rays, k);
+    const Chosen chosen = plain(Answerer::answer(triple<N>(ray.origin), triple<N>(ray.direction),
+                                                 centre, N(sphere.radius), root, tangent));
+    hits.hit[k] = chosen.hit;
+    hits.parameter[k] = chosen.at.parameter;
+    hits.point.x[k] = chosen.at.point.x;
+    hits.point.y[k] = chosen.at.point.y;
+    hits.point.z[k] = chosen.at.point.z;
+  }
+}
+
+/// Whether all rays seen are valid, but that a direction whose square is out of range, or an origin
+/// near the end of the range, may pass for no valid one.
+class Validity {
+ public:
+  Validity() : sum_(0.0), directionless_(sum_ < sum_) {}
+  HWY_INLINE void see(const Triple<Lanes>& origin, const Triple<Lanes>& direction) {
+    const Lanes length_sq = dot(direction, direction);
+    sum_ = sum_ + ((origin.x + origin.y + origin.z) + length_sq);
+    directionless_ = directionless_ | (length_sq == Lanes(0.0));
+  }
+  HWY_INLINE bool holds() const { return !any(directionless_ | !(sum_ - sum_ == Lanes(0.0))); }
+
+ private:
+  Lanes sum_;  // not finite once a coordinate is not
+  LaneMask directionless_;
+};
+
+static_assert(kLaneCount <= sizeof(std::uint64_t));
+
+/// One byte a lane: 1, or 0.
+HWY_INLINE std::uint64_t bytes(LaneMask mask) { return kBytesOfBits[bits(mask)]; }
+HWY_INLINE void store(std::uint64_t bytes, std::uint8_t* to) {
+  std::memcpy(to, &bytes, kLaneCount);
+}
+
+/// A BatchKernel for multiples of kLaneCount.
+template <class Answerer>
+[[gnu::flatten]] HWY_NOINLINE bool answer_whole_vectors(const BatchQuestion& question,
+                                                        const HitArrays& answers) {
+  const BatchQuestion asked = question;
+  const HitArrays to = answers;
+  const Triple<Lanes> centre = triple<Lanes>(asked.sphere.centre);
+  const Lanes radius(asked.sphere.radius);
+  Validity valid;
+  for (std::size_t k = 0; k < asked.count; k += kLaneCount) {
+    const Triple<Lanes> origin = load(asked.rays.origin, k);
+    const Triple<Lanes> direction = load(asked.rays.direction, k);
+    valid.see(origin, direction);
+    const ChosenOf<Lanes> chosen =
+        Answerer::answer(origin, direction, centre, radius, asked.root, asked.tangent);
+    store(bytes(chosen.hit), to.hit + k);
+    store(chosen.parameter, to.parameter + k);
+    store(chosen.point, to.point, k);
+  }
+  return valid.holds();
+}
+
+/// A BatchKernel made of one for multiples of kLaneCount.
+inline bool answer_batch(BatchKernel whole_vectors, const BatchQuestion& question,
+                         const HitArrays& answers) {
+  constexpr std::size_t kLanes = kLaneCount;
+  const std::size_t rest = question.count % kLanes;
+  BatchQuestion part = question;
+  part.count -= rest;
+  const bool valid = whole_vectors(part, answers);
+  if (rest == 0) return valid;
+  // The last rays fill a vector with copies of the very last.
+  const std::size_t first = part.count;
+  double given[6][kLanes];
+  double found[4][kLanes];
+  std::uint8_t hit[kLanes];
+  for (std::size_t k = 0; k < kLanes; ++k) {
+    const std::size_t ray = first + (k < rest ? k : rest - 1);
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      given[axis][k] = question.rays.origin[axis][ray];
+      given[3 + axis][k] = question.rays.direction[axis][ray];
+    }
+  }
+  part.count = kLanes;
+  part.rays = {{given[0], given[1], given[2]}, {given[3], given[4], given[5]}};
+  const bool rest_is_valid = whole_vectors(part, {hit, found[0], {found[1], found[2], found[3]}});
+  for (std::size_t k = 0; k < rest; ++k) {
+    answers.hit[first + k] = hit[k];
+    answers.parameter[first + k] = found[0][k];
+    for (std::size_t axis = 0; axis < 3; ++axis)
+      answers.point[axis][first + k] = found[1 + axis][k];
+  }
+  return valid && rest_is_valid;
+}
+
+}  // namespace raycheck::fast::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#endif  // RAYCHECK_FAST_INTERNAL_INTERSECT_BATCH_H_

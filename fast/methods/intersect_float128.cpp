@@ -1,0 +1,36 @@
+#include "fast/internal/intersect_formulas.h"
+
+namespace raycheck::fast {
+namespace {
+
+__extension__ typedef __float128 Float128;
+using Formula = HWY_NAMESPACE::Lagrange<Float128>;
+
+}  // namespace
+
+namespace HWY_NAMESPACE {
+
+/// From 64 bits by one of Newton's steps to all but the last of 113. The library with the type's
+/// own square root, libquadmath, has a header that only one of the compilers finds; the rest of its
+/// arithmetic is the compilers' own.
+template <>
+Float128 square_root(const Float128& x) {
+  if (!(x > 0)) return static_cast<Float128>(std::sqrt(static_cast<long double>(x)));
+  const Float128 guess = std::sqrt(static_cast<long double>(x));
+  return guess + (x - guess * guess) / (2 * guess);
+}
+
+}  // namespace HWY_NAMESPACE
+
+const IntersectMethod kFloat128 = {
+    .name = "float128",
+    .sentence = "disc = a r^2 - |T x d|^2 and roots by q, in 113 bits (software)",
+    .intersect = HWY_NAMESPACE::intersect_batch<HWY_NAMESPACE::FromRoots<Formula>>,
+    .intersect_one = HWY_NAMESPACE::intersect_one<HWY_NAMESPACE::FromRoots<Formula>>,
+    .roots = HWY_NAMESPACE::roots_of<Formula>,
+    .max_ulp = kFloat128MaxUlp,
+    .max_point_ulp = kFloat128MaxPointUlp,
+    .domain = kWideDomain,
+};
+
+}  // namespace raycheck::fast

@@ -1,0 +1,63 @@
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "fast/methods/intersect_perpendicular.cpp"
+#include <hwy/foreach_target.h>
+
+#include "fast/internal/intersect_batch.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace raycheck::fast::HWY_NAMESPACE {
+namespace {
+
+/// Haines et al., Precision Improvements for Ray/Sphere Intersection, Ray Tracing Gems (2019),
+/// after Hearn and Baker: the distance from the centre to the line, instead of a difference of two
+/// large squares.
+template <class N>
+struct Perpendicular {
+  using Number = N;
+
+  static RootsOf<N> roots(const Triple<N>& origin, const Triple<N>& direction,
+                          const Triple<N>& centre, N radius) {
+    const Triple<N> T = centre - origin;
+    const N a = dot(direction, direction);
+    const N b = dot(T, direction);
+    const N c = dot(T, T) - radius * radius;
+    const Triple<N> off_line = T - (b / a) * direction;
+    return roots_by_q<N>(a, b, c, a * (radius * radius - dot(off_line, off_line)));
+  }
+};
+
+bool batch(const BatchQuestion& question, const HitArrays& answers) {
+  return answer_batch(answer_whole_vectors<FromRoots<Perpendicular<Lanes>>>, question, answers);
+}
+
+}  // namespace
+}  // namespace raycheck::fast::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace raycheck::fast {
+namespace {
+
+HWY_EXPORT(batch);
+
+void intersect(const Rays& rays, const scene::Sphere& sphere, scene::Root root,
+               scene::Tangent tangent, Hits& hits) {
+  intersect_by(HWY_DYNAMIC_DISPATCH(batch), rays, sphere, root, tangent, hits);
+}
+
+using One = HWY_NAMESPACE::FromRoots<HWY_NAMESPACE::Perpendicular<double>>;
+
+}  // namespace
+
+const IntersectMethod kPerpendicular = {
+    .name = "perpendicular",
+    .sentence = "disc = a (r^2 - |T - (b/a) d|^2), roots by q",
+    .intersect = intersect,
+    .intersect_one = HWY_NAMESPACE::intersect_one<One>,
+    .roots = HWY_NAMESPACE::roots_of<One>,
+    .max_ulp = kPerpendicularMaxUlp,
+    .max_point_ulp = kPerpendicularMaxPointUlp,
+};
+
+}  // namespace raycheck::fast
+#endif

@@ -1,0 +1,278 @@
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "fast/methods/intersect_robust.cpp"
+#include <hwy/foreach_target.h>
+
+#include <cmath>
+#include <cstring>
+
+#include "fast/internal/error_free.h"
+#include "fast/internal/intersect_batch.h"
+#include "fast/internal/robust.h"
+#include "scene/validate.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace raycheck::fast::HWY_NAMESPACE {
+namespace {
+
+// The first step: coefficients in doubles, then one of Newton's steps from a residual in pairs.
+//
+// It answers where |disc^| > kDiscriminantShare a r^2 + kFarShare a f^2, and f^2 differs from r^2
+// by more than kSurfaceShare r^2 + K M^2, M = |C|_1 + r, K = min(kReachShare + kSmallShare (M/r)^2,
+// kMostReach); and where disc > kLeastDiscriminant and a + f^2, r^2 < kLargestSquare, so that no
+// product overflows, a > 2^-700, for a hit r^2 > 2^-700, and what underflows is too small to count
+// beside the margins.
+//
+// Signs. |m^ - m| <= 4.3u f|d|, and |disc^ - disc| <= 12u a (f^2 + r^2) + u |disc^|, less than a
+// hundredth of what is asked; |c^ - c| <= 6u (f^2 + r^2). A miss by c and b needs no more of b:
+// with c > 0 and disc > 0, b^2 > disc > kFarShare f^2 |d|^2 (0.99), while |b^ - b| <= 4u f|d|. With
+// disc < 0 the ray misses whatever b is.
+//
+// The first root s0, of relative error e. Let t = disc/(a r^2) <= 1 and x = f/r, so that
+// t > 0.99 (2^-13 + 2^-31 x^2); then t^2.5 > 2^-39.8 x and t > 2^-21.1 x. On a hit |m| <= |d| r,
+// hence f|d| <= |b| + |d| r <= 2q/sqrt(t), and
+//   |disc^ - disc| <= 8.6u f|d| |d| r + 9u a r^2 + 19u^2 f^2 |d|^2
+// moves q by at most 13.2u/t of itself (next to nothing from the last term, as f|d| < 2^15.6
+// sqrt(disc)), b^ by 8u/sqrt(t): e <= 24u/t + 6u (f^2 + r^2)/|c|, the latter only through c.
+//
+// Newton's step leaves e^2 g, g = a s/(2 sqrt(disc)), of s. With c > 0, g <= f|d|/(2 sqrt(disc)) =
+// x/(2 sqrt(t)) and g <= a c/(2 disc); with c < 0, a |c| = disc - b^2 and q <= 2 sqrt(disc) make
+// g <= 1 and, through c, g <= a |c|/(2 disc).
+//   (24u/t)^2 2 g <= (24u)^2 x/t^2.5 <= 2^-57, or (24u/t)^2 2 <= 2^-69
+//   (6u (f^2 + r^2)/c)^2 2 g <= 2^-80 where f^2 >= 2r^2, since then f^2 + r^2 <= 3c;
+//   otherwise <= 36u^2 ((f^2 + r^2)/|c|) 3/t <= 2^-58.5.
+// sqrt(disc^) stands for sqrt(disc): off by at most 2^-29 of itself (2^-36 where f^2 < 2r^2), which
+// times e is below 2^-59.
+//
+// The residual |C - L - s0 d|^2 - r^2 is taken from w = C - fl(L + s0 d), rounded, and the sum v of
+// the roundings on the way there, each exact. s0 is so near that |w|^2 <= r^2 (1 + 2^-15), the
+// domain of coarse_square; the high parts add up exactly, the low parts are off by 56u^2 r^2. Then
+// |v| <= u(M + f + 2.1r) is off by at most u^2(2M + 3.1(f + r)), the product 2 w.v and the sums by
+// at most 8u r |v| + 18u^2 r^2 more, and |v|^2 is left out: 120u^2 (M + f)^2 in all. Half of that
+// over s sqrt(disc) is the error as a share of s:
+//   120u^2 f^2/(s sqrt(disc)) <= 2^-64, as 200u^2/t at q/a and by q <= 2^8 sqrt(disc) where
+//   f^2 < 2r^2, q <= 2^15.6 sqrt(disc) otherwise, at |c|/q;
+//   120u^2 M^2/(s sqrt(disc)) <= 2^-58, as s sqrt(disc) >= |f - r| max(2^-6.6 r, 2^-15.6 f)
+//   > 2^-40 M^2 by what is asked of f^2 - r^2.
+//
+// All in all s is off by less than 2^-56 of itself before it is rounded: 0.63 ulp. Q = L + s d is
+// made from fl(L + s0 d), what that leaves out and the rest of s, and rounded once.
+constexpr double kDiscriminantShare = 0x1p-13;
+constexpr double kFarShare = 0x1p-31;
+constexpr double kSurfaceShare = 0x1p-26;
+constexpr double kReachShare = 0x1p-32;
+constexpr double kSmallShare = 0x1p-66;
+constexpr double kMostReach = 0x1p-24;
+constexpr double kLeastDiscriminant = 0x1p-300;
+constexpr double kLargestSquare = 0x1p400;
+
+/// A coordinate of L + s0 d, and of C less that, as unevaluated sums.
+template <class N>
+struct Reached {
+  N point, point_rest;
+  N away, away_rest;
+};
+
+template <class N>
+HWY_INLINE Reached<N> reached(N origin, N s0, N direction, N centre) {
+  const Rounded<N> product = two_product(s0, direction);
+  const Rounded<N> point = two_sum(origin, product.x);
+  const N rest = point.error + product.error;
+  const Rounded<N> away = two_difference(centre, point.x);
+  return {point.x, rest, away.x, away.error - rest};
+}
+
+/// What the sphere alone decides.
+template <class N>
+struct Ball {
+  HWY_INLINE Ball(const Triple<N>& its_centre, N radius)
+      : centre(its_centre),
+        square(radius * radius),
+        doubt(N(kDiscriminantShare) * square),
+        scale(N(2) * square),
+        coarse(coarse_square(radius, scale)) {
+    const N reach = absolute(centre.x) + absolute(centre.y) + absolute(centre.z) + radius;
+    const N ratio = reach / radius;
+    const N share = smaller(N(kReachShare) + N(kSmallShare) * (ratio * ratio), N(kMostReach));
+    const N margin = N(kSurfaceShare) * square + share * (reach * reach);
+    // Compared with NaN, nothing is certain.
+    const N known = select(square < N(kLargestSquare), square, N(std::nan("")));
+    inside = known - margin;
+    outside = known + margin;
+  }
+
+  Triple<N> centre;
+  N square;
+  N doubt, scale;
+  Rounded<N> coarse;  ///< The square, in units of ulp(scale).
+  N inside, outside;  ///< f^2 below and above these is that of an origin inside, and outside.
+};
+
+/// The class where it is certain, and the first root.
+template <class N>
+struct Guess {
+  MaskOf<N> hit;
+  MaskOf<N> certain;
+  N s0;
+  N slope;  ///< Of |T - s d|^2 at the root.
+};
+
+template <class N>
+Guess<N> guess(const Triple<N>& origin, const Triple<N>& direction, const Ball<N>& ball,
+               scene::Root root) {
+  const Triple<N> T = ball.centre - origin;
+  const N a = dot(direction, direction);
+  const N b = dot(T, direction);
+  const N distance_sq = dot(T, T);
+  const N c = distance_sq - ball.square;
+  const Triple<N> moment = cross(T, direction);
+  const N discriminant = a * ball.square - dot(moment, moment);
+  const N doubt = larger(a * (ball.doubt + N(kFarShare) * distance_sq), N(kLeastDiscriminant));
+  const auto outside = distance_sq > ball.outside;
+  const auto behind = b < N(0);
+  const MaskOf<N> certain = (absolute(discriminant) > doubt) &
+                            (a + distance_sq < N(kLargestSquare)) &
+                            (outside | (distance_sq < ball.inside));
+  const MaskOf<N> no_root = root == scene::Root::kNearest ? outside & behind : (!outside) | behind;
+  const MaskOf<N> hit = certain & (discriminant > N(0)) & !no_root;
+  if (!any(hit)) return {hit, certain, N(0), N(0)};
+  const N half_slope = square_root(discriminant);
+  const N q = absolute(b) + half_slope;
+  const MaskOf<N> through_c = outside | behind;
+  const N s0 = select(through_c, absolute(c), q) / select(through_c, q, a);
+  return {hit, certain, s0, select(outside, N(-2), N(2)) * half_slope};
+}
+
+/// Newton's step from s0, and the point there.
+template <class N>
+ChosenOf<N> correct(const Triple<N>& origin, const Triple<N>& direction, const Ball<N>& ball,
+                    const Guess<N>& found) {
+  const Reached<N> x = reached(origin.x, found.s0, direction.x, ball.centre.x);
+  const Reached<N> y = reached(origin.y, found.s0, direction.y, ball.centre.y);
+  const Reached<N> z = reached(origin.z, found.s0, direction.z, ball.centre.z);
+  const Rounded<N> xx = coarse_square(x.away, ball.scale);
+  const Rounded<N> yy = coarse_square(y.away, ball.scale);
+  const Rounded<N> zz = coarse_square(z.away, ball.scale);
+  const N residual = (((xx.x + yy.x) + zz.x) - ball.coarse.x) +
+                     (((xx.error + yy.error) + (zz.error - ball.coarse.error)) +
+                      N(2) * (x.away * x.away_rest + y.away * y.away_rest + z.away * z.away_rest));
+  const N correction = residual / found.slope;
+  return {found.hit,
+          found.s0 - correction,
+          {x.point + (x.point_rest - correction * direction.x),
+           y.point + (y.point_rest - correction * direction.y),
+           z.point + (z.point_rest - correction * direction.z)}};
+}
+
+bool any_hit(const std::uint8_t* codes) {
+  std::uint64_t all = 0;
+  std::memcpy(&all, codes, kLaneCount);
+  return all != 0;
+}
+
+constexpr std::size_t kBlock = 128;
+static_assert(kBlock % kLaneCount == 0 && kLaneCount <= sizeof(std::uint64_t));
+
+/// A BatchKernel for multiples of kLaneCount. In two passes over what the nearest cache holds: a
+/// vector's whole chain of operations is too long for the next to begin before its end.
+[[gnu::flatten]] HWY_NOINLINE bool answer_whole(const BatchQuestion& question,
+                                                const HitArrays& answers) {
+  const BatchQuestion asked = question;
+  const HitArrays to = answers;
+  const Ball<Lanes> ball(triple<Lanes>(asked.sphere.centre), Lanes(asked.sphere.radius));
+  for (std::size_t first = 0; first < asked.count; first += kBlock) {
+    const std::size_t last = first + kBlock < asked.count ? first + kBlock : asked.count;
+    for (std::size_t k = first; k < last; k += kLaneCount) {
+      const Guess<Lanes> found =
+          guess(load(asked.rays.origin, k), load(asked.rays.direction, k), ball, asked.root);
+      std::uint64_t codes = bytes(found.hit);
+      if (!all(found.certain)) [[unlikely]]
+        codes |= kOpen * bytes(!found.certain);
+      store(codes, to.hit + k);
+      store(found.s0, to.parameter + k);
+      store(found.slope, to.point[0] + k);
+    }
+    for (std::size_t k = first; k < last; k += kLaneCount) {
+      if (!any_hit(to.hit + k)) continue;
+      const Lanes slope = load(to.point[0] + k);
+      const ChosenOf<Lanes> chosen =
+          correct(load(asked.rays.origin, k), load(asked.rays.direction, k), ball,
+                  {slope == slope, slope == slope, load(to.parameter + k), slope});
+      store(chosen.parameter, to.parameter + k);
+      store(chosen.point, to.point, k);
+    }
+  }
+  return true;
+}
+
+bool batch(const BatchQuestion& question, const HitArrays& answers) {
+  return answer_batch(answer_whole, question, answers);
+}
+
+}  // namespace
+}  // namespace raycheck::fast::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace raycheck::fast {
+namespace {
+
+HWY_EXPORT(batch);
+
+Chosen answer_carefully(const scene::Ray& ray, const scene::Sphere& sphere, scene::Root root,
+                        scene::Tangent tangent) {
+  if (const auto proven = answer_by_pairs(ray, sphere, root)) return *proven;
+  return answer_by_integers(ray, sphere, root, tangent);
+}
+
+void intersect(const Rays& rays, const scene::Sphere& sphere, scene::Root root,
+               scene::Tangent tangent, Hits& hits) {
+  intersect_by(HWY_DYNAMIC_DISPATCH(batch), rays, sphere, root, tangent, hits);
+  std::uint8_t* const first = hits.hit.data();
+  std::uint8_t* const last = first + hits.size();
+  for (std::uint8_t* open = first; open != last; ++open) {
+    // Not std::find, which asks byte by byte.
+    open =
+        static_cast<std::uint8_t*>(std::memchr(open, kOpen, static_cast<std::size_t>(last - open)));
+    if (open == nullptr) return;
+    const auto k = static_cast<std::size_t>(open - first);
+    const scene::Ray ray = ray_at(rays, k);
+    if (!scene::problems(ray).empty()) require_valid(rays, sphere);
+    const Chosen chosen = answer_carefully(ray, sphere, root, tangent);
+    *open = chosen.hit;
+    hits.parameter[k] = chosen.at.parameter;
+    hits.point.x[k] = chosen.at.point.x;
+    hits.point.y[k] = chosen.at.point.y;
+    hits.point.z[k] = chosen.at.point.z;
+  }
+}
+
+[[gnu::flatten]] std::optional<Hit> intersect_one(const scene::Ray& ray,
+                                                  const scene::Sphere& sphere, scene::Root root,
+                                                  scene::Tangent tangent) {
+  using HWY_NAMESPACE::triple;
+  const auto origin = triple<double>(ray.origin);
+  const auto direction = triple<double>(ray.direction);
+  const auto centre = triple<double>(sphere.centre);
+  const HWY_NAMESPACE::Ball<double> ball(centre, sphere.radius);
+  const auto found = HWY_NAMESPACE::guess(origin, direction, ball, root);
+  if (found.hit) return plain(HWY_NAMESPACE::correct(origin, direction, ball, found)).at;
+  if (found.certain) return std::nullopt;
+  const Chosen chosen = answer_carefully(ray, sphere, root, tangent);
+  return chosen.hit ? std::optional(chosen.at) : std::nullopt;
+}
+
+}  // namespace
+
+const IntersectMethod kRobust = {
+    .name = "robust",
+    .sentence = "cross corrected once in pairs of doubles where proven; else pairs, integers",
+    .intersect = intersect,
+    .intersect_one = intersect_one,
+    .max_ulp = kRobustMaxUlp,
+    .max_point_ulp = kRobustMaxPointUlp,
+    .domain = kWideDomain,
+    .exact_class = true,
+};
+
+}  // namespace raycheck::fast
+#endif

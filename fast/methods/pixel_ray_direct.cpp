@@ -1,0 +1,30 @@
+#include "fast/internal/pixel_ray_batch.h"
+
+namespace raycheck::fast {
+namespace {
+
+struct Direct {
+  static PixelTrace trace(const PixelPlane& plane, const scene::Pixel& pixel) {
+    // In place: copied, g would be stored by coordinates and loaded in pairs, which waits.
+    PixelTrace trace;
+    trace.along =
+        plane.camera.near * plane.W + plane.alpha(pixel) * plane.U + plane.beta(pixel) * plane.V;
+    trace.point = plane.E + trace.along;
+    return trace;
+  }
+};
+
+}  // namespace
+
+const PixelRayMethod kDirectRays = {
+    .name = "direct",
+    .sentence = "D from g = nW + alpha U + beta V, P = E + g",
+    .pixel_points = pixel_points_batch<Direct>,
+    .pixel_rays = rays_batch<Direct, scene::Origin::kPixel>,
+    .focal_rays = rays_batch<Direct, scene::Origin::kFocal>,
+    .max_point_ulp = kPixelPointMaxUlp,
+    .max_direction_ulp = kDirectDirectionMaxUlp,
+    .max_unit_defect_ulp = kUnitDefectMaxUlp,
+};
+
+}  // namespace raycheck::fast

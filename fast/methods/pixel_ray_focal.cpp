@@ -1,0 +1,38 @@
+#include "fast/internal/pixel_plane.h"
+#include "fast/pixel_ray.h"
+
+namespace raycheck::fast {
+namespace {
+
+void focal_rays(const scene::Camera& camera, const scene::Conventions& conventions,
+                std::span<const scene::Pixel> pixels, Rays& out) {
+  const PixelPlane plane(camera, conventions);
+  const Eigen::Vector3d to_plane = camera.near * plane.W;
+  out.resize(pixels.size());
+  out.origin.x.assign(pixels.size(), camera.eye.x);
+  out.origin.y.assign(pixels.size(), camera.eye.y);
+  out.origin.z.assign(pixels.size(), camera.eye.z);
+  const double near_sq = camera.near * camera.near;
+  for (std::size_t k = 0; k < pixels.size(); ++k) {
+    const double alpha = plane.alpha(pixels[k]);
+    const double beta = plane.beta(pixels[k]);
+    // The axes are orthonormal, so the length needs none of them.
+    const double length = std::sqrt(near_sq + alpha * alpha + beta * beta);
+    store(out.direction, k, (to_plane + alpha * plane.U + beta * plane.V) / length);
+  }
+}
+
+}  // namespace
+
+const PixelRayMethod kFocalRays = {
+    .name = "focal",
+    .sentence = "rays from E; nW and n^2 once per scene, |g| from n, alpha, beta",
+    .pixel_points = nullptr,
+    .pixel_rays = nullptr,
+    .focal_rays = focal_rays,
+    .max_point_ulp = kPixelPointMaxUlp,
+    .max_direction_ulp = kDirectDirectionMaxUlp,
+    .max_unit_defect_ulp = kFocalUnitDefectMaxUlp,
+};
+
+}  // namespace raycheck::fast

@@ -1,0 +1,28 @@
+#include "fast/internal/pixel_ray_batch.h"
+
+namespace raycheck::fast {
+namespace {
+
+struct Lecture {
+  static PixelTrace trace(const PixelPlane& plane, const scene::Pixel& pixel) {
+    const Eigen::Vector3d P = plane.E + plane.camera.near * plane.W + plane.alpha(pixel) * plane.U +
+                              plane.beta(pixel) * plane.V;
+    return {P, P - plane.E};
+  }
+};
+
+}  // namespace
+
+const PixelRayMethod kLectureRays = {
+    .name = "lecture",
+    .sentence = "P = E + nW + alpha U + beta V, then D = (P - E)/|P - E|",
+    .pixel_points = pixel_points_batch<Lecture>,
+    .pixel_rays = rays_batch<Lecture, scene::Origin::kPixel>,
+    .focal_rays = rays_batch<Lecture, scene::Origin::kFocal>,
+    .max_point_ulp = kPixelPointMaxUlp,
+    .max_direction_ulp = kLectureDirectionMaxUlp,
+    .max_unit_defect_ulp = kUnitDefectMaxUlp,
+    .not_kept = "directions where |E| is much larger than |P - E|",
+};
+
+}  // namespace raycheck::fast

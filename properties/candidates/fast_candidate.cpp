@@ -1,0 +1,181 @@
+#include "properties/candidates/fast_candidate.h"
+
+#include <algorithm>
+#include <cstdint>
+#include <cstring>
+#include <string>
+
+#include "fast/camera_frame.h"
+#include "fast/visible.h"
+
+namespace raycheck::properties {
+namespace {
+
+fast::Rays batch_of(Candidate::Rays rays) {
+  fast::Rays batch;
+  batch.resize(rays.size());
+  for (std::size_t k = 0; k < rays.size(); ++k) {
+    batch.origin.x[k] = rays[k].origin.x;
+    batch.origin.y[k] = rays[k].origin.y;
+    batch.origin.z[k] = rays[k].origin.z;
+    batch.direction.x[k] = rays[k].direction.x;
+    batch.direction.y[k] = rays[k].direction.y;
+    batch.direction.z[k] = rays[k].direction.z;
+  }
+  return batch;
+}
+
+template <class Triple>
+Triple triple_at(const fast::Vectors& vectors, std::size_t k) {
+  return {vectors.x[k], vectors.y[k], vectors.z[k]};
+}
+
+/// Misses are passed over many at a time.
+SphereHits list_of(const fast::Hits& hits) {
+  SphereHits list;
+  const std::uint8_t* const begin = hits.hit.data();
+  const std::uint8_t* const end = begin + hits.size();
+  const auto next_from = [end](const std::uint8_t* from) {
+    const void* found = from == end ? nullptr : std::memchr(from, 1, std::size_t(end - from));
+    return static_cast<const std::uint8_t*>(found);
+  };
+  for (const std::uint8_t* at = next_from(begin); at != nullptr; at = next_from(at + 1)) {
+    const auto k = static_cast<std::size_t>(at - begin);
+    list.push_back({k, {hits.parameter[k], triple_at<scene::Point3>(hits.point, k)}});
+  }
+  return list;
+}
+
+auto make_rays(fast::PixelRayMethod::MakeRays make) {
+  return [make](const scene::Camera& camera, const scene::Conventions& conventions,
+                Candidate::Pixels pixels) {
+    fast::Rays batch;
+    make(camera, conventions, pixels, batch);
+    std::vector<scene::Ray> rays(pixels.size());
+    for (std::size_t k = 0; k < rays.size(); ++k) {
+      rays[k] = {triple_at<scene::Point3>(batch.origin, k),
+                 triple_at<scene::Vector3>(batch.direction, k)};
+    }
+    return rays;
+  };
+}
+
+/// So many pixels around one that is asked about are rendered with it, as a renderer would: the
+/// plan is then about more than that one.
+constexpr std::int64_t kAround = 2;
+
+std::vector<std::optional<SeenAnswer>> seen_through(const scene::Scene& scene,
+                                                    const scene::ScenePlan& plan,
+                                                    const fast::PixelRayMethod& rays,
+                                                    const fast::IntersectMethod& intersect,
+                                                    Candidate::Pixels pixels) {
+  std::vector<std::optional<SeenAnswer>> answers;
+  fast::SeenPixels seen;
+  for (const auto& [i, j] : pixels) {
+    const scene::PixelRectangle around = {
+        std::max<std::int64_t>(0, i - kAround), std::min(scene.camera->width, i + kAround + 1),
+        std::max<std::int64_t>(0, j - kAround), std::min(scene.camera->height, j + kAround + 1)};
+    fast::see(scene, plan, rays, intersect, around, seen);
+    const auto at = static_cast<std::size_t>(
+        (j - around.j_begin) * (around.i_end - around.i_begin) + i - around.i_begin);
+    answers.emplace_back();
+    if (seen.sphere[at] != fast::kNothingSeen) {
+      answers.back() = {static_cast<std::size_t>(seen.sphere[at]), seen.parameter[at]};
+    }
+  }
+  return answers;
+}
+
+}  // namespace
+
+double inherited_bound(const fast::PixelRayMethod& rays) {
+  return kRayShare * std::max(rays.max_point_ulp, rays.max_direction_ulp);
+}
+
+Candidate fast_candidate(const fast::PixelRayMethod& rays, const fast::IntersectMethod& intersect,
+                         const scene::PlanItems& items) {
+  Candidate candidate;
+  candidate.name = std::string(rays.name) + "/" + std::string(intersect.name);
+  candidate.frame = [](const scene::Camera& camera) {
+    const fast::CameraFrame frame = fast::camera_frame(camera);
+    return FrameAnswer{frame.U, frame.V, frame.W};
+  };
+  if (rays.pixel_points != nullptr) {
+    candidate.pixel_points = [make = rays.pixel_points](const scene::Camera& camera,
+                                                        const scene::Conventions& conventions,
+                                                        Candidate::Pixels pixels) {
+      fast::Vectors batch;
+      make(camera, conventions, pixels, batch);
+      std::vector<scene::Point3> points(pixels.size());
+      for (std::size_t k = 0; k < points.size(); ++k)
+        points[k] = triple_at<scene::Point3>(batch, k);
+      return points;
+    };
+  }
+  if (rays.pixel_rays != nullptr) {
+    candidate.pixel_rays = make_rays(rays.pixel_rays);
+  } else {
+    candidate.declared.origin = scene::Origin::kFocal;
+  }
+  candidate.focal_rays = make_rays(rays.focal_rays);
+  candidate.intersect = [&intersect](Candidate::Rays given, Candidate::Spheres spheres,
+                                     const scene::Conventions& conventions) {
+    const fast::Rays batch = batch_of(given);
+    fast::Hits hits;
+    std::vector<SphereHits> answers(spheres.size());
+    for (std::size_t k = 0; k < spheres.size(); ++k) {
+      intersect.intersect(batch, spheres[k], conventions.root, conventions.tangent, hits);
+      answers[k] = list_of(hits);
+    }
+    return answers;
+  };
+  candidate.nearest = [&intersect](Candidate::Rays given, Candidate::Spheres spheres,
+                                   const scene::Conventions& conventions) {
+    return fast::nearest_spheres(intersect, batch_of(given), spheres, conventions.root,
+                                 conventions.tangent);
+  };
+  candidate.plan = [items](const scene::Scene& scene, const scene::Conventions& conventions,
+                           scene::Wanted wanted) {
+    return scene::plan_scene(scene, conventions, wanted, items);
+  };
+  candidate.visible = [&rays, &intersect, plan = candidate.plan](
+                          const scene::Scene& scene, const scene::Conventions& conventions,
+                          Candidate::Pixels pixels) {
+    return seen_through(scene, plan(scene, conventions, scene::Wanted::kNearest), rays, intersect,
+                        pixels);
+  };
+  const auto promise = [&candidate](Quantity quantity, double bound) {
+    candidate.max_error[static_cast<std::size_t>(quantity)] = bound;
+  };
+  promise(Quantity::kFrame, fast::kFrameMaxUlp);
+  promise(Quantity::kOrthonormality, fast::kFrameMaxUlp);
+  promise(Quantity::kPixelPoint, rays.max_point_ulp);
+  promise(Quantity::kRayOrigin, rays.max_point_ulp);
+  promise(Quantity::kDirection, rays.max_direction_ulp);
+  promise(Quantity::kUnitDefect, rays.max_unit_defect_ulp);
+  const double inherited = inherited_bound(rays);
+  const auto promise_hit = [&](Quantity quantity, double bound) {
+    promise(quantity, bound);
+    candidate.max_error_end_to_end[static_cast<std::size_t>(quantity)] = bound + inherited;
+  };
+  promise_hit(Quantity::kParameter, intersect.max_ulp);
+  promise_hit(Quantity::kHitPoint, intersect.max_point_ulp);
+  promise_hit(Quantity::kSphereResidual, intersect.max_point_ulp + kRoundedPointResidual);
+  promise_hit(Quantity::kRayResidual, intersect.max_point_ulp + kRoundedPointResidual);
+  // A root off by so much is at most twice that many u off, and kappa is at least 1: scaling all
+  // lengths scales s.
+  promise(Quantity::kBackwardError, 2 * intersect.max_ulp);
+  candidate.exact_class = intersect.exact_class;
+  candidate.unit_roundoff = std::max(rays.unit_roundoff, intersect.unit_roundoff);
+  candidate.needs_unit_direction = intersect.contract.unit_direction;
+  candidate.needs_origin_outside = intersect.contract.origin_outside;
+  candidate.declared.root = intersect.contract.root;
+  candidate.declared.tangent = intersect.contract.tangent;
+  candidate.smallest_length = intersect.domain.smallest_length;
+  candidate.largest_length = intersect.domain.largest_length;
+  candidate.smallest_camera_length = rays.domain.smallest_length;
+  candidate.largest_camera_length = rays.domain.largest_length;
+  return candidate;
+}
+
+}  // namespace raycheck::properties

@@ -1,0 +1,30 @@
+#ifndef RAYCHECK_PROPERTIES_CANDIDATES_FAST_CANDIDATE_H_
+#define RAYCHECK_PROPERTIES_CANDIDATES_FAST_CANDIDATE_H_
+
+#include "fast/intersect.h"
+#include "fast/pixel_ray.h"
+#include "properties/candidate.h"
+
+namespace raycheck::properties {
+
+/// What a hit's bound gains where its ray comes from a camera, in multiples of the ray's bound: the
+/// ray's origin and direction are each off by that much, and so then are s and Q, in proportion to
+/// their condition numbers; audited by the campaigns.
+inline constexpr double kRayShare = 1;
+double inherited_bound(const fast::PixelRayMethod& rays);
+
+/// What the residuals' bounds gain over the point's: a point rounded to doubles is off by up to
+/// u |Q|, which is half the residual's condition number, (|Q| + |C| + |L| + r)/r or over s |D|, in
+/// units of u of r or s |D|.
+inline constexpr double kRoundedPointResidual = kModerateCondition / 2;
+
+/// A ray method and an intersection method of fast/ as one candidate, "RAYS/INTERSECT". On given
+/// rays it promises what the intersection method does, in that method's domain; end to end from a
+/// camera its hits promise inherited_bound() more, in both methods' domains. It sees by a plan that
+/// does what `items` say.
+Candidate fast_candidate(const fast::PixelRayMethod& rays, const fast::IntersectMethod& intersect,
+                         const scene::PlanItems& items = {});
+
+}  // namespace raycheck::properties
+
+#endif  // RAYCHECK_PROPERTIES_CANDIDATES_FAST_CANDIDATE_H_

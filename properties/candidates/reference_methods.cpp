@@ -1,0 +1,130 @@
+#include "properties/candidates/reference_methods.h"
+
+#include "fast/ray_by_ray.h"
+#include "reference/exact_ray.h"
+#include "reference/interval_ray.h"
+
+namespace raycheck::properties {
+namespace {
+
+using reference::Enclosure;
+using reference::Engine;
+using reference::ExactRay;
+using reference::HitClass;
+using reference::Intersection;
+using reference::WhichRoot;
+
+/// Classes are exact beyond these too. Quotients of such lengths are normal doubles, so that errors
+/// may be counted in ulp of s and u of |Q|.
+constexpr fast::Domain kWideDomain = {.smallest_length = 0x1p-500, .largest_length = 0x1p500};
+
+template <Engine engine>
+struct Ladder {
+  const scene::Sphere& sphere;
+
+  std::optional<fast::Hit> answer(const scene::Ray& ray, scene::Root root,
+                                  scene::Tangent tangent) const {
+    const ExactRay exact(ray);
+    const Intersection at = exact.intersect(sphere, root, engine);
+    if (!reference::counts_as_hit(at.hit_class, tangent)) return std::nullopt;
+    return fast::Hit{exact.rounded_parameter(sphere, at), exact.rounded_point(sphere, at)};
+  }
+};
+
+struct Intervals {
+  const scene::Sphere& sphere;
+
+  std::optional<fast::Hit> answer(const scene::Ray& ray, scene::Root root,
+                                  scene::Tangent tangent) const {
+    const auto found = reference::intersect_by_intervals(ray, sphere, root);
+    if (!found || !reference::counts_as_hit(found->intersection.hit_class, tangent)) {
+      return std::nullopt;
+    }
+    return fast::hit_at(ray, found->lower + (found->upper - found->lower) / 2);
+  }
+};
+
+/// The sign of the midpoint: the ball's own where that is certain.
+int sign_of_midpoint(const Enclosure& value) { return arf_sgn(arb_midref(value.ball())); }
+
+/// The midpoint as a double; the ball's own value correctly rounded where it is that narrow.
+double rounded(const Enclosure& value) {
+  const double low = value.lower_rounded();
+  const double high = value.upper_rounded();
+  return low == high ? low : low + (high - low) / 2;
+}
+
+struct Arb {
+  const scene::Sphere& sphere;
+
+  std::optional<fast::Hit> answer(const scene::Ray& ray, scene::Root root,
+                                  scene::Tangent tangent) const {
+    const reference::EnclosedRay enclosed = ExactRay(ray).enclose(kArbBits);
+    const int meets = sign_of_midpoint(enclosed.half_chord_sq(sphere));
+    Intersection at;
+    at.hit_class = meets < 0 ? HitClass::kMiss : meets == 0 ? HitClass::kTangent : HitClass::kHit;
+    if (!reference::counts_as_hit(at.hit_class, tangent)) return std::nullopt;
+    at.root = WhichRoot::kSmaller;
+    Enclosure s = enclosed.parameter(sphere, at);
+    if (sign_of_midpoint(s) < 0) {
+      at.root = WhichRoot::kLarger;
+      if (root == scene::Root::kNearest) s = enclosed.parameter(sphere, at);
+      if (sign_of_midpoint(s) < 0) return std::nullopt;
+    }
+    const reference::Enclosure3 Q = enclosed.point(sphere, at);
+    return fast::Hit{rounded(s), {rounded(Q.x), rounded(Q.y), rounded(Q.z)}};
+  }
+};
+
+}  // namespace
+
+const fast::IntersectMethod kArb = {
+    .name = "arb-128",
+    .sentence = "a r^2 - |T x d|^2 and its roots in Arb's balls of 128 bits, by their midpoints",
+    .intersect = fast::intersect_ray_by_ray<Arb>,
+    .intersect_one = fast::intersect_one_ray<Arb>,
+    .max_ulp = kArbMaxUlp,
+    .max_point_ulp = kArbMaxPointUlp,
+    .not_kept = "what 128 bits do not tell apart: tangents, sizes 2^60 apart",
+    .domain = kWideDomain,
+};
+
+const fast::IntersectMethod kReferenceIntervals = {
+    .name = "reference-intervals",
+    .sentence = "the reference's intervals of doubles alone; what they leave open is a miss",
+    .intersect = fast::intersect_ray_by_ray<Intervals>,
+    .intersect_one = fast::intersect_one_ray<Intervals>,
+    .max_ulp = kIntervalsMaxUlp,
+    .max_point_ulp = kIntervalsMaxPointUlp,
+    .not_kept = "what intervals do not decide: grazing rays, origins on the surface",
+};
+
+const fast::IntersectMethod kReference = {
+    .name = "reference",
+    .sentence = "the reference: intervals, then balls, then the exact field; correctly rounded",
+    .intersect = fast::intersect_ray_by_ray<Ladder<Engine::kFiltered>>,
+    .intersect_one = fast::intersect_one_ray<Ladder<Engine::kFiltered>>,
+    .max_ulp = kCorrectlyRoundedUlp,
+    .max_point_ulp = kCorrectlyRoundedPointUlp,
+    .domain = kWideDomain,
+    .exact_class = true,
+};
+
+const fast::IntersectMethod kReferenceField = {
+    .name = "reference-field",
+    .sentence = "the reference with every class from the exact field; correctly rounded",
+    .intersect = fast::intersect_ray_by_ray<Ladder<Engine::kFieldOnly>>,
+    .intersect_one = fast::intersect_one_ray<Ladder<Engine::kFieldOnly>>,
+    .max_ulp = kCorrectlyRoundedUlp,
+    .max_point_ulp = kCorrectlyRoundedPointUlp,
+    .domain = kWideDomain,
+    .exact_class = true,
+};
+
+std::span<const fast::IntersectMethod* const> exact_methods() {
+  static constexpr const fast::IntersectMethod* kMethods[] = {&kArb, &kReferenceIntervals,
+                                                              &kReference, &kReferenceField};
+  return kMethods;
+}
+
+}  // namespace raycheck::properties

@@ -1,0 +1,72 @@
+#include "properties/cases/case_source.h"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <stdexcept>
+
+#include "properties/cases/case_list.h"
+#include "properties/cases/random.h"
+
+namespace raycheck::properties {
+namespace {
+
+const std::array<CaseSource, 23> kSources = {
+    kCourseSource,      kCourseBehindSource, kCamerasSource,        kPlainCamerasSource,
+    kCrowdsSource,      kFarCameraSource,    kCameraScaleSource,    kUpSource,
+    kFieldOfViewSource, kImageSizeSource,    kNearPlaneSource,      kRaysSource,
+    kTiesSource,        kDistanceSource,     kTangencySource,       kTangentUlpsSource,
+    kSurfaceSource,     kInsideSource,       kHorizonSource,        kCoincidentSource,
+    kFarWorldSource,    kScaleSource,        kDirectionLengthSource};
+
+int any_severity(const Dial& dial, std::uint64_t seed) {
+  Random random(~seed);  // apart from the draws that make the case
+  return static_cast<int>(random.integer(0, dial.highest));
+}
+
+}  // namespace
+
+std::span<const CaseSource> case_sources() { return kSources; }
+
+const CaseSource* find_case_source(std::string_view name) {
+  const auto* const found = std::find_if(std::begin(kSources), std::end(kSources),
+                                         [&](const CaseSource& s) { return s.name == name; });
+  return found == std::end(kSources) ? nullptr : found;
+}
+
+Case any_case(const CaseSource& source, std::uint64_t seed) {
+  return source.make(source.dial ? any_severity(*source.dial, seed) : 0, seed);
+}
+
+Case ChosenSource::make(std::uint64_t seed) const {
+  return severity ? source->make(*severity, seed) : any_case(*source, seed);
+}
+
+std::string ChosenSource::name() const {
+  return std::string(source->name) + (severity ? "@" + std::to_string(*severity) : "");
+}
+
+ChosenSource chosen_source(std::string_view name) {
+  const std::size_t at = std::min(name.find('@'), name.size());
+  const std::string source_name(name.substr(0, at));
+  const CaseSource* const source = find_case_source(source_name);
+  if (source == nullptr) {
+    throw std::invalid_argument("no source of cases is called '" + source_name + "'");
+  }
+  if (at == name.size()) return {source};
+  if (!source->dial) {
+    throw std::invalid_argument("'" + source_name + "' has no severities to choose from");
+  }
+  const std::string_view digits = name.substr(at + 1);
+  const char* const end = digits.data() + digits.size();
+  int severity = -1;
+  const auto [last, error] = std::from_chars(digits.data(), end, severity);
+  if (error != std::errc{} || last != end || severity < 0 || severity > source->dial->highest) {
+    throw std::invalid_argument("severities of '" + source_name + "' are 0 to " +
+                                std::to_string(source->dial->highest) + ", not '" +
+                                std::string(digits) + "'");
+  }
+  return {source, severity};
+}
+
+}  // namespace raycheck::properties

@@ -1,0 +1,57 @@
+#ifndef RAYCHECK_PROPERTIES_CASES_CASE_SOURCE_H_
+#define RAYCHECK_PROPERTIES_CASES_CASE_SOURCE_H_
+
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+
+#include "properties/trial.h"
+
+namespace raycheck::properties {
+
+/// What makes the cases of a family harder: the one thing that severity sets, in powers of `base`.
+/// Severity 0 is ordinary.
+struct Dial {
+  std::string_view meaning;  ///< What severity counts: "log10 of the distance over the radius".
+  int base;                  ///< 10 or 2
+  int highest;               ///< Severities are 0..highest.
+};
+
+/// Where random cases come from: every valid case by its seed, the same on every machine. A source
+/// with a dial is a stress family.
+struct CaseSource {
+  std::string_view name;
+  std::string_view sentence;
+  bool has_camera;
+  std::optional<Dial> dial;
+  /// Domain: a severity of the dial; a source without one ignores it.
+  Case (*make)(int severity, std::uint64_t seed);
+};
+
+/// Every source, camera sources first, those without a dial before the families.
+std::span<const CaseSource> case_sources();
+
+/// The source of that name, or null.
+const CaseSource* find_case_source(std::string_view name);
+
+/// A case of a severity that the seed chooses, each as likely as the other.
+Case any_case(const CaseSource& source, std::uint64_t seed);
+
+/// A source, and perhaps the one severity that is wanted of it.
+struct ChosenSource {
+  const CaseSource* source = nullptr;
+  std::optional<int> severity = {};
+
+  Case make(std::uint64_t seed) const;
+  std::string name() const;  ///< "SOURCE" or "SOURCE@SEVERITY"
+};
+
+/// Reads a ChosenSource's name. Throws std::invalid_argument saying which part of it is wrong, and
+/// which severities there are.
+ChosenSource chosen_source(std::string_view name);
+
+}  // namespace raycheck::properties
+
+#endif  // RAYCHECK_PROPERTIES_CASES_CASE_SOURCE_H_

@@ -1,0 +1,172 @@
+// Given rays and spheres: ordinary ones, exact ties, and the families that set distances, positions
+// and magnitudes.
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+#include "properties/cases/case_list.h"
+#include "properties/cases/generators.h"
+
+namespace raycheck::properties {
+namespace {
+
+using scene::Point3;
+using scene::Ray;
+using scene::Sphere;
+using scene::Vector3;
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+Sphere ordinary_sphere(Random& random, const Line& line) {
+  const double radius = random.power_of_ten(-1, 1);
+  const double impact = radius * random.between(0, 1.6);
+  return sphere_off(random, line, random.between(-2, 10), impact, radius);
+}
+
+Case rays(int, std::uint64_t seed) {
+  Random random(seed);
+  return ray_case(random, ordinary_origin(random), ordinary_sphere);
+}
+
+/// Axis-aligned rays at integer distances: exact tangents, equal spheres, and their neighbours a
+/// few ulps away.
+Case ties(int, std::uint64_t seed) {
+  Random random(seed);
+  const double significand = static_cast<double>(random.integer(1, 8));
+  const double radius = std::ldexp(significand, static_cast<int>(random.integer(-3, 3)));
+  Case result;
+  result.scene.conventions = any_conventions(random);
+  double impact = random.one_in(4) ? radius * 0.5 : radius;
+  for (auto steps = random.one_in(2) ? 0 : random.integer(-4, 4); steps != 0;
+       steps += steps < 0 ? 1 : -1) {
+    impact = std::nextafter(impact, steps < 0 ? 0 : kInfinity);
+  }
+  const double distance = random.small_integer(20);
+  Vector3 direction = {random.one_in(2) ? 1.0 : static_cast<double>(random.integer(1, 9)), 0, 0};
+  Point3 origin = {0, impact, 0};
+  Point3 centre = {distance, 0, 0};
+  for (auto turns = random.integer(0, 2); turns > 0; --turns) {
+    direction = {direction.z, direction.x, direction.y};
+    origin = {origin.z, origin.x, origin.y};
+    centre = {centre.z, centre.x, centre.y};
+  }
+  result.scene.rays.push_back({origin, direction});
+  result.scene.spheres.push_back({centre, radius});
+  if (random.one_in(2)) {
+    const double other = random.one_in(2) ? radius : std::nextafter(radius, kInfinity);
+    result.scene.spheres.push_back({centre, other});
+  }
+  return result;
+}
+
+Case distance(int severity, std::uint64_t seed) {
+  Random random(seed);
+  return ray_case(random, ordinary_origin(random), [severity](Random& draw, const Line& line) {
+    const double radius = draw.power_of_ten(-1, 1);
+    const double distance = radius * about_ten_to(draw, severity);
+    const double impact = std::min(1.6 * radius, distance) * draw.unit();
+    const double axial = std::sqrt((distance - impact) * (distance + impact));
+    const double side = draw.one_in(8) ? -1 : 1;
+    return sphere_off(draw, line, side * axial, impact, radius);
+  });
+}
+
+constexpr int kExactlyCoincident = 16;
+
+/// Equal spheres one behind the other along the ray, listed in any order. Their centres are close
+/// to the world's origin more often than not, so that their rounding leaves the separation alone.
+Case coincident(int severity, std::uint64_t seed) {
+  Random random(seed);
+  Case result;
+  result.scene.conventions = any_conventions(random);
+  const double radius = random.power_of_ten(-1, 1);
+  const double from_world = radius * random.power_of_ten(-8, 1);
+  const Point3 first = along({}, from_world, random.direction());
+  Line line = any_line(random, {});
+  const double distance = radius * random.between(-3, 20);
+  const double impact = radius * random.between(0, 1.3);
+  line.ray.origin = along(along(first, -distance, line.unit), impact, across(random, line.unit));
+  const double separation =
+      severity == kExactlyCoincident ? 0 : radius * share_of(random, severity);
+  auto& spheres = result.scene.spheres;
+  const auto count = random.integer(2, 3);
+  for (std::int64_t k = 0; k < count; ++k) {
+    spheres.push_back({along(first, static_cast<double>(k) * separation, line.unit), radius});
+  }
+  for (std::size_t k = spheres.size(); k > 1; --k) {
+    const auto other = static_cast<std::size_t>(random.integer(0, static_cast<int>(k) - 1));
+    std::swap(spheres[k - 1], spheres[other]);
+  }
+  result.scene.rays.push_back(line.ray);
+  return result;
+}
+
+Case far_world(int severity, std::uint64_t seed) {
+  Random random(seed);
+  const double from_world = about_ten_to(random, severity);
+  const Point3 origin = along({}, from_world, random.direction());
+  return ray_case(random, origin, ordinary_sphere);
+}
+
+/// 2^1074 times the smallest double is 1.
+constexpr int kMostBinades = 1074;
+
+/// The larger of the two keeps lengths of ordinary rays finite, the smaller their directions.
+constexpr int kMostUpOfLengths = 1018;
+constexpr int kMostUpOfDirections = 1022;
+
+/// Up or down by 2^severity, down where up would overflow.
+int any_scaling(Random& random, int severity, int most_up) {
+  return severity <= most_up && random.one_in(2) ? severity : -severity;
+}
+
+Case scale(int severity, std::uint64_t seed) {
+  Random random(seed);
+  const int exponent = any_scaling(random, severity, kMostUpOfLengths);
+  Case result = ray_case(random, ordinary_origin(random), ordinary_sphere);
+  scale_lengths(result.scene, exponent);
+  return result;
+}
+
+/// Spheres are aimed at along the direction that is left after the smallest doubles rounded it.
+Case direction_length(int severity, std::uint64_t seed) {
+  Random random(seed);
+  const int exponent = any_scaling(random, severity, kMostUpOfDirections);
+  const auto scaled = [](const Vector3& v, int by) {
+    return Vector3{std::ldexp(v.x, by), std::ldexp(v.y, by), std::ldexp(v.z, by)};
+  };
+  const double size = random.between(1, 2);  // so that a coordinate is never rounded to nothing
+  const Vector3 direction = scaled(times(size, random.direction()), exponent);
+  const Vector3 back = scaled(direction, -exponent);
+  Case result = ray_case(random, ordinary_origin(random), [&](Random& draw, Line line) {
+    line.unit = times(1 / length(back), back);
+    return ordinary_sphere(draw, line);
+  });
+  result.scene.rays.front().direction = direction;
+  return result;
+}
+
+}  // namespace
+
+constinit const CaseSource kRaysSource = {"rays", "ordinary rays and spheres", false, {}, rays};
+constinit const CaseSource kTiesSource = {
+    "ties", "exact tangents and equal spheres, and their neighbours in ulps", false, {}, ties};
+constinit const CaseSource kDistanceSource = {"distance", "spheres 10^k radii away", false,
+                                              Dial{"log10 of the distance over the radius", 10, 15},
+                                              distance};
+constinit const CaseSource kCoincidentSource = {
+    "coincident", "equal spheres 10^-k radii apart along the ray; at the highest, coincident",
+    false, Dial{"log10 of the radius over the separation", 10, kExactlyCoincident}, coincident};
+constinit const CaseSource kFarWorldSource = {
+    "far-world", "ordinary rays and spheres, all 10^k from the world's origin", false,
+    Dial{"log10 of the distance from the world's origin", 10, 15}, far_world};
+constinit const CaseSource kScaleSource = {
+    "scale", "ordinary rays and spheres, every length times 2^k or 2^-k", false,
+    Dial{"log2 of the scaling, up or down", 2, kMostBinades}, scale};
+constinit const CaseSource kDirectionLengthSource = {
+    "direction-length", "ordinary rays and spheres, the direction times 2^k or 2^-k", false,
+    Dial{"log2 of the direction's length, up or down", 2, kMostBinades}, direction_length};
+
+}  // namespace raycheck::properties

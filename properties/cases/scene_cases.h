@@ -1,0 +1,30 @@
+#ifndef RAYCHECK_PROPERTIES_CASES_SCENE_CASES_H_
+#define RAYCHECK_PROPERTIES_CASES_SCENE_CASES_H_
+
+#include <cstdint>
+#include <optional>
+
+#include "properties/trial.h"
+
+namespace raycheck::tools {
+
+/// The rays of a scene as cases for the laws: all of them, or, of a camera's, at most so many,
+/// spread evenly over the image.
+class SceneCases {
+ public:
+  SceneCases(scene::Scene scene, std::optional<std::uint64_t> at_most);
+
+  const scene::Scene& scene() const { return scene_; }
+  std::uint64_t rays_in_scene() const;
+  std::uint64_t rays_judged() const { return judged_; }
+  /// Rays first..end of those judged, as a case.
+  properties::Case from(std::uint64_t first, std::uint64_t end) const;
+
+ private:
+  scene::Scene scene_;
+  std::uint64_t judged_;
+};
+
+}  // namespace raycheck::tools
+
+#endif  // RAYCHECK_PROPERTIES_CASES_SCENE_CASES_H_

@@ -1,0 +1,28 @@
+#ifndef RAYCHECK_PROPERTIES_CASES_SHRINK_H_
+#define RAYCHECK_PROPERTIES_CASES_SHRINK_H_
+
+#include <functional>
+#include <vector>
+
+#include "properties/trial.h"
+
+namespace raycheck::properties {
+
+/// How much there is to say about a double: its significant bits, the distance of its exponent from
+/// 0, and its sign; 0 for 0. Shrinking only ever lowers it, so it ends.
+int complexity(double value);
+
+/// Simpler doubles to try in place of one, the simplest first: 0, 1, whole numbers, fewer bits.
+std::vector<double> simpler(double value);
+
+/// Valid cases that are simpler in one respect: a sphere, pixel or ray fewer, a convention at its
+/// default, a smaller image, one number simpler.
+std::vector<Case> simpler(const Case& the_case);
+
+/// Where steps of simpler() lead from a case, each the first for which `still` holds; at most so
+/// many cases are tried.
+Case smallest(Case from, int tries, const std::function<bool(const Case&)>& still);
+
+}  // namespace raycheck::properties
+
+#endif  // RAYCHECK_PROPERTIES_CASES_SHRINK_H_

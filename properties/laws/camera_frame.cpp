@@ -1,0 +1,62 @@
+#include <algorithm>
+#include <limits>
+
+#include "properties/laws/law_list.h"
+#include "reference/condition.h"
+#include "reference/error_measure.h"
+
+namespace raycheck::properties {
+namespace {
+
+using reference::Enclosure3;
+
+/// The largest of the axes' unit defects and mutual cosines, in units of u; infinite when the frame
+/// is left-handed or not finite.
+double orthonormality_error(const FrameAnswer& frame) {
+  const Enclosure3 U = reference::enclose_exactly(frame.U);
+  const Enclosure3 V = reference::enclose_exactly(frame.V);
+  const Enclosure3 W = reference::enclose_exactly(frame.W);
+  if (dot(cross(U, V), W).certain_sign() != 1) return std::numeric_limits<double>::infinity();
+  return std::max({reference::unit_defect(frame.U), reference::unit_defect(frame.V),
+                   reference::unit_defect(frame.W), reference::in_units_of_u(dot(U, V)),
+                   reference::in_units_of_u(dot(V, W)), reference::in_units_of_u(dot(W, U))});
+}
+
+Verdict judge_frame(Trial& trial) {
+  if (!trial.scene().camera) return Verdict::left_out("the scene has no camera");
+  if (!trial.candidate().frame) return Verdict::left_out("the candidate gives no frame");
+  const FrameAnswer& got = trial.frame();
+  const reference::ExactCamera& camera = trial.exact_camera();
+  const reference::EnclosedFrame exact = camera.frame();
+  const auto condition = [&] { return reference::condition_of_frame(camera); };
+  Verdict verdict;
+  const auto judge_axis = [&](const char* axis, const scene::UnitVector3& answer,
+                              const Enclosure3& truth,
+                              scene::UnitVector3 reference::RoundedFrame::*member) {
+    trial.measure(verdict, kFrameLaw.name, Quantity::kFrame, Place{},
+                  reference::relative_error(answer, truth), condition, [&](Discrepancy& d) {
+                    d.what = axis;
+                    d.got = numbers(answer);
+                    d.exact = numbers(camera.rounded_frame().*member);
+                  });
+  };
+  judge_axis("U", got.U, exact.U, &reference::RoundedFrame::U);
+  judge_axis("V", got.V, exact.V, &reference::RoundedFrame::V);
+  judge_axis("W", got.W, exact.W, &reference::RoundedFrame::W);
+  trial.measure(verdict, kFrameLaw.name, Quantity::kOrthonormality, Place{},
+                orthonormality_error(got), condition, [&](Discrepancy& d) {
+                  d.what = "U, V, W";
+                  for (const auto& axis : {got.U, got.V, got.W}) {
+                    d.got.insert(d.got.end(), {axis.x, axis.y, axis.z});
+                  }
+                });
+  return verdict;
+}
+
+}  // namespace
+
+constinit const Law kFrameLaw = {"frame",
+                                 "the frame is orthonormal, right-handed, and the camera's",
+                                 Law::Subject::kCamera, true, judge_frame};
+
+}  // namespace raycheck::properties

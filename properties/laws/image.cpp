@@ -1,0 +1,67 @@
+#include <cstdint>
+#include <stdexcept>
+
+#include "properties/laws/law_list.h"
+#include "properties/sphere_choice.h"
+
+namespace raycheck::properties {
+namespace {
+
+bool is_within_threshold(Trial& trial, std::size_t ray, double threshold) {
+  const auto& exact = trial.exact_nearest()[ray];
+  return threshold > 0 && exact &&
+         trial.exact_ray(ray).rounded_parameter(trial.scene().spheres[exact->index],
+                                                exact->intersection) <= threshold;
+}
+
+Verdict judge_image(Trial& trial) {
+  const Candidate& candidate = trial.candidate();
+  if (!candidate.image) return Verdict::left_out("the candidate makes no images");
+  if (!trial.scene().camera) return Verdict::left_out("the scene has no camera");
+  const scene::Camera& camera = *trial.scene().camera;
+  if (camera.width > candidate.most_image_pixels / camera.height) {
+    return Verdict::left_out("the image is larger than the candidate makes");
+  }
+  if (trial.scene().spheres.empty()) return Verdict::left_out("the scene has no sphere");
+  const ImageAnswer image = candidate.image(trial.scene(), trial.conventions());
+  const std::int64_t width = camera.width;
+  if (image.size() != static_cast<std::size_t>(width * camera.height)) {
+    throw std::runtime_error("image: pixels are missing");
+  }
+  const std::vector<bool> is_left_out = with_unjudged(trial);
+  Verdict verdict;
+  std::size_t untold = 0;
+  for (std::size_t k = 0; k < trial.ray_count(); ++k) {
+    if (is_left_out[k]) continue;
+    const scene::Pixel& pixel = trial.pixels()[k];
+    const Choice choice{k, image[static_cast<std::size_t>(pixel.j * width + pixel.i)],
+                        trial.exact_nearest()[k]};
+    untold += choice.got == kSomeSphere && choice.exact ? 1 : 0;
+    const Index shown = choice.exact                ? Index(choice.exact->index)
+                        : choice.got == kSomeSphere ? Index()
+                                                    : choice.got;
+    trial.judge(
+        verdict, kImageLaw.name, Quantity::kNearestSphere, trial.place(k, shown), wrong_of(choice),
+        [&] {
+          return is_within_threshold(trial, k, candidate.image_threshold) ||
+                 may_flip(trial, choice, candidate.excused_image_change);
+        },
+        [&](Discrepancy& d) {
+          d.what = "sphere shown";
+          if (choice.got && choice.got != kSomeSphere) d.got = {static_cast<double>(*choice.got)};
+          if (choice.exact) d.exact = {static_cast<double>(choice.exact->index)};
+        });
+  }
+  if (untold > 0) {
+    verdict.leave_out("which sphere is shown where a colour is none of the spheres'");
+  }
+  return verdict;
+}
+
+}  // namespace
+
+constinit const Law kImageLaw = {
+    "image", "every pixel of an image shows the sphere that its ray meets first",
+    Law::Subject::kCameraAndIntersection, true, judge_image};
+
+}  // namespace raycheck::properties

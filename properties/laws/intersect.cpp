@@ -1,0 +1,302 @@
+#include <cmath>
+
+#include "properties/laws/law_list.h"
+#include "reference/condition.h"
+#include "reference/error_measure.h"
+#include "reference/ray_error.h"
+
+namespace raycheck::properties {
+namespace {
+
+using reference::Enclosure;
+using reference::Enclosure3;
+using reference::ExactRay;
+using reference::Intersection;
+
+std::string nothing_to_say(const Trial& trial) {
+  if (!trial.candidate().intersect) return "the candidate intersects nothing";
+  if (trial.scene().spheres.empty()) return "the scene has no sphere";
+  if (!trial.has_rays()) return "the candidate makes no rays from this origin";
+  return {};
+}
+
+/// A ray and a sphere that meet by the candidate's answer, by the truth, or by both.
+struct Encounter {
+  std::size_t ray;
+  std::size_t sphere;
+  const HitAnswer* answer;    ///< Null: a miss.
+  const Intersection* exact;  ///< Null: a miss.
+};
+
+/// Calls visit(encounter) for all that are judged, sphere by sphere; in every other pair neither
+/// the candidate nor the truth sees a hit.
+template <class Visit>
+void for_each_encounter(Trial& trial, Visit visit) {
+  const scene::Tangent tangent = trial.conventions().tangent;
+  for (std::size_t sphere = 0; sphere < trial.scene().spheres.size(); ++sphere) {
+    const SphereHits& hits = trial.hits(sphere);
+    auto hit = hits.begin();
+    const auto visit_false_hits_before = [&](std::size_t ray) {
+      for (; hit != hits.end() && hit->ray < ray; ++hit) {
+        visit(Encounter{hit->ray, sphere, &hit->hit, nullptr});
+      }
+    };
+    for (const Meeting& meeting : trial.exact_meetings(sphere)) {
+      visit_false_hits_before(meeting.ray);
+      const bool is_answered = hit != hits.end() && hit->ray == meeting.ray;
+      const HitAnswer* const answer = is_answered ? &(hit++)->hit : nullptr;
+      const Intersection& at = meeting.intersection;
+      if (is_unjudged(at, tangent)) continue;
+      const bool is_hit = counts_as_hit(at.hit_class, tangent);
+      if (is_hit || is_answered) {
+        visit(Encounter{meeting.ray, sphere, answer, is_hit ? &at : nullptr});
+      }
+    }
+    visit_false_hits_before(trial.ray_count());
+  }
+}
+
+bool is_at_other_root(Trial& trial, const Encounter& both) {
+  return reference::is_at_other_root(trial.exact_ray(both.ray), trial.scene().spheres[both.sphere],
+                                     *both.exact, both.answer->parameter);
+}
+
+/// Calls visit(encounter) where both the candidate and the truth have a hit, at one root.
+template <class Visit>
+void for_each_common_hit(Trial& trial, Visit visit) {
+  for_each_encounter(trial, [&](const Encounter& at) {
+    if (at.answer != nullptr && at.exact != nullptr && !is_at_other_root(trial, at)) visit(at);
+  });
+}
+
+bool may_flip(Trial& trial, const Encounter& at) {
+  return trial.exact_ray(at.ray).may_flip_within(trial.scene().spheres[at.sphere],
+                                                 trial.conventions().root, trial.excused_change());
+}
+
+void describe_parameters(Trial& trial, const Encounter& at, Discrepancy& d) {
+  if (at.answer != nullptr) d.got = {at.answer->parameter};
+  if (at.exact != nullptr) {
+    d.exact = {
+        trial.exact_ray(at.ray).rounded_parameter(trial.scene().spheres[at.sphere], *at.exact)};
+  }
+}
+
+/// The backward error of an answer, for the very ray that the candidate was asked about.
+double backward_error(Trial& trial, const Encounter& at) {
+  return reference::backward_error(trial.rays()[at.ray], trial.scene().spheres[at.sphere],
+                                   at.answer->parameter);
+}
+
+/// How many pairs are not judged.
+std::size_t count_unjudged(Trial& trial) {
+  std::size_t count = 0;
+  for (std::size_t sphere = 0; sphere < trial.scene().spheres.size(); ++sphere) {
+    for (const Meeting& meeting : trial.exact_meetings(sphere)) {
+      count += is_unjudged(meeting.intersection, trial.conventions().tangent) ? 1 : 0;
+    }
+  }
+  return count;
+}
+
+Verdict judge_class(Trial& trial) {
+  if (auto reason = nothing_to_say(trial); !reason.empty()) return Verdict::left_out(reason);
+  Verdict verdict;
+  const std::size_t unjudged = count_unjudged(trial);
+  std::size_t misses = trial.ray_count() * trial.scene().spheres.size() - unjudged;
+  for_each_encounter(trial, [&](const Encounter& at) {
+    const bool missed = at.answer == nullptr;
+    const bool false_hit = at.exact == nullptr;
+    trial.judge(
+        verdict, kClassLaw.name, Quantity::kClass, trial.place(at.ray, at.sphere),
+        missed      ? Wrong::kMissed
+        : false_hit ? Wrong::kFalseHit
+                    : Wrong::kNot,
+        [&] { return may_flip(trial, at); },
+        [&](Discrepancy& d) { describe_parameters(trial, at, d); });
+    --misses;
+  });
+  verdict.judged_right(Quantity::kClass, misses);
+  if (unjudged > 0) verdict.leave_out("exactly tangent pairs: tangent = either");
+  return verdict;
+}
+
+Verdict judge_root(Trial& trial) {
+  if (auto reason = nothing_to_say(trial); !reason.empty()) return Verdict::left_out(reason);
+  Verdict verdict;
+  for_each_encounter(trial, [&](const Encounter& at) {
+    if (at.answer == nullptr || at.exact == nullptr) return;
+    trial.judge(
+        verdict, kRootLaw.name, Quantity::kRoot, trial.place(at.ray, at.sphere),
+        is_at_other_root(trial, at) ? Wrong::kWrongRoot : Wrong::kNot,
+        [&] { return may_flip(trial, at); },
+        [&](Discrepancy& d) { describe_parameters(trial, at, d); });
+  });
+  return verdict;
+}
+
+Verdict judge_parameter(Trial& trial) {
+  if (auto reason = nothing_to_say(trial); !reason.empty()) return Verdict::left_out(reason);
+  Verdict verdict;
+  for_each_common_hit(trial, [&](const Encounter& at) {
+    trial.measure(
+        verdict, kParameterLaw.name, Quantity::kParameter, trial.place(at.ray, at.sphere),
+        reference::parameter_error(trial.exact_ray(at.ray), trial.scene().spheres[at.sphere],
+                                   *at.exact, at.answer->parameter),
+        trial.bound(Quantity::kParameter),
+        [&] { return trial.condition_of_parameter(at.ray, at.sphere); },
+        [&](Discrepancy& d) { describe_parameters(trial, at, d); },
+        [&] { return backward_error(trial, at); });
+  });
+  return verdict;
+}
+
+Verdict judge_backward_error(Trial& trial) {
+  if (auto reason = nothing_to_say(trial); !reason.empty()) return Verdict::left_out(reason);
+  Verdict verdict;
+  for_each_common_hit(trial, [&](const Encounter& at) {
+    // It is a change of the inputs already: no condition number magnifies it.
+    trial.measure(
+        verdict, kBackwardErrorLaw.name, Quantity::kBackwardError, trial.place(at.ray, at.sphere),
+        backward_error(trial, at), [] { return 1; },
+        [&](Discrepancy& d) { d.got = {at.answer->parameter}; });
+  });
+  return verdict;
+}
+
+/// How the candidate's point is off its sphere and its ray, in units of u of r and of s |D|. Both
+/// are differences of world coordinates, so their condition is the size of those over r and s |D|.
+void judge_residuals(Trial& trial, Verdict& verdict, const Encounter& at) {
+  const scene::Sphere& sphere = trial.scene().spheres[at.sphere];
+  const ExactRay& ray = trial.exact_ray(at.ray);
+  const scene::Point3& answer = at.answer->point;
+  const auto measure = [&](Quantity quantity, const std::optional<double>& error,
+                           const auto& scale) {
+    if (!error) return;
+    trial.measure(
+        verdict, kHitPointLaw.name, quantity, trial.place(at.ray, at.sphere), *error,
+        [&] {
+          const Enclosure3 point = reference::enclose_exactly(answer);
+          const Enclosure3 centre = reference::enclose_exactly(sphere.centre);
+          const Enclosure3 origin = ray.enclose(256).origin();
+          const Enclosure radius(sphere.radius, 256);
+          const Enclosure size = norm(point) + norm(centre) + norm(origin) + radius;
+          return (size / scale(point - origin, radius)).upper() *
+                 reference::condition_of_point(ray, sphere, *at.exact);
+        },
+        [&](Discrepancy& d) { d.got = numbers(answer); });
+  };
+  measure(Quantity::kSphereResidual, reference::sphere_residual(sphere, answer),
+          [](const Enclosure3&, const Enclosure& radius) { return radius; });
+  measure(Quantity::kRayResidual, reference::ray_residual(ray, answer),
+          [](const Enclosure3& along, const Enclosure&) { return norm(along); });
+}
+
+Verdict judge_hit_point(Trial& trial) {
+  if (auto reason = nothing_to_say(trial); !reason.empty()) return Verdict::left_out(reason);
+  Verdict verdict;
+  for_each_common_hit(trial, [&](const Encounter& at) {
+    const ExactRay& ray = trial.exact_ray(at.ray);
+    const scene::Sphere& sphere = trial.scene().spheres[at.sphere];
+    trial.measure(
+        verdict, kHitPointLaw.name, Quantity::kHitPoint, trial.place(at.ray, at.sphere),
+        reference::hit_point_error(ray, sphere, *at.exact, at.answer->point),
+        // Every method adds s D to L, a step that loses |L|/|Q| of its own.
+        [&] {
+          return reference::condition_of_point(ray, sphere, *at.exact) +
+                 *reference::stage_conditions(ray, sphere, *at.exact).point;
+        },
+        [&](Discrepancy& d) {
+          d.got = numbers(at.answer->point);
+          d.exact = numbers(ray.rounded_point(sphere, *at.exact));
+        });
+    judge_residuals(trial, verdict, at);
+  });
+  return verdict;
+}
+
+/// The same point from both origins: s from the eye is s from the pixel point plus l.
+Verdict judge_focal_and_pixel(Trial& trial) {
+  if (auto reason = nothing_to_say(trial); !reason.empty()) return Verdict::left_out(reason);
+  if (!trial.scene().camera) return Verdict::left_out("the scene has no camera");
+  const Candidate& candidate = trial.candidate();
+  if (!candidate.pixel_rays || !candidate.focal_rays) {
+    return Verdict::left_out("the candidate has rays from one origin only");
+  }
+  scene::Conventions from_pixel = trial.conventions();
+  from_pixel.origin = scene::Origin::kPixel;
+  scene::Conventions from_eye = from_pixel;
+  from_eye.origin = scene::Origin::kFocal;
+  const scene::Camera& camera = *trial.scene().camera;
+  const reference::ExactCamera pixel_camera(camera, from_pixel);
+  const reference::ExactCamera eye_camera(camera, from_eye);
+  const auto pixel_rays = candidate.pixel_rays(camera, from_pixel, trial.pixels());
+  const auto eye_rays = candidate.focal_rays(camera, from_eye, trial.pixels());
+  Verdict verdict;
+  const auto all_pixel_hits = trial.intersect(pixel_rays, trial.scene().spheres, from_pixel);
+  const auto all_eye_hits = trial.intersect(eye_rays, trial.scene().spheres, from_eye);
+  for (std::size_t sphere = 0; sphere < trial.scene().spheres.size(); ++sphere) {
+    const scene::Sphere& the_sphere = trial.scene().spheres[sphere];
+    for (const RayHit& eye : all_eye_hits[sphere]) {
+      const std::size_t k = eye.ray;
+      const HitAnswer* const pixel_hit = find_hit(all_pixel_hits[sphere], k);
+      if (pixel_hit == nullptr) continue;  // for the class law
+      const ExactRay pixel_ray(pixel_camera, trial.pixels()[k]);
+      const ExactRay eye_ray(eye_camera, trial.pixels()[k]);
+      const Intersection at = eye_ray.intersect(the_sphere, from_eye.root);
+      // Another root or class from the pixel: the sphere reaches behind it.
+      if (at.hit_class != reference::HitClass::kHit ||
+          !(at == pixel_ray.intersect(the_sphere, from_pixel.root))) {
+        continue;
+      }
+      const auto enclosed = eye_ray.enclose(256);
+      const Enclosure off = Enclosure(eye.hit.parameter, 256) -
+                            Enclosure(pixel_hit->parameter, 256) - enclosed.length();
+      const Enclosure scale = enclosed.parameter(the_sphere, at);
+      const auto condition = [&] {
+        return reference::condition_of_parameter(eye_ray, the_sphere, at) +
+               reference::condition_of_point(eye_ray, the_sphere, at);
+      };
+      const auto describe = [&](Discrepancy& d) {
+        d.what = "s from the eye, s from the pixel";
+        d.got = {eye.hit.parameter, pixel_hit->parameter};
+        d.exact = {eye_ray.rounded_parameter(the_sphere, at),
+                   pixel_ray.rounded_parameter(the_sphere, at)};
+      };
+      trial.measure(verdict, kFocalAndPixelLaw.name, Quantity::kInvariance, trial.place(k, sphere),
+                    reference::in_units_of_u(off / scale), 2 * trial.bound(Quantity::kParameter),
+                    condition, describe);
+      const Enclosure3 apart =
+          reference::enclose_exactly(eye.hit.point) - reference::enclose_exactly(pixel_hit->point);
+      const Enclosure size = norm(enclosed.point(the_sphere, at)) + norm(enclosed.origin());
+      trial.measure(verdict, kFocalAndPixelLaw.name, Quantity::kInvariance, trial.place(k, sphere),
+                    reference::in_units_of_u(norm(apart) / size),
+                    2 * trial.bound(Quantity::kHitPoint), condition, describe);
+    }
+  }
+  if (verdict.compared() == 0) {
+    return Verdict::left_out("no sphere is met at one root from both origins");
+  }
+  return verdict;
+}
+
+}  // namespace
+
+constinit const Law kClassLaw = {"class", "hit or miss as the exact class says",
+                                 Law::Subject::kIntersection, true, judge_class};
+constinit const Law kRootLaw = {"nearest-root",
+                                "the root is the right one: no exact root lies in [0, s)",
+                                Law::Subject::kIntersection, true, judge_root};
+constinit const Law kParameterLaw = {"parameter", "the parameter s is the exact root's",
+                                     Law::Subject::kIntersection, true, judge_parameter};
+constinit const Law kBackwardErrorLaw = {
+    "backward-error", "the parameter s is the exact root for inputs changed by a few roundings",
+    Law::Subject::kIntersection, false, judge_backward_error};
+constinit const Law kHitPointLaw = {"hit-point",
+                                    "the hit point is exact, lies on the sphere and on the ray",
+                                    Law::Subject::kIntersection, true, judge_hit_point};
+constinit const Law kFocalAndPixelLaw = {
+    "focal-and-pixel", "focal and pixel origins find the same point, parameters l apart",
+    Law::Subject::kCameraAndIntersection, false, judge_focal_and_pixel};
+
+}  // namespace raycheck::properties

@@ -1,0 +1,147 @@
+#include <algorithm>
+#include <limits>
+#include <stdexcept>
+
+#include "properties/laws/law_list.h"
+#include "properties/sphere_choice.h"
+#include "reference/error_measure.h"
+#include "reference/visibility/visibility.h"
+
+namespace raycheck::properties {
+namespace {
+
+using reference::Enclosure;
+using reference::ExactRay;
+using reference::NearestSphere;
+
+constexpr int kDistanceBits = 256;
+
+/// The pixels of the case, and some all over the image.
+std::vector<scene::Pixel> with_spread_pixels(const Trial& trial) {
+  constexpr std::int64_t kMost = 4;
+  std::vector<scene::Pixel> pixels = trial.pixels();
+  const scene::Camera& camera = *trial.scene().camera;
+  const std::int64_t columns = std::min(camera.width, kMost);
+  const std::int64_t rows = std::min(camera.height, kMost);
+  for (std::int64_t j = 0; j < rows; ++j) {
+    for (std::int64_t i = 0; i < columns; ++i) {
+      pixels.push_back(
+          {(2 * i + 1) * camera.width / (2 * columns), (2 * j + 1) * camera.height / (2 * rows)});
+    }
+  }
+  return pixels;
+}
+
+Verdict judge_nearest_sphere(Trial& trial) {
+  if (!trial.candidate().nearest) return Verdict::left_out("the candidate ranks no spheres");
+  if (trial.scene().spheres.empty()) return Verdict::left_out("the scene has no sphere");
+  if (!trial.has_rays()) {
+    return Verdict::left_out("the candidate makes no rays from this origin");
+  }
+  if (trial.scene().spheres.size() == 1) {
+    return Verdict::left_out("the scene has one sphere: its class says it all");
+  }
+  const std::vector<scene::Sphere> reversed(trial.scene().spheres.rbegin(),
+                                            trial.scene().spheres.rend());
+  const auto backwards = trial.rank(trial.rays(), reversed);
+  const std::vector<bool> is_left_out = with_unjudged(trial);
+  Verdict verdict;
+  for (std::size_t k = 0; k < trial.ray_count(); ++k) {
+    if (is_left_out[k]) continue;
+    const auto& exact = trial.exact_nearest()[k];
+    const Index last_first = backwards.at(k);
+    const Index reversed_got = last_first ? Index(reversed.size() - 1 - *last_first) : Index();
+    // One case a ray: right in both orders.
+    Choice choice{k, trial.nearest()[k], exact};
+    const bool right_forwards = is_right(choice);
+    if (right_forwards) choice.got = reversed_got;
+    trial.judge(
+        verdict, kNearestSphereLaw.name, Quantity::kNearestSphere,
+        trial.place(k, exact ? Index(exact->index) : choice.got), wrong_of(choice),
+        [&] { return may_flip(trial, choice, trial.excused_change()); },
+        [&](Discrepancy& d) {
+          d.what = right_forwards ? "sphere index, spheres in reverse order" : "sphere index";
+          if (choice.got) d.got = {static_cast<double>(*choice.got)};
+          if (exact) d.exact = {static_cast<double>(exact->index)};
+        });
+  }
+  return verdict;
+}
+
+/// The distance of a hit from the eye.
+Enclosure distance_from_eye(const ExactRay& ray, const Enclosure& s, scene::Origin origin) {
+  return origin == scene::Origin::kFocal ? s : s + ray.enclose(kDistanceBits).length();
+}
+
+void measure_parameter(const Trial& trial, Verdict& verdict, const Place& place,
+                       const ExactRay& ray, const NearestSphere& exact, double got) {
+  const scene::Sphere& sphere = trial.scene().spheres[exact.index];
+  const Enclosure s = ray.parameter(sphere, exact.intersection);
+  const Enclosure least(std::numeric_limits<double>::denorm_min(), kDistanceBits);
+  const Enclosure error = abs(Enclosure(got, kDistanceBits) - s) - least;
+  const Enclosure distance = distance_from_eye(ray, s, trial.conventions().origin);
+  const double relative = error.certain_sign().value_or(1) <= 0 ? 0
+                          : distance.contains_zero() ? std::numeric_limits<double>::infinity()
+                                                     : reference::in_units_of_u(error / distance);
+  trial.measure(
+      verdict, kVisibleSphereLaw.name, Quantity::kHitPoint, place, relative,
+      reference::kVisibleParameterError / kDoubleRoundoff, [] { return 0; },
+      [&](Discrepancy& d) {
+        d.what = "s, as a share of the distance from the eye";
+        d.got = {got};
+        d.exact = {ray.rounded_parameter(sphere, exact.intersection)};
+      });
+}
+
+Verdict judge_visible_sphere(Trial& trial) {
+  if (!trial.scene().camera) return Verdict::left_out("the scene has no camera");
+  if (!trial.candidate().visible) return Verdict::left_out("the candidate sees nothing");
+  if (trial.scene().spheres.empty()) return Verdict::left_out("the scene has no sphere");
+  const scene::Camera& camera = *trial.scene().camera;
+  if (std::max(camera.width, camera.height) > trial.candidate().most_visible_across) {
+    return Verdict::left_out("the image is larger than the candidate sees");
+  }
+  Case wider{trial.scene(), with_spread_pixels(trial)};
+  Trial seen(wider, trial.candidate());
+  const auto answers = trial.candidate().visible(trial.scene(), trial.conventions(), wider.pixels);
+  if (answers.size() != wider.pixels.size()) throw std::runtime_error("visible: answers missing");
+  const bool exactly = trial.candidate().exact_visible;
+  const std::vector<bool> is_left_out = with_unjudged(seen);
+  Verdict verdict;
+  for (std::size_t k = 0; k < answers.size(); ++k) {
+    if (is_left_out[k]) continue;
+    const ExactRay& ray = seen.exact_ray(k);
+    const auto& exact = seen.exact_nearest()[k];
+    const Choice choice{k, answers[k] ? Index(answers[k]->sphere) : Index(), exact};
+    const bool right = is_right(choice) && !(exactly && exact && exact->index != *choice.got);
+    const Place place = seen.place(k, exact ? Index(exact->index) : choice.got);
+    seen.judge(
+        verdict, kVisibleSphereLaw.name, Quantity::kNearestSphere, place,
+        right           ? Wrong::kNot
+        : !choice.exact ? Wrong::kFalseHit
+        : !choice.got   ? Wrong::kMissed
+                        : Wrong::kWrongSphere,
+        [&] { return !exactly && may_flip(seen, choice, seen.excused_change()); },
+        [&](Discrepancy& d) {
+          d.what = "sphere index";
+          if (choice.got) d.got = {static_cast<double>(*choice.got)};
+          if (exact) d.exact = {static_cast<double>(exact->index)};
+        });
+    if (right && exactly && exact) {
+      measure_parameter(seen, verdict, place, ray, *exact, answers[k]->parameter);
+    }
+  }
+  return verdict;
+}
+
+}  // namespace
+
+constinit const Law kNearestSphereLaw = {"nearest-sphere",
+                                         "the nearest sphere wins, whatever the order in the file",
+                                         Law::Subject::kIntersection, true, judge_nearest_sphere};
+
+constinit const Law kVisibleSphereLaw = {
+    "visible-sphere", "every pixel sees the nearest sphere of its ray, by whichever plan",
+    Law::Subject::kCameraAndIntersection, false, judge_visible_sphere};
+
+}  // namespace raycheck::properties

@@ -1,0 +1,353 @@
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdlib>
+#include <limits>
+#include <string>
+
+#include "properties/laws/law_list.h"
+#include "reference/condition.h"
+#include "reference/error_measure.h"
+#include "reference/ray_error.h"
+
+namespace raycheck::properties {
+namespace {
+
+using reference::Enclosure;
+using reference::Enclosure3;
+using reference::ExactRay;
+using scene::Pixel;
+using scene::Point3;
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+constexpr int kBits = 256;
+
+/// Why a law about pixel points has nothing to say; empty when it has.
+std::string nothing_to_say(const Trial& trial) {
+  if (!trial.scene().camera) return "the scene has no camera";
+  if (!trial.candidate().pixel_points) return "the candidate gives no pixel points";
+  return {};
+}
+
+std::string name(const Pixel& pixel) {
+  return "pixel (" + std::to_string(pixel.i) + ", " + std::to_string(pixel.j) + ")";
+}
+
+/// Candidate points and the exact camera that they are held against.
+class PlaneAnswers {
+ public:
+  PlaneAnswers(Trial& trial, const scene::Camera& camera, std::vector<Pixel> pixels)
+      : camera_(camera, trial.conventions()),
+        pixels_(std::move(pixels)),
+        points_(trial.candidate().pixel_points(camera, trial.conventions(), pixels_)) {
+    if (points_.size() != pixels_.size()) throw std::runtime_error("pixel points are missing");
+  }
+
+  std::size_t size() const { return pixels_.size(); }
+  const Pixel& pixel(std::size_t k) const { return pixels_[k]; }
+  const Point3& point(std::size_t k) const { return points_[k]; }
+  const reference::ExactCamera& camera() const { return camera_; }
+  ExactRay ray(std::size_t k) const { return {camera_, pixels_[k]}; }
+  Enclosure size_of_point(std::size_t k) const { return norm(ray(k).pixel_point()); }
+
+  /// (P - E).U, (P - E).V, (P - E).W of the candidate's point.
+  Enclosure3 position(std::size_t k) const {
+    const auto frame = camera_.frame(200);
+    const Enclosure3 from_eye =
+        reference::enclose_exactly(points_[k]) - reference::enclose_exactly(camera_.camera().eye);
+    return {dot(from_eye, frame.U), dot(from_eye, frame.V), dot(from_eye, frame.W)};
+  }
+  /// alpha, beta, n of the exact point.
+  Enclosure3 exact_position(std::size_t k) const {
+    return camera_.plane_position(pixels_[k], kBits);
+  }
+  double condition(std::size_t k) const { return reference::condition_of_pixel_point(ray(k)); }
+
+ private:
+  reference::ExactCamera camera_;
+  std::vector<Pixel> pixels_;
+  std::vector<Point3> points_;
+};
+
+/// |error| / size in units of u; an exact 0 error is right whatever the size.
+double relative(const Enclosure& error, const Enclosure& size) {
+  if (error.certain_sign() == 0) return 0;
+  return size.contains_zero() ? kInfinity : reference::in_units_of_u(error / size);
+}
+
+/// A relation is no better determined than the points that it relates.
+double worst_condition(const PlaneAnswers& answers) {
+  double worst = 0;
+  for (std::size_t k = 0; k < answers.size(); ++k) worst = std::max(worst, answers.condition(k));
+  return worst;
+}
+
+/// Whether positions that far apart stay so when their points are as far off as they may be, by a
+/// margin that keeps errors of their ratios linear.
+bool is_told_apart(const Trial& trial, const PlaneAnswers& answers, const Enclosure& distance) {
+  const double allowed =
+      trial.bound(Quantity::kPixelPoint) * bound_growth(worst_condition(answers)) * 0x1p-53;
+  if (!std::isfinite(allowed)) return false;
+  const Enclosure off = Enclosure(16 * allowed, kBits) * answers.size_of_point(0);
+  return (abs(distance) - off).certain_sign().value_or(0) > 0;
+}
+
+/// Measures an error at a pixel of `answers`, with the condition number of all its pixel points.
+void measure_at(Trial& trial, Verdict& verdict, const Law& law, const PlaneAnswers& answers,
+                std::size_t k, double error, double bound, const std::string& what) {
+  Place place;
+  place.pixel = answers.pixel(k);
+  trial.measure(
+      verdict, law.name, Quantity::kPixelPoint, place, error, bound,
+      [&] { return worst_condition(answers); },
+      [&](Discrepancy& d) {
+        d.what = what;
+        d.got = numbers(answers.point(k));
+        d.exact = numbers(answers.ray(k).rounded_pixel_point());
+      });
+}
+
+std::vector<Pixel> corners(const scene::Camera& camera) {
+  std::vector<Pixel> result;
+  for (const std::int64_t j : {std::int64_t{0}, camera.height - 1}) {
+    for (const std::int64_t i : {std::int64_t{0}, camera.width - 1}) {
+      const Pixel pixel{i, j};
+      if (std::find(result.begin(), result.end(), pixel) == result.end()) result.push_back(pixel);
+    }
+  }
+  return result;
+}
+
+Verdict judge_pixel_point(Trial& trial) {
+  if (auto reason = nothing_to_say(trial); !reason.empty()) return Verdict::left_out(reason);
+  Verdict verdict;
+  const auto& points = trial.pixel_points();
+  for (std::size_t k = 0; k < points.size(); ++k) {
+    const ExactRay& ray = trial.exact_ray(k);
+    trial.measure(
+        verdict, kPixelPointLaw.name, Quantity::kPixelPoint, trial.place(k),
+        reference::pixel_point_error(ray, points[k]),
+        [&] { return reference::condition_of_pixel_point(ray); },
+        [&](Discrepancy& d) {
+          d.got = numbers(points[k]);
+          d.exact = numbers(ray.rounded_pixel_point());
+        });
+  }
+  return verdict;
+}
+
+/// The axis k along which a vector points exactly, with its sign; 0 when it is along none.
+struct SignedAxis {
+  int index = 0;
+  int sign = 0;
+};
+SignedAxis signed_axis(const Enclosure3& v) {
+  const std::array<const Enclosure*, 3> coordinates = {&v.x, &v.y, &v.z};
+  SignedAxis result;
+  for (int k = 0; k < 3; ++k) {
+    const auto sign = coordinates[static_cast<std::size_t>(k)]->certain_sign();
+    if (sign == 0) continue;
+    if (result.sign != 0 || !sign) return {};
+    result = {k, *sign};
+  }
+  return result;
+}
+
+/// Where the formula promises a corner's coordinate bit-exactly: an eye at the world's origin, an
+/// axis along a world axis, samples on the edges, and first + (last - first) not rounded.
+void judge_promised_bits(Trial& trial, Verdict& verdict, const PlaneAnswers& answers,
+                         std::size_t k) {
+  const scene::Camera& camera = answers.camera().camera();
+  if (camera.eye != Point3{} || trial.conventions().samples != scene::Samples::kEdges) return;
+  const auto frame = answers.camera().frame();
+  const bool bottom_first = trial.conventions().rows == scene::Rows::kBottomFirst;
+  const auto judge_side = [&](const Enclosure3& axis, double first, double last, bool at_first) {
+    const SignedAxis along = signed_axis(axis);
+    if (along.sign == 0 || (!at_first && first + (last - first) != last)) return;
+    const double promised = along.sign * (at_first ? first : last);
+    const double got = numbers(answers.point(k))[static_cast<std::size_t>(along.index)];
+    measure_at(trial, verdict, kBoundsLaw, answers, k,
+               reference::ulp_error(got, Enclosure(promised, kBits)), 0, "bit-exact corner");
+  };
+  const Pixel& pixel = answers.pixel(k);
+  if (signed_axis(frame.U).sign != 0 && signed_axis(frame.V).sign != 0) {
+    judge_side(frame.U, camera.left, camera.right, pixel.i == 0);
+    judge_side(frame.V, bottom_first ? camera.bottom : camera.top,
+               bottom_first ? camera.top : camera.bottom, pixel.j == 0);
+  }
+}
+
+Verdict judge_bounds(Trial& trial) {
+  if (auto reason = nothing_to_say(trial); !reason.empty()) return Verdict::left_out(reason);
+  Verdict verdict;
+  const PlaneAnswers answers(trial, *trial.scene().camera, corners(*trial.scene().camera));
+  for (std::size_t k = 0; k < answers.size(); ++k) {
+    const Enclosure3 off = answers.position(k) - answers.exact_position(k);
+    const Enclosure size = answers.size_of_point(k);
+    measure_at(trial, verdict, kBoundsLaw, answers, k,
+               std::max(relative(off.x, size), relative(off.y, size)),
+               trial.bound(Quantity::kPixelPoint), "corner " + name(answers.pixel(k)));
+    judge_promised_bits(trial, verdict, answers, k);
+  }
+  return verdict;
+}
+
+Verdict judge_image_plane(Trial& trial) {
+  if (auto reason = nothing_to_say(trial); !reason.empty()) return Verdict::left_out(reason);
+  const scene::Camera& camera = *trial.scene().camera;
+  Verdict verdict;
+  for (const Pixel& pixel : trial.pixels()) {
+    std::vector<Pixel> here_and_next = {pixel};
+    if (pixel.i + 1 < camera.width) here_and_next.push_back({pixel.i + 1, pixel.j});
+    if (pixel.j + 1 < camera.height) here_and_next.push_back({pixel.i, pixel.j + 1});
+    const PlaneAnswers answers(trial, camera, here_and_next);
+    const Enclosure size = answers.size_of_point(0);
+    const Enclosure3 here = answers.position(0) - answers.exact_position(0);
+    measure_at(trial, verdict, kImagePlaneLaw, answers, 0, relative(here.z, size),
+               trial.bound(Quantity::kPixelPoint), "distance from the plane");
+    for (std::size_t k = 1; k < answers.size(); ++k) {
+      const Enclosure3 next = answers.position(k) - answers.exact_position(k);
+      measure_at(trial, verdict, kImagePlaneLaw, answers, k, relative(norm(next - here), size),
+                 2 * trial.bound(Quantity::kPixelPoint), "step from " + name(pixel));
+    }
+  }
+  return verdict;
+}
+
+Verdict judge_centre_pixel(Trial& trial) {
+  if (auto reason = nothing_to_say(trial); !reason.empty()) return Verdict::left_out(reason);
+  const scene::Camera& camera = *trial.scene().camera;
+  if (camera.width % 2 == 0 || camera.height % 2 == 0) {
+    return Verdict::left_out("an even image has no centre pixel");
+  }
+  if (camera.left != -camera.right || camera.bottom != -camera.top) {
+    return Verdict::left_out("the bounds are not symmetric");
+  }
+  Verdict verdict;
+  const PlaneAnswers answers(trial, camera, {{camera.width / 2, camera.height / 2}});
+  const Enclosure3 position = answers.position(0);
+  const Enclosure off_axis = norm(Enclosure3{position.x, position.y, Enclosure(0)});
+  measure_at(trial, verdict, kCentrePixelLaw, answers, 0,
+             relative(off_axis, answers.size_of_point(0)), trial.bound(Quantity::kPixelPoint),
+             "distance from the optical axis");
+  return verdict;
+}
+
+Verdict judge_pixel_zero_zero(Trial& trial) {
+  if (auto reason = nothing_to_say(trial); !reason.empty()) return Verdict::left_out(reason);
+  const scene::Camera& camera = *trial.scene().camera;
+  if (camera.width < 2 || camera.height < 2) {
+    return Verdict::left_out("an image of one row or column has no distinct corners");
+  }
+  const PlaneAnswers answers(trial, camera, {{0, 0}, {camera.width - 1, camera.height - 1}});
+  const Enclosure3 extent = answers.exact_position(1) - answers.exact_position(0);
+  if (!is_told_apart(trial, answers, extent.x) || !is_told_apart(trial, answers, extent.y)) {
+    return Verdict::left_out("the image is too small for the rounding of its pixel points");
+  }
+  Verdict verdict;
+  const Enclosure3 got = answers.position(0);
+  const Enclosure3 own = got - answers.exact_position(0);
+  const Enclosure3 opposite = got - answers.exact_position(1);
+  const auto is_nearer = [](const Enclosure& a, const Enclosure& b) {
+    return (abs(b) - abs(a)).certain_sign().value_or(0) > 0;
+  };
+  const bool right = is_nearer(own.x, opposite.x) && is_nearer(own.y, opposite.y);
+  measure_at(trial, verdict, kPixelZeroZeroLaw, answers, 0, right ? 0 : kInfinity,
+             trial.bound(Quantity::kPixelPoint), "corner of pixel (0, 0)");
+  return verdict;
+}
+
+Verdict judge_density(Trial& trial) {
+  if (auto reason = nothing_to_say(trial); !reason.empty()) return Verdict::left_out(reason);
+  const scene::Camera& camera = *trial.scene().camera;
+  if (trial.conventions().samples != scene::Samples::kEdges) {
+    return Verdict::left_out("samples at cell centres move with the density");
+  }
+  if (std::max(camera.width, camera.height) > scene::kMostPixelsAcross / 2) {
+    return Verdict::left_out("an image of twice the density would be too large");
+  }
+  scene::Camera denser = camera;
+  denser.width = 2 * camera.width - 1;
+  denser.height = 2 * camera.height - 1;
+  std::vector<Pixel> pixels = corners(camera);
+  pixels.insert(pixels.end(), trial.pixels().begin(), trial.pixels().end());
+  std::vector<Pixel> same_places;
+  for (const Pixel& pixel : pixels) same_places.push_back({2 * pixel.i, 2 * pixel.j});
+  Verdict verdict;
+  const PlaneAnswers sparse(trial, camera, pixels);
+  const PlaneAnswers dense(trial, denser, same_places);
+  for (std::size_t k = 0; k < pixels.size(); ++k) {
+    const Enclosure3 moved =
+        reference::enclose_exactly(dense.point(k)) - reference::enclose_exactly(sparse.point(k));
+    measure_at(trial, verdict, kDensityLaw, sparse, k,
+               relative(norm(moved), sparse.size_of_point(k)),
+               2 * trial.bound(Quantity::kPixelPoint), name(pixels[k]) + " at twice the density");
+  }
+  return verdict;
+}
+
+Verdict judge_square_pixels(Trial& trial) {
+  if (auto reason = nothing_to_say(trial); !reason.empty()) return Verdict::left_out(reason);
+  const scene::Camera& camera = *trial.scene().camera;
+  if (camera.width < 2 || camera.height < 2) {
+    return Verdict::left_out("an image of one row or column has one spacing only");
+  }
+  const PlaneAnswers answers(trial, camera, {{0, 0}, {1, 0}, {0, 1}});
+  const auto step = [&](std::size_t k) {
+    return norm(reference::enclose_exactly(answers.point(k)) -
+                reference::enclose_exactly(answers.point(0)));
+  };
+  const Enclosure3 origin = answers.exact_position(0);
+  const Enclosure across = abs(answers.exact_position(1).x - origin.x);
+  const Enclosure down = abs(answers.exact_position(2).y - origin.y);
+  if (!is_told_apart(trial, answers, across) || !is_told_apart(trial, answers, down)) {
+    return Verdict::left_out("a pixel is too small for the rounding of its points");
+  }
+  // got ratio / exact ratio - 1; squares are the scenes whose exact ratio is 1.
+  const Enclosure got_down = step(2);
+  const double error =
+      got_down.contains_zero()
+          ? kInfinity
+          : reference::in_units_of_u(step(1) * down / (got_down * across) - Enclosure(1));
+  Verdict verdict;
+  Place place;
+  place.pixel = Pixel{0, 0};
+  trial.measure(
+      verdict, kSquarePixelsLaw.name, Quantity::kPixelPoint, place, error,
+      2 * trial.bound(Quantity::kPixelPoint),
+      [&] {
+        // A step is a difference of two points: their rounding weighs |P| / step.
+        const Enclosure size = answers.size_of_point(0);
+        const double worst = std::max(kModerateCondition, worst_condition(answers));
+        return worst * (size / across + size / down + Enclosure(1)).upper();
+      },
+      [&](Discrepancy& d) {
+        d.what = "spacing across over spacing down";
+        d.got = {(step(1) / got_down).upper()};
+        d.exact = {(across / down).upper()};
+      });
+  return verdict;
+}
+
+}  // namespace
+
+constinit const Law kPixelPointLaw = {"pixel-point", "pixel points are E + nW + alpha U + beta V",
+                                      Law::Subject::kCamera, true, judge_pixel_point};
+constinit const Law kBoundsLaw = {"bounds",
+                                  "first and last pixels lie at left and right, bottom and top",
+                                  Law::Subject::kCamera, false, judge_bounds};
+constinit const Law kImagePlaneLaw = {"image-plane", "pixels lie in the image plane, evenly spaced",
+                                      Law::Subject::kCamera, false, judge_image_plane};
+constinit const Law kCentrePixelLaw = {
+    "centre-pixel", "the centre pixel of an odd symmetric image lies on the optical axis",
+    Law::Subject::kCamera, false, judge_centre_pixel};
+constinit const Law kPixelZeroZeroLaw = {"pixel-zero-zero",
+                                         "pixel (0, 0) is at the corner that the row order says",
+                                         Law::Subject::kCamera, false, judge_pixel_zero_zero};
+constinit const Law kDensityLaw = {"density", "pixel density does not change the field of view",
+                                   Law::Subject::kCamera, false, judge_density};
+constinit const Law kSquarePixelsLaw = {"square-pixels",
+                                        "pixels are square exactly when the spacings agree",
+                                        Law::Subject::kCamera, false, judge_square_pixels};
+
+}  // namespace raycheck::properties

@@ -1,0 +1,147 @@
+#include <functional>
+#include <limits>
+#include <stdexcept>
+#include <string>
+
+#include "properties/laws/law_list.h"
+
+namespace raycheck::properties {
+namespace {
+
+constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+/// One way to spoil a camera, a sphere or a ray, by the name of what becomes wrong with it.
+template <class Thing>
+struct Spoiling {
+  const char* what;
+  void (*spoil)(Thing&);
+};
+
+constexpr Spoiling<scene::Camera> kCameraSpoilings[] = {
+    {"eye is not a number", [](scene::Camera& c) { c.eye.x = kNaN; }},
+    {"look_at is infinite", [](scene::Camera& c) { c.look_at.y = kInfinity; }},
+    {"up is not a number", [](scene::Camera& c) { c.up.z = kNaN; }},
+    {"look_at equals eye", [](scene::Camera& c) { c.look_at = c.eye; }},
+    {"up is zero", [](scene::Camera& c) { c.up = {}; }},
+    {"up is parallel to the view",
+     [](scene::Camera& c) {
+       c.eye = {1, 2, 3};
+       c.look_at = {2, 4, 6};
+       c.up = {-3, -6, -9};
+     }},
+};
+
+/// What the frame does not see, but pixels do.
+constexpr Spoiling<scene::Camera> kPlaneSpoilings[] = {
+    {"near is zero", [](scene::Camera& c) { c.near = 0; }},
+    {"left is infinite", [](scene::Camera& c) { c.left = -kInfinity; }},
+    {"right equals left", [](scene::Camera& c) { c.right = c.left; }},
+    {"top equals bottom", [](scene::Camera& c) { c.top = c.bottom; }},
+    {"near is not a number", [](scene::Camera& c) { c.near = kNaN; }},
+    {"right is infinite", [](scene::Camera& c) { c.right = kInfinity; }},
+    {"bottom is not a number", [](scene::Camera& c) { c.bottom = kNaN; }},
+    {"top is infinite", [](scene::Camera& c) { c.top = kInfinity; }},
+    {"width is zero", [](scene::Camera& c) { c.width = 0; }},
+    {"height is negative", [](scene::Camera& c) { c.height = -1; }},
+};
+
+constexpr Spoiling<scene::Sphere> kSphereSpoilings[] = {
+    {"radius is negative", [](scene::Sphere& s) { s.radius = -1; }},
+    {"radius is not a number", [](scene::Sphere& s) { s.radius = kNaN; }},
+    {"radius is infinite", [](scene::Sphere& s) { s.radius = kInfinity; }},
+    {"centre is infinite", [](scene::Sphere& s) { s.centre.z = kInfinity; }},
+};
+
+constexpr Spoiling<scene::Ray> kRaySpoilings[] = {
+    {"ray direction is zero", [](scene::Ray& r) { r.direction = {}; }},
+    {"ray origin is not a number", [](scene::Ray& r) { r.origin.x = kNaN; }},
+    {"ray direction is infinite", [](scene::Ray& r) { r.direction.y = kInfinity; }},
+};
+
+void expect_refusal(Trial& trial, Verdict& verdict, const std::string& what,
+                    const std::function<void()>& ask) {
+  Wrong wrong = Wrong::kAnswered;
+  try {
+    ask();
+  } catch (const std::invalid_argument&) {
+    wrong = Wrong::kNot;
+  }
+  trial.judge(
+      verdict, kRefusalLaw.name, Quantity::kRefusal, Place{}, wrong, [] { return false; },
+      [&](Discrepancy& d) { d.what = what; });
+}
+
+void spoil_cameras(Trial& trial, Verdict& verdict) {
+  const Candidate& candidate = trial.candidate();
+  const scene::Conventions& conventions = trial.conventions();
+  const std::vector<scene::Pixel> pixels = {{0, 0}};
+  const auto ask_pixels = [&](const scene::Camera& camera, const char* what) {
+    for (const auto* make : {&candidate.pixel_rays, &candidate.focal_rays}) {
+      if (*make) {
+        expect_refusal(trial, verdict, what, [&] { (*make)(camera, conventions, pixels); });
+      }
+    }
+    if (candidate.pixel_points) {
+      expect_refusal(trial, verdict, what,
+                     [&] { candidate.pixel_points(camera, conventions, pixels); });
+    }
+  };
+  for (const auto& spoiling : kCameraSpoilings) {
+    scene::Camera camera = *trial.scene().camera;
+    spoiling.spoil(camera);
+    if (candidate.frame) {
+      expect_refusal(trial, verdict, spoiling.what, [&] { candidate.frame(camera); });
+    }
+    ask_pixels(camera, spoiling.what);
+  }
+  for (const auto& spoiling : kPlaneSpoilings) {
+    scene::Camera camera = *trial.scene().camera;
+    spoiling.spoil(camera);
+    ask_pixels(camera, spoiling.what);
+  }
+}
+
+void spoil_intersections(Trial& trial, Verdict& verdict) {
+  const auto ask = [&](const char* what, const scene::Ray& ray, const scene::Sphere& sphere) {
+    expect_refusal(trial, verdict, what, [&] {
+      trial.candidate().intersect(std::span(&ray, 1), std::span(&sphere, 1), trial.conventions());
+    });
+  };
+  const scene::Ray ray =
+      trial.scene().rays.empty() ? scene::Ray{{0, 0, 0}, {1, 0, 0}} : trial.scene().rays.front();
+  const scene::Sphere sphere = trial.scene().spheres.front();
+  for (const auto& spoiling : kSphereSpoilings) {
+    scene::Sphere spoilt = sphere;
+    spoiling.spoil(spoilt);
+    ask(spoiling.what, ray, spoilt);
+  }
+  for (const auto& spoiling : kRaySpoilings) {
+    scene::Ray spoilt = ray;
+    spoiling.spoil(spoilt);
+    ask(spoiling.what, spoilt, sphere);
+  }
+}
+
+Verdict judge_refusal(Trial& trial) {
+  if (!trial.candidate().refuses) {
+    return Verdict::left_out("the candidate is never asked what is not a problem");
+  }
+  Verdict verdict;
+  if (trial.scene().camera) spoil_cameras(trial, verdict);
+  if (trial.candidate().intersect && !trial.scene().spheres.empty()) {
+    spoil_intersections(trial, verdict);
+  }
+  if (verdict.compared() == 0) {
+    return Verdict::left_out("the candidate has nothing that the scene's input could spoil");
+  }
+  return verdict;
+}
+
+}  // namespace
+
+constinit const Law kRefusalLaw = {"refusal",
+                                   "non-finite and degenerate input is refused, not answered",
+                                   Law::Subject::kAny, false, judge_refusal};
+
+}  // namespace raycheck::properties

@@ -1,0 +1,96 @@
+#include "properties/mistakes/altered_hits.h"
+
+#include <span>
+
+namespace raycheck::properties {
+
+using scene::Conventions;
+using scene::Ray;
+using scene::Sphere;
+
+HitAnswer hit_at(const Ray& ray, double s) {
+  return {s, scene::Point3{ray.origin.x + s * ray.direction.x, ray.origin.y + s * ray.direction.y,
+                           ray.origin.z + s * ray.direction.z}};
+}
+
+AskSphere hits_of(const Candidate& candidate) {
+  return [ask = candidate.intersect](Candidate::Rays rays, const Sphere& sphere,
+                                     const Conventions& conventions) {
+    std::vector<Hit> hits(rays.size());
+    const auto found = ask(rays, std::span(&sphere, 1), conventions);
+    for (const auto& [ray, hit] : found.front()) hits[ray] = hit;
+    return hits;
+  };
+}
+
+void answer_by(Candidate& candidate, const AskSphere& ask) {
+  candidate.intersect = [ask](Candidate::Rays rays, Candidate::Spheres spheres,
+                              const Conventions& conventions) {
+    std::vector<SphereHits> answers(spheres.size());
+    for (std::size_t index = 0; index < spheres.size(); ++index) {
+      const std::vector<Hit> hits = ask(rays, spheres[index], conventions);
+      for (std::size_t k = 0; k < hits.size(); ++k) {
+        if (hits[k]) answers[index].push_back({k, *hits[k]});
+      }
+    }
+    return answers;
+  };
+  candidate.nearest = [ask](Candidate::Rays rays, Candidate::Spheres spheres,
+                            const Conventions& conventions) {
+    std::vector<std::optional<std::size_t>> nearest(rays.size());
+    std::vector<double> parameter(rays.size());
+    for (std::size_t index = 0; index < spheres.size(); ++index) {
+      const std::vector<Hit> hits = ask(rays, spheres[index], conventions);
+      for (std::size_t k = 0; k < rays.size(); ++k) {
+        if (!hits[k] || (nearest[k] && parameter[k] <= hits[k]->parameter)) continue;
+        nearest[k] = index;
+        parameter[k] = hits[k]->parameter;
+      }
+    }
+    return nearest;
+  };
+}
+
+bool meets(const fast::Roots& roots, const Conventions& conventions) {
+  return conventions.tangent == scene::Tangent::kMiss ? roots.half_chord_sq > 0
+                                                      : roots.half_chord_sq >= 0;
+}
+
+Hit usual_choice(const Ray& ray, const fast::Roots& roots, const Conventions& conventions) {
+  if (!meets(roots, conventions)) return {};
+  if (roots.smaller >= 0) return hit_at(ray, roots.smaller);
+  if (conventions.root == scene::Root::kSmaller || !(roots.larger >= 0)) return {};
+  return hit_at(ray, roots.larger);
+}
+
+void answer_by_choice(Candidate& candidate, const MakeRoots& roots, const ChooseHit& choose) {
+  answer_by(candidate, [roots, choose](Candidate::Rays rays, const Sphere& sphere,
+                                       const Conventions& conventions) {
+    std::vector<Hit> hits;
+    hits.reserve(rays.size());
+    for (const Ray& ray : rays) hits.push_back(choose(ray, roots(ray, sphere), conventions));
+    return hits;
+  });
+}
+
+void rank_by(Candidate& candidate, const ChooseHit& choose, const RankSphere& rank) {
+  candidate.nearest = [choose, rank](Candidate::Rays rays, Candidate::Spheres spheres,
+                                     const Conventions& conventions) {
+    std::vector<std::optional<std::size_t>> nearest(rays.size());
+    for (std::size_t k = 0; k < rays.size(); ++k) {
+      double least = 0;
+      for (std::size_t index = 0; index < spheres.size(); ++index) {
+        const fast::Roots roots = fast::kCross.roots(rays[k], spheres[index]);
+        const Hit hit = choose(rays[k], roots, conventions);
+        if (!hit) continue;
+        const double its = rank(index, rays[k], spheres[index], roots, hit->parameter);
+        if (nearest[k] && least <= its) continue;
+        nearest[k] = index;
+        least = its;
+      }
+    }
+    return nearest;
+  };
+}
+
+}  // namespace raycheck::properties

@@ -1,0 +1,105 @@
+// Wrong choices among roots and among spheres.
+
+#include <cmath>
+#include <utility>
+
+#include "properties/mistakes/altered_hits.h"
+#include "properties/mistakes/mistake_list.h"
+
+namespace raycheck::properties {
+namespace {
+
+using fast::Roots;
+using scene::Conventions;
+using scene::Ray;
+using scene::Sphere;
+
+double length(const scene::Vector3& v) { return std::hypot(v.x, v.y, v.z); }
+
+Mistake choice(std::string sentence, const ChooseHit& choose) {
+  Candidate candidate = right_candidate();
+  answer_by_choice(candidate, fast::kCross.roots, choose);
+  return {std::move(sentence), Stage::kIntersect, {}, {}, {}, candidate};
+}
+
+/// Hits changed after the fact.
+Mistake value(std::string sentence, const std::function<HitAnswer(const Ray&, HitAnswer)>& change) {
+  Candidate candidate = right_candidate();
+  answer_by(candidate,
+            [ask = hits_of(candidate), change](Candidate::Rays rays, const Sphere& sphere,
+                                               const Conventions& conventions) {
+              std::vector<Hit> hits = ask(rays, sphere, conventions);
+              for (std::size_t k = 0; k < hits.size(); ++k) {
+                if (hits[k]) hits[k] = change(rays[k], *hits[k]);
+              }
+              return hits;
+            });
+  return {std::move(sentence), Stage::kIntersect, {}, {}, {}, candidate};
+}
+
+Hit wherever_behind(const Ray& ray, const Roots& roots, const Conventions& conventions) {
+  return meets(roots, conventions) ? Hit(hit_at(ray, roots.smaller)) : Hit();
+}
+
+std::vector<Mistake> root_mistakes() {
+  return {
+      choice("s >= 0 is not tested: spheres behind the origin are hit", wherever_behind),
+      choice("the far root is taken for the near one",
+             [](const Ray& ray, const Roots& roots, const Conventions& conventions) -> Hit {
+               if (!meets(roots, conventions) || !(roots.larger >= 0)) return {};
+               return hit_at(ray, roots.larger);
+             }),
+      value("Q = s D: the origin is not added",
+            [](const Ray& ray, const HitAnswer& hit) {
+              return HitAnswer{hit.parameter, hit_at({{}, ray.direction}, hit.parameter).point};
+            }),
+      value("s is a length whatever the length of the direction",
+            [](const Ray& ray, const HitAnswer& hit) {
+              return HitAnswer{hit.parameter * length(ray.direction), hit.point};
+            }),
+  };
+}
+
+Mistake winner(std::string sentence, const RankSphere& rank,
+               const ChooseHit& choose = usual_choice) {
+  Candidate candidate = right_candidate();
+  rank_by(candidate, choose, rank);
+  return {std::move(sentence), Stage::kNearest, {}, {}, {}, candidate};
+}
+
+std::vector<Mistake> winner_mistakes() {
+  const auto by_index = [](double sign) {
+    return [sign](std::size_t index, auto&&...) { return sign * static_cast<double>(index); };
+  };
+  const auto by_discriminant = [](double sign) {
+    return [sign](std::size_t, const Ray&, const Sphere&, const Roots& roots, double) {
+      return sign * roots.half_chord_sq;
+    };
+  };
+  const auto by_parameter = [](double sign) {
+    return
+        [sign](std::size_t, const Ray&, const Sphere&, const Roots&, double s) { return sign * s; };
+  };
+  return {
+      winner("the first sphere in the file wins", by_index(1)),
+      winner("the last sphere in the file wins", by_index(-1)),
+      winner("the sphere with the largest discriminant wins", by_discriminant(-1)),
+      winner("the sphere with the smallest discriminant wins", by_discriminant(1)),
+      winner("the sphere whose centre is nearest wins",
+             [](std::size_t, const Ray& ray, const Sphere& sphere, const Roots&, double) {
+               return length(sphere.centre - ray.origin);
+             }),
+      winner("the smallest s wins, though it is negative", by_parameter(1), wherever_behind),
+      winner("the farthest sphere wins", by_parameter(-1)),
+  };
+}
+
+}  // namespace
+
+std::vector<Mistake> intersect_mistakes() {
+  std::vector<Mistake> all = root_mistakes();
+  for (Mistake& mistake : winner_mistakes()) all.push_back(std::move(mistake));
+  return all;
+}
+
+}  // namespace raycheck::properties

@@ -1,0 +1,22 @@
+#ifndef RAYCHECK_PROPERTIES_MISTAKES_MISTAKE_LIST_H_
+#define RAYCHECK_PROPERTIES_MISTAKES_MISTAKE_LIST_H_
+
+// The mistakes by subject, each list in the file of that name, and the candidate that they are made
+// from. Internal to properties/.
+
+#include <vector>
+
+#include "properties/mistakes/mistakes.h"
+
+namespace raycheck::properties {
+
+/// direct/cross
+Candidate right_candidate();
+
+std::vector<Mistake> input_mistakes();
+std::vector<Mistake> camera_mistakes();
+std::vector<Mistake> intersect_mistakes();
+
+}  // namespace raycheck::properties
+
+#endif  // RAYCHECK_PROPERTIES_MISTAKES_MISTAKE_LIST_H_

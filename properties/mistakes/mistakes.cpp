@@ -1,0 +1,40 @@
+#include "properties/mistakes/mistakes.h"
+
+#include <algorithm>
+#include <iterator>
+#include <utility>
+
+#include "properties/candidates/fast_candidate.h"
+#include "properties/mistakes/mistake_list.h"
+
+namespace raycheck::properties {
+
+Candidate right_candidate() { return fast_candidate(fast::kDirectRays, fast::kCross); }
+
+std::span<const Mistake> mistakes() {
+  static const std::vector<Mistake> kMistakes = [] {
+    std::vector<Mistake> all;
+    for (std::vector<Mistake> more : {input_mistakes(), camera_mistakes(), intersect_mistakes()}) {
+      std::move(more.begin(), more.end(), std::back_inserter(all));
+    }
+    return all;
+  }();
+  return kMistakes;
+}
+
+const Mistake* find_mistake(std::string_view sentence) {
+  const auto all = mistakes();
+  const auto found = std::find_if(
+      all.begin(), all.end(), [&](const Mistake& mistake) { return mistake.sentence == sentence; });
+  return found == all.end() ? nullptr : &*found;
+}
+
+scene::Scene mistaken(const Mistake& mistake, scene::Scene scene,
+                      const scene::Conventions& conventions) {
+  scene.conventions = conventions;
+  if (mistake.camera) mistake.camera(scene.camera.value(), conventions);
+  if (mistake.conventions) mistake.conventions(scene.conventions);
+  return scene;
+}
+
+}  // namespace raycheck::properties

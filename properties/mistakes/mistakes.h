@@ -1,0 +1,51 @@
+#ifndef RAYCHECK_PROPERTIES_MISTAKES_MISTAKES_H_
+#define RAYCHECK_PROPERTIES_MISTAKES_MISTAKES_H_
+
+#include <functional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "properties/candidate.h"
+
+namespace raycheck::properties {
+
+/// Where a mistake is made: the first answer that shows it.
+enum class Stage { kFrame, kPixelPoint, kRay, kIntersect, kNearest };
+inline constexpr std::size_t kStageCount = 5;
+
+/// Another camera than the one given, under its conventions; it may be no valid one.
+using ChangeCamera = std::function<void(scene::Camera&, const scene::Conventions&)>;
+/// Other conventions than those given.
+using ChangeConventions = std::function<void(scene::Conventions&)>;
+/// Another pixel than the one asked about; it may lie outside the image.
+using ChangePixel = std::function<scene::Pixel(const scene::Camera&, const scene::Pixel&)>;
+
+/// One classic mistake. At most one of the three changes is there: the mistake is then a right
+/// answer to that other question. Without any it is a wrong formula.
+struct Mistake {
+  std::string sentence;  ///< "rows are upside down"
+  Stage stage = Stage::kFrame;
+  ChangeCamera camera = {};
+  ChangeConventions conventions = {};
+  ChangePixel pixel = {};
+  /// It makes the mistake and is otherwise right: direct/cross, in doubles. It has the functions
+  /// `frame` to `nearest`. A camera that the change makes invalid throws std::invalid_argument.
+  Candidate candidate = {};
+};
+
+/// Every mistake; their sentences differ.
+std::span<const Mistake> mistakes();
+
+/// The mistake of that sentence, or null.
+const Mistake* find_mistake(std::string_view sentence);
+
+/// The scene as the mistake takes it, with the conventions in it; it may be no valid one. Domain: a
+/// scene with a camera.
+scene::Scene mistaken(const Mistake& mistake, scene::Scene scene,
+                      const scene::Conventions& conventions);
+
+}  // namespace raycheck::properties
+
+#endif  // RAYCHECK_PROPERTIES_MISTAKES_MISTAKES_H_

@@ -1,0 +1,146 @@
+#include "properties/search/stress.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "properties/cases/random.h"
+#include "properties/laws/law_list.h"
+#include "scene/validate.h"
+
+namespace raycheck::properties {
+namespace {
+
+constexpr const Law* kRayLaws[] = {&kPixelPointLaw, &kDirectionLaw};
+constexpr const Law* kIntersectionLaws[] = {&kClassLaw, &kRootLaw, &kParameterLaw,
+                                            &kBackwardErrorLaw, &kNearestSphereLaw};
+
+/// The nearest of one sphere is what the class law judges.
+bool has_something_to_judge(const Law& law, const Case& the_case) {
+  return &law != &kNearestSphereLaw || the_case.scene.spheres.size() > 1;
+}
+
+void keep_first_of_each(StressResult& result, const Case& the_case, const Verdict& verdict) {
+  for (Discrepancy& discrepancy : verdict.worst(kKeptDiscrepancies)) {
+    const bool known =
+        std::any_of(result.found.begin(), result.found.end(), [&](const Found& other) {
+          return other.discrepancy.law == discrepancy.law &&
+                 other.discrepancy.quantity == discrepancy.quantity &&
+                 other.discrepancy.wrong == discrepancy.wrong &&
+                 other.discrepancy.excuse == discrepancy.excuse;
+        });
+    if (!known) result.found.push_back({the_case, std::move(discrepancy)});
+  }
+}
+
+}  // namespace
+
+std::span<const Law* const> laws_of(Stage stage) {
+  if (stage == Stage::kRays) return kRayLaws;
+  return kIntersectionLaws;
+}
+
+std::optional<Case> alone(const Case& the_case, Stage stage, const Candidate& rays) {
+  if (stage == Stage::kRays) {
+    return the_case.scene.camera ? std::optional(the_case) : std::nullopt;
+  }
+  if (the_case.scene.spheres.empty()) return std::nullopt;
+  if (!the_case.scene.camera) return the_case;
+  Case result;
+  result.scene.spheres = the_case.scene.spheres;
+  result.scene.conventions = the_case.scene.conventions;
+  const auto& make = the_case.scene.conventions.origin == scene::Origin::kPixel ? rays.pixel_rays
+                                                                                : rays.focal_rays;
+  if (!make) return std::nullopt;
+  for (const scene::Ray& ray :
+       make(*the_case.scene.camera, the_case.scene.conventions, the_case.pixels)) {
+    if (scene::problems(ray).empty()) result.scene.rays.push_back(ray);
+  }
+  return result.scene.rays.empty() ? std::nullopt : std::optional(std::move(result));
+}
+
+void StressResult::merge(StressResult other) {
+  inside.merge(std::move(other.inside));
+  outside.merge(std::move(other.outside));
+  std::move(other.found.begin(), other.found.end(), std::back_inserter(found));
+}
+
+void stress(const Case& the_case, Stage stage, std::span<const Candidate> candidates,
+            std::vector<StressResult>& results) {
+  if (candidates.empty()) return;
+  const std::optional<Case> asked = alone(the_case, stage, candidates.front());
+  if (!asked) return;
+  SharedTruths truths(*asked);
+  for (std::size_t k = 0; k < candidates.size(); ++k) {
+    const Candidate& candidate = candidates[k];
+    const auto conventions = candidate.declared.over(asked->scene.conventions);
+    Trial trial(*asked, candidate, {.conditioning = true, .truth = truths.under(conventions)});
+    for (const Law* law : laws_of(stage)) {
+      if (!has_something_to_judge(*law, *asked)) continue;
+      Verdict verdict = apply(*law, trial);
+      if (verdict.discrepancies() > 0) keep_first_of_each(results[k], *asked, verdict);
+      (trial.inside_domain() ? results[k].inside : results[k].outside).merge(std::move(verdict));
+    }
+  }
+}
+
+std::vector<StressResult> stress(const CaseSource& source, int severity, Stage stage,
+                                 std::span<const Candidate> candidates,
+                                 const StressOptions& options, const RunControl& control) {
+  std::vector<StressResult> results(candidates.size());
+  Random seeds(options.seed);
+  for (int k = 0; k < options.cases && !control.interrupted(); ++k) {
+    stress(source.make(severity, seeds.bits()), stage, candidates, results);
+  }
+  return results;
+}
+
+std::uint64_t defects(const Verdict& verdict) {
+  std::uint64_t sum = 0;
+  for (const auto& [quantity, tally] : verdict.tallies()) {
+    sum += tally.count(Outcome::kWrongDecision);
+  }
+  return sum;
+}
+
+double worst_ratio(const Verdict& verdict) {
+  double worst = -1;
+  for (const auto& [quantity, tally] : verdict.tallies()) {
+    if (quantity != Quantity::kBackwardError) worst = std::max(worst, tally.worst_ratio);
+  }
+  return worst;
+}
+
+bool is_stable(const Verdict& verdict) {
+  return defects(verdict) == 0 && worst_ratio(verdict) <= kStableRatio;
+}
+
+std::optional<double> error_slope(int base, std::span<const int> severities,
+                                  std::span<const double> errors) {
+  std::vector<std::pair<double, double>> points;
+  for (std::size_t k = 0; k < errors.size(); ++k) {
+    if (!(errors[k] > 0) || !std::isfinite(errors[k])) continue;
+    points.emplace_back(severities[k] * std::log10(base), std::log10(errors[k]));
+  }
+  if (points.size() < 3) return std::nullopt;
+  const auto lower = [](const auto& a, const auto& b) { return a.second < b.second; };
+  const double largest = std::max_element(points.begin(), points.end(), lower)->second;
+  const auto grown = std::find_if(points.begin(), points.end(),
+                                  [&](const auto& point) { return point.second >= largest - 1; });
+  if (grown - points.begin() >= 2) points.erase(grown + 1, points.end());
+  double mean_x = 0;
+  double mean_y = 0;
+  for (const auto& [x, y] : points) {
+    mean_x += x / static_cast<double>(points.size());
+    mean_y += y / static_cast<double>(points.size());
+  }
+  double covariance = 0;
+  double variance = 0;
+  for (const auto& [x, y] : points) {
+    covariance += (x - mean_x) * (y - mean_y);
+    variance += (x - mean_x) * (x - mean_x);
+  }
+  return covariance / variance;
+}
+
+}  // namespace raycheck::properties

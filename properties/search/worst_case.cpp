@@ -1,0 +1,178 @@
+#include "properties/search/worst_case.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+#include <vector>
+
+#include "properties/cases/random.h"
+#include "properties/cases/shrink.h"
+#include "properties/laws/law_list.h"
+#include "scene/scene_scalars.h"
+#include "scene/validate.h"
+
+namespace raycheck::properties {
+namespace {
+
+/// Random cases that are climbed from.
+constexpr std::size_t kClimbs = 4;
+
+/// Measures one law's quantity on cases.
+class Climber {
+ public:
+  Climber(const Candidate& candidate, const Law& law, const SearchOptions& options)
+      : candidate_(candidate), law_(law), options_(options) {}
+
+  /// Empty where the case measures nothing in the candidate's domain, or no number.
+  std::optional<WorstCase> look(const Case& the_case) const {
+    // A bound of 0 makes every error a discrepancy, so that its place and numbers are kept.
+    Trial trial(the_case, candidate_, {.max_error = 0, .conditioning = true});
+    if (!trial.inside_domain()) return std::nullopt;
+    const Verdict verdict = apply(law_, trial);
+    const auto found = verdict.tallies().find(options_.quantity);
+    if (found == verdict.tallies().end() || found->second.errors.empty()) return std::nullopt;
+    const Tally& tally = found->second;
+    const auto worst = std::max_element(tally.errors.begin(), tally.errors.end());
+    if (!std::isfinite(*worst)) return std::nullopt;
+    WorstCase result;
+    result.the_case = the_case;
+    result.error = *worst;
+    result.stability.condition =
+        tally.conditions[static_cast<std::size_t>(worst - tally.errors.begin())];
+    result.stability.ratio = tally.worst_ratio;
+    for (std::size_t k = 0; k < kOutcomeCount; ++k) {
+      if (tally.outcomes[k] > 0) result.stability.outcome = static_cast<Outcome>(k);
+    }
+    result.height = height_of(result);
+    for (Discrepancy& discrepancy : verdict.worst(1)) result.shown = std::move(discrepancy);
+    return result;
+  }
+
+ private:
+  double height_of(const WorstCase& at) const {
+    switch (options_.climb) {
+      case Climb::kRatio:
+        return at.stability.ratio;
+      case Climb::kOverGrowth:
+        return at.error / bound_growth(at.stability.condition);
+      default:
+        return at.error;
+    }
+  }
+
+  const Candidate& candidate_;
+  const Law& law_;
+  const SearchOptions& options_;
+};
+
+/// x with another significand, exponent or sign.
+double changed(double x, Random& random) {
+  const auto kind = random.integer(0, 9);
+  if (kind == 0) return -x;
+  if (kind <= 3) return std::ldexp(x, static_cast<int>(random.integer(-3, 3)));
+  if (x == 0) return random.signed_power_of_ten(-3, 3);
+  const double sign = random.sign();
+  const double ulps = std::ldexp(sign, static_cast<int>(random.integer(0, 51)));
+  const double ulp =
+      std::nextafter(std::abs(x), std::numeric_limits<double>::infinity()) - std::abs(x);
+  return x + ulps * ulp;
+}
+
+/// A case with one or two of its numbers changed.
+Case neighbour(const Case& the_case, Random& random) {
+  Case result = the_case;
+  std::int64_t count = 0;
+  for_each_number(result.scene, [&](double&) { ++count; });
+  for (auto changes = random.integer(1, 2); changes > 0; --changes) {
+    const std::int64_t target = random.integer(0, count - 1);
+    std::int64_t at = 0;
+    for_each_number(result.scene, [&](double& x) {
+      if (at++ == target) x = changed(x, random);
+    });
+  }
+  return result;
+}
+
+/// One ray and one sphere: the error, kappa and the outcome are then of one answer.
+void keep_first(Case& the_case) {
+  const auto keep = [](auto& list) { list.resize(std::min<std::size_t>(list.size(), 1)); };
+  keep(the_case.pixels);
+  keep(the_case.scene.rays);
+  keep(the_case.scene.spheres);
+}
+
+std::vector<WorstCase> random_phase(const Climber& climber, Stage stage, const Candidate& candidate,
+                                    const SearchOptions& options, const RunControl& control,
+                                    Random& random) {
+  std::vector<WorstCase> best;
+  for (int k = 0; k < options.cases && !control.interrupted(); ++k) {
+    std::optional<Case> asked = alone(options.source.make(random.bits()), stage, candidate);
+    if (!asked) continue;
+    keep_first(*asked);
+    std::optional<WorstCase> seen = climber.look(*asked);
+    if (!seen) continue;
+    best.push_back(std::move(*seen));
+    std::stable_sort(best.begin(), best.end(),
+                     [](const WorstCase& a, const WorstCase& b) { return a.height > b.height; });
+    best.resize(std::min(best.size(), kClimbs));
+  }
+  return best;
+}
+
+void climb(WorstCase& at, const Climber& climber, int steps, const RunControl& control,
+           Random& random) {
+  for (int step = 0; step < steps && !control.interrupted(); ++step) {
+    const Case next = neighbour(at.the_case, random);
+    if (!scene::problems(next.scene).empty()) continue;
+    std::optional<WorstCase> seen = climber.look(next);
+    if (seen && seen->height > at.height) at = std::move(*seen);
+  }
+}
+
+void shrink(WorstCase& at, const Climber& climber, const RunControl& control) {
+  const double least = at.height / 2;
+  smallest(at.the_case, std::numeric_limits<int>::max(), [&](const Case& next) {
+    if (control.interrupted()) return false;
+    std::optional<WorstCase> seen = climber.look(next);
+    if (!seen || seen->height < least || seen->stability.outcome != at.stability.outcome) {
+      return false;
+    }
+    at = std::move(*seen);
+    return true;
+  });
+}
+
+}  // namespace
+
+const Law* law_of(Stage stage, Quantity quantity) {
+  if (stage == Stage::kRays) {
+    if (quantity == Quantity::kPixelPoint) return &kPixelPointLaw;
+    return quantity == Quantity::kDirection ? &kDirectionLaw : nullptr;
+  }
+  if (quantity == Quantity::kHitPoint) return &kHitPointLaw;
+  if (quantity == Quantity::kBackwardError) return &kBackwardErrorLaw;
+  return quantity == Quantity::kParameter ? &kParameterLaw : nullptr;
+}
+
+std::optional<WorstCase> find_worst_case(const Candidate& candidate, Stage stage,
+                                         const SearchOptions& options, const RunControl& control) {
+  const Climber climber(candidate, *law_of(stage, options.quantity), options);
+  Random random(options.seed);
+  std::vector<WorstCase> starts = random_phase(climber, stage, candidate, options, control, random);
+  if (starts.empty()) return std::nullopt;
+  const double height_random = starts.front().height;
+  for (WorstCase& start : starts) {
+    climb(start, climber, options.steps / static_cast<int>(starts.size()), control, random);
+  }
+  WorstCase worst =
+      *std::max_element(starts.begin(), starts.end(),
+                        [](const WorstCase& a, const WorstCase& b) { return a.height < b.height; });
+  const double height_climbed = worst.height;
+  shrink(worst, climber, control);
+  worst.height_climbed = height_climbed;
+  worst.height_random = height_random;
+  return worst;
+}
+
+}  // namespace raycheck::properties

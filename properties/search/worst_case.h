@@ -1,0 +1,51 @@
+#ifndef RAYCHECK_PROPERTIES_SEARCH_WORST_CASE_H_
+#define RAYCHECK_PROPERTIES_SEARCH_WORST_CASE_H_
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <string_view>
+
+#include "properties/cases/case_source.h"
+#include "properties/search/stress.h"
+
+namespace raycheck::properties {
+
+/// What a search climbs on: the error itself, the error over what the documented bound grows by
+/// (bound_growth() of the condition number), or the stability ratio rho.
+enum class Climb { kError, kOverGrowth, kRatio };
+inline constexpr std::array<std::string_view, 3> kClimbNames = {"error", "bound", "rho"};
+
+struct SearchOptions {
+  ChosenSource source;  ///< Where the search starts.
+  Quantity quantity = Quantity::kParameter;
+  Climb climb = Climb::kError;
+  int cases = 2000;  ///< Random ones, of which the worst few are climbed from.
+  int steps = 4000;  ///< Changes of one number tried, over all climbs.
+  std::uint64_t seed = 1;
+};
+
+/// The worst input found, shrunk while its verdict stays what it is and half of its height remains.
+struct WorstCase {
+  Case the_case;
+  double error = 0;
+  Stability stability;
+  double height = 0;          ///< What was climbed on.
+  double height_random = 0;   ///< The same of the worst random case.
+  double height_climbed = 0;  ///< The same before it was shrunk.
+  Discrepancy shown;          ///< Its place, what the candidate answered and what is exact.
+};
+
+/// Searches for the input on which a stage's certified error is worst, within the candidate's
+/// stated domain: random cases, then hill-climbing by changes of one significand, exponent or sign
+/// at a time. Empty when nothing was measured. The same options give the same result.
+std::optional<WorstCase> find_worst_case(const Candidate& candidate, Stage stage,
+                                         const SearchOptions& options,
+                                         const RunControl& control = {});
+
+/// The law that measures a quantity of a stage, or null.
+const Law* law_of(Stage stage, Quantity quantity);
+
+}  // namespace raycheck::properties
+
+#endif  // RAYCHECK_PROPERTIES_SEARCH_WORST_CASE_H_

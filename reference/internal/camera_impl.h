@@ -1,0 +1,39 @@
+#ifndef RAYCHECK_REFERENCE_INTERNAL_CAMERA_IMPL_H_
+#define RAYCHECK_REFERENCE_INTERNAL_CAMERA_IMPL_H_
+
+// What an ExactCamera holds. Internal to reference/.
+
+#include "reference/exact_camera.h"
+#include "reference/internal/formulas.h"
+#include "reference/internal/rounding.h"
+
+namespace raycheck::reference {
+
+/// The precision of the ladder's middle rung, between intervals and the exact field.
+inline constexpr int kMiddleBits = 256;
+
+struct ExactCamera::Impl {
+  Impl(const scene::Camera& its_camera, const scene::Conventions& its_conventions);
+
+  /// The camera at any precision: stored for the two usual ones, computed into `scratch` for the
+  /// others.
+  const CameraNumbers<EnclosureKernel>& enclosed(
+      const EnclosureLift& lift, std::optional<CameraNumbers<EnclosureKernel>>& scratch) const;
+
+  scene::Camera camera;
+  scene::Conventions conventions;
+  CameraNumbers<EnclosureKernel> first_bits;
+  CameraNumbers<EnclosureKernel> middle_bits;
+  CameraNumbers<IntervalKernel> intervals;
+  CameraNumbers<DoubleDoubleKernel> double_doubles;
+  CameraNumbers<ExactKernel> exact;
+};
+
+/// Throws std::invalid_argument unless the camera's image has the pixel.
+void require_pixel_of(const scene::Camera& camera, const scene::Pixel& pixel);
+
+inline Enclosure3 coordinates(const EnclosureKernel::Vector_3& v) { return {v.x(), v.y(), v.z()}; }
+
+}  // namespace raycheck::reference
+
+#endif  // RAYCHECK_REFERENCE_INTERNAL_CAMERA_IMPL_H_

@@ -1,0 +1,179 @@
+#ifndef RAYCHECK_REFERENCE_INTERNAL_DOUBLE_DOUBLE_H_
+#define RAYCHECK_REFERENCE_INTERNAL_DOUBLE_DOUBLE_H_
+
+#include <cmath>
+#include <limits>
+#include <optional>
+
+#include "reference/enclosure.h"
+
+namespace raycheck::reference {
+
+/// A closed interval that certainly holds one real number x: |x - (high + low)| <= radius, with
+/// high the double nearest to high + low. About 104 bits, without memory or unlimited exponents:
+/// what over- or underflows gets a radius that says so (infinite or NaN where nothing is known).
+/// Valid only while doubles round to nearest.
+/// Error:  each operation encloses the exact result. With u = 2^-53, what it adds to the radius of
+///         its operands is at most kDoubleDoubleError of the result, or of the larger operand of a
+///         sum, and kDoubleDoubleUnderflow.
+/// Source: T. J. Dekker, A floating-point technique for extending the available precision, 1971;
+///         M. Joldes, J.-M. Muller, V. Popescu, Tight and rigorous error bounds for basic building
+///         blocks of double-word arithmetic, 2017. The bounds here are simpler, and proved below.
+class DoubleDouble {
+ public:
+  DoubleDouble() = default;
+  explicit DoubleDouble(int value) : high_(value) {}
+  explicit DoubleDouble(double value) : high_(value) {}
+  explicit DoubleDouble(const Enclosure& value);
+
+  double high() const { return high_; }
+  double low() const { return low_; }
+  double radius() const { return radius_; }
+  Enclosure enclosure() const;
+
+  /// True when radius <= 2^-relative_bits |every number within|, and where the number is exact.
+  bool is_within(int relative_bits) const {
+    return std::isfinite(high_) &&
+           (radius_ == 0 || radius_ < std::ldexp(std::abs(high_) / 2, -relative_bits));
+  }
+  /// The sign of every number within; empty where they may differ.
+  std::optional<int> certain_sign() const {
+    if (is_exact_zero()) return 0;
+    const bool is_certain = std::isfinite(high_) && (radius_ == 0 || radius_ < std::abs(high_) / 2);
+    if (!is_certain) return std::nullopt;
+    return high_ > 0 ? 1 : -1;
+  }
+  bool is_exact_zero() const { return high_ == 0 && radius_ == 0; }
+  /// Doubles above and below every number within, the next ones at most; infinite or NaN where
+  /// nothing is known. (The end is high + low + radius. Where it cancels, sum.low and so rest.low
+  /// are 0; else rest.low is far below the last bit of end.high, which end.low is half of at most.)
+  double upper() const {
+    const Sum tail = two_sum(low_, radius_);
+    const Sum sum = two_sum(high_, tail.high);
+    const Sum rest = two_sum(sum.low, tail.low);
+    const Sum end = two_sum(sum.high, rest.high);
+    return end.low + rest.low > 0 ? std::nextafter(end.high, HUGE_VAL) : end.high;
+  }
+  double lower() const { return -(-*this).upper(); }
+
+  DoubleDouble operator-() const { return {{-high_, -low_}, radius_}; }
+  DoubleDouble& operator+=(const DoubleDouble& other) { return *this = *this + other; }
+  DoubleDouble& operator-=(const DoubleDouble& other) { return *this = *this - other; }
+  DoubleDouble& operator*=(const DoubleDouble& other) { return *this = *this * other; }
+  DoubleDouble& operator/=(const DoubleDouble& other) { return *this = *this / other; }
+
+  friend DoubleDouble operator+(const DoubleDouble& a, const DoubleDouble& b);
+  friend DoubleDouble operator-(const DoubleDouble& a, const DoubleDouble& b) { return a + -b; }
+  friend DoubleDouble operator*(const DoubleDouble& a, const DoubleDouble& b);
+  friend DoubleDouble operator/(const DoubleDouble& a, const DoubleDouble& b);
+  friend DoubleDouble abs(const DoubleDouble& a) { return a.high_ < 0 ? -a : a; }
+  /// The square root of a number known not to be negative.
+  friend DoubleDouble sqrt(const DoubleDouble& a);
+
+ private:
+  struct Sum {
+    double high;
+    double low;
+  };
+  DoubleDouble(Sum sum, double radius) : high_(sum.high), low_(sum.low), radius_(radius) {}
+
+  /// a + b exactly (Knuth), unless it overflows.
+  static Sum two_sum(double a, double b) {
+    const double sum = a + b;
+    const double of_b = sum - a;
+    return {sum, (a - (sum - of_b)) + (b - of_b)};
+  }
+  /// More than what underflow takes from an operation on x, or with the result x.
+  static double underflow_of(double x);
+  /// More than what underflow takes from the product or the quotient of a radius.
+  static double underflow_of_radius(double radius);
+  /// An upper bound of a radius of numbers >= 0 that is too small by at most 14 u relatively.
+  static double up(double radius) { return radius * (1 + 0x1p-49); }
+
+  double high_ = 0;
+  double low_ = 0;
+  double radius_ = 0;
+};
+
+/// 16 u^2
+inline constexpr double kDoubleDoubleError = 0x1p-102;
+/// More than what underflow takes from one operation (a few times 2^-1075). Nothing underflows
+/// where operands and result are no smaller: their last bits are at most 2^-107 of them.
+inline constexpr double kDoubleDoubleUnderflow = 0x1p-900;
+
+inline double DoubleDouble::underflow_of(double x) {
+  return std::abs(x) < kDoubleDoubleUnderflow ? kDoubleDoubleUnderflow : 0;
+}
+
+inline double DoubleDouble::underflow_of_radius(double radius) {
+  return radius == 0 ? 0 : std::numeric_limits<double>::min();
+}
+
+/// The errors of the two sums of low parts are known: exact sums stay exact.
+inline DoubleDouble operator+(const DoubleDouble& a, const DoubleDouble& b) {
+  const auto high = DoubleDouble::two_sum(a.high_, b.high_);
+  const auto low = DoubleDouble::two_sum(a.low_, b.low_);
+  const auto rest = DoubleDouble::two_sum(high.low, low.high);
+  const double rounding = std::abs(low.low) + std::abs(rest.low);
+  return {DoubleDouble::two_sum(high.high, rest.high),
+          DoubleDouble::up(a.radius_ + b.radius_ + rounding)};
+}
+
+/// A product of two doubles is exact. Else, with |low| <= u |high| and in units of
+/// u^2 |a.high b.high|: what is left out, a.low b.low, is 1; the roundings of two products are 1
+/// each; of their sum, below 2u, 2; of r, below 3u, 3.
+inline DoubleDouble operator*(const DoubleDouble& a, const DoubleDouble& b) {
+  const double p = a.high_ * b.high_;
+  const double error = std::fma(a.high_, b.high_, -p);
+  const double r = error + (a.high_ * b.low_ + a.low_ * b.high_);
+  const bool is_exact = a.low_ == 0 && b.low_ == 0;
+  const double rounding = is_exact ? 0 : kDoubleDoubleError * std::abs(p);
+  const double carried =
+      std::abs(a.high_) * b.radius_ + std::abs(b.high_) * a.radius_ + a.radius_ * b.radius_;
+  const bool is_zero = a.is_exact_zero() || b.is_exact_zero();
+  const double underflow = is_zero ? 0
+                                   : DoubleDouble::underflow_of(p) +
+                                         DoubleDouble::underflow_of_radius(a.radius_ + b.radius_);
+  return {DoubleDouble::two_sum(p, r), DoubleDouble::up(carried + rounding + underflow)};
+}
+
+/// a/b = q + (a - q b)/b. The remainder a.high - q b.high, below u |a.high|, is exact, and so is a
+/// quotient of doubles that leaves none. Else, in units of u^2 |q|: the rounding of its sum with
+/// a.low, below 2u, is 2; of q b.low 1; of their difference, below 3u, 3; of the last quotient 3;
+/// and dividing by b.high for b, 3.
+/// Operands carry |a'/b' - a/b| <= (a.radius + |a/b| b.radius)/(|b| - b.radius).
+inline DoubleDouble operator/(const DoubleDouble& a, const DoubleDouble& b) {
+  const double q = a.high_ / b.high_;
+  const double remainder = (std::fma(-q, b.high_, a.high_) + a.low_) - q * b.low_;
+  const bool is_exact = a.low_ == 0 && b.low_ == 0 && remainder == 0;
+  const double rounding = is_exact ? 0 : kDoubleDoubleError * std::abs(q);
+  const double size = std::abs(b.high_);
+  // Nothing is known of a quotient by what may be 0.
+  const double distance = b.radius_ < size / 4 ? size - b.radius_ : 0;
+  if (a.is_exact_zero() && distance > 0) return {{q, 0}, 0};
+  const double of_radius = DoubleDouble::underflow_of_radius(a.radius_ + b.radius_);
+  const double carried =
+      (a.radius_ + std::abs(q) * b.radius_ + of_radius + DoubleDouble::underflow_of(a.high_)) /
+      distance;
+  return {DoubleDouble::two_sum(q, remainder / b.high_),
+          DoubleDouble::up(carried + rounding + of_radius + DoubleDouble::underflow_of(q))};
+}
+
+/// sqrt(a) = h + (a - h^2)/(sqrt(a) + h). The remainder a.high - h^2, below 2u h^2, is exact, and
+/// so is the root of a double that leaves none. Else, in units of u^2 h: the rounding of its sum
+/// with a.low, below 3u h^2, is 1.5; of the quotient 1.5; and dividing by 2h for sqrt(a) + h, 1.2.
+/// The operand carries |sqrt(a') - sqrt(a)| <= a.radius/sqrt(a); the root of a negative centre is
+/// NaN, and knows nothing.
+inline DoubleDouble sqrt(const DoubleDouble& a) {
+  if (a.is_exact_zero()) return a;
+  const double h = std::sqrt(a.high_);
+  const double remainder = std::fma(-h, h, a.high_) + a.low_;
+  const double rounding = a.low_ == 0 && remainder == 0 ? 0 : kDoubleDoubleError * h;
+  const double carried = (a.radius_ + DoubleDouble::underflow_of(a.high_)) / h;
+  return {DoubleDouble::two_sum(h, remainder / (2 * h)),
+          DoubleDouble::up(carried + rounding + DoubleDouble::underflow_of_radius(a.radius_))};
+}
+
+}  // namespace raycheck::reference
+
+#endif  // RAYCHECK_REFERENCE_INTERNAL_DOUBLE_DOUBLE_H_

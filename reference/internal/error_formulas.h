@@ -1,0 +1,71 @@
+#ifndef RAYCHECK_REFERENCE_INTERNAL_ERROR_FORMULAS_H_
+#define RAYCHECK_REFERENCE_INTERNAL_ERROR_FORMULAS_H_
+
+// The formulas of reference/error_measure.h and reference/ray_error.h over number types, and the
+// rung of double-doubles that comes before balls. Internal to reference/.
+
+#include <cmath>
+#include <limits>
+#include <optional>
+
+#include "reference/internal/kernels.h"
+
+namespace raycheck::reference {
+
+/// |given - exact| / |exact|
+template <class Number>
+Number relative_distance(const Triple<Number>& given, const Triple<Number>& exact) {
+  return norm(given - exact) / norm(exact);
+}
+
+/// The tangent of the angle between two directions, the exact one unit, whose cosine is given.
+template <class Number>
+Number tangent(const Triple<Number>& given, const Triple<Number>& exact, const Number& cosine) {
+  return norm(cross(given, exact)) / cosine;
+}
+
+/// | |given| - 1 |
+template <class Number>
+Number distance_from_unit(const Triple<Number>& given) {
+  return abs(norm(given) - Number(1));
+}
+
+/// | |point - centre| - radius | / radius
+template <class Number>
+Number distance_from_sphere(const Triple<Number>& point, const Triple<Number>& centre,
+                            const Number& radius) {
+  return abs(norm(point - centre) - radius) / radius;
+}
+
+/// |along x D| / |along|
+template <class Number>
+Number distance_from_line(const Triple<Number>& along, const Triple<Number>& direction) {
+  return norm(cross(along, direction)) / norm(along);
+}
+
+template <class Given>
+Triple<DoubleDouble> in_double_doubles(const Given& given) {
+  return {DoubleDouble(given.x), DoubleDouble(given.y), DoubleDouble(given.z)};
+}
+
+/// An error by double-doubles is reported where its enclosure is that narrow, relatively: the
+/// bound is too large by at most twice that.
+inline constexpr double kErrorWidth = 0x1p-30;
+
+/// An upper bound of an error >= 0 that counts multiples of 2^exponent; empty where double-doubles
+/// leave it too wide.
+inline std::optional<double> narrow_error(const DoubleDouble& error, int exponent) {
+  const double upper = error.upper();
+  const double bound = std::ldexp(upper, -exponent);
+  const bool is_narrow = error.radius() <= kErrorWidth * upper;
+  return is_narrow && std::isfinite(bound) ? std::optional(bound) : std::nullopt;
+}
+
+/// The same in units of u = 2^-53.
+inline std::optional<double> narrow_error_in_u(const DoubleDouble& error) {
+  return narrow_error(error, -std::numeric_limits<double>::digits);
+}
+
+}  // namespace raycheck::reference
+
+#endif  // RAYCHECK_REFERENCE_INTERNAL_ERROR_FORMULAS_H_

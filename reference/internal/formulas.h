@@ -1,0 +1,251 @@
+#ifndef RAYCHECK_REFERENCE_INTERNAL_FORMULAS_H_
+#define RAYCHECK_REFERENCE_INTERNAL_FORMULAS_H_
+
+// The formulas of cameras, rays and spheres, written once over a CGAL kernel K and instantiated
+// with the kernels of reference/internal/kernels.h, the differentiating ones of
+// reference/internal/dual.h and the symbolic one of reference/closed_form.cpp. Internal to
+// reference/.
+
+#include <cstdint>
+
+#include "reference/internal/kernels.h"
+#include "scene/camera.h"
+#include "scene/conventions.h"
+
+namespace raycheck::reference {
+
+// The inputs as numbers of a kernel. Each double is lifted once, in the order of the members.
+template <class K>
+struct CameraInputs {
+  typename K::Vector_3 eye, look_at, up;
+  typename K::FT near, left, right, bottom, top;
+};
+template <class K>
+struct RayInputs {
+  typename K::Vector_3 origin, direction;
+};
+template <class K>
+struct SphereInputs {
+  typename K::Vector_3 centre;
+  typename K::FT radius;
+};
+
+template <class K, class Lift>
+CameraInputs<K> lift_camera(const Lift& lift, const scene::Camera& camera) {
+  return {lift_vector<K>(lift, camera.eye),
+          lift_vector<K>(lift, camera.look_at),
+          lift_vector<K>(lift, camera.up),
+          lift(camera.near),
+          lift(camera.left),
+          lift(camera.right),
+          lift(camera.bottom),
+          lift(camera.top)};
+}
+template <class K, class Lift>
+RayInputs<K> lift_ray(const Lift& lift, const scene::Ray& ray) {
+  return {lift_vector<K>(lift, ray.origin), lift_vector<K>(lift, ray.direction)};
+}
+template <class K, class Lift>
+SphereInputs<K> lift_sphere(const Lift& lift, const scene::Sphere& sphere) {
+  return {lift_vector<K>(lift, sphere.centre), lift(sphere.radius)};
+}
+
+/// The camera axes, orthonormal and right-handed.
+template <class K>
+struct Axes {
+  typename K::Vector_3 U, V, W;
+};
+
+/// W = (E - A)/|E - A|, U = (up x W)/|up x W|, V = W x U. With w = E - A and u = up x w, the only
+/// square roots are |w| and |u|, both of rationals: up x W is u/|w|, and the |w| cancels in U.
+template <class K>
+Axes<K> camera_axes(const CameraInputs<K>& camera) {
+  const typename K::Vector_3 w = camera.eye - camera.look_at;
+  const typename K::Vector_3 u = CGAL::cross_product(camera.up, w);
+  const typename K::Vector_3 W = w / first_root(typename K::FT(w * w));
+  const typename K::Vector_3 U = u / second_root(typename K::FT(u * u));
+  return {U, CGAL::cross_product(W, U), W};
+}
+
+/// A camera under one kernel.
+template <class K>
+struct CameraNumbers {
+  CameraInputs<K> inputs;
+  Axes<K> axes;
+};
+
+template <class K, class Lift>
+CameraNumbers<K> camera_numbers(const Lift& lift, const scene::Camera& camera) {
+  const CameraInputs<K> inputs = lift_camera<K>(lift, camera);
+  return {inputs, camera_axes(inputs)};
+}
+
+/// low + index/(count-1) (high - low), or low + (index+1/2)/count (high - low). Multiplying before
+/// dividing makes the enclosure exact wherever the coordinate is dyadic, 0 above all.
+template <class FT, class Lift>
+FT plane_coordinate(const Lift& lift, const FT& low, const FT& high, std::int64_t index,
+                    std::int64_t count, scene::Samples samples) {
+  const FT extent = high - low;
+  if (samples == scene::Samples::kEdges) {
+    return low + lift_count(lift, index) * extent / lift_count(lift, count - 1);
+  }
+  return low + lift_count(lift, 2 * index + 1) * extent / lift_count(lift, 2 * count);
+}
+
+/// alpha(i) and beta(j) of a pixel.
+template <class FT>
+struct PlanePosition {
+  FT alpha, beta;
+};
+
+template <class K, class Lift>
+PlanePosition<typename K::FT> plane_position(const Lift& lift, const CameraInputs<K>& inputs,
+                                             const scene::Camera& camera,
+                                             const scene::Conventions& conventions,
+                                             const scene::Pixel& pixel) {
+  const std::int64_t row =
+      conventions.rows == scene::Rows::kBottomFirst ? pixel.j : camera.height - 1 - pixel.j;
+  return {
+      plane_coordinate(lift, inputs.left, inputs.right, pixel.i, camera.width, conventions.samples),
+      plane_coordinate(lift, inputs.bottom, inputs.top, row, camera.height, conventions.samples)};
+}
+
+/// n W + alpha U + beta V: from the eye to the pixel point.
+template <class K>
+typename K::Vector_3 to_pixel_point(const typename K::FT& n,
+                                    const PlanePosition<typename K::FT>& position,
+                                    const Axes<K>& axes) {
+  return n * axes.W + position.alpha * axes.U + position.beta * axes.V;
+}
+
+/// The line base + lambda g, with a = |g|^2. From a camera, base = E and g = n W + alpha U + beta
+/// V, so that lambda = 1 is the pixel point P; a = l^2 needs no axes, since they are orthonormal.
+template <class K>
+struct Line {
+  typename K::Vector_3 base;
+  typename K::Vector_3 g;
+  typename K::FT a;
+  bool starts_at_g;  ///< The ray's origin is base + g (a pixel ray) instead of base.
+  bool is_unit;      ///< The ray's direction is g/|g| (a camera's ray) instead of g.
+};
+
+template <class K, class Lift>
+Line<K> camera_line(const Lift& lift, const CameraNumbers<K>& numbers, const scene::Camera& camera,
+                    const scene::Conventions& conventions, const scene::Pixel& pixel) {
+  const auto position = plane_position<K>(lift, numbers.inputs, camera, conventions, pixel);
+  const typename K::FT& n = numbers.inputs.near;
+  return {numbers.inputs.eye, to_pixel_point<K>(n, position, numbers.axes),
+          n * n + position.alpha * position.alpha + position.beta * position.beta,
+          conventions.origin == scene::Origin::kPixel, true};
+}
+
+template <class K>
+Line<K> given_line(const RayInputs<K>& ray) {
+  return {ray.origin, ray.direction, ray.direction * ray.direction, false, false};
+}
+
+/// A line and a sphere: f = C - base.
+template <class K>
+struct LineAndSphere {
+  const Line<K>& line;
+  typename K::Vector_3 f;
+  typename K::FT radius;
+};
+
+template <class K>
+LineAndSphere<K> line_and_sphere(const Line<K>& line, const SphereInputs<K>& sphere) {
+  return {line, sphere.centre - line.base, sphere.radius};
+}
+
+/// T = C - L, L the ray's origin.
+template <class K>
+typename K::Vector_3 to_centre(const LineAndSphere<K>& pair) {
+  return pair.line.starts_at_g ? typename K::Vector_3(pair.f - pair.line.g) : pair.f;
+}
+
+/// The ray meets the sphere at the roots mu of a mu^2 - 2 b mu + c = 0 (L + mu g on the sphere).
+/// b = T.g
+template <class K>
+typename K::FT linear_coefficient(const LineAndSphere<K>& pair) {
+  return to_centre(pair) * pair.line.g;
+}
+
+/// c = |T|^2 - r^2: negative inside the sphere.
+template <class K>
+typename K::FT constant_coefficient(const LineAndSphere<K>& pair) {
+  const typename K::Vector_3 t = to_centre(pair);
+  return typename K::FT(t * t) - pair.radius * pair.radius;
+}
+
+/// b^2 - a c, by Lagrange's identity a r^2 - |f x g|^2, which does not cancel for far spheres and
+/// is the same wherever on the line the ray starts.
+template <class K>
+typename K::FT discriminant(const LineAndSphere<K>& pair) {
+  const typename K::Vector_3 moment = CGAL::cross_product(pair.f, pair.line.g);
+  return pair.line.a * pair.radius * pair.radius - typename K::FT(moment * moment);
+}
+
+// A ray's values, where numbers have square roots.
+
+/// The ray's origin: P, or E, or a given ray's own.
+template <class K>
+typename K::Vector_3 ray_origin(const Line<K>& line) {
+  return line.starts_at_g ? typename K::Vector_3(line.base + line.g) : line.base;
+}
+
+/// |g|: l = |P - E| of a camera's ray.
+template <class K>
+typename K::FT ray_length(const Line<K>& line) {
+  using CGAL::sqrt;
+  return sqrt(line.a);
+}
+
+/// D
+template <class K>
+typename K::Vector_3 unit_direction(const Line<K>& line) {
+  return line.g / ray_length(line);
+}
+
+/// v = T.D
+template <class K>
+typename K::FT axial_distance(const LineAndSphere<K>& pair) {
+  return linear_coefficient(pair) / ray_length(pair.line);
+}
+
+/// d^2 = r^2 - (|T|^2 - v^2)
+template <class K>
+typename K::FT half_chord_sq(const LineAndSphere<K>& pair) {
+  return discriminant(pair) / pair.line.a;
+}
+
+/// middle -+ sqrt(half_sq), by the root's sign; a tangent's is 0.
+template <class FT>
+FT root_of(const FT& middle, const FT& half_sq, int root_sign) {
+  using CGAL::sqrt;
+  if (root_sign == 0) return middle;
+  return root_sign < 0 ? FT(middle - sqrt(half_sq)) : FT(middle + sqrt(half_sq));
+}
+
+/// (v -+ d) |g|
+template <class K>
+typename K::FT scaled_distance(const LineAndSphere<K>& pair, int root_sign) {
+  return root_of(linear_coefficient(pair), discriminant(pair), root_sign);
+}
+
+/// s: v -+ d of a camera's ray, (v -+ d)/|g| of a given one.
+template <class K>
+typename K::FT ray_parameter(const LineAndSphere<K>& pair, int root_sign) {
+  const typename K::FT numerator = scaled_distance(pair, root_sign);
+  return numerator / (pair.line.is_unit ? ray_length(pair.line) : pair.line.a);
+}
+
+/// Q = L + s D
+template <class K>
+typename K::Vector_3 hit_point(const LineAndSphere<K>& pair, int root_sign) {
+  const typename K::FT mu = scaled_distance(pair, root_sign) / pair.line.a;
+  return ray_origin(pair.line) + mu * pair.line.g;
+}
+
+}  // namespace raycheck::reference
+
+#endif  // RAYCHECK_REFERENCE_INTERNAL_FORMULAS_H_

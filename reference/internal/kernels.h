@@ -1,0 +1,117 @@
+#ifndef RAYCHECK_REFERENCE_INTERNAL_KERNELS_H_
+#define RAYCHECK_REFERENCE_INTERNAL_KERNELS_H_
+
+// The number types under which the formulas of reference/internal/formulas.h are instantiated.
+// Internal to reference/: it brings in CGAL.
+
+#include <CGAL/Interval_nt.h>
+#include <CGAL/Simple_cartesian.h>
+#include <CGAL/Sqrt_extension.h>
+#include <CGAL/boost_mp.h>
+
+#include <boost/multiprecision/gmp.hpp>
+#include <cstdint>
+#include <optional>
+
+#include "reference/enclosure.h"
+#include "reference/internal/double_double.h"
+#include "scene/geometry.h"
+
+namespace raycheck::reference {
+
+/// The filter: doubles with directed rounding. Valid only while an IntervalGuard lives.
+using Interval = CGAL::Interval_nt<false>;
+using IntervalGuard = CGAL::Protect_FPU_rounding<true>;
+using IntervalKernel = CGAL::Simple_cartesian<Interval>;
+
+/// Between intervals and balls: double-doubles. Valid only while a NearestGuard lives, which makes
+/// doubles round to nearest whatever the caller's rounding mode is.
+using DoubleDoubleKernel = CGAL::Simple_cartesian<DoubleDouble>;
+class NearestGuard : CGAL::Protect_FPU_rounding<true> {
+ public:
+  NearestGuard() : Protect_FPU_rounding(CGAL_FE_TONEAREST) {}
+};
+
+using EnclosureKernel = CGAL::Simple_cartesian<Enclosure>;
+
+/// The exact field Q(sqrt |w|^2, sqrt |u|^2): rationals with two square roots adjoined in turn.
+/// Rationals are values (no shared reference counts), so that objects may be read from any thread.
+using Rational = boost::multiprecision::number<boost::multiprecision::gmp_rational,
+                                               boost::multiprecision::et_off>;
+using Integer =
+    boost::multiprecision::number<boost::multiprecision::gmp_int, boost::multiprecision::et_off>;
+using FirstExtension = CGAL::Sqrt_extension<Rational, Rational>;
+using ExactNumber = CGAL::Sqrt_extension<FirstExtension, Rational>;
+using ExactKernel = CGAL::Simple_cartesian<ExactNumber>;
+
+// How a double becomes a number of each kind, exactly: an input, and a constant of a formula.
+struct IntervalLift {
+  Interval operator()(double value) const { return Interval(value); }
+  Interval constant(double value) const { return Interval(value); }
+};
+struct DoubleDoubleLift {
+  DoubleDouble operator()(double value) const { return DoubleDouble(value); }
+  DoubleDouble constant(double value) const { return DoubleDouble(value); }
+};
+struct EnclosureLift {
+  int bits;
+  double relative_change = 0;  ///< Each input is known only to within this relative change.
+  Enclosure operator()(double value) const {
+    return Enclosure::within(value, relative_change, bits);
+  }
+  Enclosure constant(double value) const { return Enclosure(value, bits); }
+};
+struct ExactLift {
+  ExactNumber operator()(double value) const {
+    return ExactNumber(FirstExtension(Rational(value)));
+  }
+  ExactNumber constant(double value) const { return (*this)(value); }
+};
+
+/// A count of pixels or an index, exactly: they are below 2^31 (scene::kMostPixelsAcross).
+template <class Lift>
+auto lift_count(const Lift& lift, std::int64_t count) {
+  return lift.constant(static_cast<double>(count));
+}
+
+// The two square roots that a camera adjoins. Where numbers approximate, they are evaluated; in the
+// exact field they are the generators (or rationals, where the radicand is a perfect square).
+inline Interval first_root(const Interval& radicand) { return CGAL::sqrt(radicand); }
+inline Interval second_root(const Interval& radicand) { return CGAL::sqrt(radicand); }
+inline Enclosure first_root(const Enclosure& radicand) { return sqrt(radicand); }
+inline Enclosure second_root(const Enclosure& radicand) { return sqrt(radicand); }
+ExactNumber first_root(const ExactNumber& rational);
+ExactNumber second_root(const ExactNumber& rational);
+
+// The sign, where it is certain.
+inline std::optional<int> certain_sign(const Interval& value) {
+  if (value.inf() > 0) return 1;
+  if (value.sup() < 0) return -1;
+  if (value.inf() == 0 && value.sup() == 0) return 0;
+  return std::nullopt;
+}
+inline std::optional<int> certain_sign(const DoubleDouble& value) { return value.certain_sign(); }
+inline std::optional<int> certain_sign(const Enclosure& value) { return value.certain_sign(); }
+std::optional<int> certain_sign(const ExactNumber& value);
+
+/// The sign of p + q sqrt(x) + r sqrt(y) for x, y >= 0, where it is certain.
+template <class Approximate>
+std::optional<int> sign_of_radical_sum(const Approximate& p, const Approximate& q,
+                                       const Approximate& x, const Approximate& r,
+                                       const Approximate& y) {
+  using CGAL::sqrt;
+  return certain_sign(p + q * sqrt(x) + r * sqrt(y));
+}
+/// In the field by squaring: no root is ever evaluated.
+std::optional<int> sign_of_radical_sum(const ExactNumber& p, const ExactNumber& q,
+                                       const ExactNumber& x, const ExactNumber& r,
+                                       const ExactNumber& y);
+
+template <class K, class Lift, class Triple>
+typename K::Vector_3 lift_vector(const Lift& lift, const Triple& value) {
+  return {lift(value.x), lift(value.y), lift(value.z)};
+}
+
+}  // namespace raycheck::reference
+
+#endif  // RAYCHECK_REFERENCE_INTERNAL_KERNELS_H_

@@ -1,0 +1,70 @@
+#ifndef RAYCHECK_REFERENCE_INTERNAL_ROUNDING_H_
+#define RAYCHECK_REFERENCE_INTERNAL_ROUNDING_H_
+
+// From a way to enclose a number at any precision, and a way to compare it exactly with a rational,
+// to a narrow enclosure and to the correctly rounded double. Internal to reference/.
+
+#include <bit>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+
+#include "reference/internal/kernels.h"
+
+namespace raycheck::reference {
+
+inline constexpr int kFirstBits = 128;
+
+/// Narrows `enclosure`, a first one, about as narrow as enclose(kFirstBits), to relative width
+/// 2^-relative_bits. Refining an enclosure of 0 would never end, so zero is asked of `compare`, the
+/// exact sign of x - rational.
+template <class Enclose, class Compare>
+Enclosure narrow(Enclosure enclosure, int relative_bits, Enclose enclose, Compare compare) {
+  bool known_nonzero = false;
+  for (int bits = kFirstBits;;) {
+    if (enclosure.contains_zero() && !known_nonzero) {
+      if (enclosure.certain_sign() == 0) return enclosure;
+      if (compare(Rational(0)) == 0) return Enclosure(0);
+      known_nonzero = true;
+    }
+    if (enclosure.is_within(relative_bits)) return enclosure;
+    bits *= 2;
+    enclosure = enclose(bits);
+  }
+}
+
+/// The midpoint of two neighbouring doubles; the neighbour above the largest is 2^1024.
+inline Rational midpoint(double low, double high) {
+  const auto exact = [](double value) {
+    if (std::isfinite(value)) return Rational(value);
+    const Rational beyond = Rational(std::ldexp(1.0, 1023)) * 2;
+    return value > 0 ? beyond : Rational(-beyond);
+  };
+  return (exact(low) + exact(high)) / 2;
+}
+
+/// The double nearest to x, ties to even.
+template <class Enclose, class Compare>
+double round_to_nearest(Enclosure enclosure, Enclose enclose, Compare compare) {
+  constexpr double kInfinity = std::numeric_limits<double>::infinity();
+  bool known_nonzero = false;
+  for (int bits = kFirstBits;;) {
+    const double low = enclosure.lower_rounded();
+    const double high = enclosure.upper_rounded();
+    if (low == high) return low == 0 ? 0.0 : low;
+    if (enclosure.contains_zero()) {
+      if (!known_nonzero && compare(Rational(0)) == 0) return 0.0;
+      known_nonzero = true;
+    } else if (std::nextafter(low, kInfinity) == high) {
+      const int side = compare(midpoint(low, high));
+      if (side != 0) return side < 0 ? low : high;
+      return (std::bit_cast<std::uint64_t>(low) & 1) == 0 ? low : high;
+    }
+    bits *= 2;
+    enclosure = enclose(bits);
+  }
+}
+
+}  // namespace raycheck::reference
+
+#endif  // RAYCHECK_REFERENCE_INTERNAL_ROUNDING_H_

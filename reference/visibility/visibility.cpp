@@ -1,0 +1,196 @@
+#include "reference/visibility/visibility.h"
+
+#include <tbb/parallel_for.h>
+#include <tbb/task_arena.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <stdexcept>
+#include <string>
+#include <utility>
+
+#include "reference/visibility/visibility_impl.h"
+
+namespace raycheck::reference {
+
+using scene::Bounds;
+
+static_assert(Visibility::kBandRows == Tile::kHeight);
+
+namespace {
+
+/// Lengths below 2^this, their sums and differences are in the range of doubles.
+constexpr int kLargestExponent = 1000;
+
+/// Whether a length that was divided by 2^exponent is below 2^kLargestExponent.
+bool fits(double length, int exponent) {
+  return length == 0 || (std::isfinite(length) && std::ilogb(length) + exponent < kLargestExponent);
+}
+
+}  // namespace
+
+Visibility::Impl::Impl(const scene::Scene& its_scene, scene::ScenePlan its_plan)
+    : scene(its_scene),
+      plan(std::move(its_plan)),
+      camera(scene.camera.value(), plan.conventions),
+      width(scene.camera->width),
+      height(scene.camera->height),
+      near(middle(plan.eye.near())),
+      positions(plan.spheres.size()) {
+  std::vector<Bounds> columns, rows;
+  for (std::int64_t i = 0; i < width; ++i) {
+    columns.push_back(plan.eye.alpha(static_cast<double>(i)));
+    alpha.push_back(middle(columns.back()));
+  }
+  for (std::int64_t j = 0; j < height; ++j) {
+    rows.push_back(plan.eye.beta(static_cast<double>(j)));
+    beta.push_back(middle(rows.back()));
+  }
+  alpha.resize(static_cast<std::size_t>((width - 1) / Tile::kWidth + 1) * Tile::kWidth,
+               alpha.back());
+  sizes = plane_sizes(columns, rows, plan.eye.near());
+
+  const bool from_pixels = plan.conventions.origin == scene::Origin::kPixel;
+  const auto& [plane, lengths] = plan.eye.scaling();
+  start_factor = from_pixels ? std::ldexp(1.0, plane - lengths) : 0;
+  const auto axis = [this](const scene::EyeSpace::Axis& of) {
+    for (const Bounds& x : of) axis_doubt = std::max(axis_doubt, half_width(x));
+    return std::array<double, 3>{middle(of[0]), middle(of[1]), middle(of[2])};
+  };
+  const scene::Point3& eye = scene.camera->eye;
+  scale = {std::ldexp(1.0, lengths), from_pixels ? std::ldexp(1.0, plane) : 0,
+           {eye.x, eye.y, eye.z},    axis(plan.eye.U()),
+           axis(plan.eye.V()),       axis(plan.eye.W())};
+
+  std::vector<std::size_t> order;
+  for (std::size_t k = 0; k < plan.spheres.size(); ++k) {
+    if (!plan.spheres[k].pixels.empty()) order.push_back(k);
+  }
+  std::stable_sort(order.begin(), order.end(), [this](std::size_t a, std::size_t b) {
+    return plan.spheres[a].nearest_distance < plan.spheres[b].nearest_distance;
+  });
+  const bool scales_fit = std::isnormal(scale.lengths) && std::isnormal(std::ldexp(1.0, plane)) &&
+                          (!from_pixels || std::isnormal(start_factor)) &&
+                          fits(std::sqrt(sizes.A), plane) &&
+                          fits(std::max({std::abs(eye.x), std::abs(eye.y), std::abs(eye.z)}), 0);
+  for (const std::size_t k : order) {
+    const scene::EyeSphere& seen = plan.spheres[k].seen;
+    const bool answers_fit = fits(std::sqrt(seen.distance_sq.high) + seen.radius.high, lengths);
+    spheres.push_back(filtered(plan.spheres[k], k, sizes));
+    rectangles.push_back(plan.spheres[k].pixels);
+    spheres.back().exact =
+        spheres.back().exact || !scales_fit || !answers_fit || !plan.items.filter;
+    positions[k] = spheres.size() - 1;
+  }
+  distribute(
+      spheres.size(), static_cast<std::size_t>((height - 1) / kBandRows + 1),
+      [this](std::size_t k) {
+        return blocks(rectangles[k].j_begin, rectangles[k].j_end, Tile::kHeight);
+      },
+      bands);
+}
+
+RowsInTiles::RowsInTiles(const Visibility::Impl& impl, std::int64_t j_begin, std::int64_t j_end)
+    : impl_(impl), j_begin_(j_begin), j_end_(j_end) {
+  if (j_begin < 0 || j_begin > j_end || j_end > impl.height) {
+    throw std::invalid_argument("rows " + std::to_string(j_begin) + " to " + std::to_string(j_end) +
+                                ": the image has " + std::to_string(impl.height));
+  }
+}
+
+void RowsInTiles::require_fit(std::size_t size) const {
+  if (size != 0 && size != pixels()) {
+    throw std::invalid_argument("an array of " + std::to_string(size) + " for " +
+                                std::to_string(pixels()) + " pixels");
+  }
+}
+
+TileRectangle RowsInTiles::within_tile(const scene::PixelRectangle& pixels, std::size_t band,
+                                       std::size_t tile) const {
+  const auto clamp = [](std::int64_t x, int low, int high) {
+    return static_cast<int>(std::clamp<std::int64_t>(x, low, high));
+  };
+  const std::int64_t i = first_column(tile), j = first_row(band);
+  return {clamp(pixels.i_begin - i, 0, Tile::kWidth), clamp(pixels.i_end - i, 0, Tile::kWidth),
+          clamp(pixels.j_begin - j, row_begin_, row_end_),
+          clamp(pixels.j_end - j, row_begin_, row_end_)};
+}
+
+TileRays RowsInTiles::rays_of(std::size_t band, std::size_t tile) const {
+  TileRays rays;
+  rays.alpha = impl_.alpha.data() + first_column(tile);
+  const auto least = [](double x, double y) { return x * y <= 0 ? 0 : std::min(x * x, y * y); };
+  const std::int64_t j = first_row(band);
+  const auto rows = std::min<std::int64_t>(Tile::kHeight, impl_.height - j);
+  for (std::int64_t row = 0; row < rows; ++row) {
+    rays.beta[static_cast<std::size_t>(row)] = impl_.beta[static_cast<std::size_t>(j + row)];
+  }
+  rays.near = impl_.near;
+  rays.start_factor = impl_.start_factor;
+  rays.start_margin = 2 * impl_.start_factor * impl_.sizes.E_a;
+  const double least_sq = impl_.near * impl_.near +
+                          least(rays.alpha[0], rays.alpha[Tile::kWidth - 1]) +
+                          least(rays.beta[0], rays.beta[static_cast<std::size_t>(rows - 1)]);
+  rays.least_length = std::sqrt(std::max(0.0, least_sq - impl_.sizes.E_a));
+  rays.larger_counts = impl_.plan.conventions.root == scene::Root::kNearest;
+  return rays;
+}
+
+Visibility::Visibility(const scene::Scene& scene, scene::ScenePlan plan)
+    : impl_(std::make_unique<const Impl>(scene, std::move(plan))) {}
+Visibility::~Visibility() = default;
+Visibility::Visibility(Visibility&&) noexcept = default;
+
+const scene::Scene& Visibility::scene() const { return impl_->scene; }
+const scene::ScenePlan& Visibility::plan() const { return impl_->plan; }
+
+DecidedBy Visibility::nearest(std::int64_t j_begin, std::int64_t j_end,
+                              const SeenRows& rows) const {
+  return nearest_of_rows(*impl_, j_begin, j_end, rows, Certified::kYes);
+}
+
+void Visibility::nearest_uncertified(std::int64_t j_begin, std::int64_t j_end,
+                                     const SeenRows& rows) const {
+  nearest_of_rows(*impl_, j_begin, j_end, rows, Certified::kNo);
+}
+
+DecidedBy Visibility::classes(std::size_t sphere, std::int64_t j_begin, std::int64_t j_end,
+                              std::span<HitClass> classes) const {
+  return classes_of_rows(*impl_, sphere, j_begin, j_end, classes);
+}
+
+DecidedBy& DecidedBy::operator+=(const DecidedBy& other) {
+  filter += other.filter;
+  for (std::size_t k = 0; k < rungs.size(); ++k) rungs[k] += other.rungs[k];
+  return *this;
+}
+
+DecidedBy nearest_in_parallel(const Visibility& visibility, std::int64_t j_begin,
+                              std::int64_t j_end, const SeenRows& rows, int threads) {
+  constexpr std::int64_t kRows = Visibility::kBandRows;
+  const auto width = static_cast<std::size_t>(visibility.scene().camera->width);
+  const std::int64_t first_band = j_begin / kRows;
+  const std::int64_t bands = j_end > j_begin ? (j_end - 1) / kRows - first_band + 1 : 0;
+  std::vector<DecidedBy> decided_by(static_cast<std::size_t>(bands));
+  const auto band_rows = [&](std::int64_t band) {
+    const std::int64_t begin = std::max(j_begin, (first_band + band) * kRows);
+    const std::int64_t end = std::min(j_end, (first_band + band + 1) * kRows);
+    const auto part = [&](auto array) {
+      return array.empty() ? array
+                           : array.subspan(static_cast<std::size_t>(begin - j_begin) * width,
+                                           static_cast<std::size_t>(end - begin) * width);
+    };
+    decided_by[static_cast<std::size_t>(band)] =
+        visibility.nearest(begin, end,
+                           {part(rows.sphere), part(rows.parameter), part(rows.point_x),
+                            part(rows.point_y), part(rows.point_z)});
+  };
+  // More threads than cores would only make oneTBB warn.
+  tbb::task_arena arena(std::min(threads, tbb::this_task_arena::max_concurrency()));
+  arena.execute([&] { tbb::parallel_for(std::int64_t{0}, bands, band_rows); });
+  return std::accumulate(decided_by.begin(), decided_by.end(), DecidedBy{},
+                         [](DecidedBy sum, const DecidedBy& band) { return sum += band; });
+}
+
+}  // namespace raycheck::reference

@@ -1,0 +1,92 @@
+#ifndef RAYCHECK_REFERENCE_VISIBILITY_VISIBILITY_H_
+#define RAYCHECK_REFERENCE_VISIBILITY_VISIBILITY_H_
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "reference/exact_ray.h"
+#include "scene/plan/plan.h"
+#include "scene/scene.h"
+
+namespace raycheck::reference {
+
+/// The sphere of a pixel whose ray meets none, its parameter and its coordinates of Q.
+inline constexpr std::int32_t kNoSphere = -1;
+inline constexpr double kNoParameter = std::numeric_limits<double>::infinity();
+
+/// Rows of what is seen, row by row; arrays that are empty are not wanted.
+struct SeenRows {
+  std::span<std::int32_t> sphere;  ///< The nearest sphere; the first in the file among equals.
+  std::span<double> parameter;     ///< s
+  std::span<double> point_x, point_y, point_z;  ///< Q, all or none of them.
+};
+
+/// How many pixels were decided how.
+struct DecidedBy {
+  std::uint64_t filter = 0;  ///< Doubles, within bounds on their errors.
+  /// ExactRay, by the highest rung that a pixel's decisions took (index: Rung).
+  std::array<std::uint64_t, 4> rungs{};
+
+  std::uint64_t fallback() const { return rungs[0] + rungs[1] + rungs[2] + rungs[3]; }
+  DecidedBy& operator+=(const DecidedBy& other);
+  bool operator==(const DecidedBy&) const = default;
+};
+
+/// What the pixels of an image see, with every decision right: hit or miss, in front or behind,
+/// which sphere is nearer.
+/// Shape:  rows j_begin <= j < j_end of a camera's image -> one answer a pixel, in (j, i) order.
+/// Units:  scene lengths.
+/// Domain: what its plan was made for: fewer than 2^31 spheres; a plan of another scene is an error
+///         that is not noticed. Arrays that do not fit throw std::invalid_argument.
+/// Error:  no decision is wrong. A tangent counts as a hit unless the convention is `miss`. s is
+///         within kVisibleParameterError |Q - E|, far from silhouettes within some u of it, and
+///         correctly rounded where the filter did not decide; Q is within kVisibleParameterError
+///         |Q - E| + 4u |Q| a coordinate.
+/// Thread safety: const functions may be called from several threads.
+/// Source: reference/internal/formulas.h; the filter's bound is proved in
+/// reference/visibility/visibility_kernel.h.
+class Visibility {
+ public:
+  struct Impl;
+
+  Visibility(const scene::Scene& scene, scene::ScenePlan plan);
+  ~Visibility();
+  Visibility(Visibility&&) noexcept;
+
+  const scene::Scene& scene() const;
+  const scene::ScenePlan& plan() const;
+
+  /// The nearest sphere of every pixel.
+  DecidedBy nearest(std::int64_t j_begin, std::int64_t j_end, const SeenRows& rows) const;
+  /// The same without any certificate: the filter's doubles, right or wrong. What certainty costs
+  /// is measured against it.
+  void nearest_uncertified(std::int64_t j_begin, std::int64_t j_end, const SeenRows& rows) const;
+  /// The class of every pixel against one sphere.
+  DecidedBy classes(std::size_t sphere, std::int64_t j_begin, std::int64_t j_end,
+                    std::span<HitClass> classes) const;
+
+  /// Rows that are decided together: a whole number of them at a time costs least.
+  static constexpr std::int64_t kBandRows = 16;
+
+ private:
+  std::unique_ptr<const Impl> impl_;
+};
+
+/// The largest error of s, as a share of the distance between the eye and the hit point; or the
+/// least double, where that is larger.
+inline constexpr double kVisibleParameterError = 0x1p-20;
+
+/// Visibility::nearest by several threads. Bands are independent of each other, so that the answer
+/// does not depend on how many.
+/// Domain: threads >= 1
+DecidedBy nearest_in_parallel(const Visibility& visibility, std::int64_t j_begin,
+                              std::int64_t j_end, const SeenRows& rows, int threads);
+
+}  // namespace raycheck::reference
+
+#endif  // RAYCHECK_REFERENCE_VISIBILITY_VISIBILITY_H_

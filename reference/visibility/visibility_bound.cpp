@@ -1,0 +1,67 @@
+#include "reference/visibility/visibility_bound.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+
+namespace raycheck::reference {
+namespace {
+
+using scene::Bounds;
+
+double magnitude(const Bounds& x) { return std::max(std::abs(x.low), std::abs(x.high)); }
+
+constexpr double kUnitRoundoff = 0x1p-53;
+/// What computing bounds in doubles may lose.
+constexpr double kSlack = 1.01;
+
+}  // namespace
+
+PlaneSizes plane_sizes(const std::vector<Bounds>& alpha, const std::vector<Bounds>& beta,
+                       const Bounds& near) {
+  PlaneSizes sizes;
+  sizes.N = magnitude(near);
+  sizes.delta = half_width(near);
+  for (const Bounds& x : alpha) {
+    sizes.X = std::max(sizes.X, magnitude(x));
+    sizes.delta = std::max(sizes.delta, half_width(x));
+  }
+  for (const Bounds& y : beta) {
+    sizes.Y = std::max(sizes.Y, magnitude(y));
+    sizes.delta = std::max(sizes.delta, half_width(y));
+  }
+  const double I_a =
+      2 * (sizes.N + sizes.X + sizes.Y) * sizes.delta + 3 * sizes.delta * sizes.delta;
+  sizes.A = kSlack * (sizes.N * sizes.N + sizes.X * sizes.X + sizes.Y * sizes.Y + I_a);
+  sizes.E_a = kSlack * (4 * kUnitRoundoff * sizes.A + I_a);
+  return sizes;
+}
+
+FilteredSphere filtered(const scene::SpherePlan& plan, std::size_t index, const PlaneSizes& sizes) {
+  FilteredSphere sphere;
+  sphere.u = middle(plan.seen.u);
+  sphere.v = middle(plan.seen.v);
+  sphere.w = middle(plan.seen.w);
+  sphere.power = middle(plan.seen.power);
+  sphere.nearest_distance = plan.nearest_distance;
+  sphere.index = static_cast<std::int32_t>(index);
+  sphere.roots_matter = plan.origin_inside || plan.reaches_behind;
+  const auto& [N, X, Y, delta, A, E_a] = sizes;
+  const double rho =
+      std::max({half_width(plan.seen.u), half_width(plan.seen.v), half_width(plan.seen.w)});
+  const double u = std::abs(sphere.u), v = std::abs(sphere.v), w = std::abs(sphere.w);
+  const double c = std::abs(sphere.power);
+  const double I_b = (N + X + Y) * rho + delta * (u + v + w + 3 * rho);
+  const double B = kSlack * (N * w + Y * v + X * u + I_b);
+  const double E_b = kSlack * (4 * kUnitRoundoff * B + I_b);
+  const double E =
+      kSlack * (2.2 * B * E_b + 2.2 * kUnitRoundoff * B * B +
+                c * (1.1 * E_a + 2.2 * kUnitRoundoff * A) + 1.1 * half_width(plan.seen.power) * A);
+  sphere.decided = kDecidedBeyond * E;
+  sphere.root_margin = kSlack * (E_b + 0.52 * std::sqrt(E / kDecidedBeyond) +
+                                 4 * kUnitRoundoff * (B + std::sqrt(B * B + c * A)));
+  sphere.exact = !(E >= kLeastBound && sphere.decided <= kLargestBound);
+  return sphere;
+}
+
+}  // namespace raycheck::reference

@@ -1,0 +1,136 @@
+#ifndef RAYCHECK_REFERENCE_VISIBILITY_VISIBILITY_IMPL_H_
+#define RAYCHECK_REFERENCE_VISIBILITY_VISIBILITY_IMPL_H_
+
+// What Visibility keeps of a scene, and the walk over bands and tiles that its questions share.
+// Internal to reference/.
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <numeric>
+#include <optional>
+#include <span>
+#include <utility>
+#include <vector>
+
+#include "reference/exact_camera.h"
+#include "reference/visibility/visibility.h"
+#include "reference/visibility/visibility_bound.h"
+#include "reference/visibility/visibility_kernel.h"
+
+namespace raycheck::reference {
+
+/// Lists by band (or tile) in one array: those of k are items[begin[k]] to items[begin[k + 1]].
+struct Lists {
+  std::vector<std::uint32_t> items;
+  std::vector<std::size_t> begin;
+
+  std::span<const std::uint32_t> of(std::size_t k) const {
+    return std::span(items).subspan(begin[k], begin[k + 1] - begin[k]);
+  }
+};
+
+/// Sorts `count` items into lists, in order; item k goes to lists first to last of places(k).
+template <class Places>
+void distribute(std::size_t count, std::size_t lists, const Places& places, Lists& result) {
+  result.begin.assign(lists + 1, 0);
+  for (std::size_t k = 0; k < count; ++k) {
+    const auto [first, last] = places(k);
+    for (std::size_t list = first; list < last; ++list) ++result.begin[list + 1];
+  }
+  std::partial_sum(result.begin.begin(), result.begin.end(), result.begin.begin());
+  result.items.resize(result.begin.back());
+  std::vector<std::size_t> next(result.begin.begin(), result.begin.end() - 1);
+  for (std::size_t k = 0; k < count; ++k) {
+    const auto [first, last] = places(k);
+    for (std::size_t list = first; list < last; ++list) {
+      result.items[next[list]++] = static_cast<std::uint32_t>(k);
+    }
+  }
+}
+
+/// The first, and one past the last, of the blocks of that size that begin to end touch.
+inline std::pair<std::size_t, std::size_t> blocks(std::int64_t begin, std::int64_t end, int size) {
+  return {static_cast<std::size_t>(begin / size), static_cast<std::size_t>((end - 1) / size + 1)};
+}
+
+struct Visibility::Impl {
+  Impl(const scene::Scene& its_scene, scene::ScenePlan its_plan);
+
+  scene::Scene scene;
+  scene::ScenePlan plan;
+  ExactCamera camera;
+  std::int64_t width, height;
+  PlaneSizes sizes;
+  std::vector<double> alpha, beta;  ///< alpha padded to whole tiles.
+  double near;
+  double start_factor;
+  TileScale scale;
+  double axis_doubt = 0;  ///< The largest half of a width of U, V, W along the world's axes.
+  /// By nearest distance; their rectangles; those of each band.
+  std::vector<FilteredSphere> spheres;
+  std::vector<scene::PixelRectangle> rectangles;
+  Lists bands;
+  /// Where a sphere of the scene is among them; empty: nothing of it is seen.
+  std::vector<std::optional<std::size_t>> positions;
+};
+
+/// Some rows of the image, as bands of kBandRows rows and tiles of their columns.
+class RowsInTiles {
+ public:
+  /// Throws std::invalid_argument where the image has no such rows.
+  RowsInTiles(const Visibility::Impl& impl, std::int64_t j_begin, std::int64_t j_end);
+
+  std::size_t pixels() const { return static_cast<std::size_t>((j_end_ - j_begin_) * impl_.width); }
+  /// Throws std::invalid_argument unless an array of that size is empty or has a place for each
+  /// pixel.
+  void require_fit(std::size_t size) const;
+
+  template <class Body>
+  void for_each_band(Body body) {
+    for (std::int64_t j = j_begin_ / Visibility::kBandRows * Visibility::kBandRows; j < j_end_;
+         j += Visibility::kBandRows) {
+      row_begin_ = static_cast<int>(std::max(j, j_begin_) - j);
+      row_end_ = static_cast<int>(std::min(j + Visibility::kBandRows, j_end_) - j);
+      body(static_cast<std::size_t>(j / Visibility::kBandRows));
+    }
+  }
+
+  std::int64_t first_row(std::size_t band) const {
+    return static_cast<std::int64_t>(band) * Visibility::kBandRows;
+  }
+  static std::int64_t first_column(std::size_t tile) {
+    return static_cast<std::int64_t>(tile) * Tile::kWidth;
+  }
+  int columns_of(std::size_t tile) const {
+    return static_cast<int>(std::min<std::int64_t>(Tile::kWidth, impl_.width - first_column(tile)));
+  }
+  std::size_t output_at(std::size_t band, int row, std::size_t tile) const {
+    return static_cast<std::size_t>((first_row(band) + row - j_begin_) * impl_.width +
+                                    first_column(tile));
+  }
+
+  /// Rows of the band at hand, counted from its first.
+  int row_begin() const { return row_begin_; }
+  int row_end() const { return row_end_; }
+
+  /// The part of a rectangle that lies in a tile's wanted rows.
+  TileRectangle within_tile(const scene::PixelRectangle& pixels, std::size_t band,
+                            std::size_t tile) const;
+  TileRays rays_of(std::size_t band, std::size_t tile) const;
+
+ private:
+  const Visibility::Impl& impl_;
+  std::int64_t j_begin_, j_end_;
+  int row_begin_ = 0, row_end_ = 0;
+};
+
+// The questions of Visibility.
+DecidedBy nearest_of_rows(const Visibility::Impl& impl, std::int64_t j_begin, std::int64_t j_end,
+                          const SeenRows& rows, Certified certified);
+DecidedBy classes_of_rows(const Visibility::Impl& impl, std::size_t sphere, std::int64_t j_begin,
+                          std::int64_t j_end, std::span<HitClass> classes);
+
+}  // namespace raycheck::reference
+
+#endif  // RAYCHECK_REFERENCE_VISIBILITY_VISIBILITY_IMPL_H_

@@ -1,0 +1,297 @@
+#include "reference/visibility/visibility_kernel.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "reference/visibility/visibility_kernel.cpp"
+#include <hwy/foreach_target.h>  // IWYU pragma: keep
+#include <hwy/highway.h>
+
+HWY_BEFORE_NAMESPACE();
+namespace raycheck::reference {
+namespace HWY_NAMESPACE {
+
+namespace hn = hwy::HWY_NAMESPACE;
+using D = hn::CappedTag<double, 8>;
+using V = hn::Vec<D>;
+using M = hn::Mask<D>;
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+HWY_INLINE void mark_undecided(D d, M undecided, int row, int column, Tile& tile) {
+  std::uint8_t bits[8] = {};
+  hn::StoreMaskBits(d, undecided, bits);
+  tile.undecided[static_cast<std::size_t>(row)] |= std::uint64_t{bits[0]} << column;
+}
+
+/// The roots' numerators where the sphere is met for certain, in front for certain.
+struct Met {
+  V numerator;
+  M hit;
+  M undecided;
+};
+
+/// Which root counts, of lines that meet the sphere at m = b -+ q.
+template <Certified kCertified>
+HWY_INLINE Met choose_root(D d, V b, V q, V a, M met, M undecided, V root_margin,
+                           const TileRays& rays) {
+  const V start = hn::Mul(hn::Set(d, rays.start_factor), a);
+  const V margin = kCertified == Certified::kYes
+                       ? hn::Add(root_margin, hn::Set(d, rays.start_margin))
+                       : hn::Zero(d);
+  const V smaller = hn::Sub(hn::Sub(b, q), start);
+  const V larger = hn::Sub(hn::Add(b, q), start);
+  const M smaller_in_front =
+      kCertified == Certified::kYes ? hn::Gt(smaller, margin) : hn::Ge(smaller, margin);
+  const M larger_in_front =
+      kCertified == Certified::kYes ? hn::Gt(larger, margin) : hn::Ge(larger, margin);
+  const M smaller_behind = hn::Lt(smaller, hn::Neg(margin));
+  const M larger_behind = hn::Lt(larger, hn::Neg(margin));
+  M hit = smaller_in_front;
+  M decided = hn::Or(smaller_in_front, smaller_behind);
+  if (rays.larger_counts) {
+    hit = hn::Or(hit, hn::And(smaller_behind, larger_in_front));
+    decided =
+        hn::Or(smaller_in_front, hn::And(smaller_behind, hn::Or(larger_in_front, larger_behind)));
+  }
+  if (kCertified == Certified::kYes) {
+    undecided = hn::Or(undecided, hn::AndNot(decided, met));
+  }
+  return {hn::IfThenElse(smaller_in_front, hn::Sub(b, q), hn::Add(b, q)), hn::And(met, hit),
+          undecided};
+}
+
+enum class Answer { kNearest, kClass };
+
+template <Certified kCertified, Answer kAnswer, bool kRootsMatter>
+HWY_INLINE void sweep_sphere(const SphereInTile& entry, double margin_so_far, const TileRays& rays,
+                             Tile& tile) {
+  const D d;
+  const int lanes = static_cast<int>(hn::Lanes(d));
+  const FilteredSphere& sphere = *entry.sphere;
+  const V decided = hn::Set(d, kCertified == Certified::kYes ? sphere.decided : 0);
+  const V root_margin = hn::Set(d, sphere.root_margin);
+  const V order_margin = hn::Set(d, sphere.root_margin + margin_so_far);
+  const V u = hn::Set(d, sphere.u);
+  const V power = hn::Set(d, sphere.power);
+  const V here = hn::Set(d, sphere.index);
+  const int first = entry.pixels.i_begin / lanes * lanes;
+  for (int row = entry.pixels.j_begin; row < entry.pixels.j_end; ++row) {
+    const double beta = rays.beta[static_cast<std::size_t>(row)];
+    const V row_b = hn::Set(d, rays.near * sphere.w + beta * sphere.v);
+    const V row_a = hn::Set(d, rays.near * rays.near + beta * beta);
+    for (int column = first; column < entry.pixels.i_end; column += lanes) {
+      const V alpha = hn::LoadU(d, rays.alpha + column);
+      const V b = hn::MulAdd(alpha, u, row_b);
+      const V a = hn::MulAdd(alpha, alpha, row_a);
+      const V disc = hn::MulSub(b, b, hn::Mul(power, a));
+      M met = hn::Gt(disc, decided);
+      M undecided = kCertified == Certified::kYes ? hn::Le(hn::Abs(disc), decided)
+                                                  : hn::Lt(power, power);  // none
+      if (hn::AllFalse(d, hn::Or(met, undecided))) continue;
+      const std::size_t at = static_cast<std::size_t>(row * Tile::kWidth + column);
+      V numerator = b;
+      if (kAnswer == Answer::kNearest || kRootsMatter) {
+        const V q = hn::Sqrt(hn::IfThenElseZero(met, disc));
+        if (kRootsMatter) {
+          const Met chosen = choose_root<kCertified>(d, b, q, a, met, undecided, root_margin, rays);
+          numerator = chosen.numerator;
+          met = chosen.hit;
+          undecided = chosen.undecided;
+        } else {
+          numerator = hn::Sub(b, q);
+        }
+      }
+      if (kAnswer == Answer::kNearest) {
+        const V nearest = hn::Load(d, tile.numerator.data() + at);
+        if (kCertified == Certified::kYes) {
+          const M close = hn::Le(hn::Abs(hn::Sub(numerator, nearest)), order_margin);
+          undecided = hn::Or(undecided, hn::And(met, close));
+        }
+        met = hn::And(met, hn::Lt(numerator, nearest));
+        hn::Store(hn::IfThenElse(met, numerator, nearest), d, tile.numerator.data() + at);
+      }
+      double* const seen = tile.sphere.data() + at;
+      hn::Store(hn::IfThenElse(met, here, hn::Load(d, seen)), d, seen);
+      if (kCertified == Certified::kYes && HWY_UNLIKELY(!hn::AllFalse(d, undecided))) {
+        mark_undecided(d, undecided, row, column, tile);
+      }
+    }
+  }
+}
+
+void leave_to_exact(const TileRectangle& pixels, Tile& tile) {
+  const std::uint64_t below_end =
+      pixels.i_end == 64 ? ~std::uint64_t{0} : (std::uint64_t{1} << pixels.i_end) - 1;
+  const std::uint64_t columns = below_end & ~((std::uint64_t{1} << pixels.i_begin) - 1);
+  for (int row = pixels.j_begin; row < pixels.j_end; ++row) {
+    tile.undecided[static_cast<std::size_t>(row)] |= columns;
+  }
+}
+
+/// The largest numerator of the tile: infinity while a pixel sees nothing.
+double largest_numerator(const Tile& tile) {
+  const D d;
+  V most = hn::Zero(d);
+  for (std::size_t k = 0; k < tile.numerator.size(); k += hn::Lanes(d)) {
+    most = hn::Max(most, hn::Load(d, tile.numerator.data() + k));
+  }
+  return hn::GetLane(hn::MaxOfLanes(d, most));
+}
+
+/// Between looks at whether the rest of the spheres is hidden.
+constexpr std::size_t kLookEvery = 8;
+
+template <Certified kCertified>
+void sweep_all(std::span<const SphereInTile> spheres, const TileRays& rays, Tile& tile) {
+  double margin_so_far = 0;
+  for (std::size_t k = 0; k < spheres.size(); ++k) {
+    const FilteredSphere& sphere = *spheres[k].sphere;
+    if (k % kLookEvery == kLookEvery - 1) {
+      // t l > m of all pixels, for this sphere and all that follow: 2^-40 is for these roundings.
+      const double farthest = largest_numerator(tile) + 2 * margin_so_far;
+      if (sphere.nearest_distance * rays.least_length * (1 - 0x1p-40) > farthest) return;
+    }
+    if (kCertified == Certified::kYes && sphere.exact) {
+      leave_to_exact(spheres[k].pixels, tile);
+    } else if (sphere.roots_matter) {
+      sweep_sphere<kCertified, Answer::kNearest, true>(spheres[k], margin_so_far, rays, tile);
+    } else {
+      sweep_sphere<kCertified, Answer::kNearest, false>(spheres[k], margin_so_far, rays, tile);
+    }
+    if (!sphere.exact) margin_so_far = std::max(margin_so_far, sphere.root_margin);
+  }
+}
+
+void sweep_certified(std::span<const SphereInTile> spheres, const TileRays& rays, Tile& tile) {
+  sweep_all<Certified::kYes>(spheres, rays, tile);
+}
+void sweep_uncertified(std::span<const SphereInTile> spheres, const TileRays& rays, Tile& tile) {
+  sweep_all<Certified::kNo>(spheres, rays, tile);
+}
+
+void sweep_class(const SphereInTile& entry, const TileRays& rays, Tile& tile) {
+  if (entry.sphere->exact) {
+    leave_to_exact(entry.pixels, tile);
+  } else if (entry.sphere->roots_matter) {
+    sweep_sphere<Certified::kYes, Answer::kClass, true>(entry, 0, rays, tile);
+  } else {
+    sweep_sphere<Certified::kYes, Answer::kClass, false>(entry, 0, rays, tile);
+  }
+}
+
+HWY_INLINE void store_first(D d, V values, int count, double* to) {
+  if (count >= static_cast<int>(hn::Lanes(d))) {
+    hn::StoreU(values, d, to);
+  } else {
+    alignas(64) double lanes[8];
+    hn::Store(values, d, lanes);
+    std::copy_n(lanes, count, to);
+  }
+}
+
+double finish_tile(const Tile& tile, int row_begin, int row_end, int columns, const TileRays& rays,
+                   const TileScale& scale, const TileOutput& output) {
+  const D d;
+  const hn::Rebind<std::int32_t, D> d32;
+  const int lanes = static_cast<int>(hn::Lanes(d));
+  const bool with_points = output.point[0] != nullptr;
+  const V nothing = hn::Set(d, kInfinity);
+  V least = nothing;
+  for (int row = row_begin; row < row_end; ++row) {
+    const double beta = rays.beta[static_cast<std::size_t>(row)];
+    const V row_a = hn::Set(d, rays.near * rays.near + beta * beta);
+    const std::ptrdiff_t row_at = (row - row_begin) * output.stride;
+    for (int column = 0; column < columns; column += lanes) {
+      const std::size_t at = static_cast<std::size_t>(row * Tile::kWidth + column);
+      const std::ptrdiff_t to = row_at + column;
+      const int count = std::min(lanes, columns - column);
+      if (output.sphere != nullptr) {
+        const auto spheres = hn::DemoteTo(d32, hn::Load(d, tile.sphere.data() + at));
+        if (count == lanes) {
+          hn::StoreU(spheres, d32, output.sphere + to);
+        } else {
+          alignas(32) std::int32_t part[8];
+          hn::Store(spheres, d32, part);
+          std::copy_n(part, count, output.sphere + to);
+        }
+      }
+      if (output.parameter == nullptr && !with_points) continue;
+      const V m = hn::Load(d, tile.numerator.data() + at);
+      if (hn::AllTrue(d, hn::Eq(m, nothing))) {
+        if (output.parameter != nullptr) store_first(d, nothing, count, output.parameter + to);
+        for (double* const point : output.point) {
+          if (point != nullptr) store_first(d, nothing, count, point + to);
+        }
+        continue;
+      }
+      least = hn::Min(least, m);
+      const V alpha = hn::LoadU(d, rays.alpha + column);
+      const V l = hn::Sqrt(hn::MulAdd(alpha, alpha, row_a));
+      const V t = hn::Mul(hn::Div(m, l), hn::Set(d, scale.lengths));
+      if (output.parameter != nullptr) {
+        store_first(d, hn::Sub(t, hn::Mul(l, hn::Set(d, scale.plane))), count,
+                    output.parameter + to);
+      }
+      if (!with_points) continue;
+      const V along = hn::Div(t, l);
+      for (std::size_t k = 0; k < 3; ++k) {
+        const V row_g = hn::Set(d, rays.near * scale.W[k] + beta * scale.V[k]);
+        const V g = hn::MulAdd(alpha, hn::Set(d, scale.U[k]), row_g);
+        const V point = hn::MulAdd(along, g, hn::Set(d, scale.eye[k]));
+        store_first(d, hn::IfThenElse(hn::Eq(m, nothing), nothing, point), count,
+                    output.point[k] + to);
+      }
+    }
+  }
+  return hn::GetLane(hn::MinOfLanes(d, least));
+}
+
+}  // namespace HWY_NAMESPACE
+}  // namespace raycheck::reference
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace raycheck::reference {
+
+HWY_EXPORT(sweep_certified);
+HWY_EXPORT(sweep_uncertified);
+HWY_EXPORT(sweep_class);
+HWY_EXPORT(finish_tile);
+
+void clear(Tile& tile, int row_begin, int row_end, int columns) {
+  constexpr double kInfinity = std::numeric_limits<double>::infinity();
+  if (row_begin == 0 && row_end == Tile::kHeight && columns == Tile::kWidth) {
+    tile.numerator.fill(kInfinity);
+  } else {
+    tile.numerator.fill(-kInfinity);
+    for (int row = row_begin; row < row_end; ++row) {
+      std::fill_n(tile.numerator.begin() + row * Tile::kWidth, columns, kInfinity);
+    }
+  }
+  tile.sphere.fill(-1);
+  tile.undecided.fill(0);
+}
+
+void sweep(std::span<const SphereInTile> spheres, const TileRays& rays, Certified certified,
+           Tile& tile) {
+  if (certified == Certified::kYes) {
+    HWY_DYNAMIC_DISPATCH(sweep_certified)(spheres, rays, tile);
+  } else {
+    HWY_DYNAMIC_DISPATCH(sweep_uncertified)(spheres, rays, tile);
+  }
+}
+
+void sweep_class(const SphereInTile& sphere, const TileRays& rays, Tile& tile) {
+  HWY_DYNAMIC_DISPATCH(sweep_class)(sphere, rays, tile);
+}
+
+double finish_tile(const Tile& tile, int row_begin, int row_end, int columns, const TileRays& rays,
+                   const TileScale& scale, const TileOutput& output) {
+  return HWY_DYNAMIC_DISPATCH(finish_tile)(tile, row_begin, row_end, columns, rays, scale, output);
+}
+
+}  // namespace raycheck::reference
+#endif  // HWY_ONCE

@@ -1,0 +1,222 @@
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <stdexcept>
+#include <vector>
+
+#include "reference/visibility/visibility_impl.h"
+
+namespace raycheck::reference {
+namespace {
+
+using scene::PixelRectangle;
+
+/// One call for some rows, which keeps what tiles share.
+class NearestOfRows {
+ public:
+  NearestOfRows(const Visibility::Impl& impl, std::int64_t j_begin, std::int64_t j_end)
+      : impl_(impl), at_(impl, j_begin, j_end) {}
+
+  DecidedBy answer(const SeenRows& rows, Certified certified) {
+    at_.require_fit(rows.sphere.size());
+    for (const auto& array : {rows.parameter, rows.point_x, rows.point_y, rows.point_z}) {
+      at_.require_fit(array.size());
+    }
+    if (rows.point_x.empty() != rows.point_y.empty() ||
+        rows.point_x.empty() != rows.point_z.empty()) {
+      throw std::invalid_argument("points: some coordinates have arrays and some have none");
+    }
+    rows_ = rows;
+    all_quantities_.resize(impl_.plan.items.quantities ? 0 : Tile::kPixels);
+    DecidedBy decided_by;
+    at_.for_each_band([&](std::size_t band) {
+      const std::span<const std::uint32_t> in_band = impl_.bands.of(band);
+      if (in_band.empty()) {
+        fill_band(band);
+        return;
+      }
+      distribute(
+          in_band.size(), static_cast<std::size_t>((impl_.width - 1) / Tile::kWidth + 1),
+          [&](std::size_t k) {
+            const PixelRectangle& pixels = impl_.rectangles[in_band[k]];
+            return blocks(pixels.i_begin, pixels.i_end, Tile::kWidth);
+          },
+          tiles_);
+      for (std::size_t tile = 0; tile + 1 < tiles_.begin.size(); ++tile) {
+        list_spheres(band, tile, in_band);
+        clear(tile_, at_.row_begin(), at_.row_end(), at_.columns_of(tile));
+        const TileRays rays = at_.rays_of(band, tile);
+        sweep(list_, rays, certified, tile_);
+        finish(band, tile, rays, certified, decided_by);
+      }
+    });
+    decided_by.filter = at_.pixels() - decided_by.fallback();
+    return decided_by;
+  }
+
+ private:
+  void fill_band(std::size_t band) {
+    const std::size_t from = at_.output_at(band, at_.row_begin(), 0);
+    const auto count = static_cast<std::size_t>((at_.row_end() - at_.row_begin()) * impl_.width);
+    const auto fill = [&](auto array, auto value) {
+      if (!array.empty())
+        std::fill_n(array.begin() + static_cast<std::ptrdiff_t>(from), count, value);
+    };
+    fill(rows_.sphere, kNoSphere);
+    for (const auto& array : {rows_.parameter, rows_.point_x, rows_.point_y, rows_.point_z}) {
+      fill(array, kNoParameter);
+    }
+  }
+
+  void list_spheres(std::size_t band, std::size_t tile, std::span<const std::uint32_t> in_band) {
+    list_.clear();
+    again_.clear();
+    const std::span<const std::uint32_t> in_tile = tiles_.of(tile);
+    if (!impl_.plan.items.constants) again_.reserve(in_tile.size());
+    for (const std::uint32_t entry : in_tile) {
+      const std::uint32_t position = in_band[entry];
+      const FilteredSphere* sphere = &impl_.spheres[position];
+      if (!impl_.plan.items.constants) sphere = &again_.emplace_back(reckoned_again(*sphere));
+      list_.push_back({sphere, at_.within_tile(impl_.rectangles[position], band, tile)});
+    }
+  }
+
+  /// The constants of a sphere, as if they were not kept.
+  FilteredSphere reckoned_again(const FilteredSphere& kept) const {
+    const auto index = static_cast<std::size_t>(kept.index);
+    scene::SpherePlan plan = impl_.plan.spheres[index];
+    plan.seen = impl_.plan.eye.sphere(impl_.scene.spheres[index]);
+    FilteredSphere sphere = filtered(plan, index, impl_.sizes);
+    sphere.exact = kept.exact;
+    return sphere;
+  }
+
+  /// Writes the tile; what the filter left goes to the exact ray.
+  void finish(std::size_t band, std::size_t tile, const TileRays& rays, Certified certified,
+              DecidedBy& decided_by) {
+    const int columns = at_.columns_of(tile);
+    const std::size_t at = at_.output_at(band, at_.row_begin(), tile);
+    const auto from = [at](auto array) { return array.empty() ? nullptr : array.data() + at; };
+    TileOutput output{from(rows_.sphere),
+                      from(rows_.parameter),
+                      {from(rows_.point_x), from(rows_.point_y), from(rows_.point_z)},
+                      static_cast<std::ptrdiff_t>(impl_.width)};
+    const double least =
+        finish_tile(tile_, at_.row_begin(), at_.row_end(), columns, rays, impl_.scale, output);
+    if (!impl_.plan.items.quantities) reckon_all(rays, columns);
+    if (certified == Certified::kNo) return;
+    if (!rows_.parameter.empty() || !rows_.point_x.empty()) require_precise(rays, least, columns);
+    const std::uint64_t inside =
+        columns == 64 ? ~std::uint64_t{0} : (std::uint64_t{1} << columns) - 1;
+    for (int row = at_.row_begin(); row < at_.row_end(); ++row) {
+      for (std::uint64_t left = tile_.undecided[static_cast<std::size_t>(row)] & inside; left != 0;
+           left &= left - 1) {
+        const int column = __builtin_ctzll(left);
+        const Rung rung =
+            decide_exactly({at_.first_column(tile) + column, at_.first_row(band) + row},
+                           at_.output_at(band, row, tile) + static_cast<std::size_t>(column));
+        ++decided_by.rungs[static_cast<std::size_t>(rung)];
+      }
+    }
+  }
+
+  /// s and Q of the tile though nobody asked.
+  void reckon_all(const TileRays& rays, int columns) {
+    double* const scratch = all_quantities_.data();
+    finish_tile(tile_, at_.row_begin(), at_.row_end(), columns, rays, impl_.scale,
+                {nullptr, scratch, {scratch, scratch, scratch}, Tile::kWidth});
+  }
+
+  // kVisibleParameterError. The filter's s and Q stay where, with kShare =
+  // kVisibleParameterError/2,
+  //   |m^ - m| <= E_m <= kShare m^, |g^ - g| <= 2 delta <= kShare/8 l, and, for Q, the axes are
+  //   known to within kShare/32.
+  // t^ = m^/l^ is then off by less than (1 + 1/8) kShare t and a few roundings; l 2^plane, which is
+  // at most t of a hit in front, by kShare/8 of itself: s by less than 1.3 kShare t. Of Q - E =
+  // t (g/l), g/l is off by kShare/4 and, as a sum of three coordinates times axes, by 6/32 kShare:
+  // a coordinate by less than 1.6 kShare t; the sum with E is rounded.
+  static constexpr double kShare = kVisibleParameterError / 2;
+
+  /// Leaves the others to the exact ray.
+  void require_precise(const TileRays& rays, double least, int columns) {
+    const bool with_points = !rows_.point_x.empty();
+    if (!(2 * impl_.sizes.delta <= kShare / 8 * rays.least_length) ||
+        (with_points && impl_.axis_doubt > kShare / 32)) {
+      for (int row = at_.row_begin(); row < at_.row_end(); ++row) {
+        for (int column = 0; column < columns; ++column) {
+          if (tile_.sphere[static_cast<std::size_t>(row * Tile::kWidth + column)] < 0) continue;
+          tile_.undecided[static_cast<std::size_t>(row)] |= std::uint64_t{1} << column;
+        }
+      }
+      return;
+    }
+    double margin = 0;
+    for (const SphereInTile& entry : list_) {
+      if (!entry.sphere->exact) margin = std::max(margin, entry.sphere->root_margin);
+    }
+    if (margin <= kShare * least) return;
+    for (const SphereInTile& entry : list_) {
+      if (entry.sphere->exact || entry.sphere->root_margin <= kShare * least) continue;
+      for (int row = entry.pixels.j_begin; row < entry.pixels.j_end; ++row) {
+        for (int column = entry.pixels.i_begin; column < std::min(entry.pixels.i_end, columns);
+             ++column) {
+          const auto at = static_cast<std::size_t>(row * Tile::kWidth + column);
+          if (tile_.sphere[at] == entry.sphere->index &&
+              !(entry.sphere->root_margin <= kShare * tile_.numerator[at])) {
+            tile_.undecided[static_cast<std::size_t>(row)] |= std::uint64_t{1} << column;
+          }
+        }
+      }
+    }
+  }
+
+  Rung decide_exactly(const scene::Pixel& pixel, std::size_t at) {
+    candidates_.clear();
+    for (const SphereInTile& entry : list_) {
+      const auto index = static_cast<std::size_t>(entry.sphere->index);
+      if (impl_.plan.spheres[index].pixels.contains(pixel)) candidates_.push_back(index);
+    }
+    std::sort(candidates_.begin(), candidates_.end());  // the first in the file among equals
+    spheres_.clear();
+    for (const std::size_t index : candidates_) spheres_.push_back(impl_.scene.spheres[index]);
+    const ExactRay ray(impl_.camera, pixel);
+    Rung highest = Rung::kIntervals;
+    const auto seen = ray.nearest(spheres_, impl_.plan.conventions, &highest);
+    const auto put = [at](auto array, auto value) {
+      if (!array.empty()) array[at] = value;
+    };
+    put(rows_.sphere, seen ? static_cast<std::int32_t>(candidates_[seen->index]) : kNoSphere);
+    if (!rows_.parameter.empty()) {
+      rows_.parameter[at] =
+          seen ? ray.rounded_parameter(spheres_[seen->index], seen->intersection) : kNoParameter;
+    }
+    if (rows_.point_x.empty() && rows_.point_y.empty() && rows_.point_z.empty()) return highest;
+    const scene::Point3 point = seen ? ray.rounded_point(spheres_[seen->index], seen->intersection)
+                                     : scene::Point3{kNoParameter, kNoParameter, kNoParameter};
+    put(rows_.point_x, point.x);
+    put(rows_.point_y, point.y);
+    put(rows_.point_z, point.z);
+    return highest;
+  }
+
+  const Visibility::Impl& impl_;
+  RowsInTiles at_;
+  SeenRows rows_;
+  Tile tile_;
+  Lists tiles_;
+  std::vector<SphereInTile> list_;
+  std::vector<FilteredSphere> again_;
+  std::vector<double> all_quantities_;
+  std::vector<std::size_t> candidates_;
+  std::vector<scene::Sphere> spheres_;
+};
+
+}  // namespace
+
+DecidedBy nearest_of_rows(const Visibility::Impl& impl, std::int64_t j_begin, std::int64_t j_end,
+                          const SeenRows& rows, Certified certified) {
+  return NearestOfRows(impl, j_begin, j_end).answer(rows, certified);
+}
+
+}  // namespace raycheck::reference

@@ -1,0 +1,49 @@
+#ifndef RAYCHECK_SCENE_FILES_SCENE_FILE_H_
+#define RAYCHECK_SCENE_FILES_SCENE_FILE_H_
+
+#include <filesystem>
+#include <optional>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "scene/scene.h"
+
+namespace raycheck::scene {
+
+/// The three dialects of the course's driver files.
+/// A (2017-18): `d` > 0 is the distance to the plane, `bounds left bottom right top`.
+/// B (2019): `d` < 0 is near itself, `bounds left right bottom top`.
+/// C (2020-21): one line `camera ex ey ez lx ly lz ux uy uz d`, otherwise as B.
+enum class Dialect { kA, kB, kC };
+
+/// A file that cannot be read as a scene; what() names file, line, field and value.
+class SceneFileError : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
+/// A scene, and what was odd in its file but did not keep it from being read.
+struct LoadedScene {
+  Scene scene;
+  std::vector<std::string> warnings;
+};
+
+/// Reads a scene file: TOML when the name ends in ".toml", otherwise a driver file.
+/// Domain: the scene is valid (scene/validate.h); otherwise throws SceneFileError.
+/// `dialect` settles the dialect of a driver file that does not itself decide it.
+LoadedScene load_scene(const std::filesystem::path& path, std::optional<Dialect> dialect = {});
+
+/// The same for text already in memory; `file` is the name that errors and warnings use.
+LoadedScene read_toml(std::string_view text, std::string_view file);
+LoadedScene read_driver_file(std::string_view text, std::string_view file,
+                             std::optional<Dialect> dialect = {});
+
+/// A TOML scene that reads back bit-identically. Numbers are shortest decimals, which TOML allows;
+/// `comment` lines, if any, come first.
+std::string write_toml(const Scene& scene, std::string_view comment = {});
+
+}  // namespace raycheck::scene
+
+#endif  // RAYCHECK_SCENE_FILES_SCENE_FILE_H_

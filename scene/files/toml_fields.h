@@ -1,0 +1,119 @@
+#ifndef RAYCHECK_SCENE_FILES_TOML_FIELDS_H_
+#define RAYCHECK_SCENE_FILES_TOML_FIELDS_H_
+
+// What the readers of TOML files share; only they see toml++.
+
+#include <toml++/toml.h>
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <initializer_list>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "scene/conventions.h"
+#include "scene/files/located_fields.h"
+
+namespace raycheck::scene {
+
+/// Parses TOML whose numbers become strings of their digits (scene/files/toml_numbers.h).
+/// Errors: SceneFileError naming the line.
+toml::table parse_toml(std::string_view text, std::string_view file);
+
+/// The fields of a TOML file, by kind; every error names file, line, field and value.
+class TomlFields {
+ public:
+  /// A value in the file, and what errors call it.
+  struct Field {
+    const toml::node& node;
+    std::string name;
+    std::size_t line;
+  };
+
+  /// A table in the file: `prefix` comes before its keys' names in errors.
+  struct Table {
+    const toml::table& keys;
+    std::string name;
+    std::string prefix;
+    std::size_t line;
+  };
+
+  explicit TomlFields(std::string_view file) : located_(file) {}
+
+  LocatedFields& located() { return located_; }
+
+  void require_known(const Table& from, std::initializer_list<std::string_view> known);
+  std::optional<Field> optional(const Table& from, std::string_view key) const;
+  Field required(const Table& from, std::string_view key) const;
+
+  Table table(const Field& field) const;
+  std::vector<Table> tables(const Table& from, std::string_view key) const;
+  double number(const Field& field) const;
+  /// `meaning`: "a whole number of pixels".
+  std::int64_t integer(const Field& field, std::string_view meaning) const;
+  std::string text(const Field& field) const;
+  bool flag(const Field& field) const;
+  /// The elements of an array, as fields.
+  std::vector<Field> list(const Field& field) const;
+  std::vector<std::string> texts(const Field& field) const;
+
+  template <typename Triple>
+  Triple triple(const Field& field) const {
+    const auto* array = field.node.as_array();
+    if (!array || array->size() != 3) fail(field, "must be 3 numbers, written [x, y, z]");
+    const auto elements = list(field);
+    return {number(elements[0]), number(elements[1]), number(elements[2])};
+  }
+
+  /// One of an enumeration's names, where the key is given.
+  template <typename Choice, std::size_t kCount>
+  void choose(const Table& from, std::string_view key,
+              const std::array<std::string_view, kCount>& names, Choice& choice) const {
+    if (const auto field = optional(from, key)) choice = chosen<Choice>(*field, names);
+  }
+  template <typename Choice, std::size_t kCount>
+  void choose(const Table& from, std::string_view key,
+              const std::array<std::string_view, kCount>& names,
+              std::optional<Choice>& choice) const {
+    if (const auto field = optional(from, key)) choice = chosen<Choice>(*field, names);
+  }
+
+  [[noreturn]] void fail(const Field& field, std::string_view what) const;
+
+ private:
+  template <typename Choice, typename Names>
+  Choice chosen(const Field& field, const Names& names) const {
+    const auto* text = field.node.as_string();
+    const auto found = text ? std::find(names.begin(), names.end(), text->get()) : names.end();
+    if (found == names.end()) fail(field, "must be one of " + listed(names));
+    return static_cast<Choice>(found - names.begin());
+  }
+  template <typename Names>
+  static std::string listed(const Names& names) {
+    std::string list;
+    for (const std::string_view name : names) {
+      list += (list.empty() ? "" : ", ") + std::string(name);
+    }
+    return list;
+  }
+
+  LocatedFields located_;
+};
+
+/// The conventions that a table sets; a reader of scenes or of what else has them.
+template <typename Conventions>
+void read_conventions(TomlFields& fields, const TomlFields::Table& from, Conventions& conventions) {
+  fields.require_known(from, {"rows", "samples", "origin", "root", "tangent"});
+  fields.choose(from, "rows", kRowsNames, conventions.rows);
+  fields.choose(from, "samples", kSamplesNames, conventions.samples);
+  fields.choose(from, "origin", kOriginNames, conventions.origin);
+  fields.choose(from, "root", kRootNames, conventions.root);
+  fields.choose(from, "tangent", kTangentNames, conventions.tangent);
+}
+
+}  // namespace raycheck::scene
+
+#endif  // RAYCHECK_SCENE_FILES_TOML_FIELDS_H_

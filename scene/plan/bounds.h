@@ -1,0 +1,116 @@
+#ifndef RAYCHECK_SCENE_PLAN_BOUNDS_H_
+#define RAYCHECK_SCENE_PLAN_BOUNDS_H_
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace raycheck::scene {
+
+/// All reals from low to high; infinite where nothing is known.
+/// Error:  the result of an operation holds what the operation gives for all reals in its operands;
+///         where that is neither tiny nor past the largest double, each end is at most
+///         kBoundsMaxUlp ulp farther out than it need be.
+/// Domain: doubles that round to nearest; low <= high, neither NaN.
+struct Bounds {
+  double low = 0;
+  double high = 0;
+
+  static Bounds exactly(double value) { return {value, value}; }
+  static Bounds everything() {
+    return {-std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity()};
+  }
+  bool contains(double value) const { return low <= value && value <= high; }
+};
+
+// How far the real is from x, what it was rounded to: half an ulp, or where the least doubles are
+// too coarse, half of those (sums never need the latter). Beyond the largest double, anywhere.
+inline constexpr double kBoundsWiden = 0x1p-52;
+inline constexpr double kBoundsTiny = 0x1p-960;
+inline constexpr int kBoundsMaxUlp = 3;
+
+inline double bound_below(double x) {
+  constexpr double kMost = std::numeric_limits<double>::max();
+  if (x > kMost) return kMost;
+  if (!(x >= -kMost)) return -std::numeric_limits<double>::infinity();
+  const double least =
+      std::abs(x) < kBoundsTiny && x != 0 ? std::numeric_limits<double>::denorm_min() : 0;
+  return x - (std::abs(x) * kBoundsWiden + least);
+}
+inline double bound_above(double x) { return -bound_below(-x); }
+
+inline Bounds operator-(const Bounds& x) { return {-x.high, -x.low}; }
+inline Bounds operator+(const Bounds& x, const Bounds& y) {
+  return {bound_below(x.low + y.low), bound_above(x.high + y.high)};
+}
+inline Bounds operator-(const Bounds& x, const Bounds& y) { return x + -y; }
+
+/// Of two reals: nothing times anything is nothing, and what underflows is not.
+struct RoundedProduct {
+  double low, high;
+};
+inline RoundedProduct bounded_product(double x, double y) {
+  if (x == 0 || y == 0) return {0, 0};
+  const double product = x * y;
+  if (product == 0) {
+    const double least = std::numeric_limits<double>::denorm_min();
+    return {-least, least};
+  }
+  return {bound_below(product), bound_above(product)};
+}
+
+inline Bounds operator*(const Bounds& x, const Bounds& y) {
+  const RoundedProduct products[] = {bounded_product(x.low, y.low), bounded_product(x.low, y.high),
+                                     bounded_product(x.high, y.low),
+                                     bounded_product(x.high, y.high)};
+  Bounds result{products[0].low, products[0].high};
+  for (const RoundedProduct& product : products) {
+    result = {std::min(result.low, product.low), std::max(result.high, product.high)};
+  }
+  return result;
+}
+
+inline Bounds square(const Bounds& x) {
+  const double most = std::max(std::abs(x.low), std::abs(x.high));
+  const double least = x.contains(0) ? 0 : std::min(std::abs(x.low), std::abs(x.high));
+  return {std::max(0.0, bounded_product(least, least).low), bounded_product(most, most).high};
+}
+
+/// Everything where the divisor may be 0.
+inline Bounds operator/(const Bounds& x, const Bounds& y) {
+  if (y.contains(0)) return Bounds::everything();
+  const double quotients[] = {x.low / y.low, x.low / y.high, x.high / y.low, x.high / y.high};
+  Bounds result{std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity()};
+  for (const double quotient : quotients) {
+    if (std::isnan(quotient)) return Bounds::everything();
+    // A quotient of 0 may have underflowed, to either side of the real one.
+    const double least = quotient == 0 ? std::numeric_limits<double>::denorm_min() : 0;
+    result = {std::min(result.low, bound_below(quotient) - least),
+              std::max(result.high, bound_above(quotient) + least)};
+  }
+  return result;
+}
+
+/// x 2^exponent
+inline Bounds scaled(const Bounds& x, int exponent) {
+  if (exponent == 0) return x;
+  const auto scale = [exponent](double end) {
+    const double result = std::ldexp(end, exponent);
+    const bool exact = end == 0 || (std::isfinite(result) && std::abs(result) > kBoundsTiny);
+    return exact ? Bounds::exactly(result) : Bounds{bound_below(result), bound_above(result)};
+  };
+  const double least = std::numeric_limits<double>::denorm_min();
+  const Bounds low = scale(x.low), high = scale(x.high);
+  return {low.low - (x.low != 0 && low.low == 0 ? least : 0),
+          high.high + (x.high != 0 && high.high == 0 ? least : 0)};
+}
+
+/// Of what in x is not negative.
+inline Bounds sqrt(const Bounds& x) {
+  return {std::max(0.0, bound_below(std::sqrt(std::max(0.0, x.low)))),
+          bound_above(std::sqrt(std::max(0.0, x.high)))};
+}
+
+}  // namespace raycheck::scene
+
+#endif  // RAYCHECK_SCENE_PLAN_BOUNDS_H_

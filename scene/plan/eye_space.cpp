@@ -1,0 +1,150 @@
+#include "scene/plan/eye_space.h"
+
+#include <algorithm>
+
+namespace raycheck::scene {
+namespace {
+
+using Axis = EyeSpace::Axis;
+
+Bounds dot(const Axis& x, const Axis& y) { return x[0] * y[0] + x[1] * y[1] + x[2] * y[2]; }
+
+Axis cross(const Axis& x, const Axis& y) {
+  return {x[1] * y[2] - x[2] * y[1], x[2] * y[0] - x[0] * y[2], x[0] * y[1] - x[1] * y[0]};
+}
+
+Axis normalised(const Axis& x) {
+  const Bounds length = sqrt(square(x[0]) + square(x[1]) + square(x[2]));
+  return {x[0] / length, x[1] / length, x[2] / length};
+}
+
+template <class Triple>
+Axis exactly(const Triple& v) {
+  return {Bounds::exactly(v.x), Bounds::exactly(v.y), Bounds::exactly(v.z)};
+}
+
+Axis difference(const Point3& to, const Point3& from) {
+  const Axis a = exactly(to), b = exactly(from);
+  // A sum of doubles that rounds to 0 is 0.
+  const auto minus = [](const Bounds& x, const Bounds& y) {
+    return x.low == y.low ? Bounds::exactly(0) : x - y;
+  };
+  return {minus(a[0], b[0]), minus(a[1], b[1]), minus(a[2], b[2])};
+}
+
+bool is_zero(const Bounds& x) { return x.low == 0 && x.high == 0; }
+
+/// The world axis, or its opposite, that a vector has the direction of; false where it has none.
+bool along_world_axis(const Axis& v, Axis& axis) {
+  if (std::count_if(v.begin(), v.end(), is_zero) != 2) return false;
+  for (std::size_t k = 0; k < 3; ++k) {
+    if (v[k].contains(0) && !is_zero(v[k])) return false;
+    axis[k] = Bounds::exactly(is_zero(v[k]) ? 0 : v[k].low > 0 ? 1 : -1);
+  }
+  return true;
+}
+
+/// Coordinates as large as these would overflow when squared, as small ones vanish.
+int exponent_of(const Axis& v) {
+  double most = 0;
+  for (const Bounds& x : v) most = std::max({most, std::abs(x.low), std::abs(x.high)});
+  return most > 0 && std::isfinite(most) ? std::ilogb(most) : 0;
+}
+
+Axis scaled(const Axis& v, int exponent) {
+  return {scaled(v[0], exponent), scaled(v[1], exponent), scaled(v[2], exponent)};
+}
+
+/// The same direction, its largest coordinate near 1.
+Axis scaled_near_one(const Axis& v) { return scaled(v, -exponent_of(v)); }
+
+Bounds index_of(const Bounds& position, const Bounds& low, const Bounds& high, std::int64_t count,
+                Samples samples) {
+  const Bounds share = (position - low) / (high - low);
+  const auto pixels = static_cast<double>(count);
+  return samples == Samples::kEdges ? share * Bounds::exactly(pixels - 1)
+                                    : share * Bounds::exactly(pixels) - Bounds::exactly(0.5);
+}
+
+Bounds position_of(double index, const Bounds& low, const Bounds& high, std::int64_t count,
+                   Samples samples) {
+  const auto pixels = static_cast<double>(count);
+  const Bounds share = samples == Samples::kEdges
+                           ? Bounds::exactly(index) / Bounds::exactly(pixels - 1)
+                           : Bounds::exactly(index + 0.5) / Bounds::exactly(pixels);
+  return low + share * (high - low);
+}
+
+}  // namespace
+
+EyeSpace::EyeSpace(const Camera& camera, const Conventions& conventions, const Scaling& scaling,
+                   bool general)
+    : camera_(camera), conventions_(conventions), scaling_(scaling) {
+  const Axis w = scaled_near_one(difference(camera.eye, camera.look_at));
+  const Axis u = scaled_near_one(cross(scaled_near_one(exactly(camera.up)), w));
+  axis_aligned_ = !general && along_world_axis(w, W_) && along_world_axis(u, U_);
+  if (!axis_aligned_) {
+    W_ = normalised(w);
+    U_ = normalised(u);
+    V_ = cross(W_, U_);
+  } else {
+    along_world_axis(cross(W_, U_), V_);
+  }
+}
+
+EyeSphere EyeSpace::sphere(const Sphere& sphere) const {
+  const Axis f = scaled(difference(sphere.centre, camera_.eye), -scaling_.lengths);
+  EyeSphere seen;
+  if (axis_aligned_) {
+    const auto along = [&f](const Axis& axis) {
+      for (std::size_t k = 0; k < 3; ++k) {
+        if (axis[k].low == 1) return f[k];
+        if (axis[k].low == -1) return -f[k];
+      }
+      return Bounds::everything();
+    };
+    seen.u = along(U_);
+    seen.v = along(V_);
+    seen.w = along(W_);
+  } else {
+    seen.u = dot(f, U_);
+    seen.v = dot(f, V_);
+    seen.w = dot(f, W_);
+  }
+  seen.distance_sq = square(f[0]) + square(f[1]) + square(f[2]);
+  seen.radius = scaled(Bounds::exactly(sphere.radius), -scaling_.lengths);
+  seen.power = seen.distance_sq - square(seen.radius);
+  return seen;
+}
+
+Bounds EyeSpace::on_plane(double position) const {
+  return scaled(Bounds::exactly(position), -scaling_.plane);
+}
+
+Bounds EyeSpace::near() const { return on_plane(camera_.near); }
+
+Bounds EyeSpace::alpha(double column) const {
+  return position_of(column, on_plane(camera_.left), on_plane(camera_.right), camera_.width,
+                     conventions_.samples);
+}
+
+Bounds EyeSpace::beta(double row) const {
+  const double from_bottom =
+      conventions_.rows == Rows::kBottomFirst ? row : static_cast<double>(camera_.height - 1) - row;
+  return position_of(from_bottom, on_plane(camera_.bottom), on_plane(camera_.top), camera_.height,
+                     conventions_.samples);
+}
+
+Bounds EyeSpace::column(const Bounds& alpha) const {
+  return index_of(alpha, on_plane(camera_.left), on_plane(camera_.right), camera_.width,
+                  conventions_.samples);
+}
+
+Bounds EyeSpace::row(const Bounds& beta) const {
+  const Bounds from_bottom = index_of(beta, on_plane(camera_.bottom), on_plane(camera_.top),
+                                      camera_.height, conventions_.samples);
+  if (conventions_.rows == Rows::kBottomFirst) return from_bottom;
+  return Bounds::exactly(static_cast<double>(camera_.height - 1)) - from_bottom;
+}
+
+}  // namespace raycheck::scene

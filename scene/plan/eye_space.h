@@ -1,0 +1,72 @@
+#ifndef RAYCHECK_SCENE_PLAN_EYE_SPACE_H_
+#define RAYCHECK_SCENE_PLAN_EYE_SPACE_H_
+
+#include <array>
+
+#include "scene/camera.h"
+#include "scene/conventions.h"
+#include "scene/geometry.h"
+#include "scene/plan/bounds.h"
+
+namespace raycheck::scene {
+
+/// Powers of two by which lengths are divided: positions on the image plane and its distance from
+/// the eye, and what spheres are measured by. 0: they are as given.
+struct Scaling {
+  int plane = 0;
+  int lengths = 0;
+  bool operator==(const Scaling&) const = default;
+};
+
+/// A sphere as the eye has it, within bounds: what all rays through the eye have in common. Lengths
+/// are divided by 2^Scaling::lengths.
+struct EyeSphere {
+  Bounds u, v, w;      ///< (C - E).U, (C - E).V, (C - E).W
+  Bounds distance_sq;  ///< |C - E|^2
+  Bounds power;        ///< |C - E|^2 - r^2: negative where the eye is inside.
+  Bounds radius;
+};
+
+/// A camera's axes and image plane, within bounds.
+/// Domain: a valid camera (scene/validate.h).
+/// Error:  every bound holds the real value; the axes are some ulps wide, unless E - A or up x W
+///         nearly vanish, and exact where they are the world's (`axis_aligned`).
+/// Source: docs/problem.md, section Camera.
+class EyeSpace {
+ public:
+  using Axis = std::array<Bounds, 3>;
+
+  /// `general` keeps even the world's axes as bounds, reckoned as any others.
+  EyeSpace(const Camera& camera, const Conventions& conventions, const Scaling& scaling,
+           bool general = false);
+
+  /// Each of U, V, W is a world axis or its opposite.
+  bool axis_aligned() const { return axis_aligned_; }
+  const Axis& U() const { return U_; }
+  const Axis& V() const { return V_; }
+  const Axis& W() const { return W_; }
+  const Scaling& scaling() const { return scaling_; }
+  EyeSphere sphere(const Sphere& sphere) const;
+
+  /// n, alpha of a column and beta of a row j, as the conventions count them, divided by
+  /// 2^Scaling::plane.
+  Bounds near() const;
+  Bounds alpha(double column) const;
+  Bounds beta(double row) const;
+  /// Where among the columns (or rows) a position on the image plane is; `alpha` undone.
+  Bounds column(const Bounds& alpha) const;
+  Bounds row(const Bounds& beta) const;
+
+ private:
+  Bounds on_plane(double position) const;
+
+  Camera camera_;
+  Conventions conventions_;
+  Scaling scaling_;
+  Axis U_, V_, W_;
+  bool axis_aligned_ = false;
+};
+
+}  // namespace raycheck::scene
+
+#endif  // RAYCHECK_SCENE_PLAN_EYE_SPACE_H_

@@ -1,0 +1,156 @@
+// The dials of the families of cameras.
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cmath>
+
+#include "tests/properties/cases/dial.h"
+
+namespace raycheck::properties {
+namespace {
+
+using reference::ExactRay;
+using scene::Camera;
+using scene::Sphere;
+using Sets = DialRow::Sets;
+
+const Camera& camera_of(const Case& the_case) { return *the_case.scene.camera; }
+
+std::vector<Measured> far_camera(const Case& the_case) {
+  return {{norm(lift(camera_of(the_case).eye))}};
+}
+
+/// The longest of |E|, |A| and |near|.
+std::vector<Measured> camera_scale(const Case& the_case) {
+  const Camera& camera = camera_of(the_case);
+  Enclosure longest = norm(lift(camera.eye));
+  for (const Enclosure& x : {norm(lift(camera.look_at)), abs(lift(camera.near))}) {
+    if ((x - longest).certain_sign().value_or(0) > 0) longest = x;
+  }
+  return {{longest, 0x1p-1074}};
+}
+
+/// The sine of the angle between up and the view.
+std::vector<Measured> up(const Case& the_case) {
+  const Camera& camera = camera_of(the_case);
+  const Enclosure3 view = lift(camera.eye) - lift(camera.look_at);
+  const Enclosure3 the_up = lift(camera.up);
+  return {{norm(cross(the_up, view)) / (norm(the_up) * norm(view)), 8 * kUnitRoundoff}};
+}
+
+std::vector<Measured> field_of_view(const Case& the_case) {
+  const Camera& camera = camera_of(the_case);
+  std::vector<Measured> result;
+  for (const double bound : {camera.left, camera.right, camera.bottom, camera.top}) {
+    result.push_back({abs(lift(bound) / lift(camera.near))});
+  }
+  return result;
+}
+
+std::vector<Measured> image_size(const Case& the_case) {
+  return {{lift(static_cast<double>(camera_of(the_case).width))}};
+}
+
+/// |C - P| and r of each sphere, P the exact point of the first pixel.
+struct Meeting {
+  Enclosure to_centre;
+  Enclosure axial;
+  Enclosure radius;
+  double noise;  ///< The generator's P is off by some roundings of |E| and |P - E|.
+};
+std::vector<Meeting> meetings(const Case& the_case) {
+  const reference::ExactCamera camera(camera_of(the_case), the_case.scene.conventions);
+  const ExactRay ray(camera, the_case.pixels.front());
+  const Enclosure3 P = ray.pixel_point(200);
+  const Enclosure3 E = lift(camera_of(the_case).eye);
+  std::vector<Meeting> result;
+  for (const Sphere& sphere : the_case.scene.spheres) {
+    const Enclosure3 T = lift(sphere.centre) - P;
+    const Enclosure radius = lift(sphere.radius);
+    result.push_back({norm(T), dot(T, ray.direction(200)), radius,
+                      64 * kUnitRoundoff * ((norm(E) + norm(P - E)) / radius).upper()});
+  }
+  return result;
+}
+
+std::vector<Measured> near_plane(const Case& the_case) {
+  std::vector<Measured> result;
+  for (const Meeting& m : meetings(the_case)) {
+    result.push_back({abs(m.to_centre / m.radius - Enclosure(1)), m.noise});
+  }
+  return result;
+}
+
+const DialRow kRows[] = {
+    {"far-camera", Sets::kPower, 0.5 * kBelow, 2 * kAbove, 15, far_camera},
+    {"camera-scale", Sets::kEither, 0x1p-3, 0x1p6, 1074, camera_scale},
+    // An angle whose tangent is at most 0.9 has a sine of 0.66.
+    {"up", Sets::kInverse, 0.37, 0.9, 15, up},
+    {"field-of-view", Sets::kEither, 0.5 * kBelow, 2 * kAbove, 15, field_of_view},
+    {"image-size", Sets::kPower, 1, 1, 30, image_size},
+    {"near-plane", Sets::kInverse, 0.4, 0.9, 15, near_plane},
+};
+
+class CameraFamily : public testing::TestWithParam<DialRow> {};
+TEST_P(CameraFamily, SetsWhatItsDialSays) { expect_dial(GetParam()); }
+
+INSTANTIATE_TEST_SUITE_P(Families, CameraFamily, testing::ValuesIn(kRows), test_name);
+
+TEST(CameraFamily, OfImageSizesReachesTheMostPixelsAndEveryCorner) {
+  const CaseSource& source = *find_case_source("image-size");
+  std::array<int, 4> corners = {};
+  int square = 0;
+  int elsewhere = 0;
+  for (std::uint64_t seed = 0; seed < 500; ++seed) {
+    const Case the_case = source.make(source.dial->highest, seed);
+    const Camera& camera = camera_of(the_case);
+    ASSERT_EQ(camera.width, scene::kMostPixelsAcross);
+    square += camera.height == camera.width ? 1 : 0;
+    for (const auto& [i, j] : the_case.pixels) {
+      const bool is_corner =
+          (i == 0 || i == camera.width - 1) && (j == 0 || j == camera.height - 1);
+      ++(is_corner ? corners[(i == 0 ? 0u : 2u) + (j == 0 ? 0u : 1u)] : elsewhere);
+    }
+  }
+  for (const int count : corners) EXPECT_GT(count, 50);
+  EXPECT_GT(square, 100);
+  EXPECT_GT(elsewhere, 100);
+}
+
+TEST(CameraFamily, OfNearPlanesStartsOnEverySideOfTheSurface) {
+  const CaseSource& source = *find_case_source("near-plane");
+  for (const int severity : {0, 7, 13}) {
+    std::array<int, 4> count = {};
+    for (std::uint64_t seed = 0; seed < 200; ++seed) {
+      const Case the_case = source.make(severity, seed);
+      ASSERT_EQ(the_case.scene.conventions.origin, scene::Origin::kPixel);
+      for (const Meeting& m : meetings(the_case)) {
+        const bool outside = (m.to_centre - m.radius).certain_sign() == 1;
+        const bool entering = m.axial.certain_sign() == 1;
+        ++count[(outside ? 2u : 0u) + (entering ? 1u : 0u)];
+      }
+    }
+    for (const int side : count) EXPECT_GT(side, 40) << severity;
+  }
+}
+
+TEST(CameraFamily, OfScalesScalesUpOnItsOwn) {
+  const CaseSource& source = *find_case_source("camera-scale");
+  int smallest = 0;
+  int largest = 0;
+  int behind = 0;
+  for (std::uint64_t seed = 0; seed < 500; ++seed) {
+    const Camera camera = camera_of(source.make(1000, seed));
+    const int size = std::ilogb(std::max({std::abs(camera.up.x), std::abs(camera.up.y)}));
+    smallest = std::min(smallest, size);
+    largest = std::max(largest, size);
+    behind += camera.near > 0 ? 1 : 0;
+  }
+  EXPECT_LT(smallest, -900);
+  EXPECT_GT(largest, 900);
+  EXPECT_GT(behind, 50);
+}
+
+}  // namespace
+}  // namespace raycheck::properties

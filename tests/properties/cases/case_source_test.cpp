@@ -1,0 +1,198 @@
+// What the sources of cases make: a generator that never gives what it is for tests nothing. The
+// dials of families have tests of their own.
+
+#include "properties/cases/case_source.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <set>
+#include <stdexcept>
+#include <string>
+
+#include "scene/validate.h"
+#include "tests/properties/cases/dial.h"
+
+namespace raycheck::properties {
+namespace {
+
+/// Calls visit(source, severity) for every source, families at many severities.
+template <class Visit>
+void for_each_severity(Visit visit) {
+  for (const CaseSource& source : case_sources()) {
+    for (const int severity : severities(source.dial ? source.dial->highest : 0)) {
+      SCOPED_TRACE(std::string(source.name) + "@" + std::to_string(severity));
+      visit(source, severity);
+    }
+  }
+}
+
+/// How many pairs of a ray and a sphere there are, by their exact class.
+struct Counts {
+  int pairs = 0;
+  int hits = 0;
+  int misses = 0;
+  int tangents = 0;
+};
+
+Counts count(const CaseSource& source, int severity, std::uint64_t seeds) {
+  Counts counts;
+  const Candidate nobody;
+  for (std::uint64_t seed = 0; seed < seeds; ++seed) {
+    const Case the_case = source.make(severity, seed);
+    Trial trial(the_case, nobody);
+    for (std::size_t ray = 0; ray < trial.ray_count(); ++ray) {
+      for (std::size_t sphere = 0; sphere < the_case.scene.spheres.size(); ++sphere) {
+        ++counts.pairs;
+        switch (trial.exact_intersection(ray, sphere).hit_class) {
+          case reference::HitClass::kHit:
+            ++counts.hits;
+            break;
+          case reference::HitClass::kMiss:
+            ++counts.misses;
+            break;
+          case reference::HitClass::kTangent:
+            ++counts.tangents;
+            break;
+        }
+      }
+    }
+  }
+  return counts;
+}
+
+/// Rays that meet two spheres first at the same parameter.
+int count_ties(const CaseSource& source, std::uint64_t seeds) {
+  int ties = 0;
+  const Candidate nobody;
+  for (std::uint64_t seed = 0; seed < seeds; ++seed) {
+    const Case the_case = any_case(source, seed);
+    Trial trial(the_case, nobody);
+    for (std::size_t ray = 0; ray < trial.ray_count(); ++ray) {
+      const auto nearest =
+          trial.exact_ray(ray).nearest(the_case.scene.spheres, the_case.scene.conventions);
+      ties += nearest && nearest->ties.size() > 1 ? 1 : 0;
+    }
+  }
+  return ties;
+}
+
+TEST(CaseSource, MakesValidCasesWithPixelsInTheImage) {
+  for_each_severity([](const CaseSource& source, int severity) {
+    for (std::uint64_t seed = 0; seed < 200; ++seed) {
+      const Case the_case = source.make(severity, seed);
+      ASSERT_TRUE(scene::problems(the_case.scene).empty()) << seed;
+      ASSERT_EQ(the_case.scene.camera.has_value(), source.has_camera);
+      if (!source.has_camera) continue;
+      ASSERT_FALSE(the_case.pixels.empty());
+      for (const auto& pixel : the_case.pixels) {
+        ASSERT_TRUE(pixel.i >= 0 && pixel.i < the_case.scene.camera->width);
+        ASSERT_TRUE(pixel.j >= 0 && pixel.j < the_case.scene.camera->height);
+      }
+    }
+  });
+}
+
+TEST(CaseSource, MakesTheSameCaseFromTheSameSeverityAndSeed) {
+  for_each_severity([](const CaseSource& source, int severity) {
+    int differ = 0;
+    for (std::uint64_t seed = 0; seed < 50; ++seed) {
+      const Case first = source.make(severity, seed);
+      const Case second = source.make(severity, seed);
+      ASSERT_EQ(first.scene, second.scene);
+      ASSERT_EQ(first.pixels, second.pixels);
+      differ += first.scene == source.make(severity, seed + 1).scene ? 0 : 1;
+    }
+    EXPECT_GT(differ, 45);
+  });
+}
+
+TEST(CaseSource, KeepsMakingBothHitsAndMisses) {
+  for_each_severity([](const CaseSource& source, int severity) {
+    const Counts counts = count(source, severity, 120);
+    EXPECT_GE(counts.pairs, 120);
+    EXPECT_GT(20 * (counts.hits + counts.tangents), counts.pairs);
+    // Nothing but tangents is what tangent-ulps is for at its highest.
+    const bool only_tangents = source.name == "tangent-ulps" && severity == source.dial->highest;
+    EXPECT_GT(20 * (only_tangents ? counts.tangents : counts.misses), counts.pairs);
+  });
+}
+
+TEST(CaseSource, OfTiesHasTangentsAndTies) {
+  const CaseSource& source = *find_case_source("ties");
+  const Counts counts = count(source, 0, 2000);
+  EXPECT_GT(10 * counts.tangents, counts.pairs);
+  EXPECT_GT(count_ties(source, 2000), 100);
+  EXPECT_GT(count_ties(*find_case_source("plain-cameras"), 2000), 40);
+}
+
+TEST(CaseSource, UsesEveryConvention) {
+  for (const CaseSource& source : case_sources()) {
+    SCOPED_TRACE(source.name);
+    std::set<int> seen;
+    for (std::uint64_t seed = 0; seed < 300; ++seed) {
+      const scene::Conventions c = any_case(source, seed).scene.conventions;
+      seen.insert({static_cast<int>(c.rows), 10 + static_cast<int>(c.samples),
+                   30 + static_cast<int>(c.root), 40 + static_cast<int>(c.tangent)});
+      if (source.name != "near-plane") seen.insert(20 + static_cast<int>(c.origin));
+    }
+    seen.insert({20, 21});
+    EXPECT_EQ(seen, (std::set<int>{0, 1, 10, 11, 20, 21, 30, 31, 40, 41, 42}));
+  }
+}
+
+TEST(CaseSource, IsFoundByItsName) {
+  std::set<std::string_view> names;
+  for (const CaseSource& source : case_sources()) {
+    EXPECT_EQ(find_case_source(source.name), &source);
+    EXPECT_FALSE(source.sentence.empty()) << source.name;
+    names.insert(source.name);
+  }
+  EXPECT_EQ(names.size(), case_sources().size());
+  EXPECT_EQ(find_case_source("nowhere"), nullptr);
+}
+
+TEST(AnyCase, HasEverySeverityAboutAsOften) {
+  const CaseSource& source = *find_case_source("distance");
+  std::vector<int> found(static_cast<std::size_t>(source.dial->highest) + 1);
+  for (std::uint64_t seed = 0; seed < 1600; ++seed) {
+    const Case the_case = any_case(source, seed);
+    for (int severity = 0; severity <= source.dial->highest; ++severity) {
+      if (source.make(severity, seed).scene == the_case.scene) {
+        ++found[static_cast<std::size_t>(severity)];
+      }
+    }
+  }
+  for (const int count : found) EXPECT_NEAR(count, 100, 40);
+}
+
+std::string error_of(std::string_view name) {
+  try {
+    chosen_source(name);
+  } catch (const std::invalid_argument& error) {
+    return error.what();
+  }
+  return "no error";
+}
+
+TEST(ChosenSource, IsASourceOrOneOfItsSeverities) {
+  for (const char* name : {"rays", "distance", "distance@0", "distance@15", "scale@1074"}) {
+    EXPECT_EQ(chosen_source(name).name(), name);
+  }
+  const CaseSource& distance = *find_case_source("distance");
+  EXPECT_EQ(chosen_source("distance@7").make(3).scene, distance.make(7, 3).scene);
+  EXPECT_EQ(chosen_source("distance").make(3).scene, any_case(distance, 3).scene);
+}
+
+TEST(ChosenSource, NamesWhatIsWrong) {
+  EXPECT_EQ(error_of("moon"), "no source of cases is called 'moon'");
+  EXPECT_EQ(error_of("moon@3"), "no source of cases is called 'moon'");
+  EXPECT_EQ(error_of("rays@3"), "'rays' has no severities to choose from");
+  for (const char* severity : {"", "-1", "16", "x", "3x", "+3", "99999999999"}) {
+    EXPECT_EQ(error_of("distance@" + std::string(severity)),
+              "severities of 'distance' are 0 to 15, not '" + std::string(severity) + "'");
+  }
+}
+
+}  // namespace
+}  // namespace raycheck::properties

@@ -1,0 +1,34 @@
+#ifndef RAYCHECK_TESTS_PROPERTIES_CASES_DRAWING_H_
+#define RAYCHECK_TESTS_PROPERTIES_CASES_DRAWING_H_
+
+#include <utility>
+
+#include "fast/visible.h"
+#include "properties/candidates/fast_candidate.h"
+#include "scene/plan/plan.h"
+
+namespace raycheck::properties {
+
+/// direct/cross, which makes images too, as renderers do: not large ones.
+inline Candidate drawing_candidate() {
+  Candidate candidate = fast_candidate(fast::kDirectRays, fast::kCross);
+  candidate.most_image_pixels = 1 << 14;
+  candidate.image = [](const scene::Scene& scene, const scene::Conventions& conventions) {
+    const scene::Camera& camera = *scene.camera;
+    fast::SeenPixels seen;
+    fast::see(scene, scene::plan_scene(scene, conventions, scene::Wanted::kNearest),
+              fast::kDirectRays, fast::kCross, {0, camera.width, 0, camera.height}, seen);
+    ImageAnswer image(seen.sphere.size());
+    for (std::size_t k = 0; k < image.size(); ++k) {
+      if (seen.sphere[k] != fast::kNothingSeen) {
+        image[k] = static_cast<std::size_t>(seen.sphere[k]);
+      }
+    }
+    return image;
+  };
+  return candidate;
+}
+
+}  // namespace raycheck::properties
+
+#endif  // RAYCHECK_TESTS_PROPERTIES_CASES_DRAWING_H_

@@ -1,0 +1,267 @@
+// Every method of fast/ against every law, with fixed seeds; and the promises that a method is
+// known to break, which must stay broken in the same place.
+
+#include <gtest/gtest.h>
+
+#include <map>
+#include <set>
+#include <stdexcept>
+#include <string>
+#include <tuple>
+#include <vector>
+
+#include "properties/candidates/fast_candidate.h"
+#include "properties/search/campaign.h"
+#include "tests/properties/cases/drawing.h"
+
+namespace raycheck::properties {
+namespace {
+
+constexpr int kCases = 900;
+
+// The sources that methods are told apart by.
+constexpr const char* kOrdinaryCameras = "cameras";
+constexpr const char* kPlainCameras = "plain-cameras";
+constexpr const char* kFarCameras = "far-camera";
+constexpr const char* kOrdinaryRays = "rays";
+constexpr const char* kFar = "distance";
+constexpr const char* kGrazing = "tangency";
+
+/// What a law must compare in kCases cases of direct/cross, at the least: about two thirds of what
+/// it does compare.
+const std::map<std::string_view, std::uint64_t> kLeastCompared = {
+    {"frame", 2400},          {"pixel-point", 1700},
+    {"bounds", 2500},         {"image-plane", 4500},
+    {"centre-pixel", 60},     {"pixel-zero-zero", 550},
+    {"density", 2600},        {"square-pixels", 530},
+    {"unit-direction", 1700}, {"direction", 1700},
+    {"ray-origin", 1700},     {"class", 1750},
+    {"nearest-root", 510},    {"backward-error", 510},
+    {"parameter", 510},       {"hit-point", 1500},
+    {"focal-and-pixel", 970}, {"nearest-sphere", 560},
+    {"scaling", 13000},       {"axes", 10500},
+    {"look-at", 2900},        {"up", 1300},
+    {"growing-radius", 1300}, {"refusal", 16000},
+    {"visible-sphere", 9500}, {"image", 1400},
+    {"plan-left-out", 20000}, {"plan-rectangles", 44000},
+    {"plan-roots", 40000}};
+
+CampaignResult campaign(std::string_view law, const Candidate& candidate,
+                        std::string_view source = {}, int cases = kCases) {
+  CampaignOptions options;
+  options.cases = cases;
+  if (!source.empty()) options.sources = {chosen_source(source)};
+  return run_campaign(*find_law(law), candidate, options);
+}
+
+void expect_holds(const Law& law, const Candidate& candidate, std::string_view source = {}) {
+  const CampaignResult result = campaign(law.name, candidate, source);
+  EXPECT_FALSE(result.failure.has_value()) << candidate.name << " breaks: " << law.sentence << "\n"
+                                           << result.failure->replay << "\n"
+                                           << text(result.failure->shrunk);
+  EXPECT_EQ(result.cases, kCases);
+}
+
+/// Near tangency most wrong classes are excused: a defect is one case in a thousand there.
+constexpr int kCasesUntilCaught = 20000;
+
+void expect_caught(std::string_view law, const Candidate& candidate, std::string_view source) {
+  const CampaignResult result = campaign(law, candidate, source, kCasesUntilCaught);
+  EXPECT_TRUE(result.failure.has_value()) << candidate.name << " keeps " << law << " on " << source;
+}
+
+std::vector<std::string> law_names() {
+  std::vector<std::string> names;
+  for (const Law& law : laws()) names.emplace_back(law.name);
+  return names;
+}
+
+/// The laws to which it makes a difference how spheres are intersected.
+std::vector<std::string> laws_of_intersections() {
+  std::vector<std::string> names;
+  for (const Law& law : laws()) {
+    if (law.subject != Law::Subject::kCamera) names.emplace_back(law.name);
+  }
+  return names;
+}
+
+std::vector<std::string> laws_but(const std::set<std::string>& broken) {
+  std::vector<std::string> names = law_names();
+  std::erase_if(names, [&](const std::string& name) { return broken.contains(name); });
+  return names;
+}
+
+/// All but the laws that measure directions and hits: P - E cancels, and a hit inherits the error
+/// of its ray's direction.
+std::vector<std::string> laws_of_lecture_rays() {
+  return laws_but({"direction", "parameter", "hit-point", "axes", "focal-and-pixel"});
+}
+
+std::string identifier(std::string name) {
+  for (char& letter : name) {
+    if (letter == '-') letter = '_';
+  }
+  return name;
+}
+
+std::string test_name(const testing::TestParamInfo<std::string>& the_test) {
+  return identifier(the_test.param);
+}
+
+class EachLaw : public testing::TestWithParam<std::string> {};
+
+TEST_P(EachLaw, HoldsForDirectCross) {
+  const Law& law = *find_law(GetParam());
+  const CampaignResult result = campaign(law.name, drawing_candidate());
+  EXPECT_FALSE(result.failure.has_value()) << text(result.failure->shrunk);
+  EXPECT_EQ(result.cases, kCases);
+  ASSERT_TRUE(kLeastCompared.contains(law.name));
+  EXPECT_GE(result.verdict.compared(), kLeastCompared.at(law.name));
+  // Excuses are for the few: a law that excuses most of what it compares says nothing.
+  std::uint64_t excused = result.verdict.excused();
+  for (const auto& [quantity, tally] : result.verdict.tallies()) excused += tally.ill_conditioned;
+  EXPECT_LT(2 * excused, result.verdict.compared());
+}
+
+TEST_P(EachLaw, HoldsForFocalCross) {
+  expect_holds(*find_law(GetParam()), fast_candidate(fast::kFocalRays, fast::kCross));
+}
+
+INSTANTIATE_TEST_SUITE_P(Laws, EachLaw, testing::ValuesIn(law_names()), test_name);
+
+Candidate with_direct_rays(std::string_view intersection) {
+  for (const fast::IntersectMethod* method : fast::intersect_methods()) {
+    if (method->name == intersection) return fast_candidate(fast::kDirectRays, *method);
+  }
+  throw std::invalid_argument(std::string(intersection));
+}
+
+/// The methods that keep their promises everywhere, or those that do not.
+std::vector<std::string> methods(bool keep) {
+  std::vector<std::string> names;
+  for (const fast::IntersectMethod* method : fast::intersect_methods()) {
+    if (method->not_kept.empty() == keep) names.emplace_back(method->name);
+  }
+  return names;
+}
+
+/// `cross` aside, which has its own test.
+std::vector<std::string> keepers() {
+  std::vector<std::string> names = methods(true);
+  std::erase(names, fast::kCross.name);
+  return names;
+}
+
+class KeptEverywhere : public testing::TestWithParam<std::tuple<std::string, std::string>> {};
+
+TEST_P(KeptEverywhere, Holds) {
+  const auto& [method, law] = GetParam();
+  expect_holds(*find_law(law), with_direct_rays(method));
+}
+
+INSTANTIATE_TEST_SUITE_P(MethodsAndLaws, KeptEverywhere,
+                         testing::Combine(testing::ValuesIn(keepers()),
+                                          testing::ValuesIn(laws_of_intersections())),
+                         [](const testing::TestParamInfo<KeptEverywhere::ParamType>& the_test) {
+                           return identifier(std::get<0>(the_test.param) + "_" +
+                                             std::get<1>(the_test.param));
+                         });
+
+TEST(Keepers, AreTheStableMethods) {
+  EXPECT_EQ(keepers(), (std::vector<std::string>{"perpendicular", "cross2", "double-double",
+                                                 "long-double", "float128", "robust"}));
+}
+
+/// Its class has no excuse on given rays: not tangents, not surfaces, not the ends of the range.
+TEST(Robust, HasTheExactClassOnEverySourceOfGivenRays) {
+  const Candidate candidate = with_direct_rays("robust");
+  ASSERT_TRUE(candidate.exact_class);
+  for (const CaseSource& source : case_sources()) {
+    if (source.has_camera) continue;
+    const CampaignResult result = campaign("class", candidate, source.name, kCasesUntilCaught);
+    EXPECT_FALSE(result.failure.has_value()) << text(result.failure->shrunk);
+    EXPECT_EQ(result.verdict.discrepancies(), 0u) << source.name;
+    EXPECT_GE(result.verdict.compared(), 20000u) << source.name;
+  }
+}
+
+class EachLawOfLectureRays : public testing::TestWithParam<std::string> {};
+
+TEST_P(EachLawOfLectureRays, Holds) {
+  expect_holds(*find_law(GetParam()), fast_candidate(fast::kLectureRays, fast::kCross));
+}
+
+INSTANTIATE_TEST_SUITE_P(Laws, EachLawOfLectureRays, testing::ValuesIn(laws_of_lecture_rays()),
+                         test_name);
+
+class LessStableMethod : public testing::TestWithParam<std::string> {
+ protected:
+  Candidate candidate() const { return with_direct_rays(GetParam()); }
+};
+
+TEST_P(LessStableMethod, IsCaughtByTheClassOfFarAndGrazingSpheres) {
+  expect_caught("class", candidate(), kFar);
+  expect_caught("class", candidate(), kGrazing);
+}
+
+TEST_P(LessStableMethod, IsCaughtByTheParameterOfSpheresManyRadiiAway) {
+  expect_caught("parameter", candidate(), kOrdinaryRays);
+  expect_caught("parameter", candidate(), kFar);
+}
+
+TEST_P(LessStableMethod, HoldsOnOrdinaryCameras) {
+  for (const std::string& law : laws_of_intersections()) {
+    expect_holds(*find_law(law), candidate(), kOrdinaryCameras);
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Methods, LessStableMethod, testing::ValuesIn(methods(false)), test_name);
+
+TEST(LectureRays, AreCaughtByTheDirectionFromFarEyes) {
+  expect_caught("direction", fast_candidate(fast::kLectureRays, fast::kCross), kFarCameras);
+}
+
+TEST(LectureRays, HaveTheRightDirectionFromPlainEyes) {
+  expect_holds(*find_law("direction"), fast_candidate(fast::kLectureRays, fast::kCross),
+               kPlainCameras);
+}
+
+class EachLawOfIncrementalRays : public testing::TestWithParam<std::string> {};
+
+TEST_P(EachLawOfIncrementalRays, Holds) {
+  expect_holds(*find_law(GetParam()), fast_candidate(fast::kIncrementalRays, fast::kCross));
+}
+
+INSTANTIATE_TEST_SUITE_P(Laws, EachLawOfIncrementalRays, testing::ValuesIn(laws_but({"bounds"})),
+                         test_name);
+
+TEST(IncrementalRays, AreCaughtByTheBitsOfTheLastColumn) {
+  expect_caught("bounds", fast_candidate(fast::kIncrementalRays, fast::kCross), kPlainCameras);
+}
+
+class EachLawOfSingleRays : public testing::TestWithParam<std::string> {};
+
+TEST_P(EachLawOfSingleRays, HoldsNearTheWorldsOrigin) {
+  expect_holds(*find_law(GetParam()), fast_candidate(fast::kSingleRays, fast::kCross),
+               kOrdinaryCameras);
+}
+
+INSTANTIATE_TEST_SUITE_P(Laws, EachLawOfSingleRays, testing::ValuesIn(law_names()), test_name);
+
+TEST(SingleRays, AreCaughtByTheDirectionFromFarEyes) {
+  expect_caught("direction", fast_candidate(fast::kSingleRays, fast::kCross), kFarCameras);
+}
+
+TEST(FocalRays, LeaveOutWhatSpeaksOfPixelPoints) {
+  const Candidate focal = fast_candidate(fast::kFocalRays, fast::kCross);
+  for (const char* law : {"pixel-point", "bounds", "image-plane", "centre-pixel", "pixel-zero-zero",
+                          "density", "square-pixels", "focal-and-pixel"}) {
+    const CampaignResult result = campaign(law, focal);
+    EXPECT_EQ(result.left_out, kCases) << law;
+    EXPECT_EQ(result.verdict.compared(), 0u) << law;
+    EXPECT_FALSE(result.reason.empty()) << law;
+  }
+}
+
+}  // namespace
+}  // namespace raycheck::properties

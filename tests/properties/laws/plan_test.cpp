@@ -1,0 +1,247 @@
+// The laws of the plan on every source of cases, for every choice of what the plan does; and that
+// all of what it may leave out does occur.
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <iterator>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "properties/candidates/fast_candidate.h"
+#include "properties/candidates/visibility_candidate.h"
+#include "properties/cases/random.h"
+#include "properties/search/campaign.h"
+#include "scene/validate.h"
+
+namespace raycheck::properties {
+namespace {
+
+using scene::LeftOut;
+using scene::PlanItems;
+
+constexpr const char* kPlanLaws[] = {"plan-left-out", "plan-rectangles", "plan-roots",
+                                     "visible-sphere"};
+
+/// Cases of each source: 200, or what RAYCHECK_PLAN_CASES says (100,000, every night); one of every
+/// severity at the least.
+std::uint64_t cases_of(const CaseSource& source) {
+  const char* const asked = std::getenv("RAYCHECK_PLAN_CASES");
+  const std::uint64_t cases = asked == nullptr ? 200 : std::strtoull(asked, nullptr, 10);
+  const int severities = source.dial ? source.dial->highest + 1 : 1;
+  return std::max(cases, static_cast<std::uint64_t>(severities));
+}
+
+double length(const scene::Vector3& v) { return std::hypot(v.x, v.y, v.z); }
+
+/// A camera whose middle pixel looks along a given ray, at its spheres: some fill the image, some
+/// are a pixel wide. Empty where the eye and what it looks at are too far apart in size for
+/// doubles.
+std::optional<Case> through_a_camera(const Case& of_rays, std::uint64_t seed) {
+  Random random(seed);
+  const scene::Ray& ray = of_rays.scene.rays.front();
+  Case result{of_rays.scene, {}};
+  result.scene.rays.clear();
+  scene::Camera camera;
+  camera.eye = ray.origin;
+  camera.look_at = {ray.origin.x + ray.direction.x, ray.origin.y + ray.direction.y,
+                    ray.origin.z + ray.direction.z};
+  camera.up = random.direction();
+  const double size = length(ray.direction);
+  camera.near = -size * random.power_of_ten(-2, 0);
+  const double half = camera.near * random.power_of_ten(-6, 1);
+  camera.left = camera.bottom = half;
+  camera.right = camera.top = -half;
+  camera.width = 2 * random.integer(1, 8) + 1;
+  camera.height = 2 * random.integer(1, 8) + 1;
+  result.scene.camera = camera;
+  if (random.one_in(2)) result.scene.conventions.origin = scene::Origin::kFocal;
+  result.pixels = {{camera.width / 2, camera.height / 2}, {0, 0}};
+  if (!scene::problems(result.scene).empty()) return std::nullopt;
+  return result;
+}
+
+/// A case with a camera, whatever the source.
+std::optional<Case> seen_case(const CaseSource& source, int severity, std::uint64_t seed) {
+  Case the_case = source.make(severity, seed);
+  if (source.has_camera) return the_case;
+  return through_a_camera(the_case, seed);
+}
+
+/// So many cases of the source, its severities each as often as the other.
+template <class Body>
+void for_each_case(const CaseSource& source, std::uint64_t cases, Body body) {
+  const int severities = source.dial ? source.dial->highest + 1 : 1;
+  const auto each = static_cast<std::uint64_t>(severities);
+  for (std::uint64_t seed = 0; seed < cases; ++seed) {
+    const std::uint64_t severity = cases < each ? seed * each / cases : seed % each;
+    const auto the_case = seen_case(source, static_cast<int>(severity), seed);
+    if (the_case) body(*the_case);
+  }
+}
+
+/// What each law compared.
+using Compared = std::map<std::string_view, std::uint64_t>;
+
+void expect_laws_hold(const Case& the_case, const Candidate& candidate, Compared& compared) {
+  for (const char* const name : kPlanLaws) {
+    Trial trial(the_case, candidate);
+    const Verdict verdict = apply(*find_law(name), trial);
+    EXPECT_EQ(verdict.discrepancies(), 0u)
+        << candidate.name << " breaks " << name << "\n"
+        << (verdict.discrepancies() > 0 ? verdict.worst(1).front().what : "") << text(the_case);
+    compared[name] += verdict.compared();
+  }
+}
+
+class EachSource : public testing::TestWithParam<const CaseSource*> {};
+
+TEST_P(EachSource, KeepsTheLawsOfThePlan) {
+  const Candidate certified = certified_candidate();
+  const std::uint64_t cases = cases_of(*GetParam());
+  std::uint64_t seen = 0;
+  Compared compared;
+  for_each_case(*GetParam(), cases, [&](const Case& the_case) {
+    ++seen;
+    expect_laws_hold(the_case, certified, compared);
+  });
+  // Rays at the end of the range have no camera; images may be too large for `certified`.
+  EXPECT_GE(4 * seen, cases);  // what leaves the range when a camera is made of it has none
+  EXPECT_GE(compared["visible-sphere"], 4 * seen);
+  const std::uint64_t of_plans =
+      compared["plan-left-out"] + compared["plan-rectangles"] + compared["plan-roots"];
+  EXPECT_GE(of_plans, 10 * seen);
+  if (GetParam()->has_camera) {
+    EXPECT_GE(compared["plan-rectangles"], 10 * seen);
+    EXPECT_GE(compared["plan-roots"], 2 * seen);
+  }
+}
+
+std::string source_name(const testing::TestParamInfo<const CaseSource*>& the_test) {
+  std::string name(the_test.param->name);
+  for (char& letter : name) {
+    if (letter == '-') letter = '_';
+  }
+  return name;
+}
+
+std::vector<const CaseSource*> every_source() {
+  std::vector<const CaseSource*> result;
+  for (const CaseSource& source : case_sources()) result.push_back(&source);
+  return result;
+}
+
+INSTANTIATE_TEST_SUITE_P(Sources, EachSource, testing::ValuesIn(every_source()), source_name);
+
+/// What plans left out, or need not ask.
+struct Savings {
+  std::map<LeftOut, int> left_out;
+  int smaller_rectangles = 0, no_far_root = 0, no_behind_test = 0, scaled = 0, aligned = 0;
+  int spheres = 0, plans = 0;
+};
+
+Savings savings_of(const CaseSource& source, std::uint64_t cases) {
+  Savings result;
+  for_each_case(source, cases, [&](const Case& the_case) {
+    const scene::ScenePlan plan =
+        scene::plan_scene(the_case.scene, the_case.scene.conventions, scene::Wanted::kNearest);
+    const scene::Camera& camera = *the_case.scene.camera;
+    ++result.plans;
+    result.scaled += plan.eye.scaling() == scene::Scaling{} ? 0 : 1;
+    result.aligned += plan.eye.axis_aligned() ? 1 : 0;
+    for (const scene::SpherePlan& sphere : plan.spheres) {
+      ++result.spheres;
+      if (sphere.left_out) {
+        ++result.left_out[*sphere.left_out];
+        continue;
+      }
+      result.smaller_rectangles += sphere.pixels.count() < camera.width * camera.height ? 1 : 0;
+      result.no_far_root += sphere.origin_inside ? 0 : 1;
+      result.no_behind_test += sphere.reaches_behind ? 0 : 1;
+    }
+  });
+  return result;
+}
+
+TEST(Plans, LeaveOutSomethingOfEveryKind) {
+  const Savings crowds = savings_of(*find_case_source("crowds"), 500);
+  EXPECT_EQ(crowds.plans, 500);
+  for (const LeftOut why : {LeftOut::kOutsideView, LeftOut::kBehind, LeftOut::kHidden}) {
+    EXPECT_GT(20 * crowds.left_out.at(why), crowds.spheres)
+        << scene::kLeftOutNames[static_cast<std::size_t>(why)];
+  }
+  EXPECT_GT(4 * crowds.smaller_rectangles, crowds.spheres);
+  EXPECT_GT(4 * crowds.no_far_root, crowds.spheres);
+  EXPECT_GT(4 * crowds.no_behind_test, crowds.spheres);
+  EXPECT_EQ(crowds.scaled, 0);
+  EXPECT_EQ(crowds.aligned, 0);
+  const Savings plain = savings_of(*find_case_source("plain-cameras"), 500);
+  EXPECT_EQ(plain.aligned, 500);
+  EXPECT_GT(plain.left_out.at(LeftOut::kHidden), 20);  // equal ones
+  EXPECT_GT(savings_of(*find_case_source("camera-scale"), 500).scaled, 300);
+}
+
+/// Flags of PlanItems, by name.
+struct Item {
+  const char* name;
+  bool PlanItems::*flag;
+};
+constexpr Item kItems[] = {{"view", &PlanItems::view},
+                           {"behind", &PlanItems::behind},
+                           {"hidden", &PlanItems::hidden},
+                           {"rectangles", &PlanItems::rectangles},
+                           {"constants", &PlanItems::constants},
+                           {"far_root", &PlanItems::far_root},
+                           {"behind_test", &PlanItems::behind_test},
+                           {"scaling", &PlanItems::scaling},
+                           {"filter", &PlanItems::filter},
+                           {"basis", &PlanItems::basis},
+                           {"quantities", &PlanItems::quantities}};
+
+PlanItems items_with(bool others, const Item& item, bool value) {
+  PlanItems items;
+  for (const Item& other : kItems) items.*other.flag = others;
+  items.*item.flag = value;
+  return items;
+}
+
+class EachItem : public testing::TestWithParam<Item> {
+ protected:
+  /// Cases of every source for both sides that may do what `items` say.
+  void expect_laws_hold_with(const PlanItems& items) {
+    const Candidate certified = certified_candidate(items);
+    const Candidate fast = fast_candidate(fast::kDirectRays, fast::kRobust, items);
+    Compared by_certified, by_fast;
+    for (const CaseSource& source : case_sources()) {
+      for_each_case(source, 20, [&](const Case& the_case) {
+        expect_laws_hold(the_case, certified, by_certified);
+        Trial trial(the_case, fast);
+        const Verdict verdict = apply(*find_law("visible-sphere"), trial);
+        EXPECT_TRUE(verdict.holds()) << text(the_case);
+        by_fast["visible-sphere"] += verdict.compared();
+      });
+    }
+    EXPECT_GT(by_certified["visible-sphere"], 1000u);
+    EXPECT_GT(by_fast["visible-sphere"], 1000u);
+  }
+};
+
+TEST_P(EachItem, OffKeepsTheLaws) { expect_laws_hold_with(items_with(true, GetParam(), false)); }
+TEST_P(EachItem, AloneKeepsTheLaws) { expect_laws_hold_with(items_with(false, GetParam(), true)); }
+
+INSTANTIATE_TEST_SUITE_P(Items, EachItem, testing::ValuesIn(kItems),
+                         [](const testing::TestParamInfo<Item>& the_test) {
+                           return std::string(the_test.param.name);
+                         });
+
+TEST(PlanItems, AreAllTried) {
+  // As many flags as there are bytes: an item that is added is added above.
+  EXPECT_EQ(std::size(kItems), sizeof(PlanItems));
+}
+
+}  // namespace
+}  // namespace raycheck::properties

@@ -1,0 +1,248 @@
+#include "properties/mistakes/answer_explanation.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <set>
+#include <stdexcept>
+#include <string>
+
+#include "fast/intersect.h"
+#include "fast/pixel_ray.h"
+#include "properties/candidates/fast_candidate.h"
+#include "properties/cases/case_source.h"
+#include "properties/mistakes/mistakes.h"
+
+namespace raycheck::properties {
+namespace {
+
+std::vector<Case> cases_of(std::initializer_list<const char*> sources, std::uint64_t count) {
+  std::vector<Case> cases;
+  for (const char* name : sources) {
+    for (std::uint64_t seed = 1; seed <= count; ++seed) {
+      cases.push_back(find_case_source(name)->make(0, seed));
+    }
+  }
+  return cases;
+}
+
+const std::vector<Case>& fixed_cases() {
+  static const std::vector<Case> kCases =
+      cases_of({"cameras", "plain-cameras", "crowds", "rays", "ties", "inside"}, 40);
+  return kCases;
+}
+
+Candidate candidate_of(std::string_view sentence) {
+  const Mistake* mistake = find_mistake(sentence);
+  if (mistake == nullptr) throw std::invalid_argument(std::string(sentence));
+  return mistake->candidate;
+}
+
+using Sentences = std::vector<std::string>;
+
+Sentences sentences_for(const Candidate& candidate,
+                        const std::vector<Case>& cases = fixed_cases()) {
+  Sentences sentences;
+  for (const Explanation& explanation : explanations(cases, candidate)) {
+    EXPECT_GT(explanation.errors, 0u);
+    EXPECT_LE(explanation.explained, explanation.errors);
+    EXPECT_GE(static_cast<double>(explanation.explained),
+              kExplainedShare * static_cast<double>(explanation.errors));
+    sentences.push_back(explanation.sentence);
+  }
+  return sentences;
+}
+
+TEST(Mistakes, HaveSentencesOfTheirOwn) {
+  std::set<std::string> sentences;
+  for (const Mistake& mistake : mistakes()) EXPECT_TRUE(sentences.insert(mistake.sentence).second);
+  EXPECT_GE(sentences.size(), 60u);
+}
+
+/// The indices of the mistakes that are made on the way to a ray, or after it.
+std::vector<std::size_t> indices(bool on_the_way) {
+  std::vector<std::size_t> result;
+  for (std::size_t k = 0; k < mistakes().size(); ++k) {
+    if ((mistakes()[k].stage < Stage::kIntersect) == on_the_way) result.push_back(k);
+  }
+  return result;
+}
+
+void expect_among(const Sentences& sentences, const std::string& sentence) {
+  EXPECT_TRUE(std::count(sentences.begin(), sentences.end(), sentence))
+      << sentence << ": " << testing::PrintToString(sentences);
+}
+
+class EachMistake : public testing::TestWithParam<std::size_t> {
+ protected:
+  const Mistake& mistake() const { return mistakes()[GetParam()]; }
+};
+
+TEST_P(EachMistake, IsExplainedByItsOwnSentenceAlone) {
+  EXPECT_EQ(sentences_for(mistake().candidate), Sentences{mistake().sentence});
+}
+
+INSTANTIATE_TEST_SUITE_P(Classic, EachMistake, testing::Range(std::size_t{0}, mistakes().size()));
+
+using EachMistakeInRays = EachMistake;
+
+TEST_P(EachMistakeInRays, IsAmongTheExplanationsOfRaysAlone) {
+  Candidate candidate;
+  candidate.pixel_rays = mistake().candidate.pixel_rays;
+  candidate.focal_rays = mistake().candidate.focal_rays;
+  expect_among(sentences_for(candidate), mistake().sentence);
+}
+
+INSTANTIATE_TEST_SUITE_P(Classic, EachMistakeInRays, testing::ValuesIn(indices(true)));
+
+using EachMistakeInHits = EachMistake;
+
+TEST_P(EachMistakeInHits, IsAmongTheExplanationsOfNearestSpheresAlone) {
+  Candidate candidate;
+  candidate.nearest = mistake().candidate.nearest;
+  const std::string& sentence = mistake().sentence;
+  const bool keeps_nearest = sentence.starts_with("Q = ") || sentence.starts_with("s is a length");
+  if (keeps_nearest) {
+    EXPECT_EQ(sentences_for(candidate), Sentences());
+  } else {
+    expect_among(sentences_for(candidate), sentence);
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Classic, EachMistakeInHits, testing::ValuesIn(indices(false)));
+
+TEST(AnswerExplanation, OfARightCandidateIsNone) {
+  for (const auto* rays : fast::pixel_ray_methods()) {
+    for (const auto* intersect : fast::intersect_methods()) {
+      if (rays != &fast::kDirectRays && intersect != &fast::kCross) continue;
+      const Candidate candidate = fast_candidate(*rays, *intersect);
+      EXPECT_EQ(sentences_for(candidate), Sentences()) << candidate.name;
+    }
+  }
+}
+
+TEST(AnswerExplanation, OfARightCandidateOnHardCasesIsNone) {
+  for (const auto* rays : fast::pixel_ray_methods()) {
+    for (const auto* intersect : fast::intersect_methods()) {
+      if (rays != &fast::kDirectRays && intersect != &fast::kCross) continue;
+      const Candidate candidate = fast_candidate(*rays, *intersect);
+      for (const CaseSource& source : case_sources()) {
+        for (int severity = 0; severity <= (source.dial ? source.dial->highest : 0); ++severity) {
+          std::vector<Case> cases;
+          for (std::uint64_t seed = 1; seed <= 5; ++seed)
+            cases.push_back(source.make(severity, seed));
+          EXPECT_EQ(sentences_for(candidate, cases), Sentences())
+              << candidate.name << " " << source.name << severity;
+        }
+      }
+    }
+  }
+}
+
+TEST(AnswerExplanation, OfTwoMistakesAtOnceIsNone) {
+  Candidate candidate = candidate_of("U has the wrong sign");
+  candidate.frame = [right = candidate_of("V is up itself, not made perpendicular to W").frame,
+                     left = candidate.frame](const scene::Camera& camera) {
+    return FrameAnswer{left(camera).U, right(camera).V, left(camera).W};
+  };
+  EXPECT_EQ(sentences_for(candidate), Sentences());
+  candidate = candidate_of("rows are upside down");
+  for (auto* make : {&candidate.pixel_rays, &candidate.focal_rays}) {
+    *make = [base = *make](scene::Camera camera, const scene::Conventions& conventions,
+                           Candidate::Pixels pixels) {
+      camera.top = camera.right;
+      return base(camera, conventions, pixels);
+    };
+  }
+  candidate.frame = nullptr;
+  candidate.pixel_points = nullptr;
+  EXPECT_EQ(sentences_for(candidate), Sentences());
+}
+
+TEST(AnswerExplanation, IsOfTheEarliestWrongStage) {
+  Candidate candidate = candidate_of("rows are upside down");
+  candidate.intersect = candidate_of("the far root is taken for the near one").intersect;
+  candidate.nearest = candidate_of("the last sphere in the file wins").nearest;
+  EXPECT_EQ(sentences_for(candidate), Sentences{"rows are upside down"});
+  candidate.pixel_points = nullptr;
+  candidate.pixel_rays = nullptr;
+  candidate.focal_rays = nullptr;
+  EXPECT_EQ(sentences_for(candidate), Sentences{"the far root is taken for the near one"});
+  candidate.intersect = nullptr;
+  EXPECT_EQ(sentences_for(candidate), Sentences{"the last sphere in the file wins"});
+}
+
+/// The last sphere in the file, met or not: so it wins where it is met, but not only there.
+TEST(AnswerExplanation, ContradictsFewAnswers) {
+  Candidate candidate;
+  candidate.nearest = [](Candidate::Rays rays, Candidate::Spheres spheres,
+                         const scene::Conventions&) {
+    const std::optional<std::size_t> last =
+        spheres.empty() ? std::nullopt : std::optional(spheres.size() - 1);
+    return std::vector(rays.size(), last);
+  };
+  EXPECT_EQ(sentences_for(candidate), Sentences());
+}
+
+TEST(AnswerExplanation, OfWhatIsNoNumberIsThatOfAMistakeThatMakesNone) {
+  const double none = std::numeric_limits<double>::quiet_NaN();
+  const auto all_none = [none](const scene::Camera&, const scene::Conventions&,
+                               Candidate::Pixels pixels) {
+    return std::vector<scene::Ray>(pixels.size(), {{none, none, none}, {none, none, none}});
+  };
+  Candidate candidate;
+  candidate.pixel_rays = all_none;
+  candidate.focal_rays = all_none;
+  EXPECT_EQ(sentences_for(candidate), Sentences());
+  candidate.pixel_rays = candidate_of("the axes are lost: all are zero").pixel_rays;
+  candidate.focal_rays = candidate_of("the axes are lost: all are zero").focal_rays;
+  EXPECT_EQ(sentences_for(candidate), Sentences{"the axes are lost: all are zero"});
+}
+
+TEST(AnswerExplanation, PassesOverCasesThatTheCandidateFailsOn) {
+  Candidate candidate = candidate_of("U and W have the wrong sign, as by W = A - E");
+  int asked = 0;
+  candidate.frame = [&asked, base = candidate.frame](const scene::Camera& camera) {
+    if (++asked % 3 == 0) throw std::runtime_error("it exited with 1");
+    if (asked % 3 == 1) throw std::invalid_argument("camera.up");
+    return base(camera);
+  };
+  EXPECT_EQ(sentences_for(candidate), Sentences{"U and W have the wrong sign, as by W = A - E"});
+}
+
+TEST(AnswerExplanation, OfACandidateInSinglePrecisionIsFound) {
+  const auto rounded = [](scene::Vector3 v) {
+    for (double* x : {&v.x, &v.y, &v.z})
+      *x = static_cast<double>(static_cast<float>(*x) * 1.00001F);
+    return v;
+  };
+  for (const char* sentence : {"V has the wrong sign", "the axes are those of the world"}) {
+    Candidate candidate = candidate_of(sentence);
+    candidate.frame = [rounded, base = candidate.frame](const scene::Camera& camera) {
+      FrameAnswer axes = base(camera);
+      for (scene::UnitVector3* axis : {&axes.U, &axes.V, &axes.W}) {
+        const scene::Vector3 coarse = rounded({axis->x, axis->y, axis->z});
+        *axis = {coarse.x, coarse.y, coarse.z};
+      }
+      return axes;
+    };
+    EXPECT_EQ(sentences_for(candidate), Sentences{sentence});
+  }
+}
+
+TEST(AnswerExplanation, IsJudgedUnderTheDeclaredConventions) {
+  Candidate candidate = candidate_of("pixels are sampled at their centres");
+  EXPECT_EQ(sentences_for(candidate), Sentences{"pixels are sampled at their centres"});
+  candidate.declared.samples = scene::Samples::kCentres;
+  EXPECT_EQ(sentences_for(candidate), Sentences());
+}
+
+TEST(AnswerExplanation, OfNothingIsNone) {
+  EXPECT_EQ(sentences_for({}), Sentences());
+  EXPECT_EQ(sentences_for(candidate_of("V has the wrong sign"), {}), Sentences());
+}
+
+}  // namespace
+}  // namespace raycheck::properties

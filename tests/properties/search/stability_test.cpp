@@ -1,0 +1,193 @@
+// What an answer is worth: one case for every outcome, and what a family shows of a method.
+
+#include "properties/stability.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+
+#include "properties/candidates/fast_candidate.h"
+#include "properties/laws/law.h"
+#include "properties/search/stress.h"
+#include "properties/search/worst_case.h"
+
+namespace raycheck::properties {
+namespace {
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+/// A ray along x that passes the unit sphere at a height.
+Case at_height(double height) {
+  Case result;
+  result.scene.rays = {{{-5, height, 0}, {1, 0, 0}}};
+  result.scene.spheres = {{{0, 0, 0}, 1}};
+  return result;
+}
+
+Candidate that_answers(std::optional<double> parameter) {
+  Candidate candidate;
+  candidate.name = "constant";
+  candidate.intersect = [parameter](Candidate::Rays rays, Candidate::Spheres spheres,
+                                    const scene::Conventions&) {
+    SphereHits hits;
+    for (std::size_t k = 0; parameter && k < rays.size(); ++k)
+      hits.push_back({k, {*parameter, {}}});
+    return std::vector(spheres.size(), hits);
+  };
+  return candidate;
+}
+
+Verdict weigh(std::string_view law, const Case& the_case, const Candidate& candidate) {
+  Trial trial(the_case, candidate, {.conditioning = true});
+  return apply(*find_law(law), trial);
+}
+
+/// The outcome of the parameter of a ray at a height; exactly one answer is weighed.
+Outcome outcome(double height, const Candidate& candidate) {
+  const Verdict verdict = weigh("parameter", at_height(height), candidate);
+  const Tally& tally = verdict.tallies().at(Quantity::kParameter);
+  EXPECT_EQ(tally.cases, 1u);
+  for (std::size_t k = 0; k < kOutcomeCount; ++k) {
+    if (tally.outcomes[k] == 1) return static_cast<Outcome>(k);
+  }
+  ADD_FAILURE() << "no outcome";
+  return Outcome::kExact;
+}
+
+/// s of the ray at height 1/2, and the gap between doubles there.
+const double kParameter = 5 - std::sqrt(0.75);
+constexpr double kGap = 0x1p-50;
+
+TEST(Stability, TellsExactFromAccurateFromUnstable) {
+  EXPECT_EQ(outcome(0.5, that_answers(kParameter)), Outcome::kExact);
+  EXPECT_EQ(outcome(0.5, that_answers(kParameter + 3 * kGap)), Outcome::kAccurate);
+  EXPECT_EQ(outcome(0.5, that_answers(kParameter + 1000 * kGap)), Outcome::kUnstable);
+  EXPECT_EQ(outcome(0.5, that_answers(kInfinity)), Outcome::kUnstable);
+}
+
+TEST(Stability, BlamesTheProblemWhereItsConditionNumberIsLarge) {
+  // At height 1 - 2^-40 d^2 is about 2^-39 and kappa about 2^37: an error of 1e5 ulp is nothing.
+  const double height = 1 - 0x1p-40;
+  const double parameter = 5 - std::sqrt((1 - height) * (1 + height));
+  const Candidate off = that_answers(parameter + 1e5 * kGap);
+  EXPECT_EQ(outcome(height, off), Outcome::kIllConditioned);
+  const Verdict verdict = weigh("parameter", at_height(height), off);
+  EXPECT_GT(verdict.tallies().at(Quantity::kParameter).conditions.at(0), 0x1p16);
+  EXPECT_LT(verdict.tallies().at(Quantity::kParameter).worst_ratio, kStableRatio);
+}
+
+TEST(Stability, UsesTheBackwardErrorAtATangent) {
+  // s off by e makes Q off the sphere by e^2 only: a backward error of about 2^-60 is no fault.
+  EXPECT_EQ(outcome(1, that_answers(5 - 0x1p-30)), Outcome::kIllConditioned);
+  EXPECT_EQ(outcome(1, that_answers(5 - 0x1p-10)), Outcome::kUnstable);
+  const Verdict verdict = weigh("parameter", at_height(1), that_answers(5 - 0x1p-30));
+  EXPECT_TRUE(std::isinf(verdict.tallies().at(Quantity::kParameter).conditions.at(0)));
+}
+
+TEST(Stability, TellsDefectsFromExcusedDecisionsFromThoseOutsideTheDomain) {
+  const auto count = [](const Verdict& verdict, Outcome outcome) {
+    return verdict.tallies().at(Quantity::kClass).count(outcome);
+  };
+  const Candidate misses = that_answers(std::nullopt);
+  EXPECT_EQ(count(weigh("class", at_height(0.5), misses), Outcome::kWrongDecision), 1u);
+  EXPECT_EQ(count(weigh("class", at_height(1), misses), Outcome::kExcusedDecision), 1u);
+  EXPECT_EQ(count(weigh("class", at_height(2), misses), Outcome::kExact), 1u);
+  Candidate narrow = misses;
+  narrow.largest_length = 2;
+  EXPECT_EQ(count(weigh("class", at_height(0.5), narrow), Outcome::kOutsideDomain), 1u);
+}
+
+TEST(Stability, CountsInTheMethodsOwnRoundoff) {
+  Candidate single = that_answers(kParameter + 1e9 * kGap);
+  EXPECT_EQ(outcome(0.5, single), Outcome::kUnstable);
+  single.unit_roundoff = 0x1p-24;
+  EXPECT_EQ(outcome(0.5, single), Outcome::kAccurate);
+}
+
+TEST(Stability, OfAContractAsksForUnitDirectionsAndOriginsOutside) {
+  Candidate strict = that_answers(kParameter);
+  strict.needs_unit_direction = true;
+  strict.needs_origin_outside = true;
+  Case the_case = at_height(0.5);
+  EXPECT_TRUE(is_inside_domain(strict, the_case.scene));
+  the_case.scene.rays[0].origin.x = -0.25;
+  EXPECT_FALSE(is_inside_domain(strict, the_case.scene));
+  the_case = at_height(0.5);
+  the_case.scene.rays[0].direction.x = 2;
+  EXPECT_FALSE(is_inside_domain(strict, the_case.scene));
+}
+
+TEST(Backward, ErrorIsALawThatAWrongRootBreaks) {
+  const auto holds = [](double parameter) {
+    return weigh("backward-error", at_height(0.5), that_answers(parameter)).holds();
+  };
+  EXPECT_TRUE(holds(kParameter));
+  EXPECT_FALSE(holds(kParameter + 1e4 * kGap));
+}
+
+constexpr int kCases = 200;
+
+std::vector<StressResult> on(std::string_view family, int severity, Stage stage,
+                             const std::vector<Candidate>& candidates) {
+  StressOptions options;
+  options.cases = kCases;
+  return stress(*find_case_source(family), severity, stage, candidates, options);
+}
+
+TEST(Stress, FindsTheTextbookUnstableOnFarSpheresAndCrossStable) {
+  const std::vector<Candidate> candidates = {fast_candidate(fast::kDirectRays, fast::kQuadratic),
+                                             fast_candidate(fast::kDirectRays, fast::kCross)};
+  const auto results = on("distance", 7, Stage::kIntersection, candidates);
+  EXPECT_FALSE(is_stable(results[0].inside));
+  EXPECT_GT(defects(results[0].inside), 0u);
+  EXPECT_FALSE(results[0].found.empty());
+  EXPECT_TRUE(is_stable(results[1].inside)) << worst_ratio(results[1].inside);
+  EXPECT_GE(results[1].inside.tallies().at(Quantity::kClass).cases, kCases);
+}
+
+TEST(Stress, FindsTheLecturesDirectionsUnstableInAFarWorldAndDirectOnesStable) {
+  const std::vector<Candidate> candidates = {fast_candidate(fast::kLectureRays, fast::kCross),
+                                             fast_candidate(fast::kDirectRays, fast::kCross)};
+  const auto results = on("far-camera", 8, Stage::kRays, candidates);
+  EXPECT_FALSE(is_stable(results[0].inside));
+  EXPECT_TRUE(is_stable(results[1].inside)) << worst_ratio(results[1].inside);
+  EXPECT_GE(results[1].inside.tallies().at(Quantity::kDirection).cases, kCases);
+}
+
+TEST(Stress, JudgesIntersectionsAloneOnTheRaysOfACamera) {
+  const std::vector<Candidate> candidates = {fast_candidate(fast::kDirectRays, fast::kCross)};
+  const auto results = on("far-camera", 0, Stage::kIntersection, candidates);
+  EXPECT_GE(results[0].inside.tallies().at(Quantity::kClass).cases, kCases / 2);
+  EXPECT_EQ(results[0].inside.tallies().count(Quantity::kDirection), 0u);
+}
+
+TEST(ErrorSlope, FitsALineThroughLogarithms) {
+  const std::vector<int> from_0 = {0, 1, 2, 3, 4, 5, 6};
+  const std::vector<double> errors = {1, 100, 1e4, 1e6};
+  EXPECT_NEAR(error_slope(10, from_0, errors).value(), 2, 1e-12);
+  EXPECT_NEAR(error_slope(2, from_0, errors).value(), 2 / std::log10(2.0), 1e-12);
+  EXPECT_FALSE(error_slope(10, from_0, std::vector<double>{1, 0, kInfinity, 2}).has_value());
+  const std::vector<double> until_nothing_is_right = {1, 10, 100, 1000, 2000, 1500, 1800};
+  EXPECT_NEAR(error_slope(10, from_0, until_nothing_is_right).value(), 1, 1e-12);
+}
+
+TEST(WorstCase, ClimbsAboveTheRandomCasesAndShrinks) {
+  SearchOptions options;
+  options.source = {find_case_source("rays")};
+  options.climb = Climb::kRatio;
+  options.cases = 200;
+  options.steps = 2000;
+  const Candidate candidate = fast_candidate(fast::kDirectRays, fast::kQuadratic);
+  const auto worst = find_worst_case(candidate, Stage::kIntersection, options);
+  ASSERT_TRUE(worst.has_value());
+  EXPECT_GT(worst->height, worst->height_random);
+  EXPECT_EQ(worst->the_case.scene.spheres.size(), 1u);
+  EXPECT_EQ(worst->stability.outcome, Outcome::kUnstable);
+  EXPECT_EQ(worst->shown.got.size(), 1u);
+  const auto again = find_worst_case(candidate, Stage::kIntersection, options);
+  EXPECT_EQ(again->error, worst->error);
+}
+
+}  // namespace
+}  // namespace raycheck::properties

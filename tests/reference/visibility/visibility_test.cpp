@@ -1,0 +1,280 @@
+#include "reference/visibility/visibility.h"
+
+#include <gtest/gtest.h>
+#include <hwy/highway.h>
+
+#include <cmath>
+#include <optional>
+#include <random>
+#include <stdexcept>
+#include <tuple>
+#include <vector>
+
+#include "scene/files/scene_file.h"
+
+namespace raycheck::reference {
+namespace {
+
+struct Seen {
+  std::vector<std::int32_t> sphere;
+  std::vector<double> parameter, x, y, z;
+  DecidedBy decided_by;
+
+  explicit Seen(std::size_t pixels)
+      : sphere(pixels), parameter(pixels), x(pixels), y(pixels), z(pixels) {}
+  SeenRows rows() { return {sphere, parameter, x, y, z}; }
+  auto all() const { return std::tie(sphere, parameter, x, y, z, decided_by); }
+};
+
+std::size_t pixels_of(const scene::Scene& scene) {
+  return static_cast<std::size_t>(scene.camera->width * scene.camera->height);
+}
+
+Seen see(const Visibility& visibility, int threads = 1) {
+  Seen seen(pixels_of(visibility.scene()));
+  seen.decided_by =
+      nearest_in_parallel(visibility, 0, visibility.scene().camera->height, seen.rows(), threads);
+  return seen;
+}
+
+Visibility visibility_of(const scene::Scene& scene, const scene::PlanItems& items = {}) {
+  return {scene, scene::plan_scene(scene, scene.conventions, scene::Wanted::kNearest, items)};
+}
+
+/// Compares every pixel with the exact ray; returns how many see a sphere.
+int expect_exact(const scene::Scene& scene, const Seen& seen) {
+  const ExactCamera camera(*scene.camera, scene.conventions);
+  const scene::Point3& E = scene.camera->eye;
+  int hits = 0;
+  for (std::size_t at = 0; at < pixels_of(scene); ++at) {
+    const auto index = static_cast<std::int64_t>(at);
+    const ExactRay ray(camera, {index % scene.camera->width, index / scene.camera->width});
+    const auto exact = ray.nearest(scene.spheres, scene.conventions);
+    const std::int32_t expected = exact ? static_cast<std::int32_t>(exact->index) : kNoSphere;
+    if (seen.sphere[at] != expected) {
+      ADD_FAILURE() << "pixel " << at << ": " << seen.sphere[at] << ", exactly " << expected;
+      return hits;
+    }
+    if (!exact) {
+      EXPECT_EQ(seen.parameter[at], kNoParameter);
+      EXPECT_EQ(seen.x[at], kNoParameter);
+      continue;
+    }
+    ++hits;
+    const scene::Sphere& sphere = scene.spheres[exact->index];
+    const scene::Point3 Q = ray.rounded_point(sphere, exact->intersection);
+    const double distance = std::hypot(Q.x - E.x, Q.y - E.y, Q.z - E.z);
+    const double bound = kVisibleParameterError * distance;
+    EXPECT_LE(std::abs(seen.parameter[at] - ray.rounded_parameter(sphere, exact->intersection)),
+              bound);
+    EXPECT_LE(std::abs(seen.x[at] - Q.x), bound + 0x1p-51 * std::abs(Q.x));
+    EXPECT_LE(std::abs(seen.y[at] - Q.y), bound + 0x1p-51 * std::abs(Q.y));
+    EXPECT_LE(std::abs(seen.z[at] - Q.z), bound + 0x1p-51 * std::abs(Q.z));
+  }
+  return hits;
+}
+
+/// Spheres of all sizes about the eye, before and behind it, some around it or cut by the plane.
+scene::Scene random_scene(unsigned seed, double scale = 1) {
+  std::mt19937_64 bits(seed);
+  const auto between = [&](double low, double high) {
+    return low + (high - low) * static_cast<double>(bits() >> 11) * 0x1p-53;
+  };
+  scene::Scene scene;
+  scene.camera = scene::Camera{{scale * between(-3, 3), scale * between(-3, 3), scale * 5},
+                               {scale * between(-1, 1), scale * between(-1, 1), 0},
+                               {between(-.3, .3), 1, between(-.3, .3)},
+                               -scale,
+                               std::nullopt,
+                               -.7 * scale,
+                               .9 * scale,
+                               seed % 3 == 0 ? .8 * scale : -.8 * scale,
+                               seed % 3 == 0 ? -.6 * scale : .6 * scale,
+                               66 + seed % 5,
+                               19 + seed % 7};
+  scene.conventions.rows = seed % 2 == 0 ? scene::Rows::kTopFirst : scene::Rows::kBottomFirst;
+  scene.conventions.samples = seed % 5 == 0 ? scene::Samples::kCentres : scene::Samples::kEdges;
+  for (int k = 0; k < 40; ++k) {
+    const double size = std::exp2(between(-6, 2));
+    scene.spheres.push_back(
+        {{scale * between(-9, 9), scale * between(-9, 9), scale * between(-40, 8)}, scale * size});
+  }
+  if (seed % 4 == 0) scene.spheres.push_back({scene.camera->eye, 30 * scale});
+  scene.spheres.push_back(scene.spheres.front());
+  return scene;
+}
+
+TEST(Visibility, IsExactAtTheEndOfTheRange) {
+  // |Q - E| is out of range; s, from the pixel on, is not.
+  constexpr double kFar = 1.7e308;
+  scene::Scene scene;
+  scene.camera = scene::Camera{{0, 0, 0}, {0, 0, -1}, {0, 1, 0}, -kFar, std::nullopt, -kFar, kFar,
+                               -kFar,     kFar,       5,         5};
+  scene.spheres = {{{0, 0, -kFar}, kFar}};
+  const Seen seen = see(visibility_of(scene));
+  const ExactCamera camera(*scene.camera, scene.conventions);
+  int hits = 0;
+  for (std::size_t at = 0; at < pixels_of(scene); ++at) {
+    const auto index = static_cast<std::int64_t>(at);
+    const ExactRay ray(camera, {index % 5, index / 5});
+    const auto exact = ray.nearest(scene.spheres, scene.conventions);
+    ASSERT_EQ(seen.sphere[at], exact ? 0 : kNoSphere) << at;
+    if (!exact) continue;
+    ++hits;
+    EXPECT_EQ(seen.parameter[at], ray.rounded_parameter(scene.spheres[0], exact->intersection))
+        << at;
+  }
+  EXPECT_EQ(hits, 13);
+}
+
+TEST(Visibility, TakesAllCoordinatesOrNone) {
+  const scene::Scene scene = random_scene(1);
+  Seen seen(pixels_of(scene));
+  SeenRows rows = seen.rows();
+  rows.point_y = {};
+  EXPECT_THROW(visibility_of(scene).nearest(0, scene.camera->height, rows), std::invalid_argument);
+}
+
+TEST(Visibility, IsExactUnderEveryConvention) {
+  int hits = 0;
+  for (unsigned seed = 0; seed < 6; ++seed) {
+    scene::Scene scene = random_scene(seed);
+    for (const auto origin : {scene::Origin::kPixel, scene::Origin::kFocal}) {
+      for (const auto root : {scene::Root::kNearest, scene::Root::kSmaller}) {
+        for (const auto tangent : {scene::Tangent::kHit, scene::Tangent::kMiss}) {
+          scene.conventions.origin = origin;
+          scene.conventions.root = root;
+          scene.conventions.tangent = tangent;
+          SCOPED_TRACE(seed);
+          hits += expect_exact(scene, see(visibility_of(scene)));
+        }
+      }
+    }
+  }
+  EXPECT_GT(hits, 5'000);
+}
+
+TEST(Visibility, IsExactAtEveryScale) {
+  int hits = 0;
+  for (const double scale : {0x1p500, 0x1p300, 0x1p-300, 0x1p-480, 0x1p-1000, 0x1p1000}) {
+    SCOPED_TRACE(scale);
+    const scene::Scene scene = random_scene(1, scale);
+    hits += expect_exact(scene, see(visibility_of(scene)));
+  }
+  EXPECT_GT(hits, 500);
+}
+
+TEST(Visibility, IsExactOnTheExamples) {
+  int scenes = 0;
+  for (const char* name : {"ten-spheres", "sphere-around-eye", "sphere-behind-eye",
+                           "sphere-between-eye-and-plane", "far-sphere", "example-6-top-first"}) {
+    const auto scene =
+        scene::load_scene(std::string(RAYCHECK_SOURCE_DIR "/scene/examples/") + name + ".toml", {})
+            .scene;
+    expect_exact(scene, see(visibility_of(scene)));
+    ++scenes;
+  }
+  EXPECT_EQ(scenes, 6);
+}
+
+TEST(Visibility, LeavesAlmostAllPixelsOfOrdinaryScenesToTheFilter) {
+  const Seen seen = see(visibility_of(random_scene(1)));
+  EXPECT_LT(seen.decided_by.fallback() * 100, seen.sphere.size());
+}
+
+TEST(Visibility, DecidesTangentsAndTiesExactly) {
+  scene::Scene scene = random_scene(1);
+  scene.camera = scene::Camera{{0, 0, 0}, {0, 0, -1}, {0, 1, 0}, -1, {}, -1, 1, -1, 1, 9, 9};
+  scene.conventions = {};
+  // A point on the ray of pixel (4, 8), and two spheres that touch the axis at one point.
+  scene.spheres = {{{0, 8, -8}, 0}, {{3, 0, -5}, 3}, {{-3, 0, -5}, 3}};
+  const Seen seen = see(visibility_of(scene));
+  EXPECT_GT(expect_exact(scene, seen), 2);
+  EXPECT_EQ(seen.sphere[8 * 9 + 4], 0);
+  EXPECT_EQ(seen.sphere[4 * 9 + 4], 1);
+  EXPECT_GE(seen.decided_by.fallback(), 2U);
+}
+
+TEST(Visibility, DoesNotDependOnThreadsOrOnHowRowsAreAskedFor) {
+  const Visibility visibility = visibility_of(random_scene(2));
+  const Seen one = see(visibility, 1);
+  for (const int threads : {2, 3, 7}) EXPECT_EQ(see(visibility, threads).all(), one.all());
+  const auto width = static_cast<std::size_t>(visibility.scene().camera->width);
+  const std::int64_t height = visibility.scene().camera->height;
+  for (std::int64_t j = 0; j < height; j += 5) {
+    const std::int64_t end = std::min(j + 5, height);
+    Seen rows(width * static_cast<std::size_t>(end - j));
+    visibility.nearest(j, end, rows.rows());
+    const auto from = one.sphere.begin() + static_cast<std::ptrdiff_t>(width) * j;
+    EXPECT_TRUE(std::equal(rows.sphere.begin(), rows.sphere.end(), from));
+  }
+}
+
+TEST(Visibility, DoesNotDependOnTheTarget) {
+  const Visibility visibility = visibility_of(random_scene(3));
+  const Seen best = see(visibility);
+  std::vector<std::int64_t> targets;
+  for (std::int64_t left = hwy::SupportedTargets(); left != 0; left &= left - 1) {
+    targets.push_back(left & -left);
+  }
+  EXPECT_GT(targets.size(), 1U);
+  for (const std::int64_t target : targets) {
+    SCOPED_TRACE(hwy::TargetName(target));
+    hwy::SetSupportedTargetsForTest(target);
+    const Seen seen = see(visibility);
+    hwy::SetSupportedTargetsForTest(0);
+    EXPECT_EQ(seen.sphere, best.sphere);
+    expect_exact(visibility.scene(), seen);
+  }
+}
+
+TEST(Visibility, IsTheSameWithoutAnyItemOfThePlan) {
+  using Item = bool scene::PlanItems::*;
+  for (const unsigned seed : {1U, 4U}) {
+    const scene::Scene scene = random_scene(seed);
+    const Seen all = see(visibility_of(scene));
+    for (const Item item :
+         {&scene::PlanItems::view, &scene::PlanItems::behind, &scene::PlanItems::hidden,
+          &scene::PlanItems::rectangles, &scene::PlanItems::constants, &scene::PlanItems::far_root,
+          &scene::PlanItems::behind_test, &scene::PlanItems::scaling, &scene::PlanItems::filter,
+          &scene::PlanItems::basis, &scene::PlanItems::quantities}) {
+      scene::PlanItems items;
+      items.*item = false;
+      EXPECT_EQ(see(visibility_of(scene, items)).sphere, all.sphere);
+    }
+  }
+}
+
+TEST(Visibility, ClassesAreExact) {
+  std::uint64_t compared = 0;
+  for (const unsigned seed : {1U, 2U, 4U}) {
+    const scene::Scene scene = random_scene(seed);
+    const Visibility visibility = visibility_of(scene);
+    const auto plan = scene::plan_scene(scene, scene.conventions, scene::Wanted::kClass);
+    const Visibility of_all(scene, plan);
+    const ExactCamera camera(*scene.camera, scene.conventions);
+    std::vector<HitClass> classes(pixels_of(scene));
+    for (std::size_t k = 0; k < scene.spheres.size(); ++k) {
+      of_all.classes(k, 0, scene.camera->height, classes);
+      for (std::size_t at = 0; at < classes.size(); ++at) {
+        const auto index = static_cast<std::int64_t>(at);
+        const ExactRay ray(camera, {index % scene.camera->width, index / scene.camera->width});
+        const HitClass exact = ray.intersect(scene.spheres[k], scene.conventions.root).hit_class;
+        if (classes[at] != exact) FAIL() << seed << " sphere " << k << " pixel " << at;
+        ++compared;
+      }
+    }
+  }
+  EXPECT_GT(compared, 50'000U);
+}
+
+TEST(Visibility, RefusesArraysAndRowsThatDoNotFit) {
+  const Visibility visibility = visibility_of(random_scene(1));
+  std::vector<std::int32_t> sphere(5);
+  EXPECT_THROW(visibility.nearest(0, 1, {sphere, {}, {}, {}, {}}), std::invalid_argument);
+  EXPECT_THROW(visibility.nearest(0, 1000, {}), std::invalid_argument);
+  EXPECT_THROW(visibility.nearest(-1, 1, {}), std::invalid_argument);
+}
+
+}  // namespace
+}  // namespace raycheck::reference

@@ -1,0 +1,177 @@
+#include <gtest/gtest.h>
+
+#include <string>
+#include <vector>
+
+#include "scene/files/scene_file.h"
+
+namespace raycheck::scene {
+namespace {
+
+const std::string kView = "eye 0 0 4\nlook 0 0 0\nup 0 1 0\n";
+const std::string kA = kView + "d 2\nbounds -1 -2 3 4\nres 16 9\n";
+const std::string kB = kView + "d -2\nbounds -1 3 -2 4\nres 16 9\n";
+const std::string kC = "camera 0 0 4 0 0 0 0 1 0 -2\nbounds -1 3 -2 4\nres 16 9\n";
+
+LoadedScene read(const std::string& text, std::optional<Dialect> dialect = {}) {
+  return read_driver_file(text, "f.txt", dialect);
+}
+
+std::string error_of(const std::string& text, std::optional<Dialect> dialect = {}) {
+  try {
+    read(text, dialect);
+  } catch (const SceneFileError& error) {
+    return error.what();
+  }
+  return "no error";
+}
+
+std::string with(std::string text, const std::string& from, const std::string& to) {
+  const std::size_t at = text.find(from);
+  if (at == std::string::npos) throw std::logic_error("no " + from);
+  return text.replace(at, from.size(), to);
+}
+
+Scene expected_scene() {
+  Scene scene;
+  scene.camera = Camera{{0, 0, 4}, {0, 0, 0}, {0, 1, 0}, -2, {}, -1, 3, -2, 4, 16, 9};
+  scene.conventions = {Rows::kTopFirst, Samples::kEdges, Origin::kPixel, Root::kNearest,
+                       Tangent::kHit};
+  return scene;
+}
+
+TEST(ReadDriverFile, ReadsEachDialectAlike) {
+  for (const std::string& text : {kA, kB, kC}) {
+    const LoadedScene loaded = read(text);
+    EXPECT_EQ(loaded.scene, expected_scene()) << text;
+    EXPECT_TRUE(loaded.warnings.empty()) << text;
+  }
+  EXPECT_EQ(read(kA, Dialect::kA).scene, expected_scene());
+  EXPECT_EQ(read(kB, Dialect::kB).scene, expected_scene());
+  EXPECT_EQ(read(kC, Dialect::kC).scene, expected_scene());
+}
+
+TEST(ReadDriverFile, TakesLinesInAnyOrderAndLayout) {
+  EXPECT_EQ(
+      read("\xEF\xBB\xBF# driver\r\nres\t16 9 # pixels\r\n\r\nbounds -1 -2 3 4#b\r\n  d 2.\r\n"
+           "up 0 +1 0\r\n\t \r\nlook 0 0 0x0p0\r\neye 0 0 4e0")
+          .scene,
+      expected_scene());
+}
+
+TEST(ReadDriverFile, ReadsSpheresInOrder) {
+  const LoadedScene loaded = read("sphere 1 2 3 .75\n" + kB + "sphere -1 0x1p-1 1e300 0\n");
+  EXPECT_EQ(loaded.scene.spheres, (std::vector<Sphere>{{{1, 2, 3}, 0.75}, {{-1, 0.5, 1e300}, 0}}));
+  EXPECT_TRUE(loaded.warnings.empty());
+}
+
+TEST(ReadDriverFile, WarnsOnceOfEachOddity) {
+  std::string text = with(kB, "d -2", "d -2 7") + "light 1 1 1\nlight 2 2 2\nambient .1 .1 .1\n";
+  for (int i = 0; i < 10; ++i) text += "sphere 0 0 -9 1 .1 .1 .1 .5 .5 .5 .9 .9 .9\n";
+  const std::vector<std::string> warnings = read(text).warnings;
+  EXPECT_EQ(warnings,
+            (std::vector<std::string>{
+                "f.txt:7: light: unknown keyword, ignored (first on line 7)",
+                "f.txt:9: ambient: unknown keyword, ignored (first on line 9)",
+                "f.txt:10: sphere: numbers after the first 4 are ignored (first on line 10)",
+                "f.txt:4: d: numbers after the first are ignored (first on line 4)"}));
+  EXPECT_EQ(read(text).scene.spheres.size(), 10u);
+}
+
+TEST(ReadDriverFile, RefusesADialectThatTheFileContradicts) {
+  EXPECT_EQ(error_of(kB, Dialect::kA),
+            "f.txt:4: d = -2: dialect A (--dialect) needs d > 0; this file is dialect B");
+  EXPECT_EQ(error_of(kA, Dialect::kB),
+            "f.txt:4: d = 2: dialect B (--dialect) needs d < 0; this file is dialect A");
+  EXPECT_EQ(error_of(kA, Dialect::kC),
+            "f.txt:4: d = 2: dialect C (--dialect) needs a camera line instead; this file is "
+            "dialect A");
+  for (const Dialect dialect : {Dialect::kA, Dialect::kB}) {
+    EXPECT_EQ(error_of(kC, dialect),
+              std::string("f.txt:1: camera = 0 0 4 0 0 0 0 1 0 -2: dialect ") +
+                  (dialect == Dialect::kA ? "A" : "B") +
+                  " (--dialect) has no camera line; this file is dialect C");
+  }
+}
+
+TEST(ReadDriverFile, NeedsAnUndoubtedD) {
+  EXPECT_EQ(error_of(with(kA, "d 2\n", "")),
+            "f.txt:1: d: is missing; it places the image plane, and its sign tells dialect A "
+            "(d > 0) from dialect B (d < 0)");
+  EXPECT_EQ(error_of(with(kA, "d 2", "d -0")),
+            "f.txt:4: d = -0: must be above zero (dialect A) or below (B and C)");
+  EXPECT_EQ(error_of(with(kA, "d 2", "d nan")),
+            "f.txt:4: d = nan: must be above zero (dialect A) or below (B and C)");
+  EXPECT_EQ(error_of(with(kC, "-2", "2")), "f.txt:1: d = 2: dialect C needs d < 0");
+  EXPECT_EQ(error_of(with(kA, "d 2", "d 1e400")), "f.txt:4: camera.near = -inf: is not finite");
+}
+
+TEST(ReadDriverFile, SaysWhenTheOtherBoundsOrderWouldHaveAnArea) {
+  EXPECT_EQ(error_of(kView + "d -2\nbounds -1 -1 1 1\nres 2 2\n"),
+            "f.txt:5: bounds = -1 -1 1 1: has no area in dialect B's order (left right bottom "
+            "top), but has in dialect A's (left bottom right top): reorder the numbers; "
+            "--dialect A needs d > 0");
+  EXPECT_EQ(error_of(kView + "d 2\nbounds -1 1 -1 1\nres 2 2\n"),
+            "f.txt:5: bounds = -1 1 -1 1: has no area in dialect A's order (left bottom right "
+            "top), but has in dialect B's (left right bottom top): reorder the numbers; "
+            "--dialect B needs d < 0");
+  EXPECT_EQ(error_of(kView + "d 2\nbounds 1 1 1 1\nres 2 2\n"),
+            "f.txt:5: camera.right = 1: equals left, so the image has no width\n"
+            "f.txt:5: camera.top = 1: equals bottom, so the image has no height");
+}
+
+TEST(ReadDriverFile, RefusesACameraLineBesideItsParts) {
+  EXPECT_EQ(error_of(kC + "look 1 2 3\n"),
+            "f.txt:4: look = 1 2 3: contradicts the camera line, line 1, which already holds it");
+  EXPECT_EQ(error_of("d 2\n" + kC),
+            "f.txt:1: d = 2: contradicts the camera line, line 2, which already holds it");
+}
+
+TEST(ReadDriverFile, RefusesAKeywordGivenTwice) {
+  EXPECT_EQ(error_of(kA + "\nup 1 0 0\n"), "f.txt:8: up = 1 0 0: is given twice, first on line 3");
+  EXPECT_EQ(error_of(kC + "res 16 9\n"), "f.txt:4: res = 16 9: is given twice, first on line 3");
+}
+
+TEST(ReadDriverFile, NamesMissingKeywords) {
+  EXPECT_EQ(error_of(""), "f.txt:1: eye: is missing");
+  for (const char* const keyword : {"eye", "look", "up", "d", "bounds", "res"}) {
+    std::string text = "\n" + kA;
+    const std::size_t at = text.find(std::string("\n") + keyword + " ") + 1;
+    text.erase(at, text.find('\n', at) + 1 - at);
+    EXPECT_EQ(error_of(text).substr(0, 9 + std::string(keyword).size() + 12),
+              std::string("f.txt:1: ") + keyword + ": is missing");
+  }
+  EXPECT_EQ(error_of(with(kC, "bounds", "bound")), "f.txt:1: bounds: is missing");
+}
+
+TEST(ReadDriverFile, NamesBadNumbersByFileLineFieldAndValue) {
+  EXPECT_EQ(error_of(with(kA, "eye 0 0 4", "eye 0 zero 4")),
+            "f.txt:1: eye[1] = zero: is not a number");
+  EXPECT_EQ(error_of(with(kA, "up 0 1 0", "up 0 1")), "f.txt:3: up = 0 1: needs 3 numbers, has 2");
+  EXPECT_EQ(error_of(kA + "sphere 1 2 3\n"), "f.txt:7: sphere = 1 2 3: needs 4 numbers, has 3");
+  EXPECT_EQ(error_of(kA + "sphere 1 2 3 r\n"), "f.txt:7: sphere[3] = r: is not a number");
+  EXPECT_EQ(error_of(with(kA, "d 2", "d")), "f.txt:4: d = : needs 1 numbers, has 0");
+  EXPECT_EQ(error_of(with(kC, " -2", "")),
+            "f.txt:1: camera = 0 0 4 0 0 0 0 1 0: needs 10 numbers, has 9");
+  EXPECT_EQ(error_of(with(kA, "res 16 9", "res 16.0 9")),
+            "f.txt:6: res[0] = 16.0: is not a whole number of pixels");
+  EXPECT_EQ(error_of(with(kA, "res 16 9", "res 16")), "f.txt:6: res = 16: needs 2 numbers, has 1");
+  EXPECT_EQ(error_of(with(kA, "eye 0 0 4", "eye 0 \x01 4")),
+            "f.txt:1: eye[1] = ?: is not a number");
+}
+
+TEST(ReadDriverFile, LocatesEveryValidationProblem) {
+  EXPECT_EQ(error_of("sphere 0 0 0 -1\neye 0 0 4\nlook 0 0 4\nup 1 0 0\nd -2\nbounds 1 2 3 4\n"
+                     "res 0 1\nsphere 0 0 inf 1\n"),
+            "f.txt:3: camera.look_at = [0, 0, 4]: is the same point as eye\n"
+            "f.txt:7: camera.width = 0: is below 1 pixel\n"
+            "f.txt:7: camera.height = 1: leaves one sample between two edges; samples = edges "
+            "needs 2 or more\n"
+            "f.txt:1: sphere[0].radius = -1: is negative\n"
+            "f.txt:8: sphere[1].centre = [0, 0, inf]: is not finite");
+  EXPECT_EQ(error_of(with(kC, "0 1 0", "0 0 5")),
+            "f.txt:1: camera.up = [0, 0, 5]: is exactly parallel to eye - look_at");
+}
+
+}  // namespace
+}  // namespace raycheck::scene

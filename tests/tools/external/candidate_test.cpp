@@ -1,0 +1,342 @@
+// Other people's candidates, right and hostile, through `check --candidate`.
+
+#include <gtest/gtest.h>
+#include <sys/stat.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cstdlib>
+#include <filesystem>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include "tests/tools/program.h"
+
+namespace raycheck::tests {
+namespace {
+
+using nlohmann::json;
+
+const std::string kCamera = "scene/examples/ten-spheres.toml";
+const std::string kRays = "scene/examples/lecture-examples.toml";
+
+const std::string kProbe = "scene/examples/probe.toml";
+
+std::string renderer(const std::string& mistake) {
+  return "renderer:python3 tests/candidates/rt.py " + mistake + " {scene} {image}";
+}
+
+Outcome check(const std::string& scene, const std::string& candidate,
+              const std::string& more = "") {
+  return run("check " + scene + " --format json " + more + " --candidate '" + candidate + "'");
+}
+
+json judged(const std::string& scene, const std::string& candidate, const std::string& more = "") {
+  const Outcome outcome = check(scene, candidate, more);
+  EXPECT_TRUE(outcome.exit_code == 0 || outcome.exit_code == 1)
+      << candidate << ": " << outcome.exit_code << "\n"
+      << outcome.err;
+  if (outcome.out.empty()) return {};
+  return json::parse(outcome.out)["candidates"][0];
+}
+
+void expect_right(const std::string& scene, const std::string& candidate) {
+  const json report = judged(scene, candidate);
+  EXPECT_EQ(report["discrepancies"], 0) << candidate << "\n" << report.dump(2);
+  std::uint64_t cases = 0;
+  for (const json& quantity : report["quantities"]) cases += quantity["cases"].get<std::uint64_t>();
+  EXPECT_GT(cases, 8u) << candidate;
+}
+
+bool has_java() { return std::system("command -v javac java >/dev/null 2>&1") == 0; }
+
+TEST(Candidate, is_right_as_a_source_file) {
+  expect_right(kCamera, "source:tests/candidates/right.cpp");
+  expect_right(kRays, "source:tests/candidates/right.cpp");
+  expect_right("scene/examples/example-6-top-first.toml", "source:tests/candidates/right.cpp");
+}
+
+TEST(Candidate, is_right_as_a_folder_a_project_and_a_library) {
+  const std::string folder = temporary_file("right", "") + ".d/";
+  std::filesystem::create_directory(folder);
+  std::filesystem::copy_file(std::string(RAYCHECK_SOURCE_DIR) + "/tests/candidates/right.cpp",
+                             folder + "right.cpp");
+  expect_right(kCamera, "source:" + folder);
+  const std::string library = folder + "right.so";
+  ASSERT_EQ(std::system(("g++ -std=c++20 -shared -fPIC -isystem /usr/include/eigen3 -I " +
+                         std::string(RAYCHECK_SOURCE_DIR) + "/tools/external/sdk " + folder +
+                         "right.cpp -o " + library)
+                            .c_str()),
+            0);
+  expect_right(kCamera, "library:" + library);
+  std::filesystem::remove(library);
+  temporary_file("right.d/CMakeLists.txt",
+                 "cmake_minimum_required(VERSION 3.20)\nproject(right CXX)\n"
+                 "set(CMAKE_CXX_STANDARD 20)\nfind_package(Eigen3 REQUIRED)\n"
+                 "add_library(right SHARED right.cpp)\n"
+                 "target_link_libraries(right Eigen3::Eigen)\n");
+  expect_right(kCamera, "source:" + folder);
+  expect_right(kCamera, "source:" + folder + "CMakeLists.txt");
+  std::filesystem::remove_all(folder);
+}
+
+TEST(Candidate, is_right_in_python) {
+  expect_right(kCamera, "command:python3 tests/candidates/right.py");
+  expect_right(kRays, "command:python3 tests/candidates/right.py");
+}
+
+TEST(Candidate, is_right_in_java) {
+  if (!has_java()) GTEST_SKIP() << "there is no Java here";
+  const std::string folder = temporary_file("java", "") + ".d";
+  const std::string root = RAYCHECK_SOURCE_DIR;
+  ASSERT_EQ(std::system(("javac -d " + folder + " " + root +
+                         "/tools/external/sdk/adapters/RaycheckCandidate.java " + root +
+                         "/tests/candidates/Right.java")
+                            .c_str()),
+            0);
+  expect_right(kRays, "command:java -cp " + folder + " Right");
+  std::filesystem::remove_all(folder);
+}
+
+TEST(Candidate, keeps_the_laws_of_campaigns_and_replays_what_breaks_them) {
+  const std::string candidate = "--candidate 'command:python3 tests/candidates/right.py'";
+  const Outcome holds =
+      run("properties --filter nearest-root --source rays --cases 20 " + candidate);
+  EXPECT_EQ(holds.exit_code, 0) << holds.out << holds.err;
+  const Outcome broken = run(
+      "properties --filter class --source direction-length --cases 200 --format json " + candidate);
+  EXPECT_EQ(broken.exit_code, 1) << broken.out << broken.err;
+  const std::string replay = json::parse(broken.out)["campaigns"][0]["replay"];
+  const Outcome again = run("properties --replay '" + replay + "' " + candidate);
+  EXPECT_EQ(again.exit_code, 1) << again.out << again.err;
+}
+
+TEST(Candidate, lies_in_a_folder_that_is_closed_to_others) {
+  const std::string folder = temporary_file("closed", "") + ".d";
+  std::filesystem::create_directory(folder);
+  for (const char* name : {"right.py", "right.cpp"}) {
+    std::filesystem::copy_file(std::string(RAYCHECK_SOURCE_DIR) + "/tests/candidates/" + name,
+                               folder + "/" + name);
+  }
+  std::filesystem::permissions(folder, std::filesystem::perms::owner_all);
+  // What is named is the candidate's, even if it is closed itself.
+  std::filesystem::permissions(folder + "/right.cpp", std::filesystem::perms::owner_read);
+  expect_right(kRays, "command:python3 " + folder + "/right.py");
+  expect_right(kRays, "source:" + folder + "/right.cpp");
+  // What runs there is still not root, where raycheck is.
+  const json open = judged(kRays, "command:python3 tests/candidates/right.py");
+  EXPECT_EQ(judged(kRays, "command:python3 " + folder + "/right.py")["kept_by"], open["kept_by"]);
+  std::filesystem::remove_all(folder);
+}
+
+TEST(Renderer, of_one_colour_is_said_not_to_be_judged_by_sphere) {
+  const json report = judged(kProbe, renderer("grey"));
+  EXPECT_EQ(report["discrepancies"], 0);
+  EXPECT_NE(report["left_out"].dump().find("a colour is none of the spheres'"), std::string::npos);
+}
+
+TEST(Candidate, is_judged_beside_methods) {
+  const Outcome both =
+      check(kRays, "command:python3 tests/candidates/right.py", "--intersect robust");
+  const json report = json::parse(both.out);
+  ASSERT_EQ(report["candidates"].size(), 2u);
+  EXPECT_EQ(report["candidates"][0]["name"], "direct/robust");
+  EXPECT_TRUE(report["candidates"][0]["kept_by"].is_null());
+  EXPECT_TRUE(report["candidates"][1]["rays"].is_null());
+}
+
+/// What `check` says of tests/candidates/hostile.py.
+struct Hostile {
+  const char* how;
+  const char* what;   ///< Part of what is said of it.
+  const char* layer;  ///< Without this layer it is not kept from it.
+};
+
+class EachHostile : public testing::TestWithParam<Hostile> {};
+
+TEST_P(EachHostile, GainsNothing) {
+  const auto& [how, what, layer] = GetParam();
+  const std::string secret = temporary_file(std::string(how) + ".secret", "the expected answers");
+  ASSERT_EQ(chmod(secret.c_str(), 0600), 0);
+  const auto start = std::chrono::steady_clock::now();
+  const json report = judged(
+      kRays, "command:python3 tests/candidates/hostile.py " + std::string(how) + " " + secret,
+      "--timeout 3");
+  EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::seconds(30));
+  const bool is_kept = report["kept_by"].get<std::string>().find(layer) != std::string::npos;
+  if (!is_kept) GTEST_SKIP() << "here works only: " << report["kept_by"];
+  EXPECT_GT(report["discrepancies"], 0);
+  EXPECT_NE(report["worst"].dump().find(what), std::string::npos) << how << "\n"
+                                                                  << report["worst"].dump(2);
+  EXPECT_EQ(contents(secret), "the expected answers");
+  std::filesystem::remove(secret);
+}
+
+INSTANTIATE_TEST_SUITE_P(Ways, EachHostile,
+                         testing::Values(Hostile{"exit", "it exited with 0", ""},
+                                         Hostile{"crash", "it was killed by signal 6", ""},
+                                         Hostile{"loop", "it gave no reply within 3 s", ""},
+                                         Hostile{"sleep", "it gave no reply within 3 s", ""},
+                                         Hostile{"output", "it replied with more than", ""},
+                                         Hostile{"memory", "refused: ", ""},
+                                         Hostile{"fork", "refused: BlockingIOError", "other user"},
+                                         Hostile{"write", "refused: ", "other user"},
+                                         Hostile{"read", "refused: ", "other user"},
+                                         Hostile{"preload", "refused: ", "other user"},
+                                         Hostile{"socket", "refused: PermissionError", "seccomp"},
+                                         Hostile{"parent", "refused: ", "bubblewrap"},
+                                         Hostile{"score", "its reply begins with 'score 100'", ""},
+                                         Hostile{"short", "its reply begins with 'reply'", ""},
+                                         Hostile{"nothing", "class", ""}),
+                         [](const auto& the_test) { return std::string(the_test.param.how); });
+
+TEST(Candidate, does_not_judge_itself_from_within_its_library) {
+  const json exits = judged(kRays, "source:tests/candidates/exits.cpp");
+  EXPECT_NE(exits["worst"].dump().find("it exited with 0"), std::string::npos) << exits.dump(2);
+  const json boasts = judged(kRays, "source:tests/candidates/boasts.cpp");
+  EXPECT_GT(boasts["discrepancies"], 3);
+  for (const json& quantity : boasts["quantities"]) {
+    if (quantity["name"] == "parameter") {
+      EXPECT_GT(quantity["max_ulp"], 1e10);
+    }
+  }
+}
+
+TEST(Candidate, that_fails_leaves_the_others_judged) {
+  const Outcome both = run("check " + kRays +
+                           " --format json --candidate source:tests/candidates/exits.cpp "
+                           "--candidate 'command:python3 tests/candidates/right.py'");
+  const json report = json::parse(both.out);
+  ASSERT_EQ(report["candidates"].size(), 2u);
+  EXPECT_GT(report["candidates"][0]["discrepancies"], 0);
+  EXPECT_EQ(report["candidates"][1]["discrepancies"], 0);
+}
+
+TEST(Renderer, is_right_on_every_scene_that_its_driver_can_hold) {
+  for (const char* scene : {"probe", "ten-spheres", "example-4", "sphere-around-eye",
+                            "sphere-between-eye-and-plane", "far-sphere"}) {
+    const json report = judged("scene/examples/" + std::string(scene) + ".toml", renderer("right"));
+    EXPECT_EQ(report["discrepancies"], report["discrepancies_excused"]) << scene;
+    EXPECT_GT(report["quantities"][0]["cases"], 60) << scene;
+    EXPECT_TRUE(report["explanations"].empty()) << scene;
+  }
+}
+
+TEST(Renderer, whose_colours_are_dimmed_still_has_its_mask_judged) {
+  EXPECT_EQ(judged(kProbe, renderer("dim"))["discrepancies"], 0);
+  EXPECT_GT(judged(kProbe, renderer("dim-upside-down"))["discrepancies"], 0);
+}
+
+struct Mistake {
+  const char* name;
+  const char* sentence;
+};
+
+class EachMistake : public testing::TestWithParam<Mistake> {};
+
+TEST_P(EachMistake, IsNamed) {
+  const json report = judged(kProbe, renderer(GetParam().name));
+  EXPECT_GT(report["discrepancies"], report["discrepancies_excused"]);
+  ASSERT_EQ(report["explanations"].size(), 1u) << report["explanations"].dump(2);
+  const json& one = report["explanations"][0];
+  EXPECT_NE(one["sentence"].get<std::string>().find(GetParam().sentence), std::string::npos)
+      << one.dump(2);
+  EXPECT_EQ(one["wrong"], one["explained"]);
+}
+
+INSTANTIATE_TEST_SUITE_P(Classic, EachMistake,
+                         testing::Values(Mistake{"upside-down", "rows are upside down"},
+                                         Mistake{"mirrored", "columns are mirrored"},
+                                         Mistake{"turned", "turned by half a turn"},
+                                         Mistake{"centres", "sampled at their centres"},
+                                         Mistake{"focal", "start at the eye"},
+                                         Mistake{"near-root-only", "only the near root"},
+                                         Mistake{"first-wins", "the first sphere in the file"},
+                                         Mistake{"last-wins", "the last sphere in the file"},
+                                         Mistake{"top-from-right", "top is taken from right"},
+                                         Mistake{"width-height", "width and height are exchanged"},
+                                         Mistake{"w-flipped", "W has the wrong sign"},
+                                         Mistake{"no-up", "up is taken for (0, 1, 0)"}),
+                         [](const auto& the_test) {
+                           std::string name(the_test.param.name);
+                           std::replace(name.begin(), name.end(), '-', '_');
+                           return name;
+                         });
+
+TEST(Renderer, that_makes_no_picture_fails_with_the_reason) {
+  const auto expect_said = [](const std::string& mistake, const std::string& what) {
+    const json report = judged(kProbe, renderer(mistake), "--timeout 5");
+    EXPECT_GT(report["discrepancies"], 0);
+    EXPECT_NE(report["worst"].dump().find(what), std::string::npos) << report["worst"].dump(2);
+  };
+  expect_said("transposed", "26 x 40 pixels, the scene 40 x 26: width and height are exchanged");
+  expect_said("no-picture", "it made no picture");
+  expect_said("half", "its PPM has a word that is no number, or ends");
+  expect_said("crash", "exited with 1");
+  expect_said("hang", "did not end within 5 s");
+  expect_said("link", "its picture {image} is no file");
+}
+
+TEST(Renderer, keeps_the_law_of_images_on_random_scenes) {
+  const std::string asked = "properties --filter image --source cameras --cases 20 --candidate '";
+  const Outcome right = run(asked + renderer("right") + "'");
+  EXPECT_EQ(right.exit_code, 0) << right.out << right.err;
+  const Outcome wrong = run(asked + renderer("mirrored") + "'");
+  EXPECT_EQ(wrong.exit_code, 1) << wrong.out << wrong.err;
+}
+
+TEST(Candidate, is_kept_as_asked) {
+  const std::string right = "command:python3 tests/candidates/right.py";
+  EXPECT_EQ(judged(kRays, right, "--sandbox none")["kept_by"], "limits only");
+  const Outcome required = check(kRays, right, "--sandbox require");
+  if (required.exit_code == 2) {
+    EXPECT_NE(required.err.find("--sandbox require: here works"), std::string::npos);
+  } else {
+    const std::string kept = json::parse(required.out)["candidates"][0]["kept_by"];
+    EXPECT_NE(kept.find("seccomp, bubblewrap"), std::string::npos) << kept;
+  }
+  EXPECT_EQ(check(kRays, right, "--sandbox perhaps").exit_code, 2);
+}
+
+TEST(Renderer, reads_the_dialect_that_it_is_written_in) {
+  const json report = judged(kProbe, renderer("dialect-c"), "--dialect C");
+  EXPECT_EQ(report["discrepancies"], 0);
+}
+
+TEST(Renderer, is_excused_for_hits_within_its_threshold) {
+  // It takes no hit below 0.5: the sphere that the image plane cuts.
+  EXPECT_FALSE(judged(kProbe, renderer("threshold"))["discrepancies"] == 0);
+  const json report = judged(kProbe, renderer("threshold"), "--t-threshold 0.5");
+  EXPECT_EQ(report["discrepancies"], report["discrepancies_excused"]);
+  EXPECT_GT(report["discrepancies_excused"], 0);
+}
+
+TEST(Candidate, fails_with_2_and_says_why) {
+  const auto fails = [](const std::string& candidate, const std::string& why) {
+    const Outcome outcome = check(kRays, candidate);
+    EXPECT_EQ(outcome.exit_code, 2) << candidate;
+    EXPECT_NE(outcome.err.find("--candidate " + candidate), std::string::npos) << outcome.err;
+    EXPECT_NE(outcome.err.find(why), std::string::npos) << outcome.err;
+    EXPECT_EQ(outcome.out, "");
+  };
+  fails("mine", "give library:PATH.so, source:PATH, command:");
+  fails("elsewhere:mine", "there is no elsewhere:");
+  fails("library:", "give library:PATH.so");
+  fails("library:nowhere.so", "No such file or directory");
+  fails("library:README.md", "README.md");
+  fails("source:nowhere.cpp", "No such file or directory");
+  fails("source:docs", "no .cpp file lies in it");
+  fails("command:nosuchprogram", "nosuchprogram");
+  fails("renderer:./rt {scene}", "{image} is missing");
+  fails("command:true", "exited with 0");
+  fails("command:echo hello", "hello");
+  fails("command:python3 tests/candidates/hostile.py early", "more than it was asked");
+  const std::string broken = temporary_file("broken.cpp", "int main( {\n");
+  fails("source:" + broken, "error: ");
+  const std::string empty = temporary_file("empty.cpp", "int x;\n");
+  fails("source:" + empty, "raycheck_candidate_functions");
+}
+
+}  // namespace
+}  // namespace raycheck::tests

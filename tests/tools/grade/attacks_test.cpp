@@ -1,0 +1,198 @@
+// Submissions that cheat or fail: they gain nothing, and the others are graded as if alone.
+
+#include <gtest/gtest.h>
+#include <sys/stat.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "tests/tools/grade/grading.h"
+
+namespace raycheck::tests {
+namespace {
+
+using nlohmann::json;
+
+/// The points of right answers to what the attacks offer: `intersect` alone.
+constexpr double kDeserved = 45;
+
+struct Attack {
+  const char* name;
+  double score;
+  const char* what;  ///< Part of what is said of it; empty: it is right but for its attempt.
+};
+
+const std::vector<Attack> kAttacks = {
+    {"none", kDeserved, ""},
+    {"exit_in_call", 0, "intersect: it exited with 0"},
+    {"boasts", 0, "class, ray 0, sphere 0: false hit"},
+    {"forges_replies", 0, "it said more than it was asked"},
+    {"hangs", 0, "gave no reply within"},
+    {"crashes", 0, "intersect: it was killed by signal 11"},
+    {"fork_bomb", 0, "gave no reply within"},
+    {"memory_bomb", 0, "std::bad_alloc"},
+    {"endless_output", 0, "intersect: it replied with more than"},
+    {"writes_outside", kDeserved, ""},
+    {"opens_socket", kDeserved, ""},
+    {"reads_others", kDeserved, ""},
+    {"pattern", 0, "class, ray 0, sphere 0: false hit"},
+    {"own_sqrt", kDeserved, ""},
+    {"compile_error", 0, "static assertion failed: this does not compile"},
+    {"slow", 0, "gave no reply within"},
+};
+
+TEST(Attacks, gain_nothing_and_leave_the_others_as_they_are) {
+  const Grading grading;
+  const std::string rubric = grading.lecture7_with({{"reply_seconds = 5", "reply_seconds = 2"}});
+  std::vector<std::string> folders;
+  for (const Attack& attack : kAttacks) {
+    folders.push_back(
+        grading.submit(attack.name, "hostile.cpp", std::string("#define ATTACK ") + attack.name));
+  }
+  const std::vector<std::string> innocents = {
+      grading.submit("right-program", "rays.py"),
+      grading.submit("wrong-functions", "rays.cpp", "#define MISTAKE far_root"),
+      grading.submit("right-pictures", "rt.cpp")};
+  for (std::size_t k = 0; k < innocents.size(); ++k) {
+    folders.insert(folders.begin() + static_cast<std::ptrdiff_t>(4 * k + 1), innocents[k]);
+  }
+  const bool had_x = std::filesystem::exists("/tmp/x");
+  const Outcome together = grading.grade(rubric, folders, "together", "--jobs 2");
+  EXPECT_EQ(together.exit_code, 0) << together.err;
+  EXPECT_EQ(std::filesystem::exists("/tmp/x"), had_x);
+  for (const Attack& attack : kAttacks) {
+    const json result = grading.result(attack.name, "together");
+    EXPECT_EQ(result["score"], attack.score) << attack.name;
+    EXPECT_EQ(result["points"], 100) << attack.name;
+    EXPECT_TRUE(contains(result.dump(), attack.what)) << attack.name << "\n" << result.dump(2);
+    const std::string report = grading.file(attack.name, "report.html", "together");
+    EXPECT_TRUE(contains(report, attack.score > 0 ? ">45 of 100<" : ">0 of 100<")) << attack.name;
+  }
+  EXPECT_FALSE(std::filesystem::exists(grading.path("together/x")));
+  EXPECT_EQ(grading.grade(rubric, innocents, "alone", "--jobs 1").exit_code, 0);
+  for (const std::string& folder : innocents) {
+    const std::string name = std::filesystem::path(folder).filename();
+    const std::string alone = grading.file(name, "result.json", "alone");
+    EXPECT_GT(alone.size(), 1000u) << name;
+    EXPECT_EQ(grading.file(name, "result.json", "together"), alone) << name;
+  }
+}
+
+TEST(Attacks, are_all_that_the_hostile_submission_knows) {
+  std::string text = contents(std::string(RAYCHECK_SOURCE_DIR) + "/tests/submissions/hostile.cpp");
+  const std::size_t from = text.find("enum class Attack {") + 19;
+  text = text.substr(from, text.find('}', from) - from);
+  for (const Attack& attack : kAttacks) {
+    EXPECT_TRUE(contains(text, std::string(" ") + attack.name)) << attack.name;
+  }
+  EXPECT_EQ(static_cast<std::size_t>(std::count(text.begin(), text.end(), ',')) + 1,
+            kAttacks.size());
+}
+
+/// Answers wrongly as soon as it can read, write or list what is not its own.
+constexpr const char* kSpy = R"(#include <filesystem>
+#include <fstream>
+#include <string>
+bool reads(const std::string& path) {
+  std::string line;
+  std::ifstream file(path);
+  return static_cast<bool>(std::getline(file, line));
+}
+bool writes(const std::string& path) { return static_cast<bool>(std::ofstream(path) << 1); }
+bool lists(const std::string& path) {
+  std::error_code error;
+  std::filesystem::directory_iterator at(path, error);
+  return !error && at != std::filesystem::directory_iterator();
+}
+)";
+
+TEST(Attacks, cannot_see_the_other_submissions_the_rubric_or_the_results) {
+  const Grading grading;
+  const std::string rubric = grading.lecture7_with({});
+  const std::string other = grading.submit("other", "rays.py");
+  ASSERT_EQ(grading.grade(rubric, {other}).exit_code, 0);
+  const std::string hostile =
+      contents(std::string(RAYCHECK_SOURCE_DIR) + "/tests/submissions/hostile.cpp");
+  const auto score_of_spy = [&](const std::string& name, const std::string& condition) {
+    std::string text = hostile;
+    const std::string call = "  attack();\n";
+    const std::size_t at = text.find(call);
+    EXPECT_NE(at, std::string::npos);
+    text.replace(at, call.size(), "  if (spies()) return {};\n");
+    grading.write("submissions/" + name + "/rays.cpp",
+                  kSpy + ("bool spies() { return " + condition + "; }\n") + text);
+    EXPECT_EQ(grading.grade(rubric, {grading.path("submissions/" + name)}).exit_code, 0);
+    const json result = grading.result(name);
+    EXPECT_EQ(result["refused"], "");
+    return contains(result["kept_by"], "bubblewrap") ? result["score"].get<double>() : -1;
+  };
+  // So much would it lose.
+  const double seen = score_of_spy("sees", "reads(\"/usr/bin/env\") && writes(\"/dev/null\")");
+  if (seen < 0) GTEST_SKIP() << "no bubblewrap keeps submissions apart here";
+  EXPECT_LT(seen, kDeserved);
+  for (const std::string& path :
+       {other + "/rays.py", rubric, grading.path("rubrics/lecture7/frame.toml"),
+        grading.path("out/other/result.json"), grading.path("out/grades.csv")}) {
+    ASSERT_FALSE(contents(path).empty()) << path;
+  }
+  EXPECT_EQ(score_of_spy("reads", "reads(\"" + other + "/rays.py\") || reads(\"" + rubric +
+                                      "\") || reads(\"" + grading.path("out/other/result.json") +
+                                      "\") || lists(\"" + grading.path("submissions") + "\")"),
+            kDeserved);
+  EXPECT_EQ(score_of_spy("writes", "writes(\"" + grading.path("out/other/result.json") +
+                                       "\") || writes(\"" + grading.path("out/new.json") + "\")"),
+            kDeserved);
+}
+
+TEST(Attacks, by_colours_that_are_no_spheres_earn_nothing_where_spheres_are_asked) {
+  const Grading grading;
+  std::string text = contents(std::string(RAYCHECK_SOURCE_DIR) + "/tests/submissions/rt.cpp");
+  const std::string call = "scene.ambient.x * best->ambient.x";
+  const std::size_t at = text.find("return {" + call);
+  ASSERT_NE(at, std::string::npos);
+  text.insert(at, "return {0.4, 0.4, 0.4};\n  ");
+  grading.write("submissions/grey/rt.cpp", "#define MISTAKE first_sphere_wins\n" + text);
+  EXPECT_EQ(grading.grade(kLecture7, {grading.path("submissions/grey")}).exit_code, 0);
+  const json result = grading.result("grey");
+  EXPECT_EQ(item(result, "hit or miss")["state"], "holds");
+  for (const char* name : {"nearest sphere", "whole scenes"}) {
+    EXPECT_EQ(item(result, name)["score"], 0) << name;
+    EXPECT_EQ(item(result, name)["reason"], "its colours are not those of the driver file");
+  }
+}
+
+TEST(Attacks, by_renderers_that_hang_cost_three_silences) {
+  const Grading grading;
+  const std::string rubric = grading.lecture7_with({{"reply_seconds = 5", "reply_seconds = 1"}});
+  grading.write("submissions/hangs/rt.cpp",
+                "int main() { for (volatile int k = 0;; k = k + 1) {} }");
+  EXPECT_EQ(grading.grade(rubric, {grading.path("submissions/hangs")}).exit_code, 0);
+  const json result = grading.result("hangs");
+  EXPECT_EQ(result["score"], 0);
+  EXPECT_TRUE(contains(result.dump(), "did not end within 1 s"));
+  EXPECT_TRUE(contains(result.dump(), "not started, after 3 times without an end"));
+}
+
+TEST(Attacks, by_links_pipes_and_names_are_refused_and_the_others_graded) {
+  const Grading grading;
+  const std::string right = grading.submit("right", "rays.py");
+  std::filesystem::create_directory_symlink(right, grading.path("submissions/link"));
+  const std::string pipe = grading.path("submissions/pipe");
+  ASSERT_EQ(mkfifo(pipe.c_str(), 0600), 0);
+  grading.write("submissions/mark/rays.{file}", "");
+  const std::string rubric = grading.lecture7_with(
+      {{"has = \"rays.cpp\"", "has = \"rays.{*\""}, {"\"source:.\"", "\"source:{file}\""}});
+  const Outcome outcome = grading.grade(
+      rubric, {grading.path("submissions/link"), pipe, grading.path("submissions/mark"), right});
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+  for (const char* name : {"link", "pipe"}) {
+    EXPECT_EQ(grading.result(name)["refused"], "it is neither a file nor a folder");
+  }
+  EXPECT_NE(grading.result("mark")["refused"], "");
+  EXPECT_EQ(grading.result("right")["score"], 110);
+}
+
+}  // namespace
+}  // namespace raycheck::tests

@@ -1,0 +1,271 @@
+// Right submissions, the same grades each time, and runs that are cut short.
+
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+#include <filesystem>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "tests/tools/grade/grading.h"
+
+namespace raycheck::tests {
+namespace {
+
+using nlohmann::json;
+
+constexpr double kFull = 110;  // with the bonus
+
+/// How many seeds are tried.
+int seeds() {
+  const char* given = std::getenv("RAYCHECK_GRADE_SEEDS");
+  return given != nullptr ? std::atoi(given) : 4;
+}
+
+std::string source_text(const std::string& path) {
+  const std::string text = contents(std::string(RAYCHECK_SOURCE_DIR) + "/" + path);
+  EXPECT_FALSE(text.empty()) << path;
+  return text;
+}
+
+void expect_full_marks(const Grading& grading, const std::vector<std::string>& folders) {
+  ASSERT_GT(seeds(), 0);
+  for (int seed = 1; seed <= seeds(); ++seed) {
+    const Outcome outcome =
+        grading.grade(kLecture7, folders, "out", "--format json --seed " + std::to_string(seed));
+    ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+    const json report = json::parse(outcome.out);
+    ASSERT_EQ(report["submissions"].size(), folders.size());
+    for (const json& one : report["submissions"]) {
+      EXPECT_EQ(one["score"], kFull) << "seed " << seed << "\n" << one.dump(2);
+      EXPECT_EQ(one["points"], 100);
+      EXPECT_EQ(one["seed"], seed);
+    }
+  }
+}
+
+TEST(RightSubmission, in_cpp_has_full_marks) {
+  const Grading grading;
+  expect_full_marks(grading, {grading.submit("mine", "rays.cpp")});
+}
+
+TEST(RightSubmission, in_python_has_full_marks) {
+  const Grading grading;
+  expect_full_marks(grading, {grading.submit("mine", "rays.py")});
+}
+
+TEST(RightSubmission, of_pictures_has_full_marks) {
+  const Grading grading;
+  expect_full_marks(grading, {grading.submit("mine", "rt.cpp")});
+}
+
+TEST(RightSubmission, written_by_someone_else_has_full_marks) {
+  const Grading grading;
+  grading.write("submissions/cpp/rays.cpp", source_text("tests/candidates/right.cpp"));
+  grading.write("submissions/py/rays.py", source_text("tests/candidates/right.py"));
+  expect_full_marks(grading, {grading.path("submissions/cpp"), grading.path("submissions/py")});
+}
+
+TEST(RightSubmission, in_java_has_the_points_of_the_functions_that_it_offers) {
+  if (std::system("command -v javac java >/dev/null 2>&1") != 0) GTEST_SKIP() << "no Java here";
+  const Grading grading;
+  std::string text = source_text("tests/candidates/Right.java");
+  for (const std::string from : {"class Right", "new Right("}) {
+    const std::size_t at = text.find(from);
+    ASSERT_NE(at, std::string::npos) << from;
+    text.replace(at + from.size() - (from.back() == '(' ? 6 : 5), 5, "Rays");
+  }
+  grading.write("submissions/java/Rays.java", text);
+  const Outcome outcome = grading.grade(kLecture7, {grading.path("submissions/java")});
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+  const json result = grading.result("java");
+  EXPECT_EQ(result["refused"], "");
+  const std::vector<std::string> offered = {"hit or miss", "nearest root", "hit point",
+                                            "nearest sphere", "robustness"};
+  EXPECT_EQ(items_that(result, "holds"), offered) << result.dump(2);
+  EXPECT_EQ(result["score"], 60);
+}
+
+TEST(RightSubmission, may_lie_in_the_only_folder_of_its_folder_or_be_a_file) {
+  const Grading grading;
+  grading.write("submissions/deep/unpacked/src/rays.py", source_text("tests/submissions/rays.py"));
+  const std::string file =
+      grading.write("submissions/rays.py", source_text("tests/submissions/rays.py"));
+  const Outcome outcome = grading.grade(kLecture7, {grading.path("submissions/deep"), file});
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+  EXPECT_EQ(grading.result("deep")["score"], kFull);
+  EXPECT_EQ(grading.result("rays")["score"], kFull);
+}
+
+TEST(Rubric, gives_raychecks_own_answers_full_marks) {
+  for (int seed = 1; seed <= seeds(); ++seed) {
+    const Outcome outcome =
+        run("grade " + std::string(kLecture7) + " --format json --seed " + std::to_string(seed));
+    EXPECT_EQ(outcome.exit_code, 0) << seed << outcome.err;
+    const json report = json::parse(outcome.out);
+    ASSERT_EQ(report["submissions"].size(), 2u);
+    for (const json& one : report["submissions"]) EXPECT_EQ(one["score"], kFull) << one.dump(2);
+  }
+}
+
+TEST(Rubric, that_asks_for_more_than_raycheck_can_answer_fails_with_1) {
+  const Grading grading;
+  const std::string rubric = grading.write("rubric.toml",
+                                           "[[item]]\nname = \"beyond doubles\"\npoints = 1\n"
+                                           "tolerance = { ulp = 0 }\n[item.functions]\n"
+                                           "laws = [\"direction\"]\nsources = [\"course\"]\n"
+                                           "cases = 20\n");
+  const Outcome outcome = run("grade '" + rubric + "'");
+  EXPECT_EQ(outcome.exit_code, 1);
+  EXPECT_TRUE(
+      contains(outcome.err, "beyond doubles: raycheck's own answer is not given all points"))
+      << outcome.err;
+}
+
+/// A class with something of every kind that is quick.
+std::vector<std::string> small_class(const Grading& grading) {
+  return {grading.submit("far-root", "rays.cpp", "#define MISTAKE far_root"),
+          grading.submit("mirrored", "rt.cpp", "#define MISTAKE mirrored"),
+          grading.submit("crashes", "hostile.cpp", "#define ATTACK crashes"),
+          grading.submit("does-not-compile", "hostile.cpp", "#define ATTACK compile_error"),
+          grading.submit("axes", "rays.py", "MISTAKE = \"axes_dropped\"")};
+}
+
+const std::vector<std::string> kSmallClass = {"far-root", "mirrored", "crashes", "does-not-compile",
+                                              "axes"};
+
+void expect_same_results(const Grading& grading, const std::string& one, const std::string& other) {
+  for (const std::string& name : kSmallClass) {
+    for (const char* file : {"result.json", "report.html"}) {
+      const std::string text = grading.file(name, file, one);
+      EXPECT_GT(text.size(), 500u) << name << "/" << file;
+      EXPECT_EQ(text, grading.file(name, file, other)) << name << "/" << file;
+    }
+  }
+}
+
+TEST(Grades, are_the_same_bytes_for_the_same_seed_however_many_run_at_a_time) {
+  const Grading grading;
+  const auto folders = small_class(grading);
+  EXPECT_EQ(grading.grade(kLecture7, folders, "one", "--jobs 1").exit_code, 0);
+  EXPECT_EQ(grading.grade(kLecture7, folders, "two", "--jobs 2").exit_code, 0);
+  expect_same_results(grading, "one", "two");
+  for (const char* file : {"grades.csv", "index.html"}) {
+    EXPECT_EQ(grading.file("", file, "one"), grading.file("", file, "two"));
+  }
+}
+
+TEST(Grades, come_of_other_cases_for_another_seed) {
+  const Grading grading;
+  const auto folder = grading.submit("mine", "rays.py", "MISTAKE = \"first_sphere_wins\"");
+  grading.grade(kLecture7, {folder}, "one", "--seed 1");
+  grading.grade(kLecture7, {folder}, "two", "--seed 2");
+  const json one = item(grading.result("mine", "one"), "nearest sphere");
+  const json two = item(grading.result("mine", "two"), "nearest sphere");
+  EXPECT_EQ(one["state"], "fails");
+  EXPECT_EQ(two["state"], "fails");
+  EXPECT_NE(one["first_wrong"], two["first_wrong"]);
+}
+
+TEST(Grades, have_seeds_of_their_own_under_a_secret) {
+  const Grading grading;
+  const std::vector<std::string> folders = {grading.submit("alice", "rays.py"),
+                                            grading.submit("bob", "rays.py")};
+  const std::string secret = grading.write("secret", "hunter2\n");
+  const std::string other = grading.write("other", "hunter3\n");
+  const auto seeds_under = [&](const std::string& file, const std::string& out) {
+    EXPECT_EQ(grading.grade(kLecture7, folders, out, "--secret-file '" + file + "'").exit_code, 0);
+    EXPECT_EQ(grading.result("alice", out)["score"], kFull);
+    return std::vector<std::uint64_t>{grading.result("alice", out)["seed"],
+                                      grading.result("bob", out)["seed"]};
+  };
+  const auto first = seeds_under(secret, "one"), again = seeds_under(secret, "two"),
+             others = seeds_under(other, "three");
+  EXPECT_EQ(first, again);
+  EXPECT_EQ(std::set<std::uint64_t>({first[0], first[1], others[0], others[1]}).size(), 4u);
+  EXPECT_EQ(grading.file("bob", "result.json", "one"), grading.file("bob", "result.json", "two"));
+}
+
+TEST(Grades, of_an_earlier_run_are_kept_until_something_changes) {
+  const Grading grading;
+  const std::string rubric = grading.lecture7_with({});
+  const std::vector<std::string> folders = {
+      grading.submit("one", "rays.py"),
+      grading.submit("two", "rays.py", "MISTAKE = \"u_flipped\"")};
+  const auto graded = [&](const std::string& more = "") {
+    const Outcome outcome = grading.grade(rubric, folders, "out", "--format json " + more);
+    EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+    return json::parse(outcome.out)["reused"].get<int>();
+  };
+  EXPECT_EQ(graded(), 0);
+  const std::string first = grading.file("two", "result.json");
+  const Outcome again = grading.grade(rubric, folders);
+  EXPECT_TRUE(contains(again.out, "2 submissions graded, 2 of them by an earlier run"))
+      << again.out;
+  EXPECT_TRUE(contains(again.out, "U and V have the wrong sign")) << again.out;
+  EXPECT_EQ(grading.file("two", "result.json"), first);
+  grading.write("submissions/one/notes.txt", "changed");
+  EXPECT_EQ(graded(), 1) << "a file more";
+  grading.submit("two", "rays.py", "MISTAKE = \"mirrored\"");
+  EXPECT_EQ(graded(), 1) << "another text";
+  EXPECT_EQ(grading.result("two")["score"], 85);
+  EXPECT_EQ(graded("--seed 2"), 0) << "another seed";
+  EXPECT_EQ(graded("--seed 2"), 2);
+  grading.lecture7_with({{"points = 15", "points = 14"}});
+  EXPECT_EQ(graded("--seed 2"), 0) << "another rubric";
+  EXPECT_EQ(grading.result("one")["score"], kFull - 1);
+  const std::string scene = "rubrics/lecture7/frame.toml";
+  grading.write(scene, contents(grading.path(scene)) + "# changed\n");
+  EXPECT_EQ(graded("--seed 2"), 0) << "another scene";
+  grading.write("out/one/result.json", "{\"score\": 100");
+  EXPECT_EQ(graded("--seed 2"), 1) << "a record that is none";
+}
+
+TEST(Grades, of_an_interrupted_run_are_finished_by_the_next) {
+  const Grading grading;
+  const std::string rubric = grading.lecture7_with({{"reply_seconds = 5", "reply_seconds = 2"}});
+  std::vector<std::string> folders = {
+      grading.submit("far-root", "rays.py"),
+      grading.submit("hangs", "hostile.cpp", "#define ATTACK hangs"),
+      grading.submit("last", "rays.py")};
+  const Outcome cut = run_interrupted(grading.arguments(rubric, folders, "out", "--jobs 1"), 3000);
+  EXPECT_EQ(cut.exit_code, 130) << cut.err;
+  EXPECT_TRUE(contains(cut.out, "INTERRUPTED: the same command goes on where it was cut."));
+  EXPECT_TRUE(contains(grading.file("", "index.html"), "Interrupted: ")) << cut.out;
+  EXPECT_TRUE(contains(grading.file("", "grades.csv"), "\"far-root\",110,100"));
+  const std::string last = grading.file("last", "result.json");
+  EXPECT_TRUE(last.empty() || !json::parse(last)["finished"].get<bool>());
+  const Outcome next = grading.grade(rubric, folders, "out", "--jobs 1");
+  EXPECT_EQ(next.exit_code, 0) << next.err;
+  EXPECT_TRUE(contains(next.out, "1 of them by an earlier run")) << next.out;
+  EXPECT_EQ(grading.grade(rubric, folders, "whole", "--jobs 2").exit_code, 0);
+  for (const char* name : {"far-root", "hangs", "last"}) {
+    const std::string whole = grading.file(name, "result.json", "whole");
+    EXPECT_TRUE(json::parse(whole)["finished"]) << name;
+    EXPECT_EQ(grading.file(name, "result.json"), whole) << name;
+    EXPECT_EQ(grading.file(name, "report.html"), grading.file(name, "report.html", "whole"));
+  }
+  EXPECT_EQ(grading.file("", "grades.csv"), grading.file("", "grades.csv", "whole"));
+}
+
+TEST(SlowSubmission, is_cut_and_its_other_items_are_not_judged) {
+  const Grading grading;
+  const std::string rubric = grading.lecture7_with(
+      {{"seconds = 60 ", "seconds = 2 "}, {"reply_seconds = 5", "reply_seconds = 60"}});
+  const std::string folder = grading.submit("slow", "hostile.cpp", "#define ATTACK slow");
+  const Outcome outcome = grading.grade(rubric, {folder});
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+  const json result = grading.result("slow");
+  const json hit = item(result, "hit or miss");
+  EXPECT_EQ(hit["state"], "not judged") << hit.dump(2);
+  EXPECT_EQ(hit["reason"], "time is up: a submission has 2 s for all that it is asked");
+  EXPECT_EQ(item(result, "nearest root")["reason"], "it needs 'hit or miss', which is not judged");
+  EXPECT_EQ(result["score"], 0);
+  EXPECT_EQ(result["points"], 100);
+  EXPECT_TRUE(result["finished"]);
+  EXPECT_TRUE(contains(grading.file("slow", "report.html"), "not judged: time is up"));
+}
+
+}  // namespace
+}  // namespace raycheck::tests

@@ -1,0 +1,116 @@
+#include "tests/tools/grade/grading.h"
+
+#include <gtest/gtest.h>
+
+#include <fstream>
+
+namespace raycheck::tests {
+namespace {
+
+namespace fs = std::filesystem;
+using nlohmann::json;
+
+/// For the shell, whatever the text has.
+std::string quoted(const std::string& text) {
+  std::string result = "'";
+  for (const char c : text) result += c == '\'' ? std::string("'\\''") : std::string(1, c);
+  return result + "'";
+}
+
+}  // namespace
+
+Grading::Grading() : folder_(temporary_file("grading", "") + ".d") {
+  fs::remove_all(folder_);
+  fs::create_directory(folder_);
+}
+
+Grading::~Grading() {
+  std::error_code ignored;
+  fs::remove_all(folder_, ignored);
+  fs::remove(fs::path(folder_).replace_extension(), ignored);
+}
+
+std::string Grading::path(const std::string& name) const { return (folder_ / name).string(); }
+
+std::string Grading::write(const std::string& name, const std::string& text) const {
+  const fs::path path = folder_ / name;
+  fs::create_directories(path.parent_path());
+  std::ofstream(path, std::ios::binary) << text;
+  return path.string();
+}
+
+std::string Grading::submit(const std::string& name, const std::string& file,
+                            const std::string& first_line) const {
+  const std::string text =
+      contents(std::string(RAYCHECK_SOURCE_DIR) + "/tests/submissions/" + file);
+  EXPECT_FALSE(text.empty()) << "there is no tests/submissions/" << file;
+  const std::string handed_in = file == "hostile.cpp" ? "rays.cpp" : file;
+  const fs::path folder = "submissions/" + name;
+  write(folder / handed_in, first_line + "\n" + text);
+  return path(folder);
+}
+
+std::string Grading::lecture7_with(
+    const std::vector<std::pair<std::string, std::string>>& replacements) const {
+  const std::string root = RAYCHECK_SOURCE_DIR;
+  std::string text = contents(root + "/" + kLecture7);
+  for (const auto& [from, to] : replacements) {
+    const std::size_t at = text.find(from);
+    EXPECT_NE(at, std::string::npos) << kLecture7 << " has no " << from;
+    if (at != std::string::npos) text.replace(at, from.size(), to);
+  }
+  const std::string rubric = write("rubrics/lecture7.toml", text);
+  fs::copy(root + "/tools/grade/rubrics/lecture7", path("rubrics/lecture7"),
+           fs::copy_options::recursive | fs::copy_options::overwrite_existing);
+  return rubric;
+}
+
+std::string Grading::arguments(const std::string& rubric,
+                               const std::vector<std::string>& submissions, const std::string& out,
+                               const std::string& more) const {
+  std::string words = "grade " + quoted(rubric);
+  for (const std::string& submission : submissions) words += " " + quoted(submission);
+  return words + " --out " + quoted(path(out)) + " " + more;
+}
+
+Outcome Grading::grade(const std::string& rubric, const std::vector<std::string>& submissions,
+                       const std::string& out, const std::string& more) const {
+  return run(arguments(rubric, submissions, out, more));
+}
+
+std::string Grading::file(const std::string& submission, const std::string& name,
+                          const std::string& out) const {
+  return contents((folder_ / out / submission / name).string());
+}
+
+json Grading::result(const std::string& submission, const std::string& out) const {
+  const std::string text = file(submission, "result.json", out);
+  EXPECT_FALSE(text.empty()) << submission << " has no result.json";
+  return text.empty() ? json() : json::parse(text);
+}
+
+std::string mistake_line(const std::string& file, const std::string& mistake) {
+  return file.ends_with(".py") ? "MISTAKE = \"" + mistake + "\"" : "#define MISTAKE " + mistake;
+}
+
+json item(const json& result, const std::string& name) {
+  for (const json& one : result["items"]) {
+    if (one["name"] == name) return one;
+  }
+  ADD_FAILURE() << "there is no item " << name << " in " << result.dump(2);
+  return {};
+}
+
+std::vector<std::string> items_that(const json& result, const std::string& state) {
+  std::vector<std::string> names;
+  for (const json& one : result["items"]) {
+    if (one["state"] == state) names.push_back(one["name"]);
+  }
+  return names;
+}
+
+bool contains(const std::string& text, const std::string& part) {
+  return text.find(part) != std::string::npos;
+}
+
+}  // namespace raycheck::tests

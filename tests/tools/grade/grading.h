@@ -1,0 +1,65 @@
+#ifndef RAYCHECK_TESTS_TOOLS_GRADE_GRADING_H_
+#define RAYCHECK_TESTS_TOOLS_GRADE_GRADING_H_
+
+#include <filesystem>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "tests/tools/program.h"
+
+namespace raycheck::tests {
+
+/// The rubric of the seventh lecture, as the program finds it.
+inline constexpr const char* kLecture7 = "tools/grade/rubrics/lecture7.toml";
+
+/// A folder of one test for submissions, rubrics and results, which goes when the test does.
+class Grading {
+ public:
+  Grading();
+  ~Grading();
+  Grading(const Grading&) = delete;
+  Grading& operator=(const Grading&) = delete;
+
+  /// Where a file or folder of this name lies.
+  std::string path(const std::string& name) const;
+  /// Writes a file, in folders that are made; its path.
+  std::string write(const std::string& name, const std::string& text) const;
+  /// A submission: a folder of this name with a file of tests/submissions after a first line. Its
+  /// path. Attacks lie in rays.cpp.
+  std::string submit(const std::string& name, const std::string& file,
+                     const std::string& first_line = "") const;
+  /// The lecture's rubric and its scenes, with each of the first texts replaced by the second.
+  std::string lecture7_with(
+      const std::vector<std::pair<std::string, std::string>>& replacements) const;
+
+  /// Grades into the folder `out`.
+  Outcome grade(const std::string& rubric, const std::vector<std::string>& submissions,
+                const std::string& out = "out", const std::string& more = "") const;
+  /// The arguments of the same.
+  std::string arguments(const std::string& rubric, const std::vector<std::string>& submissions,
+                        const std::string& out, const std::string& more = "") const;
+  /// A file of a submission's results, empty where there is none, and its result.json.
+  std::string file(const std::string& submission, const std::string& name,
+                   const std::string& out = "out") const;
+  nlohmann::json result(const std::string& submission, const std::string& out = "out") const;
+
+ private:
+  std::filesystem::path folder_;
+};
+
+/// The line that makes a file of tests/submissions wrong.
+std::string mistake_line(const std::string& file, const std::string& mistake);
+
+/// An item of a result.json, by its name.
+nlohmann::json item(const nlohmann::json& result, const std::string& name);
+
+/// The names of the items in this state.
+std::vector<std::string> items_that(const nlohmann::json& result, const std::string& state);
+
+bool contains(const std::string& text, const std::string& part);
+
+}  // namespace raycheck::tests
+
+#endif  // RAYCHECK_TESTS_TOOLS_GRADE_GRADING_H_

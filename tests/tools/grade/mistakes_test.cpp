@@ -1,0 +1,200 @@
+// The classic mistakes of tests/submissions, graded by the rubric of the seventh lecture.
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cctype>
+#include <ostream>
+#include <string>
+#include <vector>
+
+#include "tests/tools/grade/grading.h"
+
+namespace raycheck::tests {
+namespace {
+
+using nlohmann::json;
+
+constexpr const char* kBoundary = "boundary pixels";
+constexpr const char* kUnit = "unit directions";
+constexpr const char* kOrigin = "ray origin";
+constexpr const char* kFrame = "camera frame";
+constexpr const char* kPixelZero = "pixel (0, 0)";
+constexpr const char* kHit = "hit or miss";
+constexpr const char* kRoot = "nearest root";
+constexpr const char* kPoint = "hit point";
+constexpr const char* kNearest = "nearest sphere";
+constexpr const char* kScenes = "whole scenes";
+constexpr const char* kRobust = "robustness";
+
+/// What a mistake costs.
+struct Mistake {
+  const char* name;
+  double score;                    ///< Of 100, with a bonus of 10; to two decimals.
+  std::vector<std::string> fails;  ///< Items that fail by themselves.
+  const char* sentence;            ///< The mistake named for the submission; empty: none.
+  int named;                       ///< So many items name it.
+};
+
+const std::vector<Mistake> kOfFunctions = {
+    {"width_height", 90, {kBoundary, kOrigin}, "width and height are exchanged", 2},
+    {"top_from_right", 90, {kBoundary, kOrigin}, "top is taken from right", 2},
+    {"top_is_minus_bottom", 90, {kBoundary, kOrigin}, "top is -bottom", 2},
+    {"u_flipped", 60, {kFrame}, "U and V have the wrong sign, as by U = W x up", 1},
+    {"u_and_w_flipped", 60, {kFrame}, "U and W have the wrong sign, as by W = A - E", 1},
+    {"no_test_for_t",
+     97.75,
+     {kRoot, kRobust},
+     "s >= 0 is not tested: spheres behind the origin are hit",
+     2},
+    {"first_sphere_wins", 95, {kNearest}, "the first sphere in the file wins", 1},
+    {"normalize_discarded", 94, {kUnit, kRobust}, "directions are not normalised: D = P - E", 1},
+    {"by_discriminant", 95, {kNearest}, "the sphere with the largest discriminant wins", 1},
+    {"eye_plus_point",
+     100,
+     {kOrigin},
+     "E is added where it should be subtracted: D = (P + E)/|P + E|",
+     1},
+    {"axes_dropped", 60, {kFrame}, "the axes are lost: all are zero", 1},
+    {"float_directions", 110, {}, "", 0},
+    {"near_root_only",
+     109.33,
+     {kRobust},
+     "only the near root counts, so that spheres around the origin are not seen",
+     1},
+    {"far_root",
+     69.25,
+     {kRoot, kPoint, kNearest, kRobust},
+     "the far root is taken for the near one",
+     2},
+    {"upside_down", 85, {kBoundary, kPixelZero, kOrigin}, "rows are upside down", 3},
+    {"mirrored", 85, {kBoundary, kPixelZero, kOrigin}, "columns are mirrored", 3},
+};
+
+const std::vector<Mistake> kOfPictures = {
+    {"width_height", 90, {kBoundary, kScenes}, "width and height are exchanged", 2},
+    {"top_from_right", 91, {kBoundary, kScenes}, "top is taken from right", 2},
+    {"top_is_minus_bottom", 90, {kBoundary, kScenes}, "top is -bottom", 2},
+    {"u_flipped",
+     85,
+     {kBoundary, kPixelZero, kScenes},
+     "U and V have the wrong sign, as by U = W x up",
+     2},
+    {"u_and_w_flipped",
+     0,
+     {kFrame, kHit, kScenes},
+     "U and W have the wrong sign, as by W = A - E",
+     1},
+    {"no_test_for_t",
+     85,
+     {kOrigin, kRoot, kScenes},
+     "s >= 0 is not tested: spheres behind the origin are hit",
+     2},
+    {"first_sphere_wins", 89, {kNearest, kScenes}, "the first sphere in the file wins", 2},
+    {"normalize_discarded",
+     0,
+     {kFrame, kHit, kScenes},
+     "directions are not normalised: D = P - E",
+     3},
+    {"by_discriminant",
+     89,
+     {kNearest, kScenes},
+     "the sphere with the largest discriminant wins",
+     2},
+    {"eye_plus_point",
+     90,
+     {kUnit, kScenes},
+     "E is added where it should be subtracted: D = (P + E)/|P + E|",
+     1},
+    {"axes_dropped",
+     0,
+     {kFrame, kHit, kScenes},
+     "every pixel shows a sphere, as where directions are no numbers: axes that are lost",
+     3},
+    {"float_directions", 110, {}, "", 0},
+    {"near_root_only", 110, {}, "", 0},
+    {"far_root", 93, {kNearest, kScenes}, "the far root is taken for the near one", 2},
+    {"upside_down", 95, {kPixelZero, kScenes}, "rows are upside down", 2},
+    {"mirrored", 95, {kPixelZero, kScenes}, "columns are mirrored", 2},
+};
+
+struct Submission {
+  const char* file;
+  Mistake mistake;
+};
+
+std::vector<Submission> all_submissions() {
+  std::vector<Submission> all;
+  for (const Mistake& mistake : kOfFunctions) all.push_back({"rays.cpp", mistake});
+  for (const Mistake& mistake : kOfFunctions) all.push_back({"rays.py", mistake});
+  for (const Mistake& mistake : kOfPictures) all.push_back({"rt.cpp", mistake});
+  return all;
+}
+
+std::string test_name(const Submission& submission) {
+  std::string name = submission.file + std::string("_") + submission.mistake.name;
+  std::replace(name.begin(), name.end(), '.', '_');
+  return name;
+}
+
+void PrintTo(const Submission& submission, std::ostream* to) {
+  *to << submission.file << ", " << submission.mistake.name;
+}
+
+class EachGradedMistake : public testing::TestWithParam<Submission> {};
+
+TEST_P(EachGradedMistake, CostsWhatItDeservesAndIsNamed) {
+  const auto& [file, mistake] = GetParam();
+  const Grading grading;
+  const std::string folder = grading.submit("one", file, mistake_line(file, mistake.name));
+  const Outcome outcome = grading.grade(kLecture7, {folder});
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+  const json result = grading.result("one");
+  EXPECT_EQ(result["refused"], "");
+  EXPECT_EQ(result["points"], 100);
+  EXPECT_NEAR(result["score"].get<double>(), mistake.score, 0.005);
+  EXPECT_EQ(items_that(result, "fails"), mistake.fails) << outcome.out;
+  int named = 0;
+  for (const json& one : result["items"]) {
+    for (const std::string sentence : one["sentences"]) {
+      named += sentence.starts_with(mistake.sentence + std::string(": ")) ? 1 : 0;
+    }
+    // A student is shown a case, unless answers are missing alone.
+    const bool is_shown = !one["failing"].empty() || !one["reason"].get<std::string>().empty();
+    EXPECT_EQ(one["state"] != "holds", is_shown) << one.dump(2);
+  }
+  EXPECT_EQ(named, mistake.named) << result.dump(2);
+  if (*mistake.sentence != '\0') {
+    EXPECT_TRUE(contains(outcome.out, mistake.sentence)) << outcome.out;
+    EXPECT_TRUE(contains(grading.file("one", "report.html"), "<p><strong>")) << outcome.out;
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Lecture7, EachGradedMistake, testing::ValuesIn(all_submissions()),
+                         [](const auto& the_test) { return test_name(the_test.param); });
+
+/// The names in the enumeration of a file, or between the parentheses of MISTAKES.
+std::vector<std::string> mistakes_of(const std::string& file) {
+  const std::string text =
+      contents(std::string(RAYCHECK_SOURCE_DIR) + "/tests/submissions/" + file);
+  const std::string begin = file.ends_with(".py") ? "MISTAKES = (" : "enum class Mistake {";
+  const std::size_t from = text.find(begin) + begin.size();
+  std::vector<std::string> names(1);
+  for (std::size_t at = from; text[at] != ')' && text[at] != '}'; ++at) {
+    if (text[at] == ',') names.emplace_back();
+    if (std::isalpha(text[at]) != 0 || text[at] == '_') names.back() += text[at];
+  }
+  return names;
+}
+
+TEST(GradedMistakes, are_all_that_the_submissions_know) {
+  std::vector<std::string> graded = {"none"};
+  for (const Mistake& mistake : kOfFunctions) graded.emplace_back(mistake.name);
+  EXPECT_EQ(mistakes_of("rays.cpp"), graded);
+  EXPECT_EQ(mistakes_of("rays.py"), graded);
+  EXPECT_EQ(mistakes_of("rt.cpp"), graded);
+  EXPECT_EQ(kOfPictures.size(), kOfFunctions.size());
+}
+
+}  // namespace
+}  // namespace raycheck::tests

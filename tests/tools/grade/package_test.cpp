@@ -1,0 +1,154 @@
+// The zip file for Gradescope, unpacked and run as Gradescope does.
+
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+#include <filesystem>
+#include <set>
+#include <sstream>
+#include <string>
+
+#include "tests/tools/grade/grading.h"
+
+namespace raycheck::tests {
+namespace {
+
+namespace fs = std::filesystem;
+using nlohmann::json;
+
+constexpr const char* kUnpack = R"py(import os, sys, zipfile
+with zipfile.ZipFile(sys.argv[1]) as archive:
+    for one in archive.infolist():
+        path = archive.extract(one, sys.argv[2])
+        if one.external_attr >> 16:
+            os.chmod(path, one.external_attr >> 16 & 0o777)
+)py";
+
+/// A machine as Gradescope's: /autograder is the folder `root`.
+class Package : public testing::Test {
+ protected:
+  void SetUp() override {
+    const std::string zip = grading.path("autograder.zip");
+    const Outcome written = run("grade " + std::string(kLecture7) + " --package '" + zip + "'");
+    ASSERT_EQ(written.exit_code, 0) << written.err;
+    EXPECT_EQ(written.out, "wrote " + zip + "\n");
+    const std::string unpack = grading.write("unpack.py", kUnpack);
+    const Outcome unpacked =
+        run_python("'" + unpack + "' '" + zip + "' '" + grading.path("root/source") + "'");
+    ASSERT_EQ(unpacked.exit_code, 0) << unpacked.err;
+  }
+
+  /// The output of shell words, with nothing of this machine's environment.
+  std::string said_by(const std::string& words, int exit_code = 0) const {
+    const std::string out = grading.path("said");
+    const std::string command = "env -i PATH=/usr/local/bin:/usr/bin:/bin HOME='" +
+                                grading.path("root") + "' RAYCHECK_AUTOGRADER='" +
+                                grading.path("root") + "' " + words + " >'" + out + "' 2>&1";
+    const int status = std::system(command.c_str());
+    EXPECT_EQ(WEXITSTATUS(status), exit_code) << words << "\n" << contents(out);
+    return contents(out);
+  }
+  /// What run_autograder leaves of this submission.
+  json graded(const std::string& folder) const {
+    fs::remove_all(grading.path("root/submission"));
+    fs::remove_all(grading.path("root/results"));
+    fs::copy(folder, grading.path("root/submission"), fs::copy_options::recursive);
+    const std::string said = said_by("'" + grading.path("root/source/run_autograder") + "'");
+    const std::string results = contents(grading.path("root/results/results.json"));
+    EXPECT_FALSE(results.empty()) << said;
+    return results.empty() ? json() : json::parse(results);
+  }
+
+  const Grading grading;
+};
+
+TEST_F(Package, grades_submissions_as_raycheck_does) {
+  const json right = graded(grading.submit("right", "rays.cpp"));
+  EXPECT_EQ(right["score"], 110) << right.dump(2);
+  EXPECT_EQ(right["tests"].size(), 10u);
+  const json pictures = graded(grading.submit("pictures", "rt.cpp", "#define MISTAKE mirrored"));
+  EXPECT_TRUE(contains(pictures.dump(), "columns are mirrored")) << pictures.dump(2);
+  const std::string wrong = grading.submit("submission", "rays.py", "MISTAKE = \"far_root\"");
+  const json results = graded(wrong);
+  grading.grade(kLecture7, {wrong}, "out", "--format gradescope");
+  EXPECT_EQ(results, json::parse(grading.file("submission", "results.json")));
+  EXPECT_LT(results["score"], 100);
+  EXPECT_GT(results["score"], 0);
+  const json broken =
+      graded(grading.submit("broken", "hostile.cpp", "#define ATTACK compile_error"));
+  EXPECT_EQ(broken["score"], 0);
+  EXPECT_TRUE(contains(broken["output"], "this does not compile"));
+  fs::remove_all(grading.path("root/source/rubric"));
+  const json none = graded(wrong);
+  EXPECT_EQ(none["score"], 0);
+  EXPECT_TRUE(contains(none["output"], "raycheck could not grade this"));
+}
+
+TEST_F(Package, brings_the_libraries_that_only_raycheck_needs) {
+  const std::set<std::string> of_the_system = {"libc.so.6",
+                                               "libm.so.6",
+                                               "libdl.so.2",
+                                               "librt.so.1",
+                                               "libpthread.so.0",
+                                               "libgcc_s.so.1",
+                                               "libstdc++.so.6",
+                                               "linux-vdso.so.1",
+                                               "/lib64/ld-linux-x86-64.so.2",
+                                               "/lib/ld-linux-aarch64.so.1"};
+  const std::string bin = grading.path("root/source/raycheck/bin/");
+  std::size_t brought = 0;
+  for (const char* program : {"raycheck", "raycheck-jail", "raycheck-worker"}) {
+    std::istringstream lines(said_by("ldd '" + bin + program + "'"));
+    for (std::string line; std::getline(lines, line);) {
+      std::istringstream words(line);
+      std::string name, arrow, path;
+      words >> name >> arrow >> path;
+      if (of_the_system.contains(name)) continue;
+      ++brought;
+      const std::string place = fs::weakly_canonical(path).string();
+      EXPECT_EQ(place.rfind(fs::canonical(grading.path("root/source/raycheck/lib")).string(), 0),
+                0u)
+          << line;
+    }
+  }
+  EXPECT_GT(brought, 5u);
+  EXPECT_EQ(said_by("'" + bin + "raycheck' --version"), run("--version").out);
+}
+
+TEST_F(Package, has_scripts_that_run_and_the_scenes_of_the_rubric) {
+  for (const char* script : {"setup.sh", "run_autograder"}) {
+    const std::string path = grading.path(std::string("root/source/") + script);
+    EXPECT_EQ(contents(path).rfind("#!/usr/bin/env bash\n", 0), 0u) << script;
+    EXPECT_NE(fs::status(path).permissions() & fs::perms::owner_exec, fs::perms::none) << script;
+    EXPECT_EQ(said_by("bash -n '" + path + "'"), "");
+  }
+  const std::string rubrics = std::string(RAYCHECK_SOURCE_DIR) + "/tools/grade/rubrics/";
+  EXPECT_EQ(contents(grading.path("root/source/rubric/lecture7.toml")),
+            contents(rubrics + "lecture7.toml"));
+  std::size_t scenes = 0;
+  for (const auto& entry : fs::directory_iterator(rubrics + "lecture7")) {
+    const std::string name = "root/source/rubric/lecture7/" + entry.path().filename().string();
+    EXPECT_EQ(contents(grading.path(name)), contents(entry.path())) << name;
+    ++scenes;
+  }
+  EXPECT_GE(scenes, 10u);
+}
+
+TEST_F(Package, is_the_same_bytes_each_time_and_holds_the_seed) {
+  const std::string again = grading.path("again.zip"), other = grading.path("other.zip");
+  const std::string command = "grade " + std::string(kLecture7) + " --package '";
+  EXPECT_EQ(run(command + again + "'").exit_code, 0);
+  EXPECT_EQ(contents(again), contents(grading.path("autograder.zip")));
+  EXPECT_EQ(run(command + other + "' --seed 77").exit_code, 0);
+  EXPECT_NE(contents(again), contents(other));
+  EXPECT_TRUE(contains(contents(grading.path("root/source/run_autograder")), "--seed 1 "));
+}
+
+TEST(PackageCommand, fails_with_2_where_it_cannot_write) {
+  const Outcome outcome = run("grade " + std::string(kLecture7) + " --package nowhere/a.zip");
+  EXPECT_EQ(outcome.exit_code, 2);
+  EXPECT_TRUE(contains(outcome.err, "--package nowhere/a.zip: ")) << outcome.err;
+}
+
+}  // namespace
+}  // namespace raycheck::tests

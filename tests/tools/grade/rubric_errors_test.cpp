@@ -1,0 +1,216 @@
+// Rubrics and command lines that are wrong: nothing is graded, and it is said why.
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "tests/tools/grade/grading.h"
+
+namespace raycheck::tests {
+namespace {
+
+/// Right as it stands; each test replaces a part of it.
+constexpr const char* kRubric = R"(title = "A rubric"
+[[form]]
+has = "rays.py"
+candidate = "command:python3 {file}"
+[[item]]
+name = "one"
+points = 4
+[item.functions]
+laws = ["class"]
+sources = ["course"]
+cases = 4
+)";
+
+struct Wrong {
+  std::string part, instead;
+  std::string said;  ///< Line, field, value and what is wrong.
+};
+
+const std::vector<Wrong> kWrong = {
+    {"title", "titel", "1: titel = \"A rubric\": unknown key; rubric knows title, "},
+    {"title = \"A rubric\"", "title =", "1: not valid TOML: "},
+    {"title = \"A rubric\"", "seconds = 0", "1: seconds = 0: must be above 0"},
+    {"title = \"A rubric\"", "seconds = 1e9", "1: seconds = 1e9: must be above 0, and at most"},
+    {"title = \"A rubric\"", "dialect = \"D\"", "1: dialect = \"D\": must be one of A, B, C"},
+    {"title = \"A rubric\"", "tolerance = { ulp = 1, conditioning = 1 }",
+     "1: tolerance = (a table): has both ulp and conditioning; give one"},
+    {"title = \"A rubric\"", "tolerance = { ulp = -1 }", "1: tolerance.ulp = -1: must be 0 or"},
+    {"title = \"A rubric\"", "conventions = { samples = \"corners\" }",
+     "1: conventions.samples = \"corners\": must be one of edges, centres"},
+    {"title = \"A rubric\"", "t_threshold = -1", "1: t_threshold = -1: must be 0 or more"},
+    {"has =", "hass =", "3: form[0].hass = \"rays.py\": unknown key; form knows has, "},
+    {"rays.py", "a/rays.py", "3: form[0].has = \"a/rays.py\": names a file of the submission's"},
+    {"candidate = \"command:python3 {file}\"\n", "", "2: form[0].candidate: is missing"},
+    {"name = \"one\"\n", "", "item[0].name: is missing"},
+    {"\"one\"", "\"\"", "6: item[0].name = \"\": is empty"},
+    {"points = 4\n", "", "item[0].points: is missing"},
+    {"points = 4", "points = -4", "7: item[0].points = -4: must be 0 or more"},
+    {"points = 4", "points = 4\nbonus = 1", "8: item[0].bonus = 1: must be true or false"},
+    {"points = 4", "points = 4\ncredit = \"some\"",
+     "8: item[0].credit = \"some\": must be one of all, share, steps"},
+    {"points = 4", "points = 4\ncredit = \"steps\"", "item[0].steps: is missing: [[share, "},
+    {"points = 4", "points = 4\nsteps = [[1, 1]]",
+     "8: item[0].steps = [[1, 1]]: goes with credit = \"steps\""},
+    {"points = 4", "points = 4\ncredit = \"steps\"\nsteps = [[1, 2]]",
+     "9: item[0].steps[0][1] = 2: must be between 0 and 1"},
+    {"points = 4", "points = 4\ncredit = \"steps\"\nsteps = [[1]]",
+     "9: item[0].steps[0] = [1]: must be [share, credit]"},
+    {"points = 4", "points = 4\nrequires = [\"two\"]",
+     "8: item[0].requires[0] = \"two\": is no item before this one"},
+    {"points = 4", "points = 4\nrequires = [\"one\"]",
+     "8: item[0].requires[0] = \"one\": is no item before this one"},
+    {"points = 4", "points = 4\nvisibility = \"secret\"",
+     "8: item[0].visibility = \"secret\": must be one of visible, after_due_date, "},
+    {"points = 4", "points = 4\ndetail = \"some\"",
+     "8: item[0].detail = \"some\": must be one of full, actual-only, nothing"},
+    {"points = 4", "points = 4\ntolerance = { abs = 1 }",
+     "8: item[0].tolerance.abs = 1: unknown key; item[0].tolerance knows ulp, conditioning"},
+    {"\"class\"", "\"clas\"",
+     "9: item[0].functions.laws[0] = \"clas\": is no law; `raycheck list`"},
+    {"\"class\"", "", "9: item[0].functions.laws = []: names no law"},
+    {"laws = [\"class\"]\n", "", "item[0].functions.laws: is missing"},
+    {"\"course\"", "\"courses\"",
+     "10: item[0].functions.sources[0] = \"courses\": no source of cases is called 'courses'"},
+    {"\"course\"", "\"distance@x\"", "10: item[0].functions.sources[0] = \"distance@x\": "},
+    {"cases = 4", "cases = 0", "11: item[0].functions.cases = 0: must be 1 to 1000000"},
+    {"cases = 4", "cases = 1.5", "11: item[0].functions.cases = 1.5: must be a whole number"},
+    {"cases = 4\n", "", "item[0].functions.cases: is missing"},
+    {"sources = [\"course\"]\n", "", "10: item[0].functions.cases = 4: goes with sources"},
+    {"sources = [\"course\"]\ncases = 4\n", "", "names neither scenes nor sources"},
+    {"cases = 4", "cases = 4\nrays = \"yours\"",
+     "12: item[0].functions.rays = \"yours\": must be one of own, given"},
+    {"cases = 4", "cases = 4\njudge = \"mask\"", "12: item[0].functions.judge = \"mask\": unknown"},
+    {"cases = 4", "cases = 4\nscenes = [\"nowhere.toml\"]",
+     "12: item[0].functions.scenes[0] = \"nowhere.toml\": "},
+    {"cases = 4", "cases = 4\nscenes = [\"../up.toml\"]",
+     "12: item[0].functions.scenes[0] = \"../up.toml\": must be a path below the rubric's folder"},
+    {"cases = 4", "cases = 4\nscenes = [\"/etc/passwd\"]",
+     "12: item[0].functions.scenes[0] = \"/etc/passwd\": must be a path below"},
+    {"[item.functions]\nlaws = [\"class\"]", "[item.pictures]\njudge = \"masks\"",
+     "9: item[0].pictures.judge = \"masks\": must be one of spheres, mask"},
+    {"[item.functions]\nlaws = [\"class\"]\nsources = [\"course\"]\ncases = 4\n", "",
+     "item[0].functions: is missing, and so is pictures: the item asks nothing"},
+    {"cases = 4\n", "cases = 4\n[[item]]\nname = \"one\"\npoints = 1\n",
+     "13: item[1].name = \"one\": is the name of an item before it"},
+    {"[[item]]\nname = \"one\"\npoints = 4\n[item.functions]\nlaws = [\"class\"]\n"
+     "sources = [\"course\"]\ncases = 4\n",
+     "", "item: is missing"},
+};
+
+TEST(Rubric, that_is_wrong_fails_with_file_line_field_and_value) {
+  const Grading grading;
+  const std::string folder = grading.submit("mine", "rays.py");
+  for (const auto& [part, instead, said] : kWrong) {
+    std::string text = kRubric;
+    ASSERT_TRUE(contains(text, part)) << part;
+    text.replace(text.find(part), part.size(), instead);
+    const std::string rubric = grading.write("rubric.toml", text);
+    const Outcome outcome = grading.grade(rubric, {folder});
+    EXPECT_EQ(outcome.exit_code, 2) << text;
+    EXPECT_EQ(outcome.err.rfind("raycheck: " + rubric + ":", 0), 0u) << outcome.err;
+    EXPECT_TRUE(contains(outcome.err, said)) << said << "\n" << outcome.err;
+    EXPECT_EQ(outcome.out, "");
+    EXPECT_FALSE(std::filesystem::exists(grading.path("out"))) << text;
+  }
+  const Outcome right = grading.grade(grading.write("rubric.toml", kRubric), {folder});
+  EXPECT_EQ(right.exit_code, 0) << right.err;
+  EXPECT_EQ(grading.result("mine")["score"], 4);
+}
+
+TEST(Rubric, whose_scene_is_wrong_fails_with_the_line_of_both) {
+  const Grading grading;
+  grading.write("scene.toml", "[[sphere]]\ncentre = [0, 0, 0]\nradius = -1\n");
+  std::string text = kRubric;
+  text += "scenes = [\"scene.toml\"]\n";
+  const Outcome outcome = run("grade '" + grading.write("rubric.toml", text) + "'");
+  EXPECT_EQ(outcome.exit_code, 2);
+  EXPECT_TRUE(contains(outcome.err, ":12: item[0].functions.scenes[0] = \"scene.toml\": "))
+      << outcome.err;
+  EXPECT_TRUE(contains(outcome.err, "scene.toml:3: sphere[0].radius = -1")) << outcome.err;
+}
+
+TEST(GradeCommand, fails_with_2_and_grades_nothing) {
+  const Grading grading;
+  const std::string mine = grading.submit("mine", "rays.py");
+  const std::string again = grading.write("elsewhere/mine/rays.py", "");
+  const std::string empty = grading.write("empty", "");
+  const std::string taken = grading.write("taken", "a file");
+  const std::string out = " --out '" + grading.path("out") + "'";
+  const auto fails = [&](const std::string& words, const std::string& why) {
+    const Outcome outcome = run("grade " + words);
+    EXPECT_EQ(outcome.exit_code, 2) << words;
+    EXPECT_TRUE(contains(outcome.err, why)) << words << "\n" << outcome.err;
+    EXPECT_EQ(outcome.out, "") << words;
+    EXPECT_FALSE(std::filesystem::exists(grading.path("out"))) << words;
+  };
+  const std::string rubric = kLecture7;
+  fails("", "RUBRIC");
+  fails("nowhere.toml " + mine + out, "nowhere.toml: cannot be read");
+  fails(rubric + " " + mine, "--out: give a folder for the results");
+  fails(rubric + " nowhere" + out, "nowhere: there is no such file or folder");
+  fails(rubric + " " + mine + " " + grading.path("elsewhere/mine") + out,
+        grading.path("elsewhere/mine") + ": " + mine + " has the same name, mine");
+  fails(rubric + " " + mine + " " + mine + out, "has the same name, mine");
+  fails(rubric + " " + mine + " --package '" + grading.path("package.zip") + "'",
+        "--package: grades nothing; leave out the submissions");
+  fails(rubric + " " + mine + out + " --secret-file nowhere",
+        "--secret-file nowhere: cannot be read");
+  fails(rubric + " " + mine + out + " --secret-file '" + empty + "'", "is empty");
+  fails(rubric + " " + mine + out + " --jobs 0", "--jobs");
+  fails(rubric + " " + mine + out + " --format xml", "--format");
+  fails(rubric + " " + mine + out + " --sandbox perhaps", "--sandbox");
+  fails(rubric + " " + mine + " --out '" + taken + "'", "--out " + taken + ": ");
+  EXPECT_FALSE(std::filesystem::exists(grading.path("package.zip")));
+  EXPECT_EQ(contents(taken), "a file");
+}
+
+TEST(GradeCommand, grades_the_others_when_a_submission_has_no_form) {
+  const Grading grading;
+  const std::string other = grading.write("submissions/other/main.rb", "puts 1\n");
+  const std::string nothing = grading.path("submissions/nothing");
+  std::filesystem::create_directories(nothing);
+  const Outcome outcome = grading.grade(
+      kLecture7, {grading.path("submissions/other"), nothing, grading.submit("mine", "rays.py")});
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+  for (const char* name : {"other", "nothing"}) {
+    const auto result = grading.result(name);
+    EXPECT_EQ(result["score"], 0);
+    EXPECT_EQ(result["form"], "");
+    EXPECT_TRUE(
+        contains(result["refused"], "it has none of the files that are asked for: rays.cpp"))
+        << result["refused"];
+  }
+  EXPECT_EQ(grading.result("mine")["score"], 110);
+}
+
+TEST(GradeCommand, grades_the_others_when_names_are_no_text) {
+  const Grading grading;
+  std::string rubric = kRubric;
+  rubric.replace(rubric.find("rays.py"), 7, "*.py");
+  const std::string text = contents(grading.submit("mine", "rays.py") + "/rays.py");
+  const std::string odd =
+      "o\xff"
+      "dd";
+  grading.write("submissions/" + odd + "/rays.py", text);
+  grading.write("submissions/file/" + odd + ".py", text);
+  const std::string path = grading.write("rubric.toml", rubric);
+  for (const char* format : {"json", "csv", "gradescope", "prairielearn"}) {
+    const Outcome outcome =
+        grading.grade(path,
+                      {grading.path("submissions/" + odd), grading.path("submissions/file"),
+                       grading.path("submissions/mine")},
+                      "out", std::string("--format ") + format);
+    EXPECT_EQ(outcome.exit_code, 0) << format << outcome.err;
+    for (const std::string& name : {odd, std::string("file"), std::string("mine")}) {
+      EXPECT_EQ(grading.result(name)["score"], 4) << format;
+    }
+    EXPECT_TRUE(contains(grading.file("", "index.html"), "o%FFdd/report.html")) << format;
+  }
+}
+
+}  // namespace
+}  // namespace raycheck::tests

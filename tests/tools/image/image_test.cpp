@@ -1,0 +1,368 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <map>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "reference/exact_ray.h"
+#include "scene/files/scene_file.h"
+#include "tests/tools/program.h"
+#include "tests/tools/report/picture.h"
+
+namespace raycheck::tests {
+namespace {
+
+using nlohmann::json;
+using reference::NearestSphere;
+
+const std::array<std::uint8_t, 3> kWhite = {255, 255, 255};
+
+/// A picture that the program wrote, and what it said; the file is gone.
+class Written {
+ public:
+  Written(const std::string& arguments, const std::string& extension, int exit_code = 0) {
+    const std::string path = temporary_file("picture" + extension, "");
+    std::filesystem::remove(path);
+    outcome_ = run("image " + arguments + " --out " + path + " --format json");
+    EXPECT_EQ(outcome_.exit_code, exit_code) << arguments << "\n" << outcome_.err;
+    EXPECT_EQ(outcome_.err, "") << arguments;
+    bytes_ = contents(path);
+    picture_ = read_picture(path);
+    std::filesystem::remove(path);
+  }
+
+  const ReadPicture& picture() const { return picture_; }
+  json report() const { return json::parse(outcome_.out); }
+  const std::string& bytes() const { return bytes_; }
+
+ private:
+  Outcome outcome_;
+  std::string bytes_;
+  ReadPicture picture_;
+};
+
+/// What a pixel sees, by the exact ray alone, and where the picture has it.
+struct Seen {
+  std::int64_t column, line;
+  std::optional<NearestSphere> sphere;
+  double parameter;  ///< Of a pixel that sees something.
+};
+
+std::vector<Seen> all_seen(const scene::Scene& scene) {
+  const scene::Camera& camera = *scene.camera;
+  const reference::ExactCamera exact(camera, scene.conventions);
+  std::vector<Seen> all;
+  for (std::int64_t j = 0; j < camera.height; ++j) {
+    const bool top_first = scene.conventions.rows == scene::Rows::kTopFirst;
+    for (std::int64_t i = 0; i < camera.width; ++i) {
+      const reference::ExactRay ray(exact, {i, j});
+      Seen seen{i, top_first ? j : camera.height - 1 - j,
+                ray.nearest(scene.spheres, scene.conventions), 0};
+      if (seen.sphere) {
+        seen.parameter =
+            ray.rounded_parameter(scene.spheres[seen.sphere->index], seen.sphere->intersection);
+      }
+      all.push_back(std::move(seen));
+    }
+  }
+  return all;
+}
+
+std::string example(const std::string& name) {
+  return std::string(RAYCHECK_SOURCE_DIR) + "/scene/examples/" + name;
+}
+
+/// Rays of which one touches a sphere exactly, between two that miss and meet it.
+constexpr const char* kTangent = R"(
+[camera]
+eye = [0, 0, 0]
+look_at = [0, 0, -1]
+up = [0, 1, 0]
+near = -1
+left = -0.5
+right = 0.5
+bottom = -1
+top = 1
+width = 65
+height = 33
+[[sphere]]
+centre = [1, 0, -5]
+radius = 1
+[[sphere]]
+centre = [1, 0, -5]
+radius = 0.5
+)";
+
+/// Scenes to compare pixel by pixel.
+std::vector<std::string> scenes() {
+  std::vector<std::string> paths;
+  for (const char* name :
+       {"example-6-top-first.toml", "example-6-bottom-first.toml", "sphere-behind-eye.toml",
+        "sphere-around-eye.toml", "sphere-between-eye-and-plane.toml", "ten-spheres.toml",
+        "far-sphere.toml", "grid-64.toml"}) {
+    paths.push_back(example(name));
+  }
+  return paths;
+}
+
+TEST(Image, says_of_every_pixel_whether_it_sees_anything) {
+  std::size_t hits = 0, misses = 0;
+  std::vector<std::string> paths = scenes();
+  const std::string miss = std::string("[conventions]\ntangent = \"miss\"\n") + kTangent;
+  paths.push_back(temporary_file("tangent_hit.toml", kTangent));
+  paths.push_back(temporary_file("tangent_miss.toml", miss));
+  for (const std::string& path : paths) {
+    const scene::Scene scene = scene::load_scene(path).scene;
+    const Written written(path + " --what class", ".png");
+    ASSERT_EQ(written.picture().width, scene.camera->width);
+    ASSERT_EQ(written.picture().height, scene.camera->height);
+    std::uint64_t hits_here = 0;
+    for (const Seen& seen : all_seen(scene)) {
+      ++(seen.sphere ? hits : misses);
+      hits_here += seen.sphere ? 1 : 0;
+      EXPECT_EQ(written.picture().at(seen.column, seen.line) == kWhite, seen.sphere.has_value())
+          << path << " " << seen.column << " " << seen.line;
+    }
+    EXPECT_EQ(written.report()["pixels_that_see"], hits_here) << path;
+  }
+  EXPECT_GT(hits, 500u);
+  EXPECT_GT(misses, 500u);
+  const Written tangent_hit(paths[paths.size() - 2] + " --what class", ".ppm");
+  const Written tangent_miss(paths.back() + " --what class", ".ppm");
+  EXPECT_EQ(tangent_hit.picture().at(32, 16), kWhite);
+  EXPECT_NE(tangent_miss.picture().at(32, 16), kWhite);
+  std::filesystem::remove(paths.back());
+  std::filesystem::remove(paths[paths.size() - 2]);
+}
+
+TEST(Image, puts_pixel_zero_zero_where_the_convention_says) {
+  // In both the sphere is above the axis and to its right, and `bottom` is above `top`.
+  const Written bottom_first(example("example-6-bottom-first.toml") + " --what class", ".ppm");
+  const Written top_first(example("example-6-top-first.toml") + " --what class", ".ppm");
+  EXPECT_EQ(bottom_first.bytes(), top_first.bytes());
+  // A picture's lines come from the top: `bottom` is the last one, so the sphere is below.
+  double columns = 0, lines = 0, hits = 0;
+  const ReadPicture& picture = bottom_first.picture();
+  for (std::int64_t line = 0; line < 9; ++line) {
+    for (std::int64_t column = 0; column < 16; ++column) {
+      if (picture.at(column, line) != kWhite) continue;
+      columns += static_cast<double>(column);
+      lines += static_cast<double>(line);
+      ++hits;
+    }
+  }
+  EXPECT_GT(hits, 5);
+  EXPECT_GT(columns / hits, 8);
+  EXPECT_GT(lines / hits, 5);
+}
+
+/// Degrees around the circle of colours.
+double hue(const std::array<std::uint8_t, 3>& colour) {
+  const double x = colour[0] - 0.5 * colour[1] - 0.5 * colour[2];
+  const double y = std::sqrt(0.75) * (double(colour[1]) - double(colour[2]));
+  return std::atan2(y, x) * 180 / std::acos(-1.0);
+}
+
+TEST(Image, gives_every_sphere_a_colour_of_its_own) {
+  std::size_t compared = 0;
+  for (const std::string& path : scenes()) {
+    const scene::Scene scene = scene::load_scene(path).scene;
+    const Written written(path, ".png");
+    std::map<std::size_t, double> hues;
+    for (const Seen& seen : all_seen(scene)) {
+      const auto& colour = written.picture().at(seen.column, seen.line);
+      const int brightest = *std::max_element(colour.begin(), colour.end());
+      EXPECT_EQ(brightest > 80, seen.sphere.has_value()) << path;
+      if (!seen.sphere) continue;
+      const auto [at, is_new] = hues.emplace(seen.sphere->index, hue(colour));
+      EXPECT_NEAR(std::remainder(hue(colour) - at->second, 360.0), 0, 3) << path;
+      ++compared;
+    }
+    EXPECT_EQ(written.report()["spheres_seen"], hues.size()) << path;
+    for (auto a = hues.begin(); a != hues.end(); ++a) {
+      for (auto b = std::next(a); b != hues.end(); ++b) {
+        EXPECT_GT(std::abs(std::remainder(a->second - b->second, 360.0)), 12) << path;
+      }
+    }
+  }
+  EXPECT_GT(compared, 250u);
+}
+
+TEST(Image, is_darker_the_farther_a_pixel_sees) {
+  std::size_t compared = 0;
+  for (const std::string& path : scenes()) {
+    const scene::Scene scene = scene::load_scene(path).scene;
+    const Written written(path + " --what depth", ".ppm");
+    std::vector<std::pair<double, int>> by_depth;
+    for (const Seen& seen : all_seen(scene)) {
+      const auto& colour = written.picture().at(seen.column, seen.line);
+      EXPECT_EQ(colour[0], colour[1]);
+      EXPECT_EQ(colour[0], colour[2]);
+      EXPECT_EQ(colour[0] > 0, seen.sphere.has_value()) << path;
+      if (seen.sphere) by_depth.emplace_back(seen.parameter, colour[0]);
+    }
+    if (by_depth.empty()) {
+      EXPECT_TRUE(written.report()["depth"].is_null()) << path;
+      continue;
+    }
+    const auto [least, most] = std::minmax_element(by_depth.begin(), by_depth.end());
+    const double first = least->first, span = most->first - first;
+    EXPECT_EQ(least->second, 255) << path;
+    for (const auto& [parameter, grey] : by_depth) {
+      // From 255 to 51; a far sphere's span is a small part of s.
+      const double share = span > 0 ? (parameter - first) / span : 0;
+      EXPECT_NEAR(grey, 255 - 204 * share, 1 + 204 * 0x1p-19 * most->first / std::max(span, 1e-300))
+          << path;
+      ++compared;
+    }
+  }
+  EXPECT_GT(compared, 250u);
+}
+
+TEST(Image, shows_the_errors_that_check_counts) {
+  for (const auto& [method, exit_code] : {std::pair("quadratic", 1), std::pair("cross", 0)}) {
+    const std::string arguments = example("far-sphere.toml") + " --intersect " + method;
+    const json check = json::parse(run("check " + arguments + " --format json").out);
+    std::uint64_t wrong = 0, measured = 0;
+    for (const json& quantity : check["candidates"][0]["quantities"]) {
+      if (quantity["name"] == "class") wrong = quantity["class_errors"];
+      if (quantity["name"] == "parameter") measured = quantity["cases"];
+    }
+    const Written written(arguments + " --what error", ".png", exit_code);
+    const json error = written.report()["error"];
+    EXPECT_EQ(error["wrong"]["pixels"], wrong);
+    EXPECT_EQ(wrong > 0, exit_code == 1);
+    std::map<std::string, std::uint64_t> by_colour;
+    for (const auto& colour : written.picture().pixels) {
+      char text[7];
+      std::snprintf(text, sizeof text, "%02x%02x%02x", unsigned{colour[0]}, unsigned{colour[1]},
+                    unsigned{colour[2]});
+      ++by_colour[text];
+    }
+    EXPECT_EQ(by_colour["e60000"], wrong);
+    std::uint64_t sum = 0;
+    for (const json& step : error["steps"]) {
+      EXPECT_EQ(by_colour[step["colour"].get<std::string>()], step["pixels"]);
+      sum += step["pixels"].get<std::uint64_t>();
+    }
+    EXPECT_EQ(sum, measured);
+    EXPECT_GT(measured, 50u);
+    // By the textbook s is lost; by the other one it is not (README.md).
+    EXPECT_EQ(error["steps"].back()["pixels"] > 0, exit_code == 1);
+    EXPECT_EQ(error["steps"][0]["pixels"] > 0, exit_code == 0);
+  }
+}
+
+TEST(Image, is_the_same_by_any_number_of_threads) {
+  const std::string scene = example("ten-spheres.toml") + " --size 333,1100 ";
+  for (const char* what : {"class", "sphere", "depth"}) {
+    for (const char* extension : {".png", ".ppm"}) {
+      const Written one(scene + "--threads 1 --what " + what, extension);
+      EXPECT_GT(one.report()["pixels_that_see"], 100000);
+      for (const char* threads : {"2", "3"}) {
+        const Written more(scene + "--threads " + threads + " --what " + what, extension);
+        EXPECT_EQ(more.bytes(), one.bytes()) << what << threads;
+      }
+    }
+  }
+  const std::string errors = example("ten-spheres.toml") + " --size 60,1200 --what error ";
+  const Written one(errors + "--threads 1", ".png");
+  EXPECT_EQ(Written(errors + "--threads 2", ".png").bytes(), one.bytes());
+  EXPECT_EQ(Written(errors + "--threads 3", ".png").bytes(), one.bytes());
+}
+
+TEST(Image, is_the_same_in_bands_as_whole) {
+  // 4200 rows of 17 pixels are two bands, 17 rows of 4200 pixels too.
+  for (const char* size : {"17,4200", "4200,17"}) {
+    const std::string arguments = example("ten-spheres.toml") + " --size " + size;
+    scene::Scene scene = scene::load_scene(example("ten-spheres.toml")).scene;
+    const Written written(arguments + " --what class", ".ppm");
+    scene.camera->width = written.picture().width;
+    scene.camera->height = written.picture().height;
+    std::size_t hits = 0;
+    for (const Seen& seen : all_seen(scene)) {
+      hits += seen.sphere ? 1 : 0;
+      ASSERT_EQ(written.picture().at(seen.column, seen.line) == kWhite, seen.sphere.has_value())
+          << seen.column << " " << seen.line;
+    }
+    EXPECT_GT(hits, 20000u);
+  }
+}
+
+/// Runs a command that must fail, with an older picture in the way, which must be left alone.
+void expect_fails(const std::string& arguments, const std::string& why, int exit_code = 2) {
+  const std::string path = temporary_file("old.png", "an older picture");
+  const Outcome result = run("image " + arguments + " --out " + path);
+  EXPECT_EQ(result.exit_code, exit_code) << arguments;
+  EXPECT_NE(result.err.find(why), std::string::npos) << arguments << "\n" << result.err;
+  EXPECT_EQ(contents(path), "an older picture") << arguments;
+  std::filesystem::remove(path);
+}
+
+std::size_t parts_left() {
+  std::size_t left = 0;
+  for (const auto& entry : std::filesystem::directory_iterator(testing::TempDir())) {
+    const std::string name = entry.path().filename().string();
+    if (name.find("raycheck_" + std::to_string(getpid())) == 0 && name.ends_with(".part")) ++left;
+  }
+  return left;
+}
+
+TEST(Image, fails_with_2_and_says_why_and_leaves_no_file) {
+  const std::string scene = example("ten-spheres.toml");
+  expect_fails("nowhere.toml", "nowhere.toml");
+  expect_fails(example("lecture-examples.toml"), "has given rays and no camera");
+  expect_fails(scene + " --what colour", "--what");
+  expect_fails(scene + " --threads 0", "--threads");
+  expect_fails(scene + " --rays direct", "--rays direct: only --what error");
+  expect_fails(scene + " --intersect cross", "--intersect cross: only --what error");
+  expect_fails(scene + " --what error --intersect best", "--intersect best");
+  expect_fails(scene + " --size 5", "--size 5");
+  expect_fails(scene + " --size 5,0", "--size");
+  expect_fails(scene + " --size 1,5", "camera.width");
+  expect_fails(scene + " --size 1000001,5", "camera.width: 1000001 pixels");
+  expect_fails(scene + " --size 5,1000001", "camera.height: 1000001 pixels");
+  expect_fails(scene + " --dialect D", "--dialect D");
+  const auto fails = [&](const std::string& arguments, const std::string& why) {
+    const Outcome result = run("image " + scene + arguments);
+    EXPECT_EQ(result.exit_code, 2) << arguments;
+    EXPECT_NE(result.err.find(why), std::string::npos) << arguments << "\n" << result.err;
+  };
+  fails("", "--out");
+  fails(" --out picture.gif", "--out picture.gif: a picture's name ends in .png or .ppm");
+  fails(" --out nowhere/picture.png", "--out nowhere/picture.png: cannot be written");
+  fails(" --out scene/examples", "--out scene/examples: cannot be written");
+  fails(" --out ''", "it names no file");
+  EXPECT_FALSE(std::filesystem::exists(std::string(RAYCHECK_SOURCE_DIR) + "/picture.gif"));
+  EXPECT_EQ(parts_left(), 0u);
+}
+
+TEST(Image, leaves_an_older_picture_alone_when_interrupted) {
+  const std::string path = temporary_file("interrupted.png", "an older picture");
+  const Outcome result = run_interrupted(
+      "image " + example("ten-spheres.toml") + " --size 100000,100000 --out " + path, 1000);
+  EXPECT_EQ(result.exit_code, 130) << result.err;
+  EXPECT_NE(result.out.find("INTERRUPTED: no picture was written"), std::string::npos);
+  EXPECT_EQ(contents(path), "an older picture");
+  EXPECT_EQ(parts_left(), 0u);
+  std::filesystem::remove(path);
+}
+
+TEST(Image, takes_the_place_of_an_older_picture_and_warns_about_the_scene) {
+  const std::string path = temporary_file("new.ppm", "an older picture");
+  const Outcome result = run("image " + example("driver-a.txt") + " --dialect A --out " + path);
+  EXPECT_EQ(result.exit_code, 0) << result.err;
+  EXPECT_NE(result.err.find("warning"), std::string::npos);
+  EXPECT_NE(result.out.find("written to " + path), std::string::npos) << result.out;
+  EXPECT_EQ(read_picture(path).width, 16);
+  std::filesystem::remove(path);
+}
+
+}  // namespace
+}  // namespace raycheck::tests

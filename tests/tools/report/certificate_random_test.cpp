@@ -1,0 +1,159 @@
+// Certificates of what the laws find on random cases, confirmed by tools/verify_certificates.py,
+// which knows nothing of this project. The candidates are the methods, held to a bound of 0 so that
+// every rounding is a discrepancy, and the mutants, which are wrong in every way there is.
+
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cstdint>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <map>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "properties/candidates/fast_candidate.h"
+#include "properties/cases/case_source.h"
+#include "properties/laws/law.h"
+#include "tests/mutants/mutants.h"
+#include "tools/methods/methods.h"
+#include "tools/report/certificate.h"
+
+namespace raycheck::tools {
+namespace {
+
+using properties::Candidate;
+using properties::Case;
+using properties::CaseSource;
+
+constexpr std::size_t kDiscrepanciesOfEachLaw = 3;
+
+std::vector<Candidate> all_candidates() {
+  std::vector<Candidate> result;
+  for (const MethodPair& pair : each_method_once()) {
+    result.push_back(properties::fast_candidate(*pair.rays, *pair.intersect));
+  }
+  for (mutants::Mutant& mutant : mutants::all_mutants()) {
+    result.push_back(std::move(mutant.candidate));
+  }
+  return result;
+}
+
+/// Certificates of the worst discrepancies of each law that judges values and has this in its name.
+void certify(const Case& the_case, const Candidate& candidate, std::string_view filter,
+             std::vector<Json>& certificates) {
+  properties::Trial trial(the_case, candidate, {.max_error = 0});
+  for (const properties::Law& law : properties::laws()) {
+    if (!law.judges_values || law.name.find(filter) == law.name.npos) continue;
+    for (const auto& found : apply(law, trial).worst(kDiscrepanciesOfEachLaw)) {
+      certificates.push_back(
+          certificate(the_case.scene, trial.conventions(), found, candidate.name));
+    }
+  }
+}
+
+/// Of cases of a source, a few for each candidate.
+std::vector<Json> certificates_of(const std::vector<Candidate>& candidates,
+                                  const CaseSource& source, std::uint64_t cases_each,
+                                  std::string_view filter = {}) {
+  std::vector<Json> certificates;
+  std::uint64_t seed = 0;
+  for (const Candidate& candidate : candidates) {
+    for (std::uint64_t k = 0; k < cases_each; ++k) {
+      certify(properties::any_case(source, ++seed), candidate, filter, certificates);
+    }
+  }
+  return certificates;
+}
+
+/// What the script prints: a line for each certificate, and the summary.
+std::vector<std::string> script_on(const std::vector<Json>& certificates) {
+  const std::string stem = testing::TempDir() + "raycheck_certificates_" + std::to_string(getpid());
+  std::ofstream(stem + ".jsonl") << certificates_text(certificates);
+  const std::string command = "python3 '" RAYCHECK_SOURCE_DIR "/tools/verify_certificates.py' '" +
+                              stem + ".jsonl' > '" + stem + ".txt'";
+  EXPECT_EQ(std::system(command.c_str()), 0) << "python3 is needed: " << command;
+  std::vector<std::string> lines;
+  std::ifstream in(stem + ".txt");
+  for (std::string line; std::getline(in, line);) lines.push_back(line);
+  std::filesystem::remove(stem + ".jsonl");
+  std::filesystem::remove(stem + ".txt");
+  return lines;
+}
+
+/// Confirmed ones by quantity; only refusals, which state no value, may be left uncertified.
+std::map<std::string, int> confirmed_of(const std::vector<Json>& certificates) {
+  const std::vector<std::string> lines = script_on(certificates);
+  EXPECT_EQ(lines.size(), certificates.size() + 1);
+  std::map<std::string, int> confirmed;
+  for (std::size_t k = 0; k < certificates.size() && k < lines.size(); ++k) {
+    const std::string quantity = certificates[k]["quantity"];
+    if (quantity == "refusal") {
+      EXPECT_EQ(lines[k].rfind("not certified", 0), 0u) << lines[k];
+      continue;
+    }
+    EXPECT_EQ(lines[k].rfind("confirmed", 0), 0u) << lines[k] << "\n" << certificates[k];
+    ++confirmed[quantity];
+  }
+  return confirmed;
+}
+
+const std::vector<std::string> kOfIntersections = {
+    "class", "parameter", "hit point", "sphere residual", "ray residual", "nearest sphere"};
+const std::vector<std::string> kOfCameras = {"frame",     "orthonormality", "pixel point",
+                                             "direction", "unit defect",    "ray origin"};
+
+class EachSource : public testing::TestWithParam<std::string> {};
+
+TEST_P(EachSource, HasItsDiscrepanciesConfirmedWithoutTheProgram) {
+  const CaseSource* source = properties::find_case_source(GetParam());
+  ASSERT_NE(source, nullptr);
+  const auto confirmed =
+      confirmed_of(certificates_of(all_candidates(), *source, source->has_camera ? 1 : 8));
+  for (const std::string& quantity : kOfIntersections) {
+    // A planet is alone: its class says which sphere is nearest.
+    if (quantity == "nearest sphere" && source->name == "horizon") continue;
+    EXPECT_GE(confirmed.contains(quantity) ? confirmed.at(quantity) : 0, 1) << quantity;
+  }
+  if (!source->has_camera) return;
+  for (const std::string& quantity : kOfCameras) {
+    EXPECT_GE(confirmed.contains(quantity) ? confirmed.at(quantity) : 0, 4) << quantity;
+  }
+}
+
+std::vector<std::string> source_names() {
+  std::vector<std::string> names;
+  for (const auto& source : properties::case_sources()) names.emplace_back(source.name);
+  return names;
+}
+
+INSTANTIATE_TEST_SUITE_P(Certificates, EachSource, testing::ValuesIn(source_names()),
+                         [](const testing::TestParamInfo<std::string>& the_test) {
+                           std::string name = the_test.param;
+                           for (char& letter : name) {
+                             if (letter == '-') letter = '_';
+                           }
+                           return name;
+                         });
+
+TEST(Certificates, OfWrongRootsAreConfirmed) {
+  std::vector<Candidate> candidates;
+  for (mutants::Mutant& mutant : mutants::all_mutants()) {
+    const auto& laws = mutant.caught_by;
+    if (std::find(laws.begin(), laws.end(), "nearest-root") == laws.end()) continue;
+    candidates.push_back(std::move(mutant.candidate));
+  }
+  ASSERT_GE(candidates.size(), 1u);
+  for (const char* source : {"cameras", "rays"}) {
+    const auto certificates =
+        certificates_of(candidates, *properties::find_case_source(source), 100, "root");
+    EXPECT_GE(confirmed_of(certificates)["root"], 8) << source;
+  }
+}
+
+}  // namespace
+}  // namespace raycheck::tools

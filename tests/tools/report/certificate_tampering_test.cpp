@@ -1,0 +1,165 @@
+// A certificate that was tampered with is refuted: in its claim, its input or its proof.
+
+#include <gtest/gtest.h>
+
+#include <cstdint>
+#include <sstream>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "tests/tools/report/certificates.h"
+
+namespace raycheck::tests {
+namespace {
+
+using Pointer = ordered_json::json_pointer;
+
+/// Adds one to the integer at a place, which may be a number or a string of digits.
+void add_one(ordered_json& integer) {
+  if (integer.is_number_integer()) {
+    integer = integer.get<std::int64_t>() + 1;
+    return;
+  }
+  std::string digits = integer;
+  digits.back() = digits.back() == '9' ? '8' : static_cast<char>(digits.back() + 1);
+  integer = digits;
+}
+
+/// A number to put at a place of a certificate, or none: then the integer there grows by one.
+struct Tampering {
+  const char* where;
+  std::string value = {};
+};
+
+void expect_refuted(const ordered_json& certificate, const std::vector<Tampering>& tamperings) {
+  std::vector<ordered_json> certificates = {certificate};
+  for (const Tampering& tampering : tamperings) {
+    ordered_json tampered = certificate;
+    ordered_json& place = tampered.at(Pointer(tampering.where));
+    if (tampering.value.empty()) {
+      add_one(place);
+    } else {
+      place = ordered_json::parse(tampering.value);
+    }
+    EXPECT_NE(tampered, certificate) << tampering.where;
+    certificates.push_back(std::move(tampered));
+  }
+  const Outcome result = script_on(certificates);
+  EXPECT_EQ(result.exit_code, 1) << result.err;
+  std::istringstream lines(result.out);
+  std::string line;
+  ASSERT_TRUE(std::getline(lines, line));
+  EXPECT_EQ(line.rfind("confirmed", 0), 0u) << line << certificate;
+  for (const Tampering& tampering : tamperings) {
+    ASSERT_TRUE(std::getline(lines, line));
+    EXPECT_EQ(line.rfind("REFUTED", 0), 0u)
+        << tampering.where << " " << tampering.value << ": " << line;
+    EXPECT_EQ(line.find("malformed"), std::string::npos) << tampering.where << ": " << line;
+  }
+}
+
+TEST(TamperedCertificates, of_a_class_are_refuted) {
+  const auto certificate =
+      of_quantity(certificates_of(std::string(kFalseHit) + " --intersect quadratic"), "class");
+  expect_refuted(certificate, {{"/wrong", R"("missed")"},
+                               {"/got", "[]"},
+                               {"/exact", "[[1, 35]]"},
+                               {"/proof/spheres/0/root", R"("smaller")"},
+                               {"/proof/spheres/0/discriminant/0"},
+                               {"/proof/spheres/0/discriminant/1"},
+                               {"/proof/spheres/0/discriminant", "[1, 1, 0]"},
+                               {"/proof/spheres/0/discriminant", "[0, 0, 0]"},
+                               {"/inputs/ray/direction/0/0"},
+                               {"/inputs/ray/direction/1/1"},
+                               {"/inputs/spheres/0/centre/2/0"},
+                               {"/inputs/spheres/0/radius", "[1, 0]"},
+                               {"/proof/spheres", "[]"}});
+}
+
+TEST(TamperedCertificates, of_a_parameter_are_refuted) {
+  const auto certificates = certificates_of(std::string(kLostDigits) + " --intersect quadratic");
+  const auto parameter = of_quantity(certificates, "parameter");
+  const ordered_json s = parameter.at(Pointer("/proof/spheres/0/s"));
+  const std::string low = s.at(0);
+  const std::string high = s.at(1);
+  constexpr std::size_t kCut = 25;
+  const ordered_json wide = {low.substr(0, low.size() - kCut) + std::string(kCut, '0'),
+                             high.substr(0, high.size() - kCut) + std::string(kCut, '9'), s.at(2)};
+  const ordered_json only_low = {low, low, s.at(2)};
+  const ordered_json only_high = {high, high, s.at(2)};
+  expect_refuted(parameter, {{"/proof/spheres/0/s", wide.dump()},
+                             {"/proof/spheres/0/s", only_low.dump()},
+                             {"/proof/spheres/0/s", only_high.dump()},
+                             {"/proof/spheres/0/s/2"},
+                             {"/proof/spheres/0/root", R"("larger")"},
+                             {"/proof/spheres/0/root", "null"},
+                             {"/proof/spheres/0/c/0"},
+                             {"/proof/spheres/0/b/0"},
+                             {"/exact/0/0"},
+                             {"/error", "480"},
+                             {"/error", "500"},
+                             {"/error", R"("infinity")"},
+                             {"/got/0/1"},
+                             {"/conventions/root", R"("smaler")"}});
+  expect_refuted(of_quantity(certificates, "hit point"),
+                 {{"/error", "525"}, {"/exact/1/0"}, {"/got/2/1"}, {"/inputs/ray/origin/0/0"}});
+  expect_refuted(of_quantity(certificates, "sphere residual"),
+                 {{"/error", "600000"}, {"/proof/norms/0/0", "\"1\""}, {"/got/0/1"}});
+}
+
+TEST(TamperedCertificates, of_the_nearest_sphere_are_refuted) {
+  const auto certificate = of_quantity(
+      certificates_of(std::string(kNearestByAnUlp) + " --intersect quadratic"), "nearest sphere");
+  expect_refuted(certificate, {{"/exact", "[[0, 0]]"},
+                               {"/exact", "[[-1, 0]]"},
+                               {"/exact", "[]"},
+                               {"/got", "[[1, 0]]"},
+                               {"/wrong", R"("missed")"},
+                               {"/inputs/spheres/1/radius/0"},
+                               {"/proof/spheres/1/s/0", R"("99999999999999999999")"},
+                               {"/proof/spheres/0/root", "null"}});
+}
+
+TEST(TamperedCertificates, of_a_unit_or_a_kind_of_error_are_refuted) {
+  const auto certificate =
+      of_quantity(certificates_of(std::string(kFarSphere) + " --intersect quadratic"), "parameter");
+  expect_refuted(certificate, {{"/wrong", R"("missed")"}, {"/unit", R"("u")"}});
+}
+
+TEST(TamperedCertificates, of_a_camera_are_refuted) {
+  const auto certificates =
+      certificates_of(std::string(kFarSphere) + " --intersect quadratic --top 40");
+  const auto class_error = of_quantity(certificates, "class");
+  expect_refuted(class_error, {{"/wrong", R"("missed")"},
+                               {"/pixel/0"},
+                               {"/inputs/pixel/0"},
+                               {"/inputs/camera/width"},
+                               {"/inputs/camera/left/0"},
+                               {"/inputs/camera/eye/0", "[1, -52]"},
+                               {"/inputs/spheres/0/centre/0/0"},
+                               {"/inputs/spheres/0/radius", "[4503599627370497, -52]"},
+                               {"/conventions/samples", R"("centres")"},
+                               {"/conventions/rows", R"("top-first")"},
+                               {"/proof/roots/|E - A|", "[1, 1, 1]"},
+                               {"/proof/roots/|P - E|/2"},
+                               {"/proof/spheres/0/discriminant/2"},
+                               {"/proof/spheres/0/root", R"("larger")"}});
+  expect_refuted(of_quantity(certificates, "parameter"), {{"/proof/spheres/0/s/0", "\"0\""},
+                                                          {"/proof/spheres/0/s/2"},
+                                                          {"/exact/0/0"},
+                                                          {"/inputs/spheres/0/centre/2/0"}});
+  const auto frames = certificates_of(
+      "tests/regressions/far-eye-lecture-loses-directions.toml --all --max-ulp 0 --top 30");
+  expect_refuted(of_quantity(frames, "frame"), {{"/exact/1/0"},
+                                                {"/what", R"("V")"},
+                                                {"/inputs/camera/look_at/0/0"},
+                                                {"/proof/roots/|E - A|/2"}});
+  expect_refuted(of_quantity(frames, "orthonormality"),
+                 {{"/error", "16"}, {"/proof/norms/0/2"}, {"/got/0/1"}});
+  expect_refuted(of_quantity(frames, "direction"), {{"/error", "16"}, {"/exact/0/0"}});
+  expect_refuted(of_quantity(frames, "pixel point"), {{"/error", "16"}, {"/exact/0/0"}});
+}
+
+}  // namespace
+}  // namespace raycheck::tests

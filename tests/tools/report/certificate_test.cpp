@@ -1,0 +1,190 @@
+// --certificates, and the script that confirms what it writes without the program.
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <nlohmann/json.hpp>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "tests/tools/report/certificates.h"
+
+namespace raycheck::tests {
+namespace {
+
+std::string script(const std::string& path) { return "tools/verify_certificates.py " + path; }
+
+TEST(Certificates, are_confirmed_by_a_script_that_knows_only_fractions) {
+  const std::string path = temporary_file("far.jsonl", "");
+  EXPECT_EQ(
+      run(std::string("check ") + kFarSphere + " --intersect quadratic --certificates " + path)
+          .exit_code,
+      1);
+  const Outcome result = run_python(script(path));
+  EXPECT_EQ(result.exit_code, 0) << result.err;
+  EXPECT_NE(
+      result.out.find("confirmed  direct/quadratic: class, pixel (2, 0), sphere 0: false hit"),
+      std::string::npos)
+      << result.out;
+  EXPECT_NE(result.out.find("10 confirmed, 0 refuted, 0 not certified"), std::string::npos);
+  std::filesystem::remove(path);
+  const std::string text =
+      contents(std::string(RAYCHECK_SOURCE_DIR) + "/tools/verify_certificates.py");
+  std::set<std::string> modules;
+  for (std::size_t at = 0; at < text.size(); at = text.find('\n', at) + 1) {
+    const std::string line = text.substr(at, text.find('\n', at) - at);
+    if (line.rfind("import ", 0) == 0 || line.rfind("from ", 0) == 0) modules.insert(line);
+  }
+  EXPECT_EQ(modules,
+            (std::set<std::string>{"import json", "import sys", "from fractions import Fraction"}));
+}
+
+TEST(Certificates, of_every_regression_and_example_are_confirmed) {
+  std::size_t confirmed = 0;
+  std::set<std::string> quantities;
+  for (const char* folder : {"/tests/regressions", "/scene/examples"}) {
+    for (const auto& entry :
+         std::filesystem::directory_iterator(std::string(RAYCHECK_SOURCE_DIR) + folder)) {
+      if (entry.is_directory()) continue;
+      const std::string path = entry.path().string();
+      const bool has_camera = contents(path).find("[[ray]]") == std::string::npos;
+      const auto certificates = certificates_of(path + " --all --top 6 --max-ulp 0.01" +
+                                                (has_camera ? " --pixels 9" : ""));
+      const Outcome result = script_on(certificates);
+      EXPECT_EQ(result.exit_code, 0) << entry.path() << "\n" << result.out;
+      const std::string summary = std::to_string(certificates.size()) + " confirmed, 0 refuted";
+      EXPECT_NE(result.out.find(summary), std::string::npos) << entry.path() << result.out;
+      confirmed += certificates.size();
+      for (const auto& one : certificates) quantities.insert(one.at("quantity"));
+    }
+  }
+  EXPECT_GE(confirmed, 800u);
+  EXPECT_GE(quantities.size(), 11u);
+}
+
+TEST(Certificates, are_as_many_as_the_discrepancies_shown_excused_ones_too) {
+  std::size_t compared = 0;
+  std::size_t excused = 0;
+  for (const char* options : {" --all", " --all --max-ulp 0 --top 3"}) {
+    std::string report;
+    const auto certificates =
+        certificates_of(std::string(kNearestByAnUlp) + options + " --format json", &report);
+    const ordered_json parsed = ordered_json::parse(report);
+    std::size_t at = 0;
+    for (const auto& candidate : parsed.at("candidates")) {
+      for (const auto& shown : candidate.at("worst")) {
+        ASSERT_LT(at, certificates.size());
+        const ordered_json& one = certificates[at++];
+        EXPECT_EQ(one.at("method"), candidate.at("name"));
+        for (const char* key : {"law", "quantity", "unit", "pixel", "ray", "sphere", "what",
+                                "wrong", "excuse", "error"}) {
+          EXPECT_EQ(one.at(key), shown.at(key)) << key << one;
+        }
+        excused += shown.at("excuse").is_null() ? 0 : 1;
+      }
+    }
+    EXPECT_EQ(at, certificates.size());
+    compared += at;
+  }
+  EXPECT_GE(compared, 20u);
+  EXPECT_GE(excused, 5u);
+}
+
+/// The first fenced block of a language in docs/certificates.md.
+std::string documented(const std::string& language) {
+  const std::string page = contents(std::string(RAYCHECK_SOURCE_DIR) + "/docs/certificates.md");
+  const std::string fence = "```" + language + "\n";
+  const std::size_t begin = page.find(fence);
+  if (begin == std::string::npos) return {};
+  const std::size_t first = begin + fence.size();
+  return page.substr(first, page.find("```", first) - first);
+}
+
+TEST(Certificates, look_as_documented) {
+  const auto certificates = certificates_of(std::string(kFalseHit) + " --intersect quadratic");
+  ASSERT_EQ(certificates.size(), 1u);
+  EXPECT_EQ(certificates[0], ordered_json::parse(documented("json")));
+}
+
+TEST(Certificates, of_given_rays_are_confirmed_by_the_documented_lines) {
+  const std::string lines = temporary_file("lines.py", documented("python"));
+  const auto printed_on = [&](const char* scene) {
+    const std::string path = temporary_file("given.jsonl", "");
+    run(std::string("check ") + scene + " --intersect quadratic --certificates " + path);
+    const Outcome result = run_python(lines + " " + path);
+    EXPECT_EQ(result.exit_code, 0) << result.err;
+    std::filesystem::remove(path);
+    return result.out;
+  };
+  EXPECT_EQ(printed_on(kFalseHit), "false hit True\n");
+  EXPECT_EQ(printed_on(kLostDigits).rfind("30324.91", 0), 0u) << printed_on(kLostDigits);
+  EXPECT_NE(printed_on(kLostDigits).find(" True\n"), std::string::npos);
+  EXPECT_EQ(printed_on(kLostDigits).find("False"), std::string::npos);
+  std::filesystem::remove(lines);
+}
+
+TEST(Certificates, say_when_no_brackets_show_a_tie) {
+  const std::string scene = temporary_file("tie.toml",
+                                           "[camera]\neye=[0,0,0]\nlook_at=[1,1,1]\nup=[0,1,0]\n"
+                                           "near=-4\nleft=-3\nright=3\nbottom=0\ntop=1\nwidth=2\n"
+                                           "height=2\n[[sphere]]\ncentre=[0,0,0]\nradius=5\n");
+  const auto certificates = certificates_of(scene + " --rays lecture --max-ulp 0 --top 100");
+  const auto tie = of_quantity(certificates, "class");
+  EXPECT_EQ(tie.at("certified"), false);
+  EXPECT_NE(tie.at("reason").get<std::string>().find("only by virtue of square roots"),
+            std::string::npos);
+  EXPECT_FALSE(tie.contains("proof"));
+  const Outcome result = script_on(certificates);
+  EXPECT_EQ(result.exit_code, 0) << result.out;
+  EXPECT_NE(result.out.find("not certified  lecture/cross: class, pixel (0, 0), sphere 0: missed"),
+            std::string::npos)
+      << result.out;
+  std::filesystem::remove(scene);
+}
+
+TEST(Certificates, are_no_lines_where_nothing_was_found) {
+  const std::string path = temporary_file("none.jsonl", "an older file\n");
+  EXPECT_EQ(run("check scene/examples/optical-axis.toml --certificates " + path).exit_code, 0);
+  EXPECT_EQ(contents(path), "");
+  EXPECT_EQ(run_python(script(path)).out, "0 confirmed, 0 refuted, 0 not certified\n");
+  std::filesystem::remove(path);
+}
+
+TEST(Certificates, fail_with_2_before_the_work_when_they_cannot_be_written) {
+  const auto fails = [](const std::string& path, const std::string& why) {
+    const Outcome result =
+        run("check scene/examples/grid-64.toml --all --certificates '" + path + "'");
+    EXPECT_EQ(result.exit_code, 2) << path;
+    EXPECT_EQ(result.out, "") << "the work was done before";
+    EXPECT_NE(result.err.find("--certificates " + path + ": cannot be written: " + why),
+              std::string::npos)
+        << result.err;
+  };
+  fails("nowhere/certificates.jsonl", "No such file or directory");
+  fails("", "it names no file");
+  fails("scene", "there is something that is not a file");
+  EXPECT_FALSE(std::filesystem::exists(std::string(RAYCHECK_SOURCE_DIR) + "/nowhere"));
+}
+
+TEST(Certificates, leave_no_file_behind_when_the_work_fails) {
+  const std::filesystem::path folder = temporary_file("folder", "");
+  std::filesystem::remove(folder);
+  std::filesystem::create_directory(folder);
+  const Outcome result =
+      run("check nowhere.toml --certificates " + (folder / "certificates.jsonl").string());
+  EXPECT_EQ(result.exit_code, 2);
+  EXPECT_TRUE(std::filesystem::is_empty(folder));
+  std::filesystem::remove_all(folder);
+}
+
+TEST(VerifyCertificates, fails_with_2_on_what_it_cannot_read) {
+  EXPECT_EQ(run_python("tools/verify_certificates.py").exit_code, 2);
+  EXPECT_EQ(run_python(script("nowhere.jsonl")).exit_code, 2);
+  const std::string path = temporary_file("no.jsonl", "no certificate\n");
+  EXPECT_EQ(run_python(script(path)).exit_code, 2);
+  std::filesystem::remove(path);
+}
+
+}  // namespace
+}  // namespace raycheck::tests

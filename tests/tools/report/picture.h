@@ -1,0 +1,27 @@
+#ifndef RAYCHECK_TESTS_TOOLS_REPORT_PICTURE_H_
+#define RAYCHECK_TESTS_TOOLS_REPORT_PICTURE_H_
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace raycheck::tests {
+
+/// A picture as any viewer reads it: line 0 is the top one.
+struct ReadPicture {
+  std::int64_t width = 0, height = 0;
+  std::vector<std::array<std::uint8_t, 3>> pixels;
+
+  const std::array<std::uint8_t, 3>& at(std::int64_t column, std::int64_t line) const {
+    return pixels.at(static_cast<std::size_t>(line * width + column));
+  }
+};
+
+/// Decodes PNG or PPM (P6); empty, with a failure of the test, where it is neither.
+ReadPicture read_picture(const std::string& path);
+
+}  // namespace raycheck::tests
+
+#endif  // RAYCHECK_TESTS_TOOLS_REPORT_PICTURE_H_

@@ -1,0 +1,299 @@
+#include "tools/check/check.h"
+
+#include <fmt/core.h>
+#include <tbb/enumerable_thread_specific.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <memory>
+#include <span>
+#include <stdexcept>
+#include <utility>
+
+#include "properties/cases/scene_cases.h"
+#include "properties/laws/law.h"
+#include "properties/mistakes/answer_explanation.h"
+#include "scene/plan/plan.h"
+#include "tools/check/timing.h"
+#include "tools/run/in_order.h"
+
+namespace raycheck::tools {
+namespace {
+
+using properties::Candidate;
+using properties::Case;
+using properties::Law;
+using properties::RunControl;
+using properties::Trial;
+using properties::Truth;
+using properties::Verdict;
+
+/// Rays judged before progress is shown and an interrupt is heeded.
+constexpr std::size_t kChunk = 512;
+
+/// A law whose answer is one for the scene, not one for each ray.
+bool is_per_scene(const Law& law) { return law.name == "frame"; }
+
+/// A law of renderers alone, which need not be said to be left out of all others.
+bool is_of_images(const Law& law) { return law.name == "image"; }
+
+/// Reasons by law.
+using ReasonsLeftOut = std::map<std::string_view, std::string>;
+
+/// A candidate's report in the making.
+struct Judged {
+  CandidateReport report;
+  ReasonsLeftOut left_out;
+};
+
+/// What is found out about one candidate on a chunk of the rays.
+struct ChunkVerdict {
+  Verdict verdict;
+  ReasonsLeftOut left_out;
+};
+
+Judged prepare(const Contestant& contestant, const scene::Scene& scene,
+               const CheckOptions& options) {
+  const Candidate candidate = candidate_of(contestant);
+  Judged judged;
+  judged.report.contestant = contestant;
+  judged.report.name = candidate.name;
+  judged.report.conventions = candidate.declared.over(scene.conventions);
+  for (std::size_t k = 0; k < properties::kQuantityCount; ++k) {
+    judged.report.bounds.push_back(bound_on(static_cast<properties::Quantity>(k), candidate,
+                                            judged.report.conventions, scene.camera.has_value(),
+                                            options.max_error));
+  }
+  return judged;
+}
+
+ChunkVerdict judge_chunk(const Case& chunk, std::uint64_t first, std::shared_ptr<Truth> truth,
+                         std::optional<double> max_error, const Candidate& candidate) {
+  Trial trial(chunk, candidate, {.max_error = max_error, .truth = std::move(truth)});
+  ChunkVerdict found;
+  for (const Law& law : properties::laws()) {
+    if (!law.judges_values || (is_per_scene(law) && first > 0)) continue;
+    if (is_of_images(law) && !candidate.image) continue;
+    Verdict verdict = apply(law, trial);
+    if (!verdict.reason_left_out().empty()) found.left_out[law.name] = verdict.reason_left_out();
+    if (!chunk.scene.camera) verdict.shift_rays(first);
+    found.verdict.merge(std::move(verdict));
+  }
+  return found;
+}
+
+/// The mistake that explains the errors of someone else's: of a picture, which is asked for again
+/// and was kept, or of the answers about some rays.
+std::vector<properties::Explanation> explained(const CandidateReport& report,
+                                               const scene::Scene& scene) {
+  if (external_of(report.contestant) == nullptr || report.verdict.holds()) return {};
+  const Candidate candidate = candidate_of(report.contestant);
+  try {
+    if (candidate.image) {
+      return properties::explanations(scene, report.conventions,
+                                      candidate.image(scene, report.conventions));
+    }
+    const SceneCases some(scene, kChunk);
+    const Case rays = some.from(0, std::min<std::uint64_t>(kChunk, some.rays_judged()));
+    return properties::explanations(std::span(&rays, 1), candidate);
+  } catch (const std::runtime_error&) {
+    return {};  // it gives no answer, as the verdict says
+  }
+}
+
+CandidateReport finish(Judged judged, const scene::Scene& scene) {
+  judged.report.explanations = explained(judged.report, scene);
+  for (const Law& law : properties::laws()) {
+    const auto found = judged.left_out.find(law.name);
+    if (found != judged.left_out.end()) {
+      judged.report.left_out.push_back({std::string(law.name), found->second});
+    }
+  }
+  return std::move(judged.report);
+}
+
+/// What was left out, one line a reason, with the candidate's name where not all left it out.
+std::vector<std::string> left_out_lines(const CheckReport& report) {
+  std::vector<std::string> lines;
+  if (report.rays_judged < report.rays_in_scene && !report.interrupted) {
+    lines.push_back(fmt::format("{} of {} pixels: --pixels asked for {}",
+                                report.rays_in_scene - report.rays_judged, report.rays_in_scene,
+                                report.rays_judged));
+  }
+  if (report.scene.camera && report.scene.camera->far) {
+    lines.emplace_back("camera.far: no quantity depends on it");
+  }
+  const auto relations = std::count_if(properties::laws().begin(), properties::laws().end(),
+                                       [](const Law& law) { return !law.judges_values; });
+  lines.push_back(fmt::format("{} laws that relate several answers: raycheck properties tries them",
+                              relations));
+  // Laws by whose reason it is and which; the order is that of the laws.
+  std::vector<std::pair<std::string, std::string>> grouped;
+  const auto add = [&](const std::string& whose, const LeftOut& entry) {
+    const std::string key = whose + "\n" + entry.reason;
+    for (auto& [known, laws] : grouped) {
+      if (known == key) {
+        if ((", " + laws + ",").find(", " + entry.law + ",") == std::string::npos) {
+          laws += ", " + entry.law;
+        }
+        return;
+      }
+    }
+    grouped.emplace_back(key, entry.law);
+  };
+  for (const CandidateReport& candidate : report.candidates) {
+    for (const LeftOut& entry : candidate.left_out) {
+      const bool all = std::all_of(
+          report.candidates.begin(), report.candidates.end(), [&](const CandidateReport& other) {
+            return std::find(other.left_out.begin(), other.left_out.end(), entry) !=
+                   other.left_out.end();
+          });
+      add(all ? "" : candidate.name + ", ", entry);
+    }
+  }
+  for (const auto& [key, laws] : grouped) {
+    const std::size_t split = key.find('\n');
+    lines.push_back(key.substr(0, split) + laws + ": " + key.substr(split + 1));
+  }
+  return lines;
+}
+
+}  // namespace
+
+std::uint64_t CheckReport::discrepancies() const {
+  std::uint64_t sum = 0;
+  for (const CandidateReport& candidate : candidates) sum += candidate.verdict.discrepancies();
+  return sum;
+}
+
+std::uint64_t CheckReport::compared() const {
+  std::uint64_t sum = 0;
+  for (const CandidateReport& candidate : candidates) sum += candidate.verdict.compared();
+  return sum;
+}
+
+namespace {
+
+/// Those that differ in something that the scene asks of them: without a camera the ray methods do
+/// nothing, without spheres the intersection methods.
+std::vector<Contestant> useful(const std::vector<Contestant>& contestants,
+                               const scene::Scene& scene) {
+  if (contestants.size() == 1) return contestants;
+  std::vector<Contestant> result;
+  std::vector<MethodPair> pairs;
+  for (const Contestant& contestant : contestants) {
+    const MethodPair* const methods = methods_of(contestant);
+    if (methods == nullptr) {
+      result.push_back(contestant);
+      continue;
+    }
+    MethodPair pair = *methods;
+    if (!scene.camera) pair.rays = kDefaultMethods.rays;
+    if (scene.spheres.empty()) pair.intersect = kDefaultMethods.intersect;
+    if (std::find(pairs.begin(), pairs.end(), pair) != pairs.end()) continue;
+    pairs.push_back(pair);
+    result.emplace_back(pair);
+  }
+  return result;
+}
+
+/// Judges the rays chunk by chunk. Every thread has candidates of its own; chunks share nothing but
+/// the plans, and their verdicts are merged in the order of the rays.
+class Judgement {
+ public:
+  Judgement(const CheckOptions& options, const SceneCases& cases, std::vector<Judged>& all)
+      : options_(options), cases_(cases), all_(all) {
+    if (!cases.scene().camera) return;
+    for (const Judged& one : all) {
+      const scene::Conventions& conventions = one.report.conventions;
+      const bool is_planned = std::any_of(
+          plans_.begin(), plans_.end(),
+          [&](const scene::ScenePlan& plan) { return plan.conventions == conventions; });
+      if (!is_planned) {
+        plans_.push_back(plan_scene(cases.scene(), conventions, scene::Wanted::kParameter));
+      }
+    }
+  }
+
+  /// Counts the rays judged, and tells.
+  template <class Tell>
+  void run(const RunControl& control, std::uint64_t& rays_judged, const Tell& tell) {
+    using Found = std::vector<ChunkVerdict>;
+    const auto chunks = static_cast<std::int64_t>((cases_.rays_judged() + kChunk - 1) / kChunk);
+    in_order<Found>(
+        chunks, control,
+        [&](std::int64_t k) { return judge(static_cast<std::uint64_t>(k) * kChunk); },
+        [&](Found& found) {
+          for (std::size_t k = 0; k < all_.size(); ++k) {
+            all_[k].report.verdict.merge(std::move(found[k].verdict));
+            for (auto& [law, reason] : found[k].left_out) all_[k].left_out[law] = std::move(reason);
+          }
+          rays_judged = std::min(rays_judged + kChunk, cases_.rays_judged());
+          tell();
+        });
+  }
+
+ private:
+  std::vector<ChunkVerdict> judge(std::uint64_t first) {
+    std::vector<Candidate>& candidates = candidates_.local();
+    if (candidates.empty()) {
+      for (const Judged& one : all_) candidates.push_back(candidate_of(one.report.contestant));
+    }
+    const Case chunk = cases_.from(first, std::min(first + kChunk, cases_.rays_judged()));
+    properties::SharedTruths truths(chunk, plans_);
+    std::vector<ChunkVerdict> found;
+    for (std::size_t k = 0; k < all_.size(); ++k) {
+      found.push_back(judge_chunk(chunk, first, truths.under(all_[k].report.conventions),
+                                  options_.max_error, candidates[k]));
+    }
+    return found;
+  }
+
+  const CheckOptions& options_;
+  const SceneCases& cases_;
+  std::vector<Judged>& all_;
+  std::vector<scene::ScenePlan> plans_;
+  tbb::enumerable_thread_specific<std::vector<Candidate>> candidates_;
+};
+
+/// Times every candidate on the first rays, before any other thread runs.
+void time_all(const SceneCases& cases, std::vector<Judged>& all) {
+  const Case chunk = cases.from(0, std::min<std::uint64_t>(kChunk, cases.rays_judged()));
+  for (Judged& one : all) {
+    const MethodPair* const methods = methods_of(one.report.contestant);
+    if (methods == nullptr) continue;
+    one.report.timing = time_methods(*methods, cases.scene(), one.report.conventions, chunk.pixels);
+  }
+}
+
+}  // namespace
+
+CheckReport check(const CheckOptions& options, const RunControl& control) {
+  scene::LoadedScene loaded = scene::load_scene(options.path, options.dialect);
+  CheckReport report;
+  report.path = options.path;
+  report.scene = std::move(loaded.scene);
+  report.warnings = std::move(loaded.warnings);
+  report.top = options.top;
+  if (!report.scene.camera && options.pixels) {
+    throw std::invalid_argument("--pixels: " + options.path +
+                                " has given rays and no pixels; all its rays are judged");
+  }
+  const SceneCases cases(report.scene, options.pixels);
+  report.rays_in_scene = cases.rays_in_scene();
+  std::vector<Judged> all;
+  for (const Contestant& contestant : useful(options.contestants, report.scene)) {
+    all.push_back(prepare(contestant, report.scene, options));
+  }
+  time_all(cases, all);
+  Judgement(options, cases, all).run(control, report.rays_judged, [&] {
+    control.progress(fmt::format("{} of {} rays judged", report.rays_judged, cases.rays_judged()));
+  });
+  for (Judged& one : all) report.candidates.push_back(finish(std::move(one), report.scene));
+  report.interrupted = control.interrupted();
+  report.left_out = left_out_lines(report);
+  return report;
+}
+
+}  // namespace raycheck::tools

@@ -1,0 +1,81 @@
+#ifndef RAYCHECK_TOOLS_CHECK_CHECK_H_
+#define RAYCHECK_TOOLS_CHECK_CHECK_H_
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "properties/mistakes/image_explanation.h"
+#include "properties/run_control.h"
+#include "properties/verdict.h"
+#include "scene/files/scene_file.h"
+#include "tools/external/contestant.h"
+#include "tools/report/format.h"
+
+namespace raycheck::tools {
+
+struct CheckOptions {
+  std::string path;
+  std::optional<scene::Dialect> dialect;
+  std::vector<Contestant> contestants;
+  std::optional<std::int64_t> pixels;  ///< How many, spread evenly; empty: all.
+  std::size_t top = 10;
+  std::optional<double> max_error;
+};
+
+/// Nanoseconds per ray, the best of several repetitions on batches of the scene's rays.
+struct Timing {
+  std::optional<double> make;       ///< To make a camera's ray.
+  std::optional<double> intersect;  ///< To intersect it with every sphere of the scene.
+};
+
+/// A law that had nothing to say, and why.
+struct LeftOut {
+  std::string law;
+  std::string reason;
+  bool operator==(const LeftOut&) const = default;
+};
+
+struct CandidateReport {
+  std::string name;
+  Contestant contestant;
+  scene::Conventions conventions;  ///< Under which it was judged.
+  std::vector<double> bounds;      ///< By quantity.
+  properties::Verdict verdict;
+  std::vector<LeftOut> left_out;
+  std::vector<properties::Explanation> explanations;  ///< Of what someone else's has wrong.
+  Timing timing;                                      ///< Of raycheck's methods.
+};
+
+struct CheckReport {
+  std::string path;
+  scene::Scene scene;
+  std::vector<std::string> warnings;
+  std::uint64_t rays_in_scene = 0;
+  std::uint64_t rays_judged = 0;
+  std::vector<CandidateReport> candidates;
+  std::vector<std::string> left_out;  ///< What was asked of no candidate, one line each.
+  std::size_t top = 0;
+  bool interrupted = false;
+
+  std::uint64_t discrepancies() const;
+  std::uint64_t compared() const;
+};
+
+/// Judges the candidates on a scene file; the report does not depend on the number of threads.
+/// Throws what the reader throws.
+CheckReport check(const CheckOptions& options, const properties::RunControl& control = {});
+
+/// What was compared of a candidate, a row a quantity.
+std::string quantities_table(const CandidateReport& candidate);
+Json candidate_json(const CandidateReport& candidate, std::size_t top);
+
+std::string check_text(const CheckReport& report, bool colours);
+std::string check_json(const CheckReport& report);
+/// Certificates of the worst discrepancies of each candidate, those of check_json: a line each.
+std::string check_certificates(const CheckReport& report);
+
+}  // namespace raycheck::tools
+
+#endif  // RAYCHECK_TOOLS_CHECK_CHECK_H_

@@ -1,0 +1,90 @@
+#include <tbb/info.h>
+
+#include <memory>
+#include <stdexcept>
+
+#include "tools/arguments.h"
+#include "tools/check/check.h"
+#include "tools/commands.h"
+#include "tools/report/output_file.h"
+#include "tools/terminal.h"
+
+namespace raycheck::tools {
+namespace {
+
+struct Arguments {
+  std::string scene;
+  std::string dialect;
+  std::string rays;
+  std::vector<std::string> intersect;
+  ExternalArguments external;
+  bool all = false;
+  std::string pixels = "all";
+  std::size_t top = 10;
+  std::optional<double> max_ulp;
+  std::optional<std::string> certificates;
+  int threads = tbb::info::default_concurrency();
+  std::string format = "text";
+};
+
+int run_check(const Arguments& arguments) {
+  CheckOptions options;
+  options.path = arguments.scene;
+  options.dialect = parse_dialect(arguments.dialect);
+  if (arguments.all && !(arguments.rays.empty() && arguments.intersect.empty() &&
+                         arguments.external.candidates.empty())) {
+    throw std::invalid_argument(
+        "--all: judges every method; leave out --rays, --intersect and --candidate");
+  }
+  options.contestants = find_contestants(arguments.external, options.dialect);
+  const bool methods_asked = !(arguments.rays.empty() && arguments.intersect.empty());
+  if (arguments.all) {
+    options.contestants = contestants(all_pairs());
+  } else if (methods_asked || options.contestants.empty()) {
+    const auto pairs = contestants(chosen_methods(arguments.rays, arguments.intersect));
+    options.contestants.insert(options.contestants.begin(), pairs.begin(), pairs.end());
+  }
+  if (arguments.pixels != "all") options.pixels = parse_index("--pixels", arguments.pixels, 1);
+  options.top = arguments.top;
+  options.max_error = arguments.max_ulp;
+  std::optional<OutputFile> certificates;
+  if (arguments.certificates) certificates.emplace("--certificates", *arguments.certificates);
+  const CheckReport report = check(options, run_control(options.path, arguments.threads));
+  print_warnings(report.warnings);
+  print_report(arguments.format == "json" ? check_json(report)
+                                          : check_text(report, stdout_takes_colours()));
+  if (certificates) certificates->write(check_certificates(report));
+  return exit_code(report.interrupted, report.discrepancies() > 0, report.compared() > 0);
+}
+
+}  // namespace
+
+Command add_check(CLI::App& program) {
+  const auto given = std::make_shared<Arguments>();
+  Arguments& arguments = *given;
+  CLI::App& command = *program.add_subcommand("check", "Judge methods on every pixel of a scene");
+  command.add_option("SCENE", arguments.scene, "a TOML scene, or a driver file of the course")
+      ->required();
+  command.add_option("--dialect", arguments.dialect, "of a driver file: A, B or C");
+  command.add_option("--rays", arguments.rays, "the method that makes rays (default: direct)");
+  command.add_option("--intersect", arguments.intersect,
+                     "the method that intersects them, several times for several (default: cross)");
+  add_external(command, arguments.external);
+  add_renderer(command, arguments.external);
+  command.add_flag("--all", arguments.all, "every pair of methods");
+  command.add_option("--pixels", arguments.pixels, "all, or how many, spread evenly")
+      ->capture_default_str();
+  command.add_option("--top", arguments.top, "how many of the worst discrepancies are shown")
+      ->check(CLI::Range(std::size_t{0}, properties::kKeptDiscrepancies))
+      ->capture_default_str();
+  command
+      .add_option("--max-ulp", arguments.max_ulp,
+                  "errors above are discrepancies (default: the method's documented bound)")
+      ->check(kBound);
+  add_threads(command, arguments.threads, "the report");
+  add_certificates(command, arguments.certificates);
+  add_format(command, arguments.format, {"text", "json"});
+  return {&command, [given] { return run_check(*given); }};
+}
+
+}  // namespace raycheck::tools

@@ -1,0 +1,148 @@
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <array>
+
+#include "tools/check/check.h"
+#include "tools/report/format.h"
+
+namespace raycheck::tools {
+namespace {
+
+using properties::Quantity;
+using properties::Tally;
+using properties::Wrong;
+
+std::string scene_text(const CheckReport& report) {
+  std::string text = report.path + ": ";
+  if (report.scene.camera) {
+    text += fmt::format("{} x {} pixels", report.scene.camera->width, report.scene.camera->height);
+  } else {
+    text += count_text(report.scene.rays.size(), "given ray");
+  }
+  text += ", " + count_text(report.scene.spheres.size(), "sphere");
+  return text + "\n" + conventions_text(report.scene.conventions) + "\n";
+}
+
+std::string timing_text(const Timing& timing, std::size_t spheres) {
+  if (!timing.make && !timing.intersect) return "";
+  const double total = timing.make.value_or(0) + timing.intersect.value_or(0);
+  std::string text = fmt::format("{:.1f} ns per ray", total);
+  if (timing.make && timing.intersect) {
+    text += fmt::format(" ({:.1f} to make it, {:.1f} to intersect {})", *timing.make,
+                        *timing.intersect, count_text(spheres, "sphere"));
+  }
+  return text;
+}
+
+/// "2 missed, 1 false hit (1 excused)"
+std::string class_error_text(const Tally& tally) {
+  std::string text;
+  for (const auto& [wrong, count] : tally.wrong) {
+    text += fmt::format("{}{} {}", text.empty() ? "" : ", ", count, name(wrong));
+  }
+  if (tally.wrong_excused > 0) text += fmt::format(" ({} excused)", tally.wrong_excused);
+  return text.empty() ? "0" : text;
+}
+
+/// The worst place of a quantity, where anything was off.
+std::string worst_text(const Tally& tally, Quantity quantity) {
+  std::string text;
+  if (tally.worst > 0 && has_place(quantity)) {
+    text = place_text(tally.worst_place);
+  }
+  if (tally.ill_conditioned > 0) {
+    text += fmt::format("{}({} ill-conditioned)", text.empty() ? "" : " ", tally.ill_conditioned);
+  }
+  return text;
+}
+
+}  // namespace
+
+std::string quantities_table(const CandidateReport& candidate) {
+  std::string text;
+  using Row = std::array<std::string, 8>;
+  std::vector<Row> rows = {
+      {"quantity", "cases", "class errors", "median", "max", "bound", "unit", "worst at"}};
+  for (const auto& [quantity, tally] : candidate.verdict.tallies()) {
+    const bool measured = !tally.errors.empty();
+    const double bound = candidate.bounds[static_cast<std::size_t>(quantity)];
+    rows.push_back({std::string(info(quantity).name), std::to_string(tally.cases),
+                    measured ? "" : class_error_text(tally), error_text(tally.median()),
+                    error_text(tally.max()), measured ? error_text(bound) : "-",
+                    std::string(info(quantity).unit), worst_text(tally, quantity)});
+  }
+  std::array<std::size_t, 8> widths{};
+  for (const Row& row : rows) {
+    for (std::size_t k = 0; k < row.size(); ++k) widths[k] = std::max(widths[k], row[k].size());
+  }
+  for (const Row& row : rows) {
+    std::string line = "  ";
+    for (std::size_t k = 0; k < row.size(); ++k) {
+      const bool number = k == 1 || (k >= 3 && k <= 5);
+      line += number ? fmt::format("{:>{}}  ", row[k], widths[k])
+                     : fmt::format("{:<{}}  ", row[k], widths[k]);
+    }
+    line.erase(line.find_last_not_of(' ') + 1);
+    text += line + "\n";
+  }
+  return text;
+}
+
+std::string check_text(const CheckReport& report, bool colours) {
+  std::string text = scene_text(report);
+  if (report.interrupted) text += "INTERRUPTED: what follows covers only what was judged.\n";
+  text +=
+      fmt::format("{} of {} judged\n", report.rays_judged, count_text(report.rays_in_scene, "ray"));
+  struct Found {
+    const CandidateReport* candidate;
+    std::size_t rank;
+    properties::Discrepancy discrepancy;
+  };
+  std::vector<Found> found;
+  for (const CandidateReport& candidate : report.candidates) {
+    const External* const external = external_of(candidate.contestant);
+    text +=
+        fmt::format("\n{}  {}\n", candidate.name,
+                    external == nullptr ? timing_text(candidate.timing, report.scene.spheres.size())
+                                        : "kept by " + external->program.layers.text());
+    if (!(candidate.conventions == report.scene.conventions)) {
+      text += fmt::format("  judged under its own conventions: {}\n",
+                          conventions_text(candidate.conventions));
+    }
+    text += quantities_table(candidate);
+    for (const properties::Explanation& one : candidate.explanations) {
+      text += fmt::format("  {}: {} of {} wrong {} are right that way\n", one.sentence,
+                          one.explained, one.errors, external->renderer ? "pixels" : "answers");
+    }
+    std::size_t rank = 0;
+    for (const auto& discrepancy : candidate.verdict.worst(report.top)) {
+      found.push_back({&candidate, rank++, discrepancy});
+    }
+  }
+  const std::uint64_t total = report.discrepancies();
+  if (total > 0) {
+    // The candidates' worst before their second worst, excused ones last.
+    std::stable_sort(found.begin(), found.end(), [](const Found& a, const Found& b) {
+      const auto key = [](const Found& f) {
+        return std::pair(f.discrepancy.excuse != properties::Excuse::kNone, f.rank);
+      };
+      return key(a) < key(b);
+    });
+    found.resize(std::min(found.size(), report.top));
+    text += fmt::format("\nworst discrepancies ({} of {}):\n", found.size(), total);
+    for (std::size_t k = 0; k < found.size(); ++k) {
+      text += fmt::format("{:>3}. {}\n", k + 1, found[k].candidate->name);
+      text += discrepancy_text(found[k].discrepancy, "     ", colours);
+    }
+  } else if (report.compared() > 0) {
+    text += "\nno discrepancy\n";
+  } else {
+    text += "\nnothing was checked\n";
+  }
+  if (!report.left_out.empty()) text += "\nleft out:\n";
+  for (const std::string& line : report.left_out) text += "  " + line + "\n";
+  return text;
+}
+
+}  // namespace raycheck::tools

@@ -1,0 +1,210 @@
+#include "tools/explain/explain.h"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <functional>
+#include <stdexcept>
+
+#include "properties/candidates/fast_candidate.h"
+#include "scene/validate.h"
+#include "tools/explain/explain_methods.h"
+
+namespace raycheck::tools {
+namespace {
+
+using reference::ClosedForm3;
+using reference::Enclosure;
+using reference::Enclosure3;
+using reference::ExactRay;
+
+std::vector<std::string> texts(const ClosedForm3& form) { return {form.begin(), form.end()}; }
+
+/// The double nearest to a number that is enclosed at any precision; 0 where its closed form says
+/// so, since no enclosure of 0 narrows to it.
+double rounded(const std::function<Enclosure(int)>& enclose, const std::string& closed_form) {
+  if (closed_form == "0") return 0;
+  constexpr int kMostBits = 1 << 14;
+  for (int bits = 128;; bits *= 2) {
+    const Enclosure value = enclose(bits);
+    const double low = value.lower_rounded();
+    if (low == value.upper_rounded() || bits >= kMostBits) return low;
+  }
+}
+
+Step scalar_step(const char* symbol, const char* formula, std::string closed_form,
+                 const std::function<Enclosure(int)>& enclose) {
+  const double value = rounded(enclose, closed_form);
+  return {symbol, formula, {std::move(closed_form)}, {value}};
+}
+
+Step vector_step(const char* symbol, const char* formula, const ClosedForm3& closed_form,
+                 const std::function<Enclosure3(int)>& enclose) {
+  Step step{symbol, formula, texts(closed_form), {}};
+  Enclosure Enclosure3::*const members[] = {&Enclosure3::x, &Enclosure3::y, &Enclosure3::z};
+  for (std::size_t k = 0; k < 3; ++k) {
+    step.rounded.push_back(
+        rounded([&](int bits) { return enclose(bits).*members[k]; }, closed_form[k]));
+  }
+  return step;
+}
+
+/// T = C - L as an enclosure.
+Enclosure3 to_centre(const Subject& subject, const scene::Sphere& sphere, int bits) {
+  const Enclosure3 centre = {Enclosure(sphere.centre.x, bits), Enclosure(sphere.centre.y, bits),
+                             Enclosure(sphere.centre.z, bits)};
+  return centre - subject.exact.enclose(bits).origin();
+}
+
+void derive_camera(const reference::ExactCamera& camera, const Subject& subject,
+                   const scene::Pixel& pixel, std::vector<Step>& steps) {
+  const auto axes = reference::closed_form_frame(camera.camera());
+  const auto frame = camera.rounded_frame();
+  const bool top_first = camera.conventions().rows == scene::Rows::kTopFirst;
+  const bool centres = camera.conventions().samples == scene::Samples::kCentres;
+  steps.push_back({"E", "the eye", {}, numbers(camera.camera().eye)});
+  steps.push_back({"W", "(E - A)/|E - A|", texts(axes.W), numbers(frame.W)});
+  steps.push_back({"U", "(up x W)/|up x W|", texts(axes.U), numbers(frame.U)});
+  steps.push_back({"V", "W x U", texts(axes.V), numbers(frame.V)});
+  const auto& closed = subject.symbolic;
+  steps.push_back(scalar_step(
+      "alpha", centres ? "left + (i + 1/2)/w (right - left)" : "left + i/(w - 1) (right - left)",
+      closed.alpha(), [&](int bits) { return camera.plane_position(pixel, bits).x; }));
+  const char* const beta =
+      centres
+          ? (top_first ? "top + (j + 1/2)/h (bottom - top)" : "bottom + (j + 1/2)/h (top - bottom)")
+          : (top_first ? "top + j/(h - 1) (bottom - top)" : "bottom + j/(h - 1) (top - bottom)");
+  steps.push_back(scalar_step("beta", beta, closed.beta(),
+                              [&](int bits) { return camera.plane_position(pixel, bits).y; }));
+  steps.push_back({"P", "E + n W + alpha U + beta V", texts(closed.pixel_point()),
+                   numbers(subject.exact.rounded_pixel_point())});
+  steps.push_back({"D", "(P - E)/|P - E|", texts(closed.direction()),
+                   numbers(subject.exact.rounded_direction())});
+}
+
+void derive_given(const Subject& subject, const scene::Ray& ray, std::vector<Step>& steps) {
+  steps.push_back({"L", "the ray's origin", {}, numbers(ray.origin)});
+  steps.push_back({"direction", "as given", {}, numbers(ray.direction)});
+  steps.push_back({"D", "direction/|direction|", texts(subject.symbolic.direction()),
+                   numbers(subject.exact.rounded_direction())});
+}
+
+void derive_sphere(const Subject& subject, const scene::Sphere& sphere, const SphereReport& report,
+                   std::vector<Step>& steps) {
+  const auto& closed = subject.symbolic;
+  steps.push_back(vector_step("T", "C - L", closed.to_centre(sphere),
+                              [&](int bits) { return to_centre(subject, sphere, bits); }));
+  steps.push_back(scalar_step("v", "T . D", closed.axial_distance(sphere), [&](int bits) {
+    return subject.exact.enclose(bits).axial_distance(sphere);
+  }));
+  steps.push_back(
+      scalar_step("d^2", "r^2 - (|T|^2 - v^2)", closed.half_chord_sq(sphere),
+                  [&](int bits) { return subject.exact.enclose(bits).half_chord_sq(sphere); }));
+  if (!report.parameter) return;
+  const bool smaller = report.intersection.root == reference::WhichRoot::kSmaller;
+  const char* const root = smaller ? "v - d" : "v + d";
+  if (subject.from_camera) {
+    steps.push_back({"s", root, {*report.closed_form_parameter}, {*report.parameter}});
+  } else {
+    // The lecture's s, for the unit direction; the given direction need not be unit.
+    steps.push_back(scalar_step("s |direction|", root, closed.distance(sphere, report.intersection),
+                                [&](int bits) {
+                                  const auto ray = subject.exact.enclose(bits);
+                                  return ray.parameter(sphere, report.intersection) * ray.length();
+                                }));
+    steps.push_back({"s",
+                     smaller ? "(v - d)/|direction|" : "(v + d)/|direction|",
+                     {*report.closed_form_parameter},
+                     {*report.parameter}});
+  }
+  steps.push_back({"Q", subject.from_camera ? "L + s D" : "L + s direction",
+                   report.closed_form_point, report.point});
+}
+
+SphereReport report_sphere(const Subject& subject, const scene::Sphere& sphere,
+                           const scene::Conventions& conventions) {
+  SphereReport report;
+  report.intersection = subject.exact.intersect(sphere, conventions.root);
+  report.is_hit = reference::counts_as_hit(report.intersection.hit_class, conventions.tangent);
+  if (report.intersection.hit_class == reference::HitClass::kMiss) return report;
+  report.parameter = subject.exact.rounded_parameter(sphere, report.intersection);
+  report.point = numbers(subject.exact.rounded_point(sphere, report.intersection));
+  report.closed_form_parameter = subject.symbolic.parameter(sphere, report.intersection);
+  report.closed_form_point = texts(subject.symbolic.point(sphere, report.intersection));
+  return report;
+}
+
+}  // namespace
+
+const Step* ExplainReport::find(const std::string& symbol) const {
+  const auto found = std::find_if(steps.begin(), steps.end(),
+                                  [&](const Step& one) { return one.symbol == symbol; });
+  return found == steps.end() ? nullptr : &*found;
+}
+
+bool ExplainReport::has_discrepancy() const {
+  return std::any_of(methods.begin(), methods.end(),
+                     [](const MethodReport& method) { return !method.goes_wrong_at.empty(); });
+}
+
+ExplainReport explain(const ExplainOptions& options) {
+  scene::Scene scene = options.scene;
+  scene::require_valid(scene);
+  // As check does: rays that a method makes from the eye only are judged from the eye.
+  if (options.rays->pixel_rays == nullptr) scene.conventions.origin = scene::Origin::kFocal;
+  const scene::Conventions& conventions = scene.conventions;
+  ExplainReport report;
+  report.scene = scene;
+  report.pixel = options.pixel;
+  report.rays_method = std::string(options.rays->name);
+
+  std::optional<reference::ExactCamera> camera;
+  std::optional<Subject> subject;
+  if (scene.camera) {
+    const scene::Pixel pixel = options.pixel.value();
+    camera.emplace(*scene.camera, conventions);
+    subject.emplace(Subject{ExactRay(*camera, pixel),
+                            reference::ClosedFormRay(*scene.camera, conventions, pixel), true,
+                            properties::inherited_bound(*options.rays)});
+    derive_camera(*camera, *subject, pixel, report.steps);
+    add_ray_conditions(*subject, &*camera, report.steps);
+    for (const auto* method : fast::pixel_ray_methods()) {
+      report.methods.push_back(judge_rays(*method, conventions, *scene.camera, pixel));
+    }
+    if (!scene.spheres.empty()) {
+      report.ray = ray_by(*options.rays, *scene.camera, conventions, pixel);
+    }
+  } else {
+    report.ray = scene.rays.front();
+    subject.emplace(Subject{ExactRay(report.ray), reference::ClosedFormRay(report.ray), false, 0});
+    derive_given(*subject, report.ray, report.steps);
+    add_ray_conditions(*subject, nullptr, report.steps);
+  }
+
+  for (const scene::Sphere& sphere : scene.spheres) {
+    report.spheres.push_back(report_sphere(*subject, sphere, conventions));
+  }
+  if (const auto nearest = subject->exact.nearest(scene.spheres, conventions)) {
+    report.nearest = nearest->index;
+  }
+  if (scene.spheres.empty()) {
+    if (options.sphere) throw std::invalid_argument("--sphere: the scene has no sphere");
+    return report;
+  }
+  report.sphere = options.sphere.value_or(report.nearest.value_or(0));
+  if (*report.sphere >= scene.spheres.size()) {
+    throw std::invalid_argument(fmt::format("--sphere {}: the scene's spheres are numbered 0 to {}",
+                                            *report.sphere, scene.spheres.size() - 1));
+  }
+  const scene::Sphere& sphere = scene.spheres[*report.sphere];
+  const SphereReport& exact = report.spheres[*report.sphere];
+  derive_sphere(*subject, sphere, exact, report.steps);
+  add_sphere_conditions(*subject, sphere, exact.intersection, report.steps);
+  for (const auto* method : fast::intersect_methods()) {
+    report.methods.push_back(
+        judge_intersection(*method, report.ray, sphere, conventions, *subject, exact));
+  }
+  return report;
+}
+
+}  // namespace raycheck::tools

@@ -1,0 +1,90 @@
+#ifndef RAYCHECK_TOOLS_EXPLAIN_EXPLAIN_H_
+#define RAYCHECK_TOOLS_EXPLAIN_EXPLAIN_H_
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "reference/closed_form.h"
+#include "reference/exact_ray.h"
+#include "scene/scene.h"
+#include "tools/methods/methods.h"
+
+namespace raycheck::tools {
+
+/// What is explained: one ray of a scene (a camera's pixel or a given one) and one sphere, if any.
+struct ExplainOptions {
+  scene::Scene scene;
+  std::optional<scene::Pixel> pixel;  ///< Where the scene has a camera.
+  std::optional<std::size_t> sphere;  ///< Empty: the one met first, or else the first.
+  const fast::PixelRayMethod* rays = kDefaultMethods.rays;  ///< Whose rays the intersections get.
+};
+
+/// One step of the exact derivation: a scalar or three coordinates.
+struct Step {
+  std::string symbol;
+  std::string formula;
+  std::vector<std::string> closed_form;
+  std::vector<double> rounded;  ///< Correctly rounded; empty: the closed form is an input's own.
+  std::optional<double> condition = {};  ///< kappa by the scene's numbers; of axes, the worst's.
+  std::optional<double> condition_alone = {};  ///< kappa by what goes into the step directly.
+};
+
+/// A method's value at a step, and how far it is off.
+struct MethodStep {
+  std::string symbol;
+  std::vector<double> value;    ///< Empty: it has none (a miss).
+  std::optional<double> error;  ///< From the exact value; empty where that or the value is a miss.
+  std::string unit;
+  bool wrong = false;  ///< Off by more than may be expected of one step (see explain_methods.cpp).
+  /// The error of this step alone, fed with the method's own values of the steps before, taken
+  /// exactly; empty where it has none.
+  std::optional<double> error_alone = {};
+};
+
+struct MethodReport {
+  std::string name;
+  std::vector<MethodStep> steps;
+  bool intersects = false;          ///< An intersection method; the next four speak of those only.
+  std::optional<double> parameter;  ///< Empty: a miss.
+  std::optional<double> ulp_error;  ///< Empty unless both hit.
+  bool class_error = false;
+  std::string goes_wrong_at;  ///< The first wrong step's symbol; empty: none.
+};
+
+/// The exact answer about one sphere.
+struct SphereReport {
+  reference::Intersection intersection;
+  bool is_hit = false;  ///< Under the scene's tangent convention.
+  std::optional<double> parameter;
+  std::vector<double> point;
+  std::optional<std::string> closed_form_parameter;
+  std::vector<std::string> closed_form_point;
+};
+
+struct ExplainReport {
+  scene::Scene scene;
+  std::optional<scene::Pixel> pixel;
+  scene::Ray ray;  ///< Where it is given.
+  std::string rays_method;
+  std::vector<Step> steps;
+  std::vector<MethodReport> methods;
+  std::optional<std::size_t> sphere;  ///< The one derived and intersected by the methods.
+  std::vector<SphereReport> spheres;
+  std::optional<std::size_t> nearest;
+
+  const Step* find(const std::string& symbol) const;
+  bool has_discrepancy() const;
+};
+
+/// Derives one ray step by step, exactly and by every method.
+/// Domain: a valid scene; otherwise throws std::invalid_argument naming the field or the option.
+ExplainReport explain(const ExplainOptions& options);
+
+std::string explain_text(const ExplainReport& report, bool colours);
+std::string explain_json(const ExplainReport& report);
+
+}  // namespace raycheck::tools
+
+#endif  // RAYCHECK_TOOLS_EXPLAIN_EXPLAIN_H_

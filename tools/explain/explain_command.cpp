@@ -1,0 +1,94 @@
+#include <memory>
+#include <stdexcept>
+#include <utility>
+
+#include "scene/number.h"
+#include "tools/arguments.h"
+#include "tools/commands.h"
+#include "tools/explain/explain.h"
+#include "tools/terminal.h"
+
+namespace raycheck::tools {
+namespace {
+
+struct Arguments {
+  std::string scene;
+  std::string dialect;
+  std::string pixel;
+  std::string sphere;
+  std::string ray;
+  std::string rays;
+  std::string format = "text";
+};
+
+ExplainOptions explain_given_ray(const Arguments& arguments) {
+  if (!(arguments.scene.empty() && arguments.pixel.empty() && arguments.rays.empty() &&
+        arguments.dialect.empty())) {
+    throw std::invalid_argument(
+        "--ray: explains a ray given by numbers; leave out SCENE, --pixel, --rays, --dialect");
+  }
+  if (arguments.sphere.empty()) {
+    throw std::invalid_argument("--ray: give the sphere too, --sphere cx,cy,cz,r");
+  }
+  const auto ray = parse_list("--ray", arguments.ray, 6, "origin and direction: ox,oy,oz,dx,dy,dz");
+  const auto sphere = parse_list("--sphere", arguments.sphere, 4, "centre and radius: cx,cy,cz,r");
+  ExplainOptions options;
+  options.scene.rays = {{{ray[0], ray[1], ray[2]}, {ray[3], ray[4], ray[5]}}};
+  options.scene.spheres = {{{sphere[0], sphere[1], sphere[2]}, sphere[3]}};
+  return options;
+}
+
+ExplainOptions explain_pixel(const Arguments& arguments) {
+  if (arguments.scene.empty() || arguments.pixel.empty()) {
+    throw std::invalid_argument(
+        "explain: give a scene and --pixel I,J, or --ray ox,oy,oz,dx,dy,dz and --sphere "
+        "cx,cy,cz,r");
+  }
+  ExplainOptions options;
+  auto loaded = scene::load_scene(arguments.scene, parse_dialect(arguments.dialect));
+  print_warnings(loaded.warnings);
+  options.scene = std::move(loaded.scene);
+  if (!options.scene.camera) {
+    throw std::invalid_argument(arguments.scene +
+                                ": has given rays and no camera, so no pixels; explain one of "
+                                "its rays by --ray and --sphere");
+  }
+  const auto pixel = parse_list("--pixel", arguments.pixel, 2, "column and row: I,J");
+  options.pixel = scene::Pixel{parse_index("--pixel", scene::shortest(pixel[0]), 0),
+                               parse_index("--pixel", scene::shortest(pixel[1]), 0)};
+  if (!arguments.sphere.empty()) {
+    options.sphere = static_cast<std::size_t>(parse_index("--sphere", arguments.sphere, 0));
+  }
+  if (!arguments.rays.empty()) options.rays = &find_rays(arguments.rays);
+  return options;
+}
+
+int run_explain(const Arguments& arguments) {
+  const ExplainReport report =
+      explain(arguments.ray.empty() ? explain_pixel(arguments) : explain_given_ray(arguments));
+  print_report(arguments.format == "json" ? explain_json(report)
+                                          : explain_text(report, stdout_takes_colours()));
+  return exit_code(false, report.has_discrepancy(), true);
+}
+
+}  // namespace
+
+Command add_explain(CLI::App& program) {
+  const auto given = std::make_shared<Arguments>();
+  Arguments& arguments = *given;
+  CLI::App& command = *program.add_subcommand(
+      "explain", "Derive one ray step by step, exactly and by every method");
+  command.add_option("SCENE", arguments.scene, "a scene with a camera");
+  command.add_option("--dialect", arguments.dialect, "of a driver file: A, B or C");
+  command.add_option("--pixel", arguments.pixel, "the pixel, I,J");
+  command.add_option("--rays", arguments.rays,
+                     "whose ray the intersection methods get (default: direct)");
+  command.add_option("--ray", arguments.ray, "a ray instead: ox,oy,oz,dx,dy,dz");
+  command.add_option("--sphere", arguments.sphere,
+                     "which sphere of the scene (default: the one met first); with --ray: "
+                     "cx,cy,cz,r");
+  add_format(command, arguments.format, {"text", "json"});
+  return {&command, [given] { return run_explain(*given); }};
+}
+
+}  // namespace raycheck::tools

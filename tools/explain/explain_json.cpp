@@ -1,0 +1,115 @@
+#include <array>
+
+#include "tools/explain/explain.h"
+#include "tools/report/format.h"
+
+namespace raycheck::tools {
+namespace {
+
+constexpr std::array<std::string_view, 3> kClassNames = {"miss", "hit", "tangent"};
+
+std::string_view class_name(const SphereReport& sphere) {
+  return kClassNames[static_cast<std::size_t>(sphere.intersection.hit_class)];
+}
+
+Json text_or_null(const std::optional<std::string>& text) {
+  return text ? Json(*text) : Json(nullptr);
+}
+
+Json sphere_json(const SphereReport& sphere) {
+  const bool miss = !sphere.parameter;
+  Json json;
+  json["class"] = class_name(sphere);
+  json["root"] = miss ? Json(nullptr)
+                      : Json(sphere.intersection.root == reference::WhichRoot::kSmaller ? "smaller"
+                                                                                        : "larger");
+  json["s"] = hexfloat_or_null(sphere.parameter);
+  json["point"] = miss ? Json(nullptr) : hexfloats(sphere.point);
+  json["closed_form"] = {{"s", text_or_null(sphere.closed_form_parameter)},
+                         {"point", miss ? Json(nullptr) : Json(sphere.closed_form_point)}};
+  return json;
+}
+
+Json step_json(const Step& step) {
+  return {{"symbol", step.symbol},
+          {"formula", step.formula},
+          {"closed_form", step.closed_form},
+          {"rounded", hexfloats(step.rounded)},
+          {"condition", error_json(step.condition)},
+          {"condition_alone", error_json(step.condition_alone)}};
+}
+
+Json method_json(const MethodReport& method) {
+  Json json;
+  json["name"] = method.name;
+  json["hit"] = method.parameter.has_value();
+  json["s"] = hexfloat_or_null(method.parameter);
+  json["ulp_error"] = error_json(method.ulp_error);
+  json["class_error"] = method.class_error;
+  return json;
+}
+
+void add_steps(const MethodReport& method, Json& json) {
+  json["goes_wrong_at"] = method.goes_wrong_at.empty() ? Json(nullptr) : Json(method.goes_wrong_at);
+  json["steps"] = Json::array();
+  for (const MethodStep& step : method.steps) {
+    json["steps"].push_back({{"symbol", step.symbol},
+                             {"value", hexfloats(step.value)},
+                             {"error", error_json(step.error)},
+                             {"error_alone", error_json(step.error_alone)},
+                             {"unit", step.unit}});
+  }
+}
+
+Json exact_pixel_json(const ExplainReport& report) {
+  Json json;
+  Json closed_form;
+  const auto add = [&](const char* name, const char* symbol) {
+    const Step& step = *report.find(symbol);
+    json[name] = hexfloats(step.rounded);
+    closed_form[name] = step.closed_form;
+  };
+  add("pixel_point", "P");
+  add("direction", "D");
+  add("U", "U");
+  add("V", "V");
+  add("W", "W");
+  json["closed_form"] = std::move(closed_form);
+  json["spheres"] = Json::array();
+  for (const SphereReport& sphere : report.spheres) json["spheres"].push_back(sphere_json(sphere));
+  json["nearest"] = report.nearest ? Json(*report.nearest) : Json(nullptr);
+  return json;
+}
+
+Json exact_ray_json(const ExplainReport& report) {
+  const SphereReport& sphere = report.spheres.front();
+  Json json;
+  json["class"] = class_name(sphere);
+  json["s"] = hexfloat_or_null(sphere.parameter);
+  json["closed_form"] = text_or_null(sphere.closed_form_parameter);
+  json["point"] = sphere.parameter ? hexfloats(sphere.point) : Json(nullptr);
+  json["closed_form_point"] = sphere.parameter ? Json(sphere.closed_form_point) : Json(nullptr);
+  return json;
+}
+
+}  // namespace
+
+std::string explain_json(const ExplainReport& report) {
+  Json json = json_header("explain");
+  json["conventions"] = conventions_json(report.scene.conventions);
+  if (report.pixel) json["pixel"] = {report.pixel->i, report.pixel->j};
+  json["sphere"] = report.sphere ? Json(*report.sphere) : Json(nullptr);
+  json["exact"] = report.pixel ? exact_pixel_json(report) : exact_ray_json(report);
+  json["exact"]["steps"] = Json::array();
+  for (const Step& step : report.steps) json["exact"]["steps"].push_back(step_json(step));
+  json["methods"] = Json::array();
+  json["ray_methods"] = Json::array();
+  for (const MethodReport& method : report.methods) {
+    Json entry = method.intersects ? method_json(method) : Json{{"name", method.name}};
+    add_steps(method, entry);
+    json[method.intersects ? "methods" : "ray_methods"].push_back(std::move(entry));
+  }
+  return json.dump(2) + "\n";
+}
+
+}  // namespace raycheck::tools

@@ -1,0 +1,137 @@
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "scene/number.h"
+#include "tools/explain/explain.h"
+#include "tools/report/format.h"
+
+namespace raycheck::tools {
+namespace {
+
+/// Longer closed forms are cut here; --format json has them whole.
+constexpr std::size_t kLongestClosedForm = 160;
+
+std::string shown(const std::string& closed_form) {
+  if (closed_form.size() <= kLongestClosedForm) return closed_form;
+  return fmt::format("({} characters: see --format json)", closed_form.size());
+}
+
+std::string listed(const std::vector<std::string>& parts) {
+  if (parts.size() == 1) return shown(parts[0]);
+  std::string text = "(";
+  for (const std::string& part : parts) text += (text.size() > 1 ? ", " : "") + shown(part);
+  return text + ")";
+}
+
+std::string decimals(const std::vector<double>& values) {
+  if (values.empty()) return "-";
+  std::vector<std::string> parts;
+  for (const double x : values) {
+    parts.push_back(std::isnan(x) ? "nan" : fmt::format("{:.17g}", x));
+  }
+  return listed(parts);
+}
+
+std::string class_name(const SphereReport& sphere) {
+  switch (sphere.intersection.hit_class) {
+    case reference::HitClass::kMiss:
+      return "miss";
+    case reference::HitClass::kHit:
+      return "hit";
+    default:
+      return "tangent";
+  }
+}
+
+void append_steps(const ExplainReport& report, std::string& text) {
+  std::size_t width = 0;
+  for (const Step& step : report.steps) width = std::max(width, step.symbol.size());
+  for (const Step& step : report.steps) {
+    text += fmt::format("  {:<{}} = {}\n", step.symbol, width, step.formula);
+    if (!step.closed_form.empty()) {
+      text += fmt::format("  {:<{}} = {}\n", "", width, listed(step.closed_form));
+    }
+    text += fmt::format("  {:<{}} = {}\n", "", width, decimals(step.rounded));
+    if (step.condition) {
+      text +=
+          fmt::format("  {:<{}}   condition number {}{}\n", "", width, error_text(step.condition),
+                      step.condition_alone
+                          ? fmt::format(", of this step alone {}", error_text(step.condition_alone))
+                          : "");
+    }
+    for (const MethodReport& method : report.methods) {
+      for (const MethodStep& mine : method.steps) {
+        if (mine.symbol != step.symbol) continue;
+        text += fmt::format(
+            "  {:<{}}   {:<17} {}{}{}{}\n", "", width, method.name,
+            mine.value.empty() ? "miss" : decimals(mine.value),
+            mine.error ? fmt::format("  off by {} {}", error_text(mine.error), mine.unit) : "",
+            mine.error_alone ? fmt::format(" ({} alone)", error_text(mine.error_alone)) : "",
+            method.goes_wrong_at == step.symbol ? "  <- goes wrong here" : "");
+      }
+    }
+  }
+}
+
+std::string verdict_of(const MethodReport& method, const ExplainReport& report, bool colours) {
+  std::string text;
+  if (method.intersects) {
+    text = method.parameter ? fmt::format("s = {}", scene::digits_and_hexfloat(*method.parameter))
+                            : "miss";
+    if (method.ulp_error) text += fmt::format(", off by {} ulp", error_text(method.ulp_error));
+    if (method.class_error) text += method.parameter ? ", a false hit" : ", missed";
+  } else {
+    const MethodStep& last = method.steps.back();
+    text = fmt::format("rays: D off by {} {}", error_text(last.error), last.unit);
+  }
+  if (method.goes_wrong_at.empty()) return text;
+  std::string where = "; goes wrong at " + method.goes_wrong_at;
+  if (method.goes_wrong_at == "D" && method.intersects) {
+    where += " (the rounding of the ray by `" + report.rays_method + "`)";
+  }
+  return red(text + where, colours);
+}
+
+}  // namespace
+
+std::string explain_text(const ExplainReport& report, bool colours) {
+  std::string text;
+  if (report.pixel) {
+    text += fmt::format("pixel ({}, {}); {}\n", report.pixel->i, report.pixel->j,
+                        conventions_text(report.scene.conventions));
+  } else {
+    text += "a given ray; s counts multiples of its direction\n";
+  }
+  text +=
+      "exact value of each step, in closed form and correctly rounded; below it each method's\n";
+  if (report.sphere && report.pixel) {
+    text += fmt::format("(v, d^2, s, Q: for the ray that `{}` makes, each held against that ray)\n",
+                        report.rays_method);
+  }
+  if (report.sphere) {
+    const scene::Sphere& sphere = report.scene.spheres[*report.sphere];
+    text += fmt::format("sphere {}: C = {}, r = {}\n", *report.sphere,
+                        decimals({sphere.centre.x, sphere.centre.y, sphere.centre.z}),
+                        decimals({sphere.radius}));
+  }
+  text += "\n";
+  append_steps(report, text);
+  if (!report.spheres.empty()) text += "\nexact:\n";
+  for (std::size_t k = 0; k < report.spheres.size(); ++k) {
+    const SphereReport& sphere = report.spheres[k];
+    text += fmt::format("  sphere {}: {}", k, class_name(sphere));
+    if (sphere.parameter) {
+      text += fmt::format(", s = {}", scene::digits_and_hexfloat(*sphere.parameter));
+    }
+    text += report.nearest == k ? ", the nearest\n" : "\n";
+  }
+  text += "\nmethods:\n";
+  for (const MethodReport& method : report.methods) {
+    text += fmt::format("  {:<17} {}\n", method.name, verdict_of(method, report, colours));
+  }
+  return text;
+}
+
+}  // namespace raycheck::tools

@@ -1,0 +1,150 @@
+#include "tools/external/compile.h"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <stdexcept>
+#include <vector>
+
+#include "tools/report/version.h"
+
+namespace raycheck::tools {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::uint64_t kCompilerProcesses = 256;
+constexpr std::uint64_t kCompilerFiles = 256;
+constexpr std::uintmax_t kMostBuilt = std::uintmax_t{256} << 20;
+constexpr const char* kEigen = "/usr/include/eigen3";
+
+std::vector<fs::path> files_in(const fs::path& folder, std::string_view extension) {
+  std::vector<fs::path> files;
+  for (const auto& entry : fs::recursive_directory_iterator(folder)) {
+    if (fs::is_regular_file(entry.symlink_status()) && entry.path().extension() == extension) {
+      files.push_back(entry.path());
+    }
+  }
+  std::sort(files.begin(), files.end());
+  return files;
+}
+
+/// What a confined program made, unless it is a link to what that may not read.
+fs::path copied(const fs::path& made, const fs::path& to) {
+  if (!fs::is_regular_file(fs::symlink_status(made))) {
+    throw std::invalid_argument(fmt::format("{} is no file", made.filename().string()));
+  }
+  fs::copy_file(made, to / made.filename());
+  return to / made.filename();
+}
+
+/// What a compiler said, without what a terminal would obey.
+std::string printable(std::string text) {
+  for (char& c : text) {
+    if (static_cast<unsigned char>(c) < ' ' && c != '\n' && c != '\t') c = '?';
+  }
+  return text;
+}
+
+/// A program that is to succeed, which errors call `what`; its folder, where it leaves what it
+/// makes, lasts as long.
+class Step {
+ public:
+  Step(const std::string& what, const Confined& confined) : process_(confined) {
+    std::string failure;
+    try {
+      const int code = process_.finish();
+      if (code != 0) failure = fmt::format("exited with {}", code);
+    } catch (const ProcessFailure& error) {
+      failure = error.what();
+    }
+    if (!failure.empty()) {
+      throw std::invalid_argument(
+          fmt::format("{} {}\n{}", what, failure, printable(process_.said())));
+    }
+  }
+  const fs::path& folder() const { return process_.folder(); }
+
+ private:
+  Process process_;
+};
+
+/// Words are still to be said.
+Confined compiler(const RunOptions& options) {
+  Confined confined{{}, {}, options.layers, options.limits};
+  confined.limits.seconds = options.build_seconds;
+  confined.limits.processes = kCompilerProcesses;
+  confined.limits.files = kCompilerFiles;
+  return confined;
+}
+
+}  // namespace
+
+fs::path include_folder() {
+  const fs::path installed = program_folder().parent_path() / "include";
+  return opened_copy(fs::exists(installed / "raycheck" / "candidate.h")
+                         ? installed
+                         : fs::path(kSourceFolder) / "tools/external/sdk");
+}
+
+fs::path compile(const std::string& what, const fs::path& source, const fs::path& to,
+                 const RunOptions& options) {
+  const fs::path include = include_folder();
+  Confined confined = compiler(options);
+  confined.readable = {include};
+  const bool is_folder = fs::is_directory(source);
+  const fs::path folder = is_folder ? source : source.parent_path();
+  confined.readable.push_back(folder);
+  if (source.filename() == "CMakeLists.txt" ||
+      (is_folder && fs::exists(folder / "CMakeLists.txt"))) {
+    confined.arguments = {"sh",
+                          "-c",
+                          "cmake -S \"$1\" -B . -DCMAKE_BUILD_TYPE=Release "
+                          "-DCMAKE_POSITION_INDEPENDENT_CODE=ON \"-DCMAKE_CXX_FLAGS=-isystem $2\" "
+                          ">&2 && cmake --build . >&2",
+                          "sh",
+                          folder,
+                          include};
+    const Step step(fmt::format("--candidate {}: cmake", what), confined);
+    const auto libraries = files_in(step.folder(), ".so");
+    if (libraries.size() != 1) {
+      throw std::invalid_argument(
+          fmt::format("--candidate {}: its CMakeLists.txt makes {} shared libraries, not one", what,
+                      libraries.size()));
+    }
+    return copied(libraries.front(), to);
+  }
+  confined.arguments = {"g++",   "-std=c++20", "-O2",  "-fPIC", "-shared",     "-isystem",
+                        include, "-isystem",   kEigen, "-o",    "candidate.so"};
+  if (is_folder) {
+    const auto files = files_in(source, ".cpp");
+    if (files.empty()) {
+      throw std::invalid_argument(fmt::format("--candidate {}: no .cpp file lies in it", what));
+    }
+    for (const fs::path& file : files) confined.arguments.push_back(file);
+  } else {
+    confined.arguments.push_back(source);
+  }
+  const Step step(fmt::format("--candidate {}: g++", what), confined);
+  return copied(step.folder() / "candidate.so", to);
+}
+
+void build(const fs::path& folder, const std::string& words, const fs::path& to,
+           const RunOptions& options) {
+  Confined confined = compiler(options);
+  confined.readable = {folder, include_folder()};
+  confined.arguments = {"sh", "-c",   "cp -r \"$1\"/. \"$2\"/*.java . && { " + words + "; } >&2",
+                        "sh", folder, adapters()};
+  const Step step(fmt::format("'{}'", words), confined);
+  std::uintmax_t bytes = 0;
+  for (const auto& entry : fs::recursive_directory_iterator(step.folder())) {
+    if (!fs::is_regular_file(entry.symlink_status())) continue;
+    bytes += entry.file_size();
+    if (bytes > kMostBuilt) throw std::invalid_argument(words + ": it makes too large files");
+    const fs::path copy = to / fs::relative(entry.path(), step.folder());
+    fs::create_directories(copy.parent_path());
+    fs::copy_file(entry.path(), copy);
+  }
+}
+
+}  // namespace raycheck::tools

@@ -1,0 +1,26 @@
+#ifndef RAYCHECK_TOOLS_EXTERNAL_CONTESTANT_H_
+#define RAYCHECK_TOOLS_EXTERNAL_CONTESTANT_H_
+
+#include <variant>
+#include <vector>
+
+#include "tools/external/locate.h"
+#include "tools/methods/methods.h"
+
+namespace raycheck::tools {
+
+/// Who is judged: a pair of raycheck's methods, or someone else's implementation.
+using Contestant = std::variant<MethodPair, External>;
+
+/// A candidate of its own for each call, for one thread.
+properties::Candidate candidate_of(const Contestant& contestant);
+
+/// Null where it is someone else's.
+const MethodPair* methods_of(const Contestant& contestant);
+const External* external_of(const Contestant& contestant);
+
+std::vector<Contestant> contestants(const std::vector<MethodPair>& pairs);
+
+}  // namespace raycheck::tools
+
+#endif  // RAYCHECK_TOOLS_EXTERNAL_CONTESTANT_H_

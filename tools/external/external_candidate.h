@@ -1,0 +1,51 @@
+#ifndef RAYCHECK_TOOLS_EXTERNAL_EXTERNAL_CANDIDATE_H_
+#define RAYCHECK_TOOLS_EXTERNAL_EXTERNAL_CANDIDATE_H_
+
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "properties/candidate.h"
+#include "tools/external/protocol/protocol.h"
+#include "tools/external/renderer.h"
+#include "tools/external/sandbox/process.h"
+
+namespace raycheck::tools {
+
+class Pictures;
+
+/// Someone else's implementation, as `--candidate` names it: what to run, and what that said of
+/// itself when it was tried.
+struct External {
+  std::string name;  ///< "library:PATH.so", as it was asked for.
+  Confined program;
+  Introduction introduction;
+  /// A renderer introduces itself by pictures alone.
+  std::optional<Renderer> renderer = {};
+  /// What the program lies in, where raycheck made that.
+  std::shared_ptr<const PrivateFolder> folder;
+  /// What a renderer drew last.
+  std::shared_ptr<Pictures> pictures = {};
+};
+
+/// Starts the program once to hear its introduction.
+/// Errors: std::invalid_argument naming the candidate where it has none.
+External introduced(std::string name, const Confined& program,
+                    std::shared_ptr<const PrivateFolder> folder = nullptr);
+
+External rendering(std::string name, Renderer renderer);
+
+/// A candidate with a process of its own, which is never sent an answer. Its errors are held to the
+/// bounds of kDefaultMethods, which are plain and stable. What a process fails at
+/// (its end, its silence, a reply that is none) the functions throw as std::runtime_error with the
+/// name of the function; the next question goes to a fresh process. The same question is not asked
+/// again after it failed, and none after kMostSilences that were answered by silence.
+properties::Candidate external_candidate(const External& external);
+inline constexpr int kMostSilences = 3;
+/// Of smaller lengths what comes out may be subnormal, of too few digits for any bound in units of
+/// its size.
+inline constexpr double kSmallestJudgedLength = 0x1p-960;
+
+}  // namespace raycheck::tools
+
+#endif  // RAYCHECK_TOOLS_EXTERNAL_EXTERNAL_CANDIDATE_H_

@@ -1,0 +1,291 @@
+#include "tools/external/protocol/protocol.h"
+
+#include <fmt/core.h>
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <iterator>
+#include <optional>
+
+#include "scene/number.h"
+
+namespace raycheck::tools {
+namespace {
+
+using properties::SphereHits;
+
+constexpr std::array<std::string_view, 6> kFunctions = {"frame",     "pixel_point", "pixel_ray",
+                                                        "focal_ray", "intersect",   "nearest"};
+
+/// How much of a line that is wrong an error shows.
+constexpr std::size_t kShown = 60;
+
+std::vector<std::string_view> lines_of(std::string_view text) {
+  std::vector<std::string_view> lines;
+  while (!text.empty()) {
+    const std::size_t end = std::min(text.find('\n'), text.size());
+    std::string_view line = text.substr(0, end);
+    if (line.ends_with('\r')) line.remove_suffix(1);
+    lines.push_back(line);
+    text.remove_prefix(std::min(end + 1, text.size()));
+  }
+  return lines;
+}
+
+/// What may stand in an error: what a terminal would not obey.
+std::string shown(std::string_view line) {
+  std::string text(line.substr(0, kShown));
+  for (char& c : text) {
+    if (static_cast<unsigned char>(c) < ' ' || static_cast<unsigned char>(c) > '~') c = '?';
+  }
+  return line.size() > kShown ? text + "..." : text;
+}
+
+/// The words of one line of a reply.
+class Words {
+ public:
+  Words(std::string_view line, std::size_t number) : line_(line), rest_(line), number_(number) {}
+
+  std::string_view word() {
+    if (rest_.empty()) fail("has too few words");
+    const std::size_t end = std::min(rest_.find(' '), rest_.size());
+    const std::string_view found = rest_.substr(0, end);
+    rest_.remove_prefix(std::min(end + 1, rest_.size()));
+    return found;
+  }
+  double number() {
+    const auto value = scene::parse_number(word());
+    if (!value) fail("has a word that is no number");
+    return *value;
+  }
+  std::size_t index(std::size_t count) {
+    const std::string_view text = word();
+    std::size_t value = 0;
+    const auto [at, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+    if (error != std::errc() || at != text.data() + text.size()) fail("has no index");
+    if (value >= count) fail(fmt::format("has the index {} of {}", value, count));
+    return value;
+  }
+  template <class Triple>
+  Triple triple() {
+    const double x = number(), y = number(), z = number();
+    return {x, y, z};
+  }
+  void end() const {
+    if (!rest_.empty()) fail("has too many words");
+  }
+  [[noreturn]] void fail(const std::string& how) const {
+    throw ProtocolError(fmt::format("line {} of its reply {}: '{}'", number_, how, shown(line_)));
+  }
+
+ private:
+  std::string_view line_, rest_;
+  std::size_t number_;
+};
+
+template <class Enum, std::size_t kCount>
+void declare(std::string_view value, const std::array<std::string_view, kCount>& names,
+             std::optional<Enum>& declared, const Words& words) {
+  const auto found = std::find(names.begin(), names.end(), value);
+  if (found == names.end()) words.fail("declares no such convention");
+  declared = static_cast<Enum>(found - names.begin());
+}
+
+}  // namespace
+
+Introduction parse_introduction(std::string_view text) {
+  Introduction introduction;
+  const auto lines = lines_of(text);
+  for (std::size_t k = 0; k + 1 < lines.size(); ++k) {
+    Words words(lines[k], k + 1);
+    const std::string_view kind = words.word();
+    if (k == 0) {
+      if (kind != "raycheck") words.fail("does not begin with 'raycheck 1'");
+      if (words.word() != std::to_string(kProtocolVersion)) words.fail("is of another version");
+      introduction.name = words.word();
+    } else if (kind == "function") {
+      const std::string_view function = words.word();
+      if (std::find(kFunctions.begin(), kFunctions.end(), function) == kFunctions.end()) {
+        words.fail("offers no such function");
+      }
+      introduction.functions.emplace(function);
+    } else if (kind == "convention") {
+      auto& declared = introduction.declared;
+      const std::string_view which = words.word();
+      const std::string_view value = words.word();
+      if (which == "rows") {
+        declare(value, scene::kRowsNames, declared.rows, words);
+      } else if (which == "samples") {
+        declare(value, scene::kSamplesNames, declared.samples, words);
+      } else if (which == "origin") {
+        declare(value, scene::kOriginNames, declared.origin, words);
+      } else if (which == "root") {
+        declare(value, scene::kRootNames, declared.root, words);
+      } else if (which == "tangent") {
+        declare(value, scene::kTangentNames, declared.tangent, words);
+      } else {
+        words.fail("declares no such convention");
+      }
+    } else {
+      words.fail("is no part of an introduction");
+    }
+    words.end();
+  }
+  if (lines.size() < 2) throw ProtocolError("it did not introduce itself by 'raycheck 1 NAME'");
+  return introduction;
+}
+
+Request::Request(std::string id, std::string_view function, const scene::Conventions& conventions)
+    : id_(std::move(id)) {
+  text_ = fmt::format("request {} {}\n", id_, function);
+  question_ = fmt::format("{}\n", function);
+  add(fmt::format("conventions {} {} {} {} {}\n", name(conventions.rows), name(conventions.samples),
+                  name(conventions.origin), name(conventions.root), name(conventions.tangent)));
+}
+
+void Request::add(std::string_view words) {
+  text_ += words;
+  question_ += words;
+}
+
+Request& Request::camera(const scene::Camera& camera) {
+  add(fmt::format("camera {} {} {} {} {} {} {} {} {} {}\n", scene::shortest_words(camera.eye),
+                  scene::shortest_words(camera.look_at), scene::shortest_words(camera.up),
+                  scene::shortest(camera.near), scene::shortest(camera.left),
+                  scene::shortest(camera.right), scene::shortest(camera.bottom),
+                  scene::shortest(camera.top), camera.width, camera.height));
+  return *this;
+}
+
+Request& Request::pixels(std::span<const scene::Pixel> pixels) {
+  fmt::memory_buffer lines;
+  fmt::format_to(std::back_inserter(lines), "pixels {}\n", pixels.size());
+  for (const auto& [i, j] : pixels) fmt::format_to(std::back_inserter(lines), "{} {}\n", i, j);
+  add({lines.data(), lines.size()});
+  return *this;
+}
+
+Request& Request::rays(std::span<const scene::Ray> rays) {
+  std::string lines = fmt::format("rays {}\n", rays.size());
+  for (const auto& [origin, direction] : rays) {
+    lines += scene::shortest_words(origin) + " " + scene::shortest_words(direction) + "\n";
+  }
+  add(lines);
+  return *this;
+}
+
+Request& Request::spheres(std::span<const scene::Sphere> spheres) {
+  std::string lines = fmt::format("spheres {}\n", spheres.size());
+  for (const auto& [centre, radius] : spheres) {
+    lines += scene::shortest_words(centre) + " " + scene::shortest(radius) + "\n";
+  }
+  add(lines);
+  return *this;
+}
+
+bool ends_reply(std::string_view line, std::string_view id) {
+  if (line.ends_with('\r')) line.remove_suffix(1);
+  const auto is = [&](std::string_view word) {
+    return line.starts_with(word) && line.substr(word.size()).starts_with(id) &&
+           (line.size() == word.size() + id.size() || line[word.size() + id.size()] == ' ');
+  };
+  return is("end ") || is("error ");
+}
+
+Reply::Reply(std::string_view text, std::string_view id) : lines_(lines_of(text)) {
+  if (!lines_.empty() && lines_.back().starts_with("error ")) {
+    const std::size_t message = std::string_view("error ").size() + id.size() + 1;
+    const std::string_view line = lines_.back();
+    throw ProtocolError("it says: " + shown(line.substr(std::min(message, line.size()))));
+  }
+  if (lines_.size() < 2 || lines_.front() != fmt::format("reply {}", id)) {
+    throw ProtocolError(fmt::format("its reply begins with '{}', not with 'reply' and the id",
+                                    lines_.empty() ? "" : shown(lines_.front())));
+  }
+  lines_.erase(lines_.begin());
+  lines_.pop_back();
+}
+
+void Reply::require_count(std::size_t count) const {
+  if (lines_.size() != count) {
+    throw ProtocolError(fmt::format("its reply has {} lines, not {}", lines_.size(), count));
+  }
+}
+
+namespace {
+
+/// Lines that are words in one way, two lines above them being the reply's head.
+template <class Read>
+auto read_lines(const std::vector<std::string_view>& lines, const Read& read) {
+  std::vector<decltype(read(std::declval<Words&>()))> result;
+  result.reserve(lines.size());
+  for (std::size_t k = 0; k < lines.size(); ++k) {
+    Words words(lines[k], k + 2);
+    result.push_back(read(words));
+    words.end();
+  }
+  return result;
+}
+
+}  // namespace
+
+properties::FrameAnswer Reply::frame() const {
+  require_count(3);
+  const auto axes =
+      read_lines(lines_, [](Words& words) { return words.triple<scene::UnitVector3>(); });
+  return {axes[0], axes[1], axes[2]};
+}
+
+std::vector<scene::Point3> Reply::points(std::size_t count) const {
+  require_count(count);
+  return read_lines(lines_, [](Words& words) { return words.triple<scene::Point3>(); });
+}
+
+std::vector<scene::Ray> Reply::rays(std::size_t count) const {
+  require_count(count);
+  return read_lines(lines_, [](Words& words) {
+    const auto origin = words.triple<scene::Point3>();
+    return scene::Ray{origin, words.triple<scene::Vector3>()};
+  });
+}
+
+std::vector<SphereHits> Reply::hits(std::size_t rays, std::size_t spheres) const {
+  std::vector<SphereHits> hits(spheres);
+  for (std::size_t k = 0; k < lines_.size(); ++k) {
+    Words words(lines_[k], k + 2);
+    const std::size_t ray = words.index(rays);
+    SphereHits& of_sphere = hits[words.index(spheres)];
+    const double parameter = words.number();
+    of_sphere.push_back({ray, {parameter, words.triple<scene::Point3>()}});
+    words.end();
+  }
+  const auto by_ray = [](const auto& a, const auto& b) { return a.ray < b.ray; };
+  for (SphereHits& of_sphere : hits) {
+    std::stable_sort(of_sphere.begin(), of_sphere.end(), by_ray);
+    const auto twice =
+        std::adjacent_find(of_sphere.begin(), of_sphere.end(),
+                           [](const auto& a, const auto& b) { return a.ray == b.ray; });
+    if (twice != of_sphere.end()) {
+      throw ProtocolError(
+          fmt::format("its reply has two hits of ray {} with one sphere", twice->ray));
+    }
+  }
+  return hits;
+}
+
+std::vector<std::optional<std::size_t>> Reply::nearest(std::size_t rays,
+                                                       std::size_t spheres) const {
+  require_count(rays);
+  return read_lines(lines_, [spheres](Words& words) -> std::optional<std::size_t> {
+    Words copy = words;
+    if (copy.word() == "none") {
+      words = copy;
+      return std::nullopt;
+    }
+    return words.index(spheres);
+  });
+}
+
+}  // namespace raycheck::tools

@@ -1,0 +1,89 @@
+#ifndef RAYCHECK_TOOLS_EXTERNAL_PROTOCOL_PROTOCOL_H_
+#define RAYCHECK_TOOLS_EXTERNAL_PROTOCOL_PROTOCOL_H_
+
+// The lines that raycheck and a candidate's process exchange, as docs/candidates.md has them.
+
+#include <cstddef>
+#include <cstdint>
+#include <set>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "properties/candidate.h"
+#include "scene/scene.h"
+
+namespace raycheck::tools {
+
+/// A reply that is not one: what() says which line is wrong and how.
+class ProtocolError : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
+inline constexpr int kProtocolVersion = 1;
+
+/// What a candidate says of itself.
+struct Introduction {
+  std::string name;  ///< "-": none
+  std::set<std::string> functions;
+  properties::DeclaredConventions declared;
+};
+inline constexpr std::string_view kGreeting = "raycheck 1\n";
+inline constexpr std::string_view kReady = "ready";
+inline constexpr std::size_t kMostIntroduction = 4096;  ///< bytes
+Introduction parse_introduction(std::string_view text);
+
+/// Builds a request.
+class Request {
+ public:
+  Request(std::string id, std::string_view function, const scene::Conventions& conventions);
+  Request& camera(const scene::Camera& camera);
+  Request& pixels(std::span<const scene::Pixel> pixels);
+  Request& rays(std::span<const scene::Ray> rays);
+  Request& spheres(std::span<const scene::Sphere> spheres);
+
+  const std::string& id() const { return id_; }
+  /// All of it.
+  std::string text() const { return text_ + "end " + id_ + "\n"; }
+  /// What is asked, without the id.
+  const std::string& question() const { return question_; }
+
+ private:
+  void add(std::string_view words);
+
+  std::string id_;
+  std::string text_, question_;
+};
+
+/// Whether a line ends the reply to a request: "end ID" or "error ID ...".
+bool ends_reply(std::string_view line, std::string_view id);
+
+/// The lines between "reply ID" and "end ID".
+/// Errors: ProtocolError, also with the candidate's message where that is an error.
+class Reply {
+ public:
+  Reply(std::string_view text, std::string_view id);
+
+  properties::FrameAnswer frame() const;
+  std::vector<scene::Point3> points(std::size_t count) const;
+  std::vector<scene::Ray> rays(std::size_t count) const;
+  std::vector<properties::SphereHits> hits(std::size_t rays, std::size_t spheres) const;
+  std::vector<std::optional<std::size_t>> nearest(std::size_t rays, std::size_t spheres) const;
+
+ private:
+  void require_count(std::size_t count) const;
+
+  std::vector<std::string_view> lines_;
+};
+
+/// More bytes than an honest reply of so many lines has, and no more than are held at a time.
+inline constexpr std::size_t kMostBytes = std::size_t{1} << 28;
+constexpr std::size_t most_bytes(std::size_t lines) {
+  return lines < kMostBytes / 320 ? 4096 + 320 * lines : kMostBytes;
+}
+
+}  // namespace raycheck::tools
+
+#endif  // RAYCHECK_TOOLS_EXTERNAL_PROTOCOL_PROTOCOL_H_

@@ -1,0 +1,32 @@
+#ifndef RAYCHECK_TOOLS_EXTERNAL_SANDBOX_PRIVATE_FOLDER_H_
+#define RAYCHECK_TOOLS_EXTERNAL_SANDBOX_PRIVATE_FOLDER_H_
+
+#include <filesystem>
+
+namespace raycheck::tools {
+
+/// An empty folder, gone with the object.
+class PrivateFolder {
+ public:
+  PrivateFolder();
+  ~PrivateFolder();
+  PrivateFolder(const PrivateFolder&) = delete;
+  PrivateFolder& operator=(const PrivateFolder&) = delete;
+  const std::filesystem::path& path() const { return path_; }
+
+ private:
+  std::filesystem::path path_;
+};
+
+/// Whether a user of its own may read a path.
+bool others_may_read(const std::filesystem::path& path);
+
+/// Lets every user read a file, or a folder and all in it.
+void open_to_others(const std::filesystem::path& path);
+
+/// raycheck's own files as any user may read them: where they are closed to others, a copy. Files
+/// of candidates have Opened (find.cpp).
+std::filesystem::path opened_copy(const std::filesystem::path& path);
+}  // namespace raycheck::tools
+
+#endif  // RAYCHECK_TOOLS_EXTERNAL_SANDBOX_PRIVATE_FOLDER_H_

@@ -1,0 +1,233 @@
+#include "tools/image/image.h"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <chrono>
+#include <memory>
+#include <stdexcept>
+#include <tuple>
+#include <utility>
+
+#include "scene/validate.h"
+#include "tools/image/image_paint.h"
+#include "tools/run/in_order.h"
+
+namespace raycheck::tools {
+namespace {
+
+using reference::kNoSphere;
+using reference::Visibility;
+
+/// So many pixels of a band pay for what a band costs, and so many are the most held.
+constexpr std::int64_t kFewestPixels = 1 << 16;
+constexpr std::int64_t kMostPixels = 1 << 20;
+
+/// The rows of a camera's image in bands, from the picture's top to its bottom.
+class Bands {
+ public:
+  Bands(const scene::Camera& camera, const scene::Conventions& conventions)
+      : height_(camera.height), top_first_(conventions.rows == scene::Rows::kTopFirst) {
+    constexpr std::int64_t kRows = Visibility::kBandRows;
+    rows_ = kRows * std::max<std::int64_t>(1, kFewestPixels / (kRows * camera.width));
+    rows_ = std::min(rows_, std::max<std::int64_t>(1, kMostPixels / camera.width));
+  }
+
+  std::int64_t count() const { return (height_ + rows_ - 1) / rows_; }
+  /// Rows j of the picture's band k.
+  std::pair<std::int64_t, std::int64_t> operator[](std::int64_t k) const {
+    const std::int64_t j_begin = (top_first_ ? k : count() - 1 - k) * rows_;
+    return {j_begin, std::min(height_, j_begin + rows_)};
+  }
+  bool top_first() const { return top_first_; }
+
+ private:
+  std::int64_t height_;
+  std::int64_t rows_;
+  bool top_first_;
+};
+
+SeenBand seen_band(const Visibility& visibility, std::int64_t width,
+                   const std::pair<std::int64_t, std::int64_t>& rows, bool parameters,
+                   bool points) {
+  SeenBand band;
+  std::tie(band.j_begin, band.j_end) = rows;
+  const auto pixels = static_cast<std::size_t>((band.j_end - band.j_begin) * width);
+  band.sphere.resize(pixels);
+  if (parameters) band.parameter.resize(pixels);
+  if (points) {
+    for (auto* coordinate : {&band.x, &band.y, &band.z}) coordinate->resize(pixels);
+  }
+  band.decided_by = visibility.nearest(band.j_begin, band.j_end,
+                                       {band.sphere, band.parameter, band.x, band.y, band.z});
+  return band;
+}
+
+/// Empty where nothing is seen.
+std::optional<DepthRange> depth_range(const Visibility& visibility, const scene::Camera& camera,
+                                      const Bands& bands, const properties::RunControl& control) {
+  using Range = std::optional<DepthRange>;
+  const auto include = [](Range& range, double nearest, double farthest) {
+    if (!range) range = DepthRange{nearest, farthest};
+    range->nearest = std::min(range->nearest, nearest);
+    range->farthest = std::max(range->farthest, farthest);
+  };
+  Range all;
+  std::int64_t done = 0;
+  in_order<Range>(
+      bands.count(), control,
+      [&](std::int64_t k) {
+        const SeenBand band = seen_band(visibility, camera.width, bands[k], true, false);
+        Range range;
+        for (std::size_t p = 0; p < band.sphere.size(); ++p) {
+          if (band.sphere[p] != kNoSphere) include(range, band.parameter[p], band.parameter[p]);
+        }
+        return range;
+      },
+      [&](const Range& range) {
+        if (range) include(all, range->nearest, range->farthest);
+        control.progress(fmt::format("range of s, {} of {} bands", ++done, bands.count()));
+      });
+  return all;
+}
+
+/// A band of the picture, its lines from the top, and what is counted in it.
+struct PaintedBand {
+  std::vector<Colour> pixels;
+  std::vector<std::int32_t> spheres;  ///< Those seen, each once.
+  std::uint64_t pixels_that_see = 0;
+  reference::DecidedBy decided_by;
+  ErrorCounts errors;
+};
+
+PaintedBand painted(const SeenBand& band, const Painter& painter, std::int64_t width,
+                    bool top_first) {
+  PaintedBand result;
+  result.pixels.resize(band.sphere.size());
+  painter.paint(band, result.pixels, result.errors);
+  if (!top_first) {
+    const auto line = [&](std::int64_t k) { return result.pixels.begin() + k * width; };
+    for (std::int64_t low = 0, high = band.j_end - band.j_begin - 1; low < high; ++low, --high) {
+      std::swap_ranges(line(low), line(low + 1), line(high));
+    }
+  }
+  for (const std::int32_t sphere : band.sphere) {
+    if (sphere == kNoSphere) continue;
+    ++result.pixels_that_see;
+    if (result.spheres.empty() || result.spheres.back() != sphere) result.spheres.push_back(sphere);
+  }
+  std::sort(result.spheres.begin(), result.spheres.end());
+  result.spheres.erase(std::unique(result.spheres.begin(), result.spheres.end()),
+                       result.spheres.end());
+  result.decided_by = band.decided_by;
+  return result;
+}
+
+void count(const PaintedBand& band, std::vector<bool>& seen, ImageReport& report) {
+  for (const std::int32_t sphere : band.spheres) {
+    auto is_seen = seen[static_cast<std::size_t>(sphere)];
+    report.spheres_seen += is_seen ? 0 : 1;
+    is_seen = true;
+  }
+  report.pixels_that_see += band.pixels_that_see;
+  report.decided_by += band.decided_by;
+  if (!report.error) return;
+  for (std::size_t k = 0; k < band.errors.pixels.size(); ++k) {
+    report.error->pixels[k] += band.errors.pixels[k];
+  }
+  report.error->wrong += band.errors.wrong;
+  report.error->unjudged += band.errors.unjudged;
+}
+
+std::unique_ptr<Painter> painter_for(const ImageOptions& options, const scene::Scene& scene,
+                                     const std::optional<DepthRange>& range) {
+  switch (options.what) {
+    case Picture::kClass:
+      return class_painter();
+    case Picture::kSphere:
+      return sphere_painter(scene);
+    case Picture::kDepth:
+      return depth_painter(range.value_or(DepthRange{}));
+    case Picture::kError:
+      return error_painter(scene, options.methods);
+  }
+  throw std::logic_error("a picture of nothing that there is");
+}
+
+void resize(const scene::Pixel& size, scene::Scene& scene) {
+  scene.camera->width = size.i;
+  scene.camera->height = size.j;
+  const auto problems = scene::problems(scene);
+  if (!problems.empty()) {
+    throw std::invalid_argument(fmt::format(
+        "--size {},{}: {}", size.i, size.j,
+        problems.front().field + " = " + problems.front().value + ": " + problems.front().what));
+  }
+}
+
+ImageReport report_on(const ImageOptions& options, const scene::LoadedScene& loaded,
+                      const PictureFile& file) {
+  const scene::Scene& scene = loaded.scene;
+  if (!scene.camera) {
+    throw std::invalid_argument(options.path +
+                                ": has given rays and no camera, so no picture; `raycheck check` "
+                                "judges rays one by one");
+  }
+  ImageReport report;
+  report.path = options.path;
+  report.file = file.path();
+  report.what = options.what;
+  report.warnings = loaded.warnings;
+  report.conventions = scene.conventions;
+  report.width = scene.camera->width;
+  report.height = scene.camera->height;
+  report.spheres = scene.spheres.size();
+  if (options.what == Picture::kError) {
+    const properties::Candidate candidate = candidate_of(options.methods);
+    report.conventions = candidate.declared.over(scene.conventions);
+    report.error.emplace();
+    report.error->candidate = candidate.name;
+    report.error->pixels.resize(kErrorSteps.size());
+  }
+  return report;
+}
+
+}  // namespace
+
+ImageReport make_image(const ImageOptions& options, PictureFile& file,
+                       const properties::RunControl& control) {
+  const auto start = std::chrono::steady_clock::now();
+  scene::LoadedScene loaded = scene::load_scene(options.path, options.dialect);
+  if (options.size && loaded.scene.camera) resize(*options.size, loaded.scene);
+  const scene::Scene& scene = loaded.scene;
+  ImageReport report = report_on(options, loaded, file);
+  report.threads = control.threads;
+  file.start(report.width, report.height);
+  const Visibility visibility(
+      scene, scene::plan_scene(scene, report.conventions, scene::Wanted::kNearest));
+  const Bands bands(*scene.camera, report.conventions);
+  if (options.what == Picture::kDepth) {
+    report.depth = depth_range(visibility, *scene.camera, bands, control);
+  }
+  const auto painter = painter_for(options, scene, report.depth);
+  std::vector<bool> seen(scene.spheres.size());
+  std::int64_t done = 0;
+  in_order<PaintedBand>(
+      bands.count(), control,
+      [&](std::int64_t k) {
+        return painted(seen_band(visibility, report.width, bands[k], painter->needs_parameters(),
+                                 painter->needs_points()),
+                       *painter, report.width, bands.top_first());
+      },
+      [&](const PaintedBand& band) {
+        file.add(band.pixels);
+        count(band, seen, report);
+        control.progress(fmt::format("{} of {} bands", ++done, bands.count()));
+      });
+  report.interrupted = done < bands.count();
+  if (!report.interrupted) file.place();
+  report.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  return report;
+}
+
+}  // namespace raycheck::tools

@@ -1,0 +1,80 @@
+#ifndef RAYCHECK_TOOLS_IMAGE_IMAGE_H_
+#define RAYCHECK_TOOLS_IMAGE_IMAGE_H_
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "properties/run_control.h"
+#include "reference/visibility/visibility.h"
+#include "scene/files/scene_file.h"
+#include "tools/methods/methods.h"
+#include "tools/report/picture_file.h"
+
+namespace raycheck::tools {
+
+/// What a picture shows of a pixel.
+enum class Picture { kClass, kSphere, kDepth, kError };
+inline constexpr std::array<std::string_view, 4> kPictureNames = {"class", "sphere", "depth",
+                                                                  "error"};
+constexpr std::string_view name(Picture picture) {
+  return kPictureNames[static_cast<std::size_t>(picture)];
+}
+
+struct ImageOptions {
+  std::string path;
+  std::optional<scene::Dialect> dialect;
+  Picture what = Picture::kSphere;
+  MethodPair methods = kDefaultMethods;  ///< Whose error is shown.
+  std::optional<scene::Pixel> size;      ///< Pixels across and down in place of the scene's.
+};
+
+/// The smallest and the largest s that pixels see.
+struct DepthRange {
+  double nearest = 0, farthest = 0;
+};
+
+/// A picture of errors in numbers: pixels by how far s is off.
+struct ErrorCounts {
+  std::string candidate;
+  std::vector<std::uint64_t> pixels;  ///< By kErrorSteps (tools/image/image_paint.h).
+  std::uint64_t wrong = 0;            ///< Missed, a false hit, or another sphere.
+  std::uint64_t unjudged = 0;         ///< The same where tangents are not judged.
+};
+
+struct ImageReport {
+  std::string path;
+  std::string file;
+  Picture what = Picture::kSphere;
+  std::vector<std::string> warnings;
+  scene::Conventions conventions;  ///< What the picture is decided under.
+  std::int64_t width = 0;
+  std::int64_t height = 0;
+  std::size_t spheres = 0;
+  std::size_t spheres_seen = 0;
+  std::uint64_t pixels_that_see = 0;
+  reference::DecidedBy decided_by;
+  std::optional<DepthRange> depth;   ///< Of Picture::kDepth where anything is seen.
+  std::optional<ErrorCounts> error;  ///< Of Picture::kError.
+  int threads = 1;
+  double seconds = 0;
+  bool interrupted = false;  ///< Then there is no picture.
+};
+
+/// Decides every pixel of a scene and writes the picture, in bands of rows: neither the picture nor
+/// what it shows is ever held whole. The file does not depend on the number of threads.
+/// Domain: a scene with a camera of at most kMostPictureSide pixels a side, fewer than 2^31
+///         spheres; otherwise throws std::invalid_argument naming the file or the field. Throws
+///         what the reader and the file throw.
+ImageReport make_image(const ImageOptions& options, PictureFile& file,
+                       const properties::RunControl& control = {});
+
+std::string image_text(const ImageReport& report);
+std::string image_json(const ImageReport& report);
+
+}  // namespace raycheck::tools
+
+#endif  // RAYCHECK_TOOLS_IMAGE_IMAGE_H_

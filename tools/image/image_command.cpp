@@ -1,0 +1,110 @@
+#include <fmt/core.h>
+#include <tbb/info.h>
+
+#include <algorithm>
+#include <memory>
+#include <stdexcept>
+
+#include "scene/number.h"
+#include "tools/arguments.h"
+#include "tools/commands.h"
+#include "tools/image/image.h"
+#include "tools/image/image_paint.h"
+#include "tools/terminal.h"
+
+namespace raycheck::tools {
+namespace {
+
+struct Arguments {
+  std::string scene;
+  std::string out;
+  std::string what = "sphere";
+  std::string dialect;
+  std::string rays;
+  std::string intersect;
+  std::string size;
+  int threads = tbb::info::default_concurrency();
+  std::string format = "text";
+};
+
+/// The colours of the picture of errors, for --help.
+std::string legend() {
+  std::string text = "error colours, on a log scale (rrggbb), by how many ulp s is off:";
+  for (const ErrorStep& step : kErrorSteps) {
+    const bool last = &step == &kErrorSteps.back();
+    text += fmt::format("\n  {} {}", hex(step.colour),
+                        last ? "more" : fmt::format("up to {}", step.at_most));
+  }
+  return text + fmt::format(
+                    "\n  {} wrong: missed, a false hit, or not the nearest sphere"
+                    "\n  {} the same at a tangent that the scene leaves unjudged",
+                    hex(kWrongColour), hex(kUnjudgedColour));
+}
+
+scene::Pixel parse_size(const std::string& text) {
+  const auto sides = parse_list("--size", text, 2, "pixels across and down: W,H");
+  return {parse_index("--size", scene::shortest(sides[0]), 1),
+          parse_index("--size", scene::shortest(sides[1]), 1)};
+}
+
+int run(const Arguments& arguments) {
+  ImageOptions options;
+  options.path = arguments.scene;
+  options.dialect = parse_dialect(arguments.dialect);
+  options.what =
+      static_cast<Picture>(std::find(kPictureNames.begin(), kPictureNames.end(), arguments.what) -
+                           kPictureNames.begin());
+  if (!arguments.size.empty()) options.size = parse_size(arguments.size);
+  for (const auto& [option, value] :
+       {std::pair("--rays", &arguments.rays), std::pair("--intersect", &arguments.intersect)}) {
+    if (options.what != Picture::kError && !value->empty()) {
+      throw std::invalid_argument(
+          fmt::format("{} {}: only --what error shows a method; the others show the exact answer",
+                      option, *value));
+    }
+  }
+  if (!arguments.rays.empty()) options.methods.rays = &find_rays(arguments.rays);
+  if (!arguments.intersect.empty()) {
+    options.methods.intersect = &find_intersect(arguments.intersect);
+  }
+  PictureFile file("--out", arguments.out);
+  const ImageReport report =
+      make_image(options, file, run_control(options.path, arguments.threads));
+  print_warnings(report.warnings);
+  print_report(arguments.format == "json" ? image_json(report) : image_text(report));
+  return exit_code(report.interrupted, report.error && report.error->wrong > 0, true);
+}
+
+}  // namespace
+
+Command add_image(CLI::App& program) {
+  const auto given = std::make_shared<Arguments>();
+  Arguments& arguments = *given;
+  CLI::App& command = *program.add_subcommand(
+      "image", "Write the picture of a scene, every pixel of it decided exactly");
+  command.add_option("SCENE", arguments.scene, "a scene with a camera")->required();
+  command.add_option("--out", arguments.out, "the picture, .png or .ppm")
+      ->required()
+      ->type_name("FILE");
+  command
+      .add_option("--what", arguments.what,
+                  "class: hit or miss; sphere: the nearest one, shaded; depth: s, near is bright; "
+                  "error: how far a method's s is off, see below")
+      ->check(CLI::IsMember(std::vector<std::string>(kPictureNames.begin(), kPictureNames.end())))
+      ->capture_default_str();
+  command.add_option("--rays", arguments.rays,
+                     "of error: the method that makes rays (default: direct)");
+  command.add_option("--intersect", arguments.intersect,
+                     "of error: the method that intersects them (default: cross)");
+  command.add_option("--size", arguments.size,
+                     "pixels across and down, W,H (default: the scene's)");
+  command.add_option("--threads", arguments.threads, "how many; the picture is the same")
+      ->check(CLI::Range(1, 1024))
+      ->capture_default_str();
+  command.add_option("--dialect", arguments.dialect, "of a driver file: A, B or C");
+  add_format(command, arguments.format, {"text", "json"});
+  command.footer(legend());
+  return {&command, [given] { return run(*given); }};
+}
+
+}  // namespace raycheck::tools

@@ -1,0 +1,47 @@
+#include "tools/image/image.h"
+#include "tools/image/image_paint.h"
+#include "tools/report/format.h"
+
+namespace raycheck::tools {
+namespace {
+
+Json error_counts_json(const ErrorCounts& error) {
+  Json json;
+  json["candidate"] = error.candidate;
+  json["steps"] = Json::array();
+  for (std::size_t k = 0; k < kErrorSteps.size(); ++k) {
+    json["steps"].push_back({{"at_most_ulp", error_json(kErrorSteps[k].at_most)},
+                             {"colour", hex(kErrorSteps[k].colour)},
+                             {"pixels", error.pixels[k]}});
+  }
+  json["wrong"] = {{"colour", hex(kWrongColour)}, {"pixels", error.wrong}};
+  json["unjudged"] = {{"colour", hex(kUnjudgedColour)}, {"pixels", error.unjudged}};
+  return json;
+}
+
+}  // namespace
+
+std::string image_json(const ImageReport& report) {
+  Json json = json_header("image");
+  json["scene"] = report.path;
+  json["file"] = report.interrupted ? Json(nullptr) : Json(report.file);
+  json["what"] = name(report.what);
+  json["width"] = report.width;
+  json["height"] = report.height;
+  json["conventions"] = conventions_json(report.conventions);
+  json["spheres"] = report.spheres;
+  json["spheres_seen"] = report.spheres_seen;
+  json["pixels_that_see"] = report.pixels_that_see;
+  json["decided_by"] = decided_by_json(report.decided_by);
+  json["depth"] = report.depth ? Json{{"nearest", hexfloat_or_null(report.depth->nearest)},
+                                      {"farthest", hexfloat_or_null(report.depth->farthest)}}
+                               : Json(nullptr);
+  json["error"] = report.error ? error_counts_json(*report.error) : Json(nullptr);
+  json["threads"] = report.threads;
+  json["seconds"] = report.seconds;
+  json["interrupted"] = report.interrupted;
+  json["warnings"] = report.warnings;
+  return json.dump(2) + "\n";
+}
+
+}  // namespace raycheck::tools

@@ -1,0 +1,74 @@
+#ifndef RAYCHECK_TOOLS_IMAGE_IMAGE_PAINT_H_
+#define RAYCHECK_TOOLS_IMAGE_IMAGE_PAINT_H_
+
+// How pixels are coloured by what they see. Internal to `image`.
+
+#include <array>
+#include <cstdint>
+#include <limits>
+#include <memory>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "tools/image/image.h"
+
+namespace raycheck::tools {
+
+inline constexpr Colour kBackground = {16, 18, 24};  ///< Pixels that see nothing.
+inline constexpr Colour kHitColour = {255, 255, 255};
+inline constexpr Colour kWrongColour = {230, 0, 0};
+inline constexpr Colour kUnjudgedColour = {128, 128, 128};
+
+/// Errors of s up to so many ulp have this colour, unless the step before has them.
+struct ErrorStep {
+  double at_most;
+  Colour colour;
+};
+inline constexpr std::array<ErrorStep, 8> kErrorSteps = {{
+    {0.5, {48, 40, 128}},
+    {1, {40, 96, 168}},
+    {2, {32, 144, 152}},
+    {4, {56, 176, 112}},
+    {16, {144, 204, 72}},
+    {256, {244, 228, 64}},
+    {65536, {248, 152, 40}},
+    {std::numeric_limits<double>::infinity(), {255, 255, 255}},
+}};
+
+/// "2b80ff"
+std::string hex(const Colour& colour);
+
+/// The colour of a sphere where it faces the eye: hues a golden section of the circle apart, so
+/// that neighbours in the file, and any few of them, differ.
+Colour sphere_colour(std::size_t sphere);
+
+/// What the pixels of whole rows see, row by row; arrays that the picture does not need are empty.
+struct SeenBand {
+  std::int64_t j_begin = 0, j_end = 0;
+  std::vector<std::int32_t> sphere;
+  std::vector<double> parameter;
+  std::vector<double> x, y, z;  ///< The point Q.
+  reference::DecidedBy decided_by;
+};
+
+/// Colours bands; bands may be painted by several threads at once.
+class Painter {
+ public:
+  virtual ~Painter() = default;
+  virtual bool needs_parameters() const { return false; }
+  virtual bool needs_points() const { return false; }
+  /// Pixels in the order of the band's; counts go to `errors`, where errors are shown.
+  virtual void paint(const SeenBand& band, std::span<Colour> pixels, ErrorCounts& errors) const = 0;
+};
+
+std::unique_ptr<Painter> class_painter();
+/// The spheres' colours, darker where the surface turns away from the eye.
+std::unique_ptr<Painter> sphere_painter(const scene::Scene& scene);
+/// Near is bright and far is dark; what is seen is never as dark as the background.
+std::unique_ptr<Painter> depth_painter(const DepthRange& range);
+std::unique_ptr<Painter> error_painter(const scene::Scene& scene, const MethodPair& methods);
+
+}  // namespace raycheck::tools
+
+#endif  // RAYCHECK_TOOLS_IMAGE_IMAGE_PAINT_H_

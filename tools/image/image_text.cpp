@@ -1,0 +1,49 @@
+#include <fmt/core.h>
+
+#include "tools/image/image.h"
+#include "tools/image/image_paint.h"
+#include "tools/report/format.h"
+#include "tools/report/table.h"
+
+namespace raycheck::tools {
+namespace {
+
+std::string error_table(const ErrorCounts& error) {
+  Table table({{"error of s"}, {"colour"}, {"pixels", Table::Align::kRight}});
+  for (std::size_t k = 0; k < kErrorSteps.size(); ++k) {
+    const auto& [at_most, colour] = kErrorSteps[k];
+    table.add({k + 1 < kErrorSteps.size() ? fmt::format("up to {} ulp", at_most) : "more",
+               hex(colour), std::to_string(error.pixels[k])});
+  }
+  table.add({"wrong class or sphere", hex(kWrongColour), std::to_string(error.wrong)});
+  if (error.unjudged > 0) {
+    table.add({"tangent, not judged", hex(kUnjudgedColour), std::to_string(error.unjudged)});
+  }
+  return fmt::format("\n{} against the exact s of each pixel's nearest sphere\n{}", error.candidate,
+                     table.text());
+}
+
+}  // namespace
+
+std::string image_text(const ImageReport& report) {
+  std::string text =
+      fmt::format("{}: {} x {} pixels, {}\n{}\n", report.path, report.width, report.height,
+                  count_text(report.spheres, "sphere"), conventions_text(report.conventions));
+  if (report.interrupted) return text + "INTERRUPTED: no picture was written.\n";
+  text += fmt::format("{} of {} seen, by {} of {}\n", report.spheres_seen,
+                      count_text(report.spheres, "sphere"), report.pixels_that_see,
+                      count_text(static_cast<std::uint64_t>(report.width) *
+                                     static_cast<std::uint64_t>(report.height),
+                                 "pixel"));
+  text += fmt::format("decided: {}\n", decided_by_text(report.decided_by));
+  if (report.depth) {
+    text += fmt::format("s from {:.6g} (white) to {:.6g} (dark)\n", report.depth->nearest,
+                        report.depth->farthest);
+  }
+  if (report.error) text += error_table(*report.error) + "\n";
+  return text + fmt::format("{} written to {} in {:.3g} s by {}\n", name(report.what), report.file,
+                            report.seconds,
+                            count_text(static_cast<std::uint64_t>(report.threads), "thread"));
+}
+
+}  // namespace raycheck::tools

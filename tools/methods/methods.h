@@ -1,0 +1,57 @@
+#ifndef RAYCHECK_TOOLS_METHODS_METHODS_H_
+#define RAYCHECK_TOOLS_METHODS_METHODS_H_
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "fast/intersect.h"
+#include "fast/pixel_ray.h"
+#include "properties/search/stress.h"
+
+namespace raycheck::tools {
+
+/// A ray method and an intersection method that together make a candidate.
+struct MethodPair {
+  const fast::PixelRayMethod* rays;
+  const fast::IntersectMethod* intersect;
+  bool operator==(const MethodPair&) const = default;
+};
+
+/// What is judged when nothing is asked for: stable and plain.
+inline constexpr MethodPair kDefaultMethods = {&fast::kDirectRays, &fast::kCross};
+
+/// The method of that name; throws std::invalid_argument naming the option and the known names.
+const fast::PixelRayMethod& find_rays(const std::string& name);
+const fast::IntersectMethod& find_intersect(const std::string& name);
+
+/// A method of either kind, to be judged in its own stage.
+struct StagedMethod {
+  properties::Stage stage = properties::Stage::kRays;
+  const fast::PixelRayMethod* rays = kDefaultMethods.rays;
+  const fast::IntersectMethod* intersect = kDefaultMethods.intersect;
+
+  std::string_view name() const {
+    return stage == properties::Stage::kRays ? rays->name : intersect->name;
+  }
+};
+
+/// Every intersection method: those of fast/, the exact ones, then those of other libraries.
+std::vector<const fast::IntersectMethod*> all_intersect_methods();
+
+/// The methods of those names, of either kind ("rays/NAME" and "intersect/NAME" tell them apart;
+/// "all" is every one); when there are none those of fast/, which is what a renderer may use.
+/// Throws std::invalid_argument naming the option and the known names.
+std::vector<StagedMethod> find_methods(const std::vector<std::string>& names);
+
+properties::Candidate candidate_of(const MethodPair& pair);
+properties::Candidate candidate_of(const StagedMethod& method);
+
+/// Every pair, in the order of reports.
+std::vector<MethodPair> all_pairs();
+/// Each method once, the others at their default.
+std::vector<MethodPair> each_method_once();
+
+}  // namespace raycheck::tools
+
+#endif  // RAYCHECK_TOOLS_METHODS_METHODS_H_

@@ -1,0 +1,85 @@
+#ifndef RAYCHECK_TOOLS_PLAN_PLAN_H_
+#define RAYCHECK_TOOLS_PLAN_PLAN_H_
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "reference/visibility/visibility.h"
+#include "scene/files/scene_file.h"
+#include "scene/plan/plan.h"
+
+namespace raycheck::tools {
+
+struct PlanOptions {
+  std::string path;
+  std::optional<scene::Dialect> dialect;
+  scene::Wanted wanted = scene::Wanted::kNearest;
+  std::size_t top = 20;  ///< How many spheres the text shows.
+};
+
+/// An item of a plan, as reports call it, and what it leaves out.
+struct PlanItem {
+  std::string_view name;
+  std::string_view sentence;
+  bool scene::PlanItems::*member;
+};
+
+inline constexpr std::array<PlanItem, 11> kPlanItems = {{
+    {"view", "spheres outside the view volume", &scene::PlanItems::view},
+    {"behind", "spheres behind every ray's origin", &scene::PlanItems::behind},
+    {"hidden", "spheres hidden by a nearer one", &scene::PlanItems::hidden},
+    {"rectangles", "pixels outside a sphere's rectangle", &scene::PlanItems::rectangles},
+    {"constants", "reckoning again what all rays from the eye have in common",
+     &scene::PlanItems::constants},
+    {"far-root", "the far root", &scene::PlanItems::far_root},
+    {"behind-test", "comparing roots with the origin", &scene::PlanItems::behind_test},
+    {"scaling", "scaling by powers of two", &scene::PlanItems::scaling},
+    {"filter", "exact arithmetic", &scene::PlanItems::filter},
+    {"basis", "products with the camera's axes", &scene::PlanItems::basis},
+    {"quantities", "quantities that are not wanted", &scene::PlanItems::quantities},
+}};
+
+/// Certified visibility of the image, by one core, with the whole plan and without one item.
+struct PlanTime {
+  double with_plan_ms = 0;
+  double without_ms = 0;
+  std::uint64_t pixels = 0;  ///< So many were timed; of the whole image it is said in proportion.
+};
+
+/// What an item leaves out: so many of so many.
+struct ItemReport {
+  std::uint64_t left_out = 0;
+  std::uint64_t of = 0;
+  std::string_view noun;
+  std::string why;
+  std::optional<PlanTime> time = {};  ///< Empty where nothing is left out or
+                                      ///< not asked for, or time was over.
+};
+
+struct PlanReport {
+  std::string path;
+  std::vector<std::string> warnings;
+  scene::Scene scene;
+  /// Of scenes with a camera; rays that are given one by one share nothing.
+  std::optional<scene::ScenePlan> plan;
+  std::vector<ItemReport> items;  ///< In the order of kPlanItems.
+  double plan_ms = 0;             ///< To make the plan.
+  double image_ms = 0;            ///< With the whole plan.
+  std::uint64_t pixels_timed = 0;
+  reference::DecidedBy decided_by;  ///< Of the pixels timed.
+  std::size_t top = 0;
+};
+
+/// Plans a scene file, and measures what each item saves. Throws what the reader throws.
+PlanReport make_plan(const PlanOptions& options);
+
+std::string plan_text(const PlanReport& report);
+std::string plan_json(const PlanReport& report);
+
+}  // namespace raycheck::tools
+
+#endif  // RAYCHECK_TOOLS_PLAN_PLAN_H_

@@ -1,0 +1,54 @@
+#include <algorithm>
+#include <limits>
+#include <memory>
+
+#include "tools/arguments.h"
+#include "tools/command_line.h"
+#include "tools/commands.h"
+#include "tools/plan/plan.h"
+
+namespace raycheck::tools {
+namespace {
+
+struct Arguments {
+  PlanOptions options;
+  std::string dialect;
+  std::string wanted = "nearest";
+  std::string format = "text";
+};
+
+int run(Arguments& arguments) {
+  arguments.options.dialect = parse_dialect(arguments.dialect);
+  arguments.options.wanted = static_cast<scene::Wanted>(
+      std::find(scene::kWantedNames.begin(), scene::kWantedNames.end(), arguments.wanted) -
+      scene::kWantedNames.begin());
+  const PlanReport report = make_plan(arguments.options);
+  print_warnings(report.warnings);
+  print_report(arguments.format == "json" ? plan_json(report) : plan_text(report));
+  return kExitNothingFound;
+}
+
+}  // namespace
+
+Command add_plan(CLI::App& program) {
+  const auto given = std::make_shared<Arguments>();
+  Arguments& arguments = *given;
+  CLI::App& command = *program.add_subcommand(
+      "plan", "Show what a scene needs and what can be left out, and measure what that saves");
+  command.add_option("SCENE", arguments.options.path, "a scene with a camera")->required();
+  command
+      .add_option("--wanted", arguments.wanted,
+                  "class: of every sphere; nearest: the nearest sphere; parameter: with its s; "
+                  "point: with s and Q")
+      ->check(CLI::IsMember(
+          std::vector<std::string>(scene::kWantedNames.begin(), scene::kWantedNames.end())))
+      ->capture_default_str();
+  command.add_option("--top", arguments.options.top, "how many spheres the text shows")
+      ->check(CLI::Range(0, std::numeric_limits<int>::max()))
+      ->capture_default_str();
+  command.add_option("--dialect", arguments.dialect, "of a driver file: A, B or C");
+  add_format(command, arguments.format, {"text", "json"});
+  return {&command, [given] { return run(*given); }};
+}
+
+}  // namespace raycheck::tools

@@ -1,0 +1,67 @@
+#include "tools/plan/plan.h"
+#include "tools/report/format.h"
+
+namespace raycheck::tools {
+namespace {
+
+Json item_json(const PlanItem& item, const ItemReport& report) {
+  Json json;
+  json["name"] = item.name;
+  json["sentence"] = item.sentence;
+  json["left_out"] = report.left_out;
+  json["of"] = report.of;
+  json["noun"] = report.noun;
+  json["why"] = report.why;
+  json["with_plan_ms"] = report.time ? Json(report.time->with_plan_ms) : Json(nullptr);
+  json["without_ms"] = report.time ? Json(report.time->without_ms) : Json(nullptr);
+  json["pixels_timed"] = report.time ? Json(report.time->pixels) : Json(nullptr);
+  return json;
+}
+
+Json sphere_json(const scene::SpherePlan& sphere) {
+  const scene::PixelRectangle& pixels = sphere.pixels;
+  Json json;
+  json["left_out"] = sphere.left_out
+                         ? Json(scene::kLeftOutNames[static_cast<std::size_t>(*sphere.left_out)])
+                         : Json(nullptr);
+  json["hidden_by"] = sphere.hidden_by ? Json(*sphere.hidden_by) : Json(nullptr);
+  json["columns"] = Json{pixels.i_begin, pixels.i_end};
+  json["rows"] = Json{pixels.j_begin, pixels.j_end};
+  json["pixels"] = pixels.count();
+  json["far_root"] = sphere.origin_inside;
+  json["behind_test"] = sphere.reaches_behind;
+  return json;
+}
+
+}  // namespace
+
+std::string plan_json(const PlanReport& report) {
+  Json json = json_header("plan");
+  json["scene"] = report.path;
+  json["width"] = report.scene.camera ? Json(report.scene.camera->width) : Json(nullptr);
+  json["height"] = report.scene.camera ? Json(report.scene.camera->height) : Json(nullptr);
+  json["conventions"] = conventions_json(report.scene.conventions);
+  json["warnings"] = report.warnings;
+  json["items"] = Json::array();
+  json["spheres"] = Json::array();
+  if (!report.plan) {
+    json["wanted"] = nullptr;
+    json["no_plan"] = "rays that are given one by one share nothing";
+    return json.dump(2) + "\n";
+  }
+  json["wanted"] = scene::kWantedNames[static_cast<std::size_t>(report.plan->wanted)];
+  json["no_plan"] = nullptr;
+  json["plan_ms"] = report.plan_ms;
+  json["image_ms"] = report.image_ms;
+  json["pixels_timed"] = report.pixels_timed;
+  json["decided_by"] = decided_by_json(report.decided_by);
+  for (std::size_t k = 0; k < kPlanItems.size(); ++k) {
+    json["items"].push_back(item_json(kPlanItems[k], report.items[k]));
+  }
+  for (const scene::SpherePlan& sphere : report.plan->spheres) {
+    json["spheres"].push_back(sphere_json(sphere));
+  }
+  return json.dump(2) + "\n";
+}
+
+}  // namespace raycheck::tools

@@ -1,0 +1,107 @@
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "tools/plan/plan.h"
+#include "tools/report/format.h"
+#include "tools/report/table.h"
+
+namespace raycheck::tools {
+namespace {
+
+using scene::SpherePlan;
+
+std::string milliseconds(double ms) { return fmt::format("{:.3g}", ms); }
+
+/// "saves 73%"; a negative share is what an item costs here.
+std::string share_text(const PlanTime& time) {
+  return fmt::format("{}%", std::lround(100 * (1 - time.with_plan_ms / time.without_ms)));
+}
+
+std::string left_out_text(const ItemReport& item) {
+  // Of scenes and cameras there is one.
+  if (item.noun == "scene" || item.noun == "camera") return item.left_out == 1 ? "yes" : "no";
+  return fmt::format("{} of {} {}", item.left_out, item.of, item.noun);
+}
+
+std::string items_table(const PlanReport& report) {
+  Table table({{"item"},
+               {"left out"},
+               {"ms with", Table::Align::kRight},
+               {"ms without", Table::Align::kRight},
+               {"saves", Table::Align::kRight},
+               {"why"}});
+  for (std::size_t k = 0; k < kPlanItems.size(); ++k) {
+    const ItemReport& item = report.items[k];
+    const bool is_estimate = kPlanItems[k].member == &scene::PlanItems::filter && item.time;
+    std::string why = item.why;
+    if (is_estimate) why += fmt::format("; time from {}", count_text(item.time->pixels, "pixel"));
+    table.add({std::string(kPlanItems[k].name), left_out_text(item),
+               item.time ? milliseconds(item.time->with_plan_ms) : "-",
+               item.time ? (is_estimate ? "~" : "") + milliseconds(item.time->without_ms) : "-",
+               item.time ? share_text(*item.time) : "-", why});
+  }
+  return table.text();
+}
+
+std::string range_text(std::int64_t begin, std::int64_t end) {
+  return fmt::format("{}..{}", begin, end - 1);
+}
+
+std::string spheres_table(const PlanReport& report) {
+  Table table({{"sphere", Table::Align::kRight},
+               {"columns", Table::Align::kRight},
+               {"rows", Table::Align::kRight},
+               {"pixels", Table::Align::kRight},
+               {"far root"},
+               {"behind test"},
+               {"left out"}});
+  const std::vector<SpherePlan>& spheres = report.plan->spheres;
+  const std::size_t shown = std::min(report.top, spheres.size());
+  for (std::size_t k = 0; k < shown; ++k) {
+    const SpherePlan& sphere = spheres[k];
+    if (sphere.left_out) {
+      std::string how(scene::kLeftOutNames[static_cast<std::size_t>(*sphere.left_out)]);
+      if (sphere.hidden_by) how += fmt::format(" by sphere {}", *sphere.hidden_by);
+      table.add({std::to_string(k), "-", "-", "0", "-", "-", how});
+      continue;
+    }
+    const scene::PixelRectangle& pixels = sphere.pixels;
+    table.add({std::to_string(k), range_text(pixels.i_begin, pixels.i_end),
+               range_text(pixels.j_begin, pixels.j_end), std::to_string(pixels.count()),
+               sphere.origin_inside ? "needed" : "no", sphere.reaches_behind ? "needed" : "no",
+               ""});
+  }
+  if (table.empty()) return "";
+  std::string text = "\n" + table.text();
+  if (shown < spheres.size()) {
+    text += fmt::format("  and {}; --top N shows more\n",
+                        count_text(spheres.size() - shown, "sphere") + " more");
+  }
+  return text;
+}
+
+}  // namespace
+
+std::string plan_text(const PlanReport& report) {
+  if (!report.plan) {
+    return fmt::format("{}: {}, {}\nno plan: rays that are given one by one share nothing\n",
+                       report.path, count_text(report.scene.rays.size(), "given ray"),
+                       count_text(report.scene.spheres.size(), "sphere"));
+  }
+  const scene::Camera& camera = *report.scene.camera;
+  const std::uint64_t all =
+      static_cast<std::uint64_t>(camera.width) * static_cast<std::uint64_t>(camera.height);
+  std::string text = fmt::format(
+      "{}: {} x {} pixels, {}\n{}\nwanted: {}\n", report.path, camera.width, camera.height,
+      count_text(report.scene.spheres.size(), "sphere"), conventions_text(report.plan->conventions),
+      scene::kWantedNames[static_cast<std::size_t>(report.plan->wanted)]);
+  text += fmt::format(
+      "{} ms to plan, {} ms the image by one core{}\n", milliseconds(report.plan_ms),
+      milliseconds(report.image_ms),
+      report.pixels_timed < all ? fmt::format(", from {} pixels", report.pixels_timed) : "");
+  return text + "\n" + items_table(report) + spheres_table(report);
+}
+
+}  // namespace raycheck::tools

@@ -1,0 +1,244 @@
+#include "tools/plan/plan_timing.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <utility>
+
+namespace raycheck::tools {
+namespace {
+
+using reference::Visibility;
+using scene::Wanted;
+using Clock = std::chrono::steady_clock;
+
+/// All of it takes about so long, one item, and what a clock tells apart.
+constexpr double kAllSeconds = 2;
+constexpr double kItemSeconds = 0.15;
+constexpr double kLeastSeconds = 20e-6;
+constexpr int kMostPasses = 9;
+/// More sphere-pixel pairs than this are not asked at a time.
+constexpr double kMostPairs = 1e8;
+
+double seconds_since(Clock::time_point start) {
+  return std::chrono::duration<double>(Clock::now() - start).count();
+}
+
+double median(std::vector<double> values) {
+  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+  std::nth_element(values.begin(), middle, values.end());
+  return *middle;
+}
+
+/// What is asked of some rows, and room for the answer.
+class Question {
+ public:
+  Question(const scene::Scene& scene, Wanted wanted, std::int64_t rows)
+      : width_(static_cast<std::size_t>(scene.camera->width)), wanted_(wanted) {
+    const std::size_t pixels = width_ * static_cast<std::size_t>(rows);
+    if (wanted == Wanted::kClass) {
+      classes_.resize(pixels);
+      return;
+    }
+    sphere_.resize(pixels);
+    if (wanted == Wanted::kParameter || wanted == Wanted::kPoint) parameter_.resize(pixels);
+    if (wanted == Wanted::kPoint) {
+      for (auto* coordinate : {&x_, &y_, &z_}) coordinate->resize(pixels);
+    }
+  }
+
+  reference::DecidedBy ask(const Visibility& visibility, std::int64_t j_begin, std::int64_t j_end) {
+    const std::size_t pixels = width_ * static_cast<std::size_t>(j_end - j_begin);
+    if (wanted_ == Wanted::kClass) {
+      reference::DecidedBy decided_by;
+      const auto& spheres = visibility.plan().spheres;
+      for (std::size_t k = 0; k < spheres.size(); ++k) {
+        if (spheres[k].left_out) continue;
+        decided_by += visibility.classes(k, j_begin, j_end, std::span(classes_).subspan(0, pixels));
+      }
+      return decided_by;
+    }
+    const auto room = [pixels](auto& array) {
+      return std::span(array).subspan(0, std::min(pixels, array.size()));
+    };
+    return visibility.nearest(j_begin, j_end,
+                              {room(sphere_), room(parameter_), room(x_), room(y_), room(z_)});
+  }
+
+ private:
+  std::size_t width_;
+  Wanted wanted_;
+  std::vector<reference::HitClass> classes_;
+  std::vector<std::int32_t> sphere_;
+  std::vector<double> parameter_, x_, y_, z_;
+};
+
+/// The rows of an image in parts, in an order whose every beginning is spread over the image.
+class Parts {
+ public:
+  Parts(std::int64_t height, std::int64_t rows) : height_(height), rows_(rows) {
+    constexpr double kGoldenSection = 0.6180339887498949;
+    std::vector<std::pair<double, std::int64_t>> order;
+    for (std::int64_t k = 0; k * rows < height; ++k) {
+      const double turns = kGoldenSection * static_cast<double>(k);
+      order.emplace_back(turns - std::floor(turns), k * rows);
+    }
+    std::sort(order.begin(), order.end());
+    for (const auto& [turns, j] : order) begins_.push_back(j);
+  }
+
+  std::size_t count() const { return begins_.size(); }
+  std::pair<std::int64_t, std::int64_t> operator[](std::size_t k) const {
+    return {begins_[k], std::min(height_, begins_[k] + rows_)};
+  }
+  std::int64_t most_rows() const { return std::min(rows_, height_); }
+  std::uint64_t rows_of_first(std::size_t count) const {
+    std::uint64_t rows = 0;
+    for (std::size_t k = 0; k < count; ++k) {
+      rows += static_cast<std::uint64_t>((*this)[k].second - (*this)[k].first);
+    }
+    return rows;
+  }
+
+ private:
+  std::int64_t height_;
+  std::int64_t rows_;
+  std::vector<std::int64_t> begins_;
+};
+
+/// Seconds that some rows take, of as many repetitions as a clock needs.
+double time_rows(const Visibility& visibility, Question& question,
+                 const std::pair<std::int64_t, std::int64_t>& rows) {
+  const Clock::time_point start = Clock::now();
+  int repetitions = 0;
+  do {
+    question.ask(visibility, rows.first, rows.second);
+    ++repetitions;
+  } while (seconds_since(start) < kLeastSeconds);
+  return seconds_since(start) / repetitions;
+}
+
+/// Seconds of several visibilities, each the sum over the first parts of the image of medians of
+/// several passes. They take turns, so that what slows the machine slows all of them. As many
+/// parts as fit into the time allowed, and one at least.
+struct PartTimes {
+  std::vector<double> seconds;
+  std::size_t parts = 0;
+};
+PartTimes time_parts(const std::vector<const Visibility*>& all, Question& question,
+                     const Parts& parts) {
+  const Clock::time_point start = Clock::now();
+  std::vector<std::vector<std::vector<double>>> passes(all.size());
+  for (auto& of : passes) of.resize(parts.count());
+  PartTimes times{std::vector<double>(all.size()), parts.count()};
+  for (int pass = 0; pass < kMostPasses; ++pass) {
+    if (pass > 0 && seconds_since(start) > kItemSeconds) break;
+    for (std::size_t part = 0; part < times.parts; ++part) {
+      for (std::size_t k = 0; k < all.size(); ++k) {
+        passes[k][part].push_back(time_rows(*all[k], question, parts[part]));
+      }
+      // Half of the time for the first pass, so that there is a second one.
+      if (pass == 0 && seconds_since(start) > kItemSeconds / 2) times.parts = part + 1;
+    }
+  }
+  for (std::size_t k = 0; k < all.size(); ++k) {
+    for (std::size_t part = 0; part < times.parts; ++part) {
+      times.seconds[k] += median(passes[k][part]);
+    }
+  }
+  return times;
+}
+
+double pairs_asked(const scene::ScenePlan& plan) {
+  double pairs = 0;
+  for (const scene::SpherePlan& sphere : plan.spheres) {
+    pairs += static_cast<double>(sphere.pixels.count());
+  }
+  return pairs;
+}
+
+/// Seconds of the exact ray alone in some pixels spread over the image, and how many they were.
+std::pair<double, std::uint64_t> time_exact_pixels(const scene::Scene& scene,
+                                                   const scene::ScenePlan& plan) {
+  constexpr std::uint64_t kMostPixels = 4096;
+  constexpr double kAcross = 0.7548776662466927;  // a plane's even spread, as the golden section
+  constexpr double kDown = 0.5698402909980532;    // is a line's
+  const reference::ExactCamera camera(*scene.camera, plan.conventions);
+  const auto place = [](double turns, std::int64_t size) {
+    return static_cast<std::int64_t>((turns - std::floor(turns)) * static_cast<double>(size));
+  };
+  const Clock::time_point start = Clock::now();
+  std::uint64_t pixels = 0;
+  std::vector<scene::Sphere> spheres;
+  do {
+    const auto turn = static_cast<double>(pixels + 1);
+    const scene::Pixel pixel = {place(kAcross * turn, scene.camera->width),
+                                place(kDown * turn, scene.camera->height)};
+    spheres.clear();
+    for (std::size_t k = 0; k < scene.spheres.size(); ++k) {
+      if (plan.spheres[k].pixels.contains(pixel)) spheres.push_back(scene.spheres[k]);
+    }
+    if (!spheres.empty()) {
+      const reference::ExactRay ray(camera, pixel);
+      if (plan.wanted == Wanted::kClass) {
+        for (const scene::Sphere& sphere : spheres) ray.intersect(sphere, plan.conventions.root);
+      } else {
+        ray.nearest(spheres, plan.conventions);
+      }
+    }
+    ++pixels;
+  } while (pixels < kMostPixels && seconds_since(start) < kItemSeconds);
+  return {seconds_since(start), pixels};
+}
+
+}  // namespace
+
+void time_plan(PlanReport& report) {
+  const scene::Scene& scene = report.scene;
+  const scene::ScenePlan& plan = *report.plan;
+  const Clock::time_point start = Clock::now();
+  const auto width = static_cast<double>(scene.camera->width);
+  const auto height = static_cast<double>(scene.camera->height);
+  const auto spheres = static_cast<double>(scene.spheres.size());
+  const bool by_rows = width * spheres * Visibility::kBandRows > kMostPairs;
+  const Parts parts(scene.camera->height, by_rows ? 1 : Visibility::kBandRows);
+  Question question(scene, plan.wanted, parts.most_rows());
+  const Visibility planned(scene, plan);
+  const auto whole_image_ms = [&](double seconds, std::size_t timed) {
+    return 1e3 * seconds * height / static_cast<double>(parts.rows_of_first(timed));
+  };
+  const auto pixels_of = [&](std::size_t timed) {
+    return parts.rows_of_first(timed) * static_cast<std::uint64_t>(scene.camera->width);
+  };
+  const PartTimes times = time_parts({&planned}, question, parts);
+  report.image_ms = whole_image_ms(times.seconds[0], times.parts);
+  report.pixels_timed = pixels_of(times.parts);
+  for (std::size_t k = 0; k < times.parts; ++k) {
+    report.decided_by += question.ask(planned, parts[k].first, parts[k].second);
+  }
+  for (std::size_t k = 0; k < kPlanItems.size(); ++k) {
+    if (seconds_since(start) > kAllSeconds) return;
+    scene::PlanItems items;
+    items.*kPlanItems[k].member = false;
+    ItemReport& item = report.items[k];
+    if (!items.filter) {
+      if (report.decided_by.filter == 0) continue;
+      const auto [seconds, pixels] = time_exact_pixels(scene, plan);
+      const double all = width * height / static_cast<double>(pixels);
+      item.time = PlanTime{report.image_ms, 1e3 * seconds * all, pixels};
+      continue;
+    }
+    // Classes are asked sphere by sphere, with what is known of it, and of nothing else.
+    const bool is_asked = plan.wanted != Wanted::kClass || (items.constants && items.quantities);
+    if (item.left_out == 0 || !is_asked) continue;
+    const scene::ScenePlan without = scene::plan_scene(scene, plan.conventions, plan.wanted, items);
+    const double part_share = static_cast<double>(parts.most_rows()) / height;
+    if (pairs_asked(without) * part_share > kMostPairs) continue;
+    const Visibility unplanned(scene, without);
+    const PartTimes both = time_parts({&planned, &unplanned}, question, parts);
+    item.time = PlanTime{whole_image_ms(both.seconds[0], both.parts),
+                         whole_image_ms(both.seconds[1], both.parts), pixels_of(both.parts)};
+  }
+}
+
+}  // namespace raycheck::tools

@@ -1,0 +1,14 @@
+#ifndef RAYCHECK_TOOLS_PLAN_PLAN_TIMING_H_
+#define RAYCHECK_TOOLS_PLAN_PLAN_TIMING_H_
+
+#include "tools/plan/plan.h"
+
+namespace raycheck::tools {
+
+/// Fills in the times of a report whose scene and plan are there, and what decided the pixels
+/// timed: the whole image where that is quick, otherwise bands (or rows) spread over it.
+void time_plan(PlanReport& report);
+
+}  // namespace raycheck::tools
+
+#endif  // RAYCHECK_TOOLS_PLAN_PLAN_TIMING_H_

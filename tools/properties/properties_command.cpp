@@ -1,0 +1,79 @@
+#include <memory>
+#include <stdexcept>
+
+#include "tools/arguments.h"
+#include "tools/commands.h"
+#include "tools/properties/campaigns.h"
+#include "tools/terminal.h"
+
+namespace raycheck::tools {
+namespace {
+
+struct Arguments {
+  std::string filter;
+  int cases = 100;
+  std::uint64_t seed = 1;
+  std::string replay;
+  std::string rays;
+  std::vector<std::string> intersect;
+  ExternalArguments external;
+  std::vector<std::string> sources;
+  std::optional<double> max_ulp;
+  std::string format = "text";
+};
+
+int run_properties_command(const Arguments& arguments) {
+  if (!arguments.replay.empty() && !(arguments.filter.empty() && arguments.sources.empty() &&
+                                     arguments.rays.empty() && arguments.intersect.empty())) {
+    throw std::invalid_argument(
+        "--replay: names its law, methods and source; leave out --filter, --source, --rays, "
+        "--intersect");
+  }
+  PropertiesOptions options;
+  options.filter = arguments.filter;
+  options.cases = arguments.cases;
+  options.seed = arguments.seed;
+  options.replay = arguments.replay;
+  options.sources = arguments.sources;
+  options.max_error = arguments.max_ulp;
+  options.contestants = find_contestants(arguments.external);
+  if (!arguments.rays.empty() || !arguments.intersect.empty()) {
+    const auto pairs = contestants(chosen_methods(arguments.rays, arguments.intersect));
+    options.contestants.insert(options.contestants.begin(), pairs.begin(), pairs.end());
+  }
+  const PropertiesReport report = run_properties(options, run_control("laws"));
+  print_report(arguments.format == "json" ? properties_json(report)
+                                          : properties_text(report, stdout_takes_colours()));
+  return exit_code(report.interrupted, report.failures() > 0, report.compared() > 0);
+}
+
+}  // namespace
+
+Command add_properties(CLI::App& program) {
+  const auto given = std::make_shared<Arguments>();
+  Arguments& arguments = *given;
+  CLI::App& command = *program.add_subcommand(
+      "properties", "Try the laws on random cases, shrinking what breaks them");
+  command.add_option("--filter", arguments.filter, "laws whose name contains this");
+  command.add_option("--cases", arguments.cases, "cases for each law and candidate")
+      ->check(CLI::Range(1, 1000000000))
+      ->capture_default_str();
+  add_seed(command, arguments.seed);
+  command.add_option("--replay", arguments.replay, "the string that a failure printed");
+  command.add_option("--rays", arguments.rays, "only this method of making rays");
+  command.add_option("--intersect", arguments.intersect,
+                     "only this intersection method; several "
+                     "times for several");
+  add_external(command, arguments.external);
+  command.add_option("--source", arguments.sources,
+                     "only cases of this source, or of this severity (SOURCE@SEVERITY); several "
+                     "times for several");
+  command
+      .add_option("--max-ulp", arguments.max_ulp,
+                  "the bound on every error (default: the method's documented bounds)")
+      ->check(kBound);
+  add_format(command, arguments.format, {"text", "json"});
+  return {&command, [given] { return run_properties_command(*given); }};
+}
+
+}  // namespace raycheck::tools

@@ -1,0 +1,25 @@
+#ifndef RAYCHECK_TOOLS_REPORT_CERTIFICATE_H_
+#define RAYCHECK_TOOLS_REPORT_CERTIFICATE_H_
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "properties/verdict.h"
+#include "scene/scene.h"
+#include "tools/report/format.h"
+
+namespace raycheck::tools {
+
+/// What proves that a discrepancy is one, in integers alone: the object of docs/certificates.md,
+/// which tools/verify_certificates.py confirms. `conventions` are those under which the method was
+/// judged. Where nothing can be proved that way, "certified" is false and "reason" says why.
+Json certificate(const scene::Scene& scene, const scene::Conventions& conventions,
+                 const properties::Discrepancy& discrepancy, std::string_view method);
+
+/// The text of a file of certificates: one on each line.
+std::string certificates_text(const std::vector<Json>& certificates);
+
+}  // namespace raycheck::tools
+
+#endif  // RAYCHECK_TOOLS_REPORT_CERTIFICATE_H_

@@ -1,0 +1,66 @@
+#include "tools/report/output_file.h"
+
+#include <fmt/core.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstring>
+#include <filesystem>
+#include <stdexcept>
+#include <system_error>
+#include <utility>
+
+namespace raycheck::tools {
+
+namespace fs = std::filesystem;
+
+OutputFile::OutputFile(std::string option, std::string path)
+    : option_(std::move(option)), path_(std::move(path)) {
+  const auto refuse = [&](const std::string& why) {
+    throw std::invalid_argument(fmt::format("{} {}: cannot be written: {}", option_, path_, why));
+  };
+  if (path_.empty()) refuse("it names no file");
+  std::error_code ignored;
+  const fs::file_status status = fs::status(path_, ignored);
+  if (fs::exists(status)) {
+    if (!fs::is_regular_file(status)) refuse("there is something that is not a file");
+    if (access(path_.c_str(), W_OK) != 0) refuse(std::strerror(errno));
+  }
+  const std::string beside = fmt::format("{}.{}.part", path_, getpid());
+  errno = 0;
+  file_.open(beside, std::ios::binary);
+  if (!file_) refuse(errno != 0 ? std::strerror(errno) : "it could not be opened");
+  beside_ = beside;
+}
+
+OutputFile::~OutputFile() {
+  if (beside_.empty()) return;
+  std::error_code ignored;
+  fs::remove(beside_, ignored);
+}
+
+void OutputFile::append(std::string_view bytes) {
+  errno = 0;
+  file_.write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
+  require_written();
+}
+
+void OutputFile::place() {
+  errno = 0;
+  file_.close();
+  require_written();
+  std::error_code error;
+  fs::rename(beside_, path_, error);
+  if (error) fail(error.message());
+  beside_.clear();
+}
+
+void OutputFile::require_written() {
+  if (!file_) fail(errno != 0 ? std::strerror(errno) : "not all of it was taken");
+}
+
+void OutputFile::fail(const std::string& why) const {
+  throw std::runtime_error(fmt::format("{} {}: could not be written: {}", option_, path_, why));
+}
+
+}  // namespace raycheck::tools

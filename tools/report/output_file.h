@@ -1,0 +1,45 @@
+#ifndef RAYCHECK_TOOLS_REPORT_OUTPUT_FILE_H_
+#define RAYCHECK_TOOLS_REPORT_OUTPUT_FILE_H_
+
+#include <fstream>
+#include <string>
+#include <string_view>
+
+namespace raycheck::tools {
+
+/// A file that an option names, which appears whole or not at all: it is written beside its place
+/// and then moved there. Making the object already opens it, so that hours of work do not end in a
+/// file that cannot be written.
+class OutputFile {
+ public:
+  /// Throws std::invalid_argument naming the option, the path and what is wrong with it.
+  OutputFile(std::string option, std::string path);
+  OutputFile(const OutputFile&) = delete;
+  OutputFile& operator=(const OutputFile&) = delete;
+  /// Leaves no trace unless the file is in its place.
+  ~OutputFile();
+
+  /// Takes the next part of the file. Throws std::runtime_error when it could not be done.
+  void append(std::string_view bytes);
+  /// Moves what was appended to its place; the last call. Throws as append().
+  void place();
+  /// Throws std::runtime_error that names the option, the path and why it was not written.
+  [[noreturn]] void fail(const std::string& why) const;
+  /// The whole file at once.
+  void write(std::string_view text) {
+    append(text);
+    place();
+  }
+
+ private:
+  void require_written();
+
+  std::string option_;
+  std::string path_;
+  std::string beside_;  ///< Where it is written first; empty once it was moved.
+  std::ofstream file_;
+};
+
+}  // namespace raycheck::tools
+
+#endif  // RAYCHECK_TOOLS_REPORT_OUTPUT_FILE_H_

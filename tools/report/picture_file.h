@@ -1,0 +1,57 @@
+#ifndef RAYCHECK_TOOLS_REPORT_PICTURE_FILE_H_
+#define RAYCHECK_TOOLS_REPORT_PICTURE_FILE_H_
+
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <string>
+
+#include "tools/report/output_file.h"
+
+namespace raycheck::tools {
+
+/// A colour, as pictures store it.
+struct Colour {
+  std::uint8_t red = 0, green = 0, blue = 0;
+  bool operator==(const Colour&) const = default;
+};
+static_assert(sizeof(Colour) == 3, "pixels are written as they lie in memory");
+
+/// The most pixels that a picture has across, and down: what libpng takes.
+inline constexpr std::int64_t kMostPictureSide = 1'000'000;
+
+/// How a picture is stored.
+class PictureEncoder {
+ public:
+  virtual ~PictureEncoder() = default;
+  virtual void start(std::int64_t width, std::int64_t height) = 0;
+  virtual void add(std::span<const Colour> line) = 0;
+  virtual void finish() = 0;
+};
+
+/// A picture that an option names, written line by line, the top one first: PNG or PPM (P6), as
+/// the end of its name says. As an OutputFile it appears whole or not at all.
+/// Error: where the picture cannot be written, functions throw std::runtime_error.
+class PictureFile {
+ public:
+  /// Throws std::invalid_argument naming the option where the name ends otherwise, and as
+  /// OutputFile.
+  PictureFile(std::string option, std::string path);
+
+  const std::string& path() const { return path_; }
+  /// Throws std::invalid_argument naming the side that is more than kMostPictureSide.
+  void start(std::int64_t width, std::int64_t height);
+  /// The next lines; all of them together are the picture.
+  void add(std::span<const Colour> lines);
+  void place();
+
+ private:
+  std::string path_;
+  OutputFile file_;
+  std::unique_ptr<PictureEncoder> encoder_;
+  std::size_t width_ = 0;
+};
+
+}  // namespace raycheck::tools
+
+#endif  // RAYCHECK_TOOLS_REPORT_PICTURE_FILE_H_

@@ -1,0 +1,37 @@
+#ifndef RAYCHECK_TOOLS_REPORT_TABLE_H_
+#define RAYCHECK_TOOLS_REPORT_TABLE_H_
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace raycheck::tools {
+
+/// A table of a report, printed as aligned text, as Markdown or as CSV.
+class Table {
+ public:
+  enum class Align { kLeft, kRight };
+  struct Column {
+    std::string heading;
+    Align align = Align::kLeft;
+  };
+
+  explicit Table(std::vector<Column> columns) : columns_(std::move(columns)) {}
+  /// One cell a column.
+  void add(std::vector<std::string> row) { rows_.push_back(std::move(row)); }
+  bool empty() const { return rows_.empty(); }
+
+  /// Lines indented by `indent`, columns two spaces apart.
+  std::string text(std::string_view indent = "  ") const;
+  std::string markdown() const;
+  /// As RFC 4180 has it, but lines end in a bare newline.
+  std::string csv() const;
+
+ private:
+  std::vector<Column> columns_;
+  std::vector<std::vector<std::string>> rows_;
+};
+
+}  // namespace raycheck::tools
+
+#endif  // RAYCHECK_TOOLS_REPORT_TABLE_H_

@@ -1,0 +1,48 @@
+#ifndef RAYCHECK_TOOLS_RUN_IN_ORDER_H_
+#define RAYCHECK_TOOLS_RUN_IN_ORDER_H_
+
+#include <tbb/global_control.h>
+#include <tbb/parallel_pipeline.h>
+#include <tbb/task_arena.h>
+
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+
+#include "properties/run_control.h"
+
+namespace raycheck::tools {
+
+/// Calls make(k) for every k in [0, count) by the threads of `control`, and take(result) one after
+/// the other in the order of k, so that what is taken does not depend on the number of threads; few
+/// results are held at a time. Stops early at an interrupt. What make or take throws passes
+/// through.
+template <class Result, class Make, class Take>
+void in_order(std::int64_t count, const properties::RunControl& control, const Make& make,
+              const Take& take) {
+  const auto most = static_cast<std::size_t>(control.threads);
+  const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, most);
+  tbb::task_arena arena(control.threads);
+  std::int64_t next = 0;
+  const auto number = [&](tbb::flow_control& flow) -> std::int64_t {
+    if (next == count || control.interrupted()) {
+      flow.stop();
+      return 0;
+    }
+    return next++;
+  };
+  using Shared = std::shared_ptr<Result>;
+  arena.execute([&] {
+    tbb::parallel_pipeline(
+        2 * most, tbb::make_filter<void, std::int64_t>(tbb::filter_mode::serial_in_order, number) &
+                      tbb::make_filter<std::int64_t, Shared>(
+                          tbb::filter_mode::parallel,
+                          [&](std::int64_t k) { return std::make_shared<Result>(make(k)); }) &
+                      tbb::make_filter<Shared, void>(tbb::filter_mode::serial_in_order,
+                                                     [&](const Shared& result) { take(*result); }));
+  });
+}
+
+}  // namespace raycheck::tools
+
+#endif  // RAYCHECK_TOOLS_RUN_IN_ORDER_H_

@@ -1,0 +1,76 @@
+#ifndef RAYCHECK_TOOLS_STRESS_STRESS_H_
+#define RAYCHECK_TOOLS_STRESS_STRESS_H_
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "properties/run_control.h"
+#include "properties/search/stress.h"
+#include "tools/methods/methods.h"
+#include "tools/report/plot.h"
+
+namespace raycheck::tools {
+
+struct StressOptions {
+  std::vector<std::string> families;  ///< Empty: every source with a dial.
+  std::vector<std::string> methods;   ///< Empty: every method.
+  int cases = 200;                    ///< At each severity.
+  std::uint64_t seed = 1;
+  /// Severities from..to; empty: the family's own range.
+  std::optional<std::pair<int, int>> severities;
+};
+
+/// One method on one family.
+struct StressCurve {
+  StagedMethod method;
+  std::vector<int> severities;
+  std::vector<properties::StressResult> results;  ///< One a severity.
+
+  properties::Quantity quantity() const { return properties::main_quantity(method.stage); }
+  /// The tally of the main quantity within the stated domain at the k-th severity; null where
+  /// nothing was measured.
+  const properties::Tally* tally(std::size_t k) const;
+  /// The least severity at which the method is not stable within its stated domain.
+  std::optional<int> first_failing() const;
+  /// Empty while nothing was judged within the stated domain.
+  bool is_judged() const;
+  double worst_ratio() const;
+  std::optional<double> slope(int base) const;
+};
+
+struct FamilyReport {
+  const properties::CaseSource* family;
+  std::vector<StressCurve> curves;
+};
+
+struct StressReport {
+  std::vector<FamilyReport> families;
+  int cases = 0;
+  std::uint64_t seed = 0;
+  bool interrupted = false;
+
+  bool all_stable() const;
+  std::uint64_t compared() const;
+};
+
+/// Of a family with more severities only every so manieth is judged, and the last.
+inline constexpr int kMostSeverities = 64;
+
+/// Judges methods on families of cases of growing severity, each stage alone.
+/// Throws std::invalid_argument naming the option.
+StressReport run_stress(const StressOptions& options, const properties::RunControl& control = {});
+
+std::string stress_text(const StressReport& report);
+std::string stress_markdown(const StressReport& report);
+std::string stress_csv(const StressReport& report);
+std::string stress_json(const StressReport& report);
+/// Certificates of the first discrepancy of each kind at each severity: a line each.
+std::string stress_certificates(const StressReport& report);
+/// Error against severity, a plot for each family and stage.
+std::vector<Plot> stress_plots(const StressReport& report);
+
+}  // namespace raycheck::tools
+
+#endif  // RAYCHECK_TOOLS_STRESS_STRESS_H_

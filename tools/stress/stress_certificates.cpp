@@ -1,0 +1,23 @@
+#include "tools/report/certificate.h"
+#include "tools/stress/stress.h"
+
+namespace raycheck::tools {
+
+std::string stress_certificates(const StressReport& report) {
+  std::vector<Json> certificates;
+  for (const FamilyReport& family : report.families) {
+    for (const StressCurve& curve : family.curves) {
+      const properties::Candidate candidate = candidate_of(curve.method);
+      for (const properties::StressResult& result : curve.results) {
+        for (const properties::Found& found : result.found) {
+          const scene::Scene& scene = found.the_case.scene;
+          certificates.push_back(certificate(scene, candidate.declared.over(scene.conventions),
+                                             found.discrepancy, curve.method.name()));
+        }
+      }
+    }
+  }
+  return certificates_text(certificates);
+}
+
+}  // namespace raycheck::tools

@@ -1,0 +1,84 @@
+#include <fmt/core.h>
+
+#include <memory>
+#include <stdexcept>
+
+#include "tools/arguments.h"
+#include "tools/command_line.h"
+#include "tools/commands.h"
+#include "tools/report/output_file.h"
+#include "tools/stress/stress.h"
+#include "tools/terminal.h"
+
+namespace raycheck::tools {
+namespace {
+
+struct Arguments {
+  StressOptions options;
+  std::string severity;
+  std::string plot;
+  std::optional<std::string> certificates;
+  std::string format = "text";
+};
+
+/// "3" or "2..7"
+std::pair<int, int> parse_range(const std::string& text) {
+  const std::size_t dots = text.find("..");
+  const auto number = [&](const std::string& part) {
+    return static_cast<int>(std::min<std::int64_t>(parse_index("--severity", part, 0), 1 << 20));
+  };
+  if (dots == std::string::npos) return {number(text), number(text)};
+  const std::pair<int, int> range = {number(text.substr(0, dots)), number(text.substr(dots + 2))};
+  if (range.first > range.second) {
+    throw std::invalid_argument("--severity " + text + ": give the smaller severity first");
+  }
+  return range;
+}
+
+std::string rendered(const StressReport& report, const std::string& format) {
+  if (format == "json") return stress_json(report);
+  if (format == "csv") return stress_csv(report);
+  return format == "markdown" ? stress_markdown(report) : stress_text(report);
+}
+
+int run(Arguments& arguments) {
+  if (!arguments.severity.empty()) arguments.options.severities = parse_range(arguments.severity);
+  if (!arguments.plot.empty()) require_plottable(arguments.plot);
+  std::optional<OutputFile> certificates;
+  if (arguments.certificates) certificates.emplace("--certificates", *arguments.certificates);
+  const StressReport report = run_stress(arguments.options, run_control("stress"));
+  print_report(rendered(report, arguments.format));
+  if (!arguments.plot.empty()) draw_or_say(stress_plots(report), arguments.plot);
+  if (certificates) certificates->write(stress_certificates(report));
+  return exit_code(report.interrupted, !report.all_stable(), report.compared() > 0);
+}
+
+}  // namespace
+
+Command add_stress(CLI::App& program) {
+  const auto given = std::make_shared<Arguments>();
+  StressOptions& options = given->options;
+  CLI::App& command = *program.add_subcommand(
+      "stress", "Judge methods, each stage alone, on families of cases of growing severity");
+  command.add_option("--family", options.families, "only these families, separated by commas")
+      ->delimiter(',');
+  command
+      .add_option(
+          "--method,--methods", options.methods,
+          "only these methods, of either kind, separated by commas, or all (default: those of "
+          "fast/, without the reference and peers)")
+      ->delimiter(',');
+  command.add_option("--severity", given->severity,
+                     "only these severities, A..B (default: the family's own range)");
+  command.add_option("--cases", options.cases, "cases at each severity")
+      ->check(CLI::Range(1, 1000000000))
+      ->capture_default_str();
+  add_seed(command, options.seed);
+  command.add_option("--plot", given->plot,
+                     "draw error against severity to a file, .svg, .png or .pdf");
+  add_certificates(command, given->certificates);
+  add_format(command, given->format, {"text", "json", "csv", "markdown"});
+  return {&command, [given] { return run(*given); }};
+}
+
+}  // namespace raycheck::tools

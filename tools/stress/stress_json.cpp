@@ -1,0 +1,41 @@
+#include "tools/report/format.h"
+#include "tools/stress/stress.h"
+
+namespace raycheck::tools {
+std::string stress_json(const StressReport& report) {
+  Json json = json_header("stress");
+  json["interrupted"] = report.interrupted;
+  json["cases"] = report.cases;
+  json["seed"] = report.seed;
+  json["stable_ratio"] = properties::kStableRatio;
+  json["families"] = Json::array();
+  for (const FamilyReport& family : report.families) {
+    Json entry;
+    entry["name"] = family.family->name;
+    entry["severity"] = family.family->dial->meaning;
+    entry["base"] = family.family->dial->base;
+    entry["methods"] = Json::array();
+    for (const StressCurve& curve : family.curves) {
+      Json method;
+      method["name"] = curve.method.name();
+      method["stage"] = name(curve.method.stage);
+      method["judged"] = curve.is_judged();
+      const std::optional<int> failing = curve.first_failing();
+      method["first_failing"] = failing ? Json(*failing) : Json(nullptr);
+      const std::optional<double> slope = curve.slope(family.family->dial->base);
+      method["slope"] = slope ? Json(*slope) : Json(nullptr);
+      method["max_ratio"] =
+          error_json(curve.worst_ratio() < 0 ? std::nullopt : std::optional(curve.worst_ratio()));
+      for (std::size_t k = 0; k < curve.results.size(); ++k) {
+        method["severities"].push_back({{"severity", curve.severities[k]},
+                                        {"inside", weighed_json(curve.results[k].inside)},
+                                        {"outside", weighed_json(curve.results[k].outside)}});
+      }
+      entry["methods"].push_back(std::move(method));
+    }
+    json["families"].push_back(std::move(entry));
+  }
+  return json.dump(2) + "\n";
+}
+
+}  // namespace raycheck::tools

@@ -1,0 +1,232 @@
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "tools/report/format.h"
+#include "tools/report/table.h"
+#include "tools/stress/stress.h"
+
+namespace raycheck::tools {
+namespace {
+
+using properties::Outcome;
+using properties::Quantity;
+using properties::Stage;
+using properties::StressResult;
+using properties::Tally;
+using properties::Verdict;
+
+/// Above these many curves the report says nothing of single ones, or of single severities.
+constexpr std::size_t kMostSummed = 40;
+constexpr std::size_t kMostDetailed = 4;
+
+std::string failing_text(const StressCurve& curve) {
+  if (!curve.is_judged()) return "-";
+  const std::optional<int> failing = curve.first_failing();
+  return failing ? std::to_string(*failing) : "stable";
+}
+
+/// First failing severities of one stage's methods, a row for each family.
+Table first_failing_table(const StressReport& report, Stage stage) {
+  std::vector<Table::Column> columns = {{"family"}, {"severities"}};
+  std::vector<std::vector<std::string>> rows;
+  for (const FamilyReport& family : report.families) {
+    std::vector<std::string> row = {
+        std::string(family.family->name),
+        family.curves.empty() ? ""
+                              : fmt::format("{}..{}", family.curves.front().severities.front(),
+                                            family.curves.front().severities.back())};
+    for (const StressCurve& curve : family.curves) {
+      if (curve.method.stage != stage) continue;
+      if (rows.empty()) {
+        columns.push_back({std::string(curve.method.name()), Table::Align::kRight});
+      }
+      row.push_back(failing_text(curve));
+    }
+    if (row.size() > 2) rows.push_back(std::move(row));
+  }
+  Table table(std::move(columns));
+  for (auto& row : rows) table.add(std::move(row));
+  return table;
+}
+
+std::optional<double> largest(const Verdict& verdict, Quantity quantity) {
+  const auto found = verdict.tallies().find(quantity);
+  return found == verdict.tallies().end() ? std::nullopt : found->second.max();
+}
+
+/// The numbers of one method on one family at one severity.
+std::vector<Table::Column> detail_columns() {
+  constexpr auto kRight = Table::Align::kRight;
+  return {{"family"},
+          {"method"},
+          {"severity", kRight},
+          {"decisions", kRight},
+          {"defects", kRight},
+          {"excused", kRight},
+          {"answers", kRight},
+          {"unit", Table::Align::kLeft},
+          {"median", kRight},
+          {"99.9%", kRight},
+          {"max", kRight},
+          {"backward u", kRight},
+          {"max rho", kRight},
+          {"median kappa", kRight},
+          {"exact", kRight},
+          {"accurate", kRight},
+          {"ill-conditioned", kRight},
+          {"unstable", kRight},
+          {"outside domain", kRight}};
+}
+
+std::vector<std::string> detail_row(const FamilyReport& family, const StressCurve& curve,
+                                    std::size_t k) {
+  const StressResult& result = curve.results[k];
+  const Tally* const tally = curve.tally(k);
+  const Tally none;
+  const Tally& main = tally == nullptr ? none : *tally;
+  std::uint64_t decisions = 0;
+  std::uint64_t excused = 0;
+  for (const auto& [quantity, each] : result.inside.tallies()) {
+    if (!each.errors.empty()) continue;
+    decisions += each.cases;
+    excused += each.wrong_excused;
+  }
+  const double ratio = properties::worst_ratio(result.inside);
+  return {std::string(family.family->name),
+          std::string(curve.method.name()),
+          std::to_string(curve.severities[k]),
+          std::to_string(decisions),
+          std::to_string(properties::defects(result.inside)),
+          std::to_string(excused),
+          std::to_string(main.cases),
+          std::string(info(curve.quantity()).unit),
+          error_text(main.median()),
+          error_text(main.quantile(0.999)),
+          error_text(main.max()),
+          error_text(largest(result.inside, Quantity::kBackwardError)),
+          error_text(ratio < 0 ? std::nullopt : std::optional(ratio)),
+          error_text(main.condition_quantile(0.5)),
+          std::to_string(main.count(Outcome::kExact)),
+          std::to_string(main.count(Outcome::kAccurate)),
+          std::to_string(main.count(Outcome::kIllConditioned)),
+          std::to_string(main.count(Outcome::kUnstable)),
+          std::to_string(result.outside.compared())};
+}
+
+Table detail_table(const StressReport& report) {
+  Table table(detail_columns());
+  for (const FamilyReport& family : report.families) {
+    for (const StressCurve& curve : family.curves) {
+      for (std::size_t k = 0; k < curve.results.size(); ++k) {
+        table.add(detail_row(family, curve, k));
+      }
+    }
+  }
+  return table;
+}
+
+/// What there is to say of a method on a family in one line.
+Table summary_table(const StressReport& report) {
+  constexpr auto kRight = Table::Align::kRight;
+  Table table({{"family"},
+               {"method"},
+               {"first failing", kRight},
+               {"slope", kRight},
+               {"max rho", kRight},
+               {"missed", kRight},
+               {"false", kRight},
+               {"other defects", kRight},
+               {"max error", kRight},
+               {"unit", Table::Align::kLeft}});
+  for (const FamilyReport& family : report.families) {
+    for (const StressCurve& curve : family.curves) {
+      Verdict all;
+      for (const StressResult& result : curve.results) all.merge(result.inside);
+      std::uint64_t missed = 0;
+      std::uint64_t false_hits = 0;
+      for (const auto& [quantity, tally] : all.tallies()) {
+        if (quantity != Quantity::kClass) continue;
+        const auto of = [&, &wrong = tally.wrong](properties::Wrong kind) {
+          const auto found = wrong.find(kind);
+          return found == wrong.end() ? std::uint64_t{0} : found->second;
+        };
+        missed = of(properties::Wrong::kMissed);
+        false_hits = of(properties::Wrong::kFalseHit);
+      }
+      const std::uint64_t defects = properties::defects(all);
+      const auto classes = all.tallies().find(Quantity::kClass);
+      const std::uint64_t class_defects =
+          classes == all.tallies().end() ? 0 : classes->second.count(Outcome::kWrongDecision);
+      const double ratio = curve.worst_ratio();
+      const std::optional<double> slope = curve.slope(family.family->dial->base);
+      table.add(
+          {std::string(family.family->name), std::string(curve.method.name()), failing_text(curve),
+           slope ? fmt::format("{:.2f}", *slope) : "-",
+           error_text(ratio < 0 ? std::nullopt : std::optional(ratio)), std::to_string(missed),
+           std::to_string(false_hits), std::to_string(defects - class_defects),
+           error_text(largest(all, curve.quantity())), std::string(info(curve.quantity()).unit)});
+    }
+  }
+  return table;
+}
+
+std::size_t count_curves(const StressReport& report) {
+  std::size_t curves = 0;
+  for (const FamilyReport& family : report.families) curves += family.curves.size();
+  return curves;
+}
+
+std::string explanation() {
+  return fmt::format(
+      "A number is the first severity at which the method is not stable: a decision is wrong that\n"
+      "no relative change of the inputs by {:g} u makes right, or a stability ratio\n"
+      "rho = error / ((1 + kappa) u) is above {:g}. \"stable\": it is stable at all of them; "
+      "\"-\": nothing\nthere lies in its stated domain. u is that of the method's own precision. "
+      "More cases may find an\nearlier severity.\n",
+      properties::kExcusedChange / properties::kDoubleRoundoff, properties::kStableRatio);
+}
+
+template <class Render>
+std::string rendered(const StressReport& report, Render render, std::string_view heading) {
+  std::string text;
+  if (report.interrupted) text += "INTERRUPTED: what follows covers only what was judged.\n\n";
+  text += fmt::format("{} cases at each severity, seed {}.\n{}", report.cases, report.seed,
+                      explanation());
+  for (const Stage stage : {Stage::kRays, Stage::kIntersection}) {
+    const Table table = first_failing_table(report, stage);
+    if (table.empty()) continue;
+    text +=
+        fmt::format("\n{}first failing severity, {}\n\n{}", heading, name(stage), render(table));
+  }
+  const std::size_t curves = count_curves(report);
+  if (curves <= kMostSummed) {
+    text += fmt::format("\n{}by method\n\n{}", heading, render(summary_table(report)));
+  }
+  if (curves <= kMostDetailed) {
+    text += fmt::format("\n{}by severity\n\n{}", heading, render(detail_table(report)));
+  }
+  text += "\n";
+  for (const FamilyReport& family : report.families) {
+    text += fmt::format("{}{}: severity is {}\n", heading.empty() ? "" : "- ", family.family->name,
+                        family.family->dial->meaning);
+  }
+  return text;
+}
+
+}  // namespace
+
+std::string stress_text(const StressReport& report) {
+  return rendered(
+      report, [](const Table& table) { return table.text(); }, "");
+}
+
+std::string stress_markdown(const StressReport& report) {
+  return rendered(
+      report, [](const Table& table) { return table.markdown(); }, "### ");
+}
+
+std::string stress_csv(const StressReport& report) { return detail_table(report).csv(); }
+
+}  // namespace raycheck::tools

@@ -1,0 +1,88 @@
+#ifndef RAYCHECK_TOOLS_TRADEOFF_TRADEOFF_H_
+#define RAYCHECK_TOOLS_TRADEOFF_TRADEOFF_H_
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "properties/run_control.h"
+#include "properties/search/stress.h"
+#include "scene/files/scene_file.h"
+#include "tools/methods/methods.h"
+#include "tools/report/plot.h"
+
+namespace raycheck::tools {
+
+struct TradeoffOptions {
+  std::string scene;  ///< Empty: cases of sources.
+  std::optional<scene::Dialect> dialect;
+  std::vector<std::string> sources;  ///< Empty: ordinary cases.
+  bool all_families = false;
+  std::vector<std::string> methods;  ///< Empty: every method.
+  int cases = 20000;
+  std::uint64_t seed = 1;
+};
+
+/// Nanoseconds per item: the median of the repetitions, and from where to where the middle half of
+/// them lies.
+struct Duration {
+  double median = 0;
+  double low = 0;
+  double high = 0;
+};
+
+/// What one method costs and how far it is off.
+struct MethodCost {
+  StagedMethod method;
+  properties::StressResult accuracy;
+  std::optional<Duration> scalar;  ///< One call an item; empty: not timed, see `not_timed`.
+  std::optional<Duration> batch;
+  std::string not_timed;
+  std::vector<std::string> unstable_on;  ///< Sources; empty: stable on all of them.
+  bool pareto = false;                   ///< No other method is as fast and as accurate.
+
+  properties::Quantity quantity() const { return properties::main_quantity(method.stage); }
+  const properties::Tally* main() const;
+  /// Errors by which methods are ranked: decisions wrong without an excuse per decision, then the
+  /// 99.9% error. Empty where nothing was judged in the stated domain.
+  std::optional<std::pair<double, double>> badness() const;
+};
+
+/// What a pixel costs end to end: a ray method and an intersection method.
+struct PixelCost {
+  std::string name;
+  Duration per_pixel;
+  properties::Verdict verdict;
+  bool pareto = false;
+};
+
+struct TradeoffReport {
+  std::string subject;  ///< The scene or the sources.
+  std::uint64_t cases = 0;
+  std::uint64_t seed = 0;
+  std::vector<MethodCost> rays;
+  std::vector<MethodCost> intersections;
+  std::vector<PixelCost> pixels;
+  std::vector<std::string> left_out;
+  std::vector<std::string> warnings;
+  bool interrupted = false;
+
+  std::uint64_t compared() const;
+};
+
+/// Judges and times methods on the same inputs. Throws std::invalid_argument naming the option, and
+/// what the reader of scenes throws.
+TradeoffReport run_tradeoff(const TradeoffOptions& options,
+                            const properties::RunControl& control = {});
+
+std::string tradeoff_text(const TradeoffReport& report);
+std::string tradeoff_markdown(const TradeoffReport& report);
+std::string tradeoff_csv(const TradeoffReport& report);
+std::string tradeoff_json(const TradeoffReport& report);
+/// Error against time, a plot for each stage.
+std::vector<Plot> tradeoff_plots(const TradeoffReport& report);
+
+}  // namespace raycheck::tools
+
+#endif  // RAYCHECK_TOOLS_TRADEOFF_TRADEOFF_H_

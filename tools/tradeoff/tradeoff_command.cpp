@@ -1,0 +1,72 @@
+#include <memory>
+#include <stdexcept>
+
+#include "tools/arguments.h"
+#include "tools/commands.h"
+#include "tools/terminal.h"
+#include "tools/tradeoff/tradeoff.h"
+
+namespace raycheck::tools {
+namespace {
+
+struct Arguments {
+  TradeoffOptions options;
+  std::string dialect;
+  std::string plot;
+  std::string format = "text";
+};
+
+std::string rendered(const TradeoffReport& report, const std::string& format) {
+  if (format == "json") return tradeoff_json(report);
+  if (format == "csv") return tradeoff_csv(report);
+  return format == "markdown" ? tradeoff_markdown(report) : tradeoff_text(report);
+}
+
+int run(Arguments& arguments) {
+  TradeoffOptions& options = arguments.options;
+  const int subjects = (options.scene.empty() ? 0 : 1) + (options.sources.empty() ? 0 : 1) +
+                       (options.all_families ? 1 : 0);
+  if (subjects > 1) {
+    throw std::invalid_argument("tradeoff: give one of SCENE, --family and --all-families");
+  }
+  options.dialect = parse_dialect(arguments.dialect);
+  if (!arguments.plot.empty()) require_plottable(arguments.plot);
+  const TradeoffReport report = run_tradeoff(options, run_control("tradeoff"));
+  print_warnings(report.warnings);
+  print_report(rendered(report, arguments.format));
+  if (!arguments.plot.empty()) draw_or_say(tradeoff_plots(report), arguments.plot);
+  return exit_code(report.interrupted, false, report.compared() > 0);
+}
+
+}  // namespace
+
+Command add_tradeoff(CLI::App& program) {
+  const auto given = std::make_shared<Arguments>();
+  TradeoffOptions& options = given->options;
+  CLI::App& command = *program.add_subcommand(
+      "tradeoff", "Compare methods by certified error and measured time on the same inputs");
+  command.add_option("SCENE", options.scene,
+                     "a scene: only what it needs is compared (default: ordinary cases)");
+  command.add_option("--dialect", given->dialect, "of a driver file: A, B or C");
+  command
+      .add_option("--family", options.sources,
+                  "cases of these families or other sources, separated by commas")
+      ->delimiter(',');
+  command.add_flag("--all-families", options.all_families, "cases of every family");
+  command
+      .add_option(
+          "--method,--methods", options.methods,
+          "only these methods, of either kind, separated by commas, or all (default: those of "
+          "fast/, without the reference and peers)")
+      ->delimiter(',');
+  command.add_option("--cases", options.cases, "how many cases, or pixels of a scene")
+      ->check(CLI::Range(1, 1000000000))
+      ->capture_default_str();
+  add_seed(command, options.seed);
+  command.add_option("--plot", given->plot,
+                     "draw error against time to a file, .svg, .png or .pdf");
+  add_format(command, given->format, {"text", "json", "csv", "markdown"});
+  return {&command, [given] { return run(*given); }};
+}
+
+}  // namespace raycheck::tools

@@ -1,0 +1,53 @@
+#include "tools/report/format.h"
+#include "tools/tradeoff/tradeoff.h"
+
+namespace raycheck::tools {
+namespace {
+
+Json duration_json(const std::optional<Duration>& duration) {
+  if (!duration) return nullptr;
+  return {{"median_ns", duration->median},
+          {"quartile_ns", duration->low},
+          {"upper_quartile_ns", duration->high}};
+}
+
+Json cost_json(const MethodCost& cost) {
+  Json json;
+  json["name"] = cost.method.name();
+  json["pareto"] = cost.pareto;
+  json["call"] = duration_json(cost.scalar);
+  json["batch"] = duration_json(cost.batch);
+  json["note"] = cost.not_timed;
+  json["unstable_on"] = cost.unstable_on;
+  json["inside"] = weighed_json(cost.accuracy.inside);
+  json["outside"] = weighed_json(cost.accuracy.outside);
+  return json;
+}
+
+}  // namespace
+
+std::string tradeoff_json(const TradeoffReport& report) {
+  Json json = json_header("tradeoff");
+  json["interrupted"] = report.interrupted;
+  json["subject"] = report.subject;
+  json["cases"] = report.cases;
+  json["seed"] = report.seed;
+  json["stable_ratio"] = properties::kStableRatio;
+  json["rays"] = Json::array();
+  for (const MethodCost& cost : report.rays) json["rays"].push_back(cost_json(cost));
+  json["intersections"] = Json::array();
+  for (const MethodCost& cost : report.intersections) {
+    json["intersections"].push_back(cost_json(cost));
+  }
+  json["pixels"] = Json::array();
+  for (const PixelCost& cost : report.pixels) {
+    json["pixels"].push_back({{"name", cost.name},
+                              {"pareto", cost.pareto},
+                              {"pixel", duration_json(cost.per_pixel)},
+                              {"verdict", weighed_json(cost.verdict)}});
+  }
+  json["left_out"] = report.left_out;
+  return json.dump(2) + "\n";
+}
+
+}  // namespace raycheck::tools

@@ -1,0 +1,283 @@
+#include <fmt/core.h>
+
+#include "tools/report/format.h"
+#include "tools/report/table.h"
+#include "tools/tradeoff/tradeoff.h"
+
+namespace raycheck::tools {
+namespace {
+
+using properties::Quantity;
+using properties::Stage;
+using properties::Tally;
+using properties::Verdict;
+using properties::Wrong;
+
+constexpr auto kRight = Table::Align::kRight;
+
+std::string duration_text(const std::optional<Duration>& duration) {
+  return duration ? fmt::format("{:.1f}", duration->median) : "-";
+}
+
+/// "12.3 (12.1..12.6)"
+std::string spread_text(const std::optional<Duration>& duration) {
+  if (!duration) return "-";
+  return fmt::format("{:.1f} ({:.1f}..{:.1f})", duration->median, duration->low, duration->high);
+}
+
+const Tally* find(const Verdict& verdict, Quantity quantity) {
+  const auto found = verdict.tallies().find(quantity);
+  return found == verdict.tallies().end() ? nullptr : &found->second;
+}
+
+/// How often a class was wrong in this way, per million decisions.
+std::string per_million(const Verdict& verdict, Wrong wrong) {
+  const Tally* const tally = find(verdict, Quantity::kClass);
+  if (tally == nullptr || tally->cases == 0) return "-";
+  const auto found = tally->wrong.find(wrong);
+  const double count = found == tally->wrong.end() ? 0 : static_cast<double>(found->second);
+  return error_text(1e6 * count / static_cast<double>(tally->cases));
+}
+
+std::string max_text(const Verdict& verdict, Quantity quantity) {
+  const Tally* const tally = find(verdict, quantity);
+  return error_text(tally == nullptr ? std::nullopt : tally->max());
+}
+
+/// The largest error over what the bound grows by, as far as it was weighed.
+std::string audited_text(const Verdict& verdict, Quantity quantity) {
+  const Tally* const tally = find(verdict, quantity);
+  return error_text(tally == nullptr ? std::nullopt : tally->max_over_growth());
+}
+
+std::string quantile_text(const Verdict& verdict, Quantity quantity, double share) {
+  const Tally* const tally = find(verdict, quantity);
+  return error_text(tally == nullptr ? std::nullopt : tally->quantile(share));
+}
+
+std::string ratio_text(const Verdict& verdict) {
+  const double ratio = properties::worst_ratio(verdict);
+  return error_text(ratio < 0 ? std::nullopt : std::optional(ratio));
+}
+
+std::string stability_text(const MethodCost& cost) {
+  if (cost.accuracy.inside.compared() == 0) return "-";
+  std::string text;
+  for (const std::string& name : cost.unstable_on) text += (text.empty() ? "not " : ", ") + name;
+  return text.empty() ? "all" : text;
+}
+
+std::string name_text(const MethodCost& cost) {
+  return (cost.pareto ? "* " : "  ") + std::string(cost.method.name());
+}
+
+/// The baseline of ratios: the first method that was timed.
+double baseline(const std::vector<MethodCost>& costs) {
+  for (const MethodCost& cost : costs) {
+    if (cost.batch) return cost.batch->median;
+  }
+  return 1;
+}
+
+Table intersection_table(const std::vector<MethodCost>& costs) {
+  Table table({{"  method"},
+               {"ns a call", kRight},
+               {"ns in a batch", kRight},
+               {"ratio", kRight},
+               {"median ulp", kRight},
+               {"99.9%", kRight},
+               {"max", kRight},
+               {"audited", kRight},
+               {"bound", kRight},
+               {"missed/M", kRight},
+               {"false/M", kRight},
+               {"defects", kRight},
+               {"backward u", kRight},
+               {"max rho", kRight},
+               {"outside: max", kRight},
+               {"missed/M", kRight},
+               {"false/M", kRight},
+               {"stable on"}});
+  const double base = baseline(costs);
+  for (const MethodCost& cost : costs) {
+    const Verdict& inside = cost.accuracy.inside;
+    const Verdict& outside = cost.accuracy.outside;
+    table.add({name_text(cost), duration_text(cost.scalar), spread_text(cost.batch),
+               cost.batch ? fmt::format("{:.2f}", cost.batch->median / base) : "-",
+               quantile_text(inside, Quantity::kParameter, 0.5),
+               quantile_text(inside, Quantity::kParameter, 0.999),
+               max_text(inside, Quantity::kParameter), audited_text(inside, Quantity::kParameter),
+               error_text(cost.method.intersect->max_ulp), per_million(inside, Wrong::kMissed),
+               per_million(inside, Wrong::kFalseHit), std::to_string(properties::defects(inside)),
+               max_text(inside, Quantity::kBackwardError), ratio_text(inside),
+               max_text(outside, Quantity::kParameter), per_million(outside, Wrong::kMissed),
+               per_million(outside, Wrong::kFalseHit), stability_text(cost)});
+  }
+  return table;
+}
+
+Table ray_table(const std::vector<MethodCost>& costs) {
+  Table table({{"  method"},
+               {"ns a call", kRight},
+               {"ns in a batch", kRight},
+               {"ratio", kRight},
+               {"median u of D", kRight},
+               {"99.9%", kRight},
+               {"max", kRight},
+               {"audited", kRight},
+               {"bound", kRight},
+               {"audited u of P", kRight},
+               {"bound", kRight},
+               {"max rho", kRight},
+               {"stable on"}});
+  const double base = baseline(costs);
+  for (const MethodCost& cost : costs) {
+    const Verdict& inside = cost.accuracy.inside;
+    const fast::PixelRayMethod& method = *cost.method.rays;
+    table.add({name_text(cost), duration_text(cost.scalar), spread_text(cost.batch),
+               cost.batch ? fmt::format("{:.2f}", cost.batch->median / base) : "-",
+               quantile_text(inside, Quantity::kDirection, 0.5),
+               quantile_text(inside, Quantity::kDirection, 0.999),
+               max_text(inside, Quantity::kDirection), audited_text(inside, Quantity::kDirection),
+               error_text(method.max_direction_ulp), audited_text(inside, Quantity::kPixelPoint),
+               method.pixel_points ? error_text(method.max_point_ulp) : "-", ratio_text(inside),
+               stability_text(cost)});
+  }
+  return table;
+}
+
+Table pixel_table(const std::vector<PixelCost>& costs) {
+  Table table({{"  methods"},
+               {"ns a pixel", kRight},
+               {"median ulp of s", kRight},
+               {"99.9%", kRight},
+               {"max", kRight},
+               {"missed/M", kRight},
+               {"false/M", kRight},
+               {"defects", kRight}});
+  for (const PixelCost& cost : costs) {
+    table.add({(cost.pareto ? "* " : "  ") + cost.name, spread_text(cost.per_pixel),
+               quantile_text(cost.verdict, Quantity::kParameter, 0.5),
+               quantile_text(cost.verdict, Quantity::kParameter, 0.999),
+               max_text(cost.verdict, Quantity::kParameter),
+               per_million(cost.verdict, Wrong::kMissed),
+               per_million(cost.verdict, Wrong::kFalseHit),
+               std::to_string(properties::defects(cost.verdict))});
+  }
+  return table;
+}
+
+struct Section {
+  std::string heading;
+  Table table;
+};
+
+std::vector<Section> sections_of(const TradeoffReport& report) {
+  std::vector<Section> sections;
+  if (!report.rays.empty()) sections.push_back({"rays", ray_table(report.rays)});
+  if (!report.intersections.empty()) {
+    sections.push_back({"intersections", intersection_table(report.intersections)});
+  }
+  if (!report.pixels.empty()) {
+    sections.push_back({"pixels, end to end", pixel_table(report.pixels)});
+  }
+  return sections;
+}
+
+template <class Render>
+std::string rendered(const TradeoffReport& report, Render render, std::string_view heading,
+                     std::string_view item) {
+  std::string text;
+  if (report.interrupted) text += "INTERRUPTED: what follows covers only what was judged.\n\n";
+  text += fmt::format("{}: {}, seed {}\n", report.subject, count_text(report.cases, "case"),
+                      report.seed);
+  for (const Section& section : sections_of(report)) {
+    text += fmt::format("\n{}{}\n\n{}", heading, section.heading, render(section.table));
+  }
+  text += fmt::format(
+      "\n{0}*: no other method is as fast in a batch, with as small a share of defects and as "
+      "small a "
+      "99.9% error\n{0}ns: median of interleaved repetitions (and where the middle half of them "
+      "lies); ratio: of batches, to the first; a call to make rays sets up its camera, too\n{0}/M: "
+      "per million decisions; defects: wrong "
+      "decisions that no relative change of the inputs by {1:g} u makes right\n{0}bound: what the "
+      "method documents up to condition number {2:g}; beyond, it grows in proportion; audited: the "
+      "largest error over that growth\n{0}stable: "
+      "no "
+      "defect, and rho = error / ((1 + kappa) u) at most {3:g}\n{0}outside: inputs outside the "
+      "method's stated domain\n",
+      item, properties::kExcusedChange / properties::kDoubleRoundoff,
+      properties::kModerateCondition, properties::kStableRatio);
+  std::vector<std::string> notes = report.left_out;
+  for (const auto* costs : {&report.rays, &report.intersections}) {
+    for (const MethodCost& cost : *costs) {
+      if (!cost.not_timed.empty()) {
+        notes.push_back(fmt::format("{}: {}", cost.method.name(), cost.not_timed));
+      }
+    }
+  }
+  if (!notes.empty()) text += fmt::format("\n{}left out\n\n", heading);
+  for (const std::string& note : notes) text += fmt::format("{}{}\n", item, note);
+  return text;
+}
+
+}  // namespace
+
+std::string tradeoff_text(const TradeoffReport& report) {
+  return rendered(
+      report, [](const Table& table) { return table.text(); }, "", "  ");
+}
+
+std::string tradeoff_markdown(const TradeoffReport& report) {
+  return rendered(
+      report, [](const Table& table) { return table.markdown(); }, "### ", "- ");
+}
+
+std::string tradeoff_csv(const TradeoffReport& report) {
+  Table table({{"stage"},
+               {"method"},
+               {"pareto"},
+               {"call_ns"},
+               {"batch_ns"},
+               {"batch_low"},
+               {"batch_high"},
+               {"unit"},
+               {"median"},
+               {"p999"},
+               {"max"},
+               {"audited"},
+               {"bound"},
+               {"missed_per_million"},
+               {"false_per_million"},
+               {"defects"},
+               {"backward_u"},
+               {"max_rho"},
+               {"unstable_on"}});
+  const auto number = [](double x) { return fmt::format("{:.6g}", x); };
+  for (const auto* costs : {&report.rays, &report.intersections}) {
+    for (const MethodCost& cost : *costs) {
+      const Verdict& inside = cost.accuracy.inside;
+      const bool makes_rays = cost.method.stage == Stage::kRays;
+      std::string unstable;
+      for (const std::string& name : cost.unstable_on) {
+        unstable += (unstable.empty() ? "" : " ") + name;
+      }
+      table.add(
+          {std::string(name(cost.method.stage)), std::string(cost.method.name()),
+           cost.pareto ? "yes" : "no", cost.scalar ? number(cost.scalar->median) : "",
+           cost.batch ? number(cost.batch->median) : "", cost.batch ? number(cost.batch->low) : "",
+           cost.batch ? number(cost.batch->high) : "", std::string(info(cost.quantity()).unit),
+           quantile_text(inside, cost.quantity(), 0.5),
+           quantile_text(inside, cost.quantity(), 0.999), max_text(inside, cost.quantity()),
+           audited_text(inside, cost.quantity()),
+           error_text(makes_rays ? cost.method.rays->max_direction_ulp
+                                 : cost.method.intersect->max_ulp),
+           per_million(inside, Wrong::kMissed), per_million(inside, Wrong::kFalseHit),
+           std::to_string(properties::defects(inside)), max_text(inside, Quantity::kBackwardError),
+           ratio_text(inside), unstable});
+    }
+  }
+  return table.csv();
+}
+
+}  // namespace raycheck::tools

@@ -1,0 +1,29 @@
+#ifndef RAYCHECK_TOOLS_TRADEOFF_TRADEOFF_TIMING_H_
+#define RAYCHECK_TOOLS_TRADEOFF_TRADEOFF_TIMING_H_
+
+// The stopwatch of `tradeoff`. Internal to tools/tradeoff*.cpp.
+
+#include <vector>
+
+#include "properties/trial.h"
+#include "tools/tradeoff/tradeoff.h"
+
+namespace raycheck::tools {
+
+/// Times every method's calls on the items of the cases, one by one and in batches, repetition by
+/// repetition in turn, so that what disturbs the machine disturbs all of them. A batch is timed
+/// only when its answers are those of single calls, bit for bit. Fills in `scalar`, `batch` and
+/// `not_timed`.
+/// Items: rays and spheres of the cases for an intersection method, pixels for a ray method; only
+/// those in the method's stated domain.
+void time_intersections(const std::vector<properties::Case>& cases, std::vector<MethodCost>& costs);
+void time_rays(const std::vector<properties::Case>& cases, std::vector<MethodCost>& costs);
+
+/// Nanoseconds per pixel to make its ray and intersect it with every sphere, in batches; the scene
+/// has a camera.
+std::vector<Duration> time_pixels(const properties::Case& the_case,
+                                  const std::vector<MethodPair>& pairs);
+
+}  // namespace raycheck::tools
+
+#endif  // RAYCHECK_TOOLS_TRADEOFF_TRADEOFF_TIMING_H_
