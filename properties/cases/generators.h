@@ -4,8 +4,8 @@
 // What the makers of random cases share. Internal to properties/. Nothing here calls a function
 // that differs between machines, but for Random::power_of_ten().
 
+#include "properties/case.h"
 #include "properties/cases/random.h"
-#include "properties/trial.h"
 #include "scene/validate.h"
 
 namespace raycheck::properties {
