@@ -15,6 +15,7 @@
 #include "reference/error_measure.h"
 #include "reference/exact_ray.h"
 #include "tests/method_expectations.h"
+#include "tests/method_names.h"
 
 namespace raycheck::peers {
 namespace {
@@ -188,11 +189,7 @@ TEST(Core, IsRightToTheEndsOfItsDomain) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Peers, EachPeer, testing::ValuesIn(peers().begin(), peers().end()),
-                         [](const testing::TestParamInfo<const fast::IntersectMethod*>& the_test) {
-                           std::string name(the_test.param->name);
-                           std::replace(name.begin(), name.end(), '-', '_');
-                           return name;
-                         });
+                         fast::test_name);
 
 }  // namespace
 }  // namespace raycheck::peers
