@@ -113,7 +113,7 @@ CandidateReport finish(Judged judged, const scene::Scene& scene) {
 std::vector<std::string> left_out_lines(const CheckReport& report) {
   std::vector<std::string> lines;
   if (report.rays_judged < report.rays_in_scene && !report.interrupted) {
-    lines.push_back(fmt::format("{} of {} pixels: --pixels asked for {}",
+    lines.push_back(fmt::format("{} of {} pixels: only {} were asked for",
                                 report.rays_in_scene - report.rays_judged, report.rays_in_scene,
                                 report.rays_judged));
   }
@@ -273,7 +273,7 @@ CheckReport check(const CheckOptions& options, const RunControl& control) {
   report.warnings = std::move(loaded.warnings);
   report.top = options.top;
   if (!report.scene.camera && options.pixels) {
-    throw std::invalid_argument("--pixels: " + options.path +
+    throw std::invalid_argument("pixels: " + options.path +
                                 " has given rays and no pixels; all its rays are judged");
   }
   const SceneCases cases(report.scene, options.pixels);

@@ -1,4 +1,4 @@
-#include "tools/check/check.h"
+#include "tools/check/check_views.h"
 #include "tools/report/certificate.h"
 
 namespace raycheck::tools {

@@ -1,6 +1,6 @@
 #include <algorithm>
 
-#include "tools/check/check.h"
+#include "tools/check/check_views.h"
 #include "tools/report/format.h"
 
 namespace raycheck::tools {
@@ -73,7 +73,7 @@ Json candidate_json(const CandidateReport& candidate, std::size_t top) {
   return json;
 }
 
-std::string check_json(const CheckReport& report) {
+std::string check_json(const CheckReport& report, const ViewOptions& /*options*/) {
   Json json = json_header("check");
   json["scene"] = report.path;
   json["width"] = report.scene.camera ? Json(report.scene.camera->width) : Json(nullptr);

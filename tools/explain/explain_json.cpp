@@ -1,6 +1,6 @@
 #include <array>
 
-#include "tools/explain/explain.h"
+#include "tools/explain/explain_views.h"
 #include "tools/report/format.h"
 
 namespace raycheck::tools {
@@ -94,7 +94,7 @@ Json exact_ray_json(const ExplainReport& report) {
 
 }  // namespace
 
-std::string explain_json(const ExplainReport& report) {
+std::string explain_json(const ExplainReport& report, const ViewOptions& /*options*/) {
   Json json = json_header("explain");
   json["conventions"] = conventions_json(report.scene.conventions);
   if (report.pixel) json["pixel"] = {report.pixel->i, report.pixel->j};

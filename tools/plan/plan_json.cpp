@@ -1,4 +1,4 @@
-#include "tools/plan/plan.h"
+#include "tools/plan/plan_views.h"
 #include "tools/report/format.h"
 
 namespace raycheck::tools {
@@ -35,7 +35,7 @@ Json sphere_json(const scene::SpherePlan& sphere) {
 
 }  // namespace
 
-std::string plan_json(const PlanReport& report) {
+std::string plan_json(const PlanReport& report, const ViewOptions& /*options*/) {
   Json json = json_header("plan");
   json["scene"] = report.path;
   json["width"] = report.scene.camera ? Json(report.scene.camera->width) : Json(nullptr);

@@ -39,7 +39,8 @@ std::vector<ChosenSource> chosen_sources(const TradeoffOptions& options) {
     try {
       sources.push_back(properties::chosen_source(name));
     } catch (const std::invalid_argument& error) {
-      throw std::invalid_argument("--family " + name + ": " + error.what() + "; see raycheck list");
+      throw std::invalid_argument("family " + name + ": " + error.what() +
+                                  "; `raycheck list` shows the sources");
     }
   }
   return sources;
@@ -196,7 +197,7 @@ void run_on_scene(const TradeoffOptions& options, const std::vector<StagedMethod
   report.subject = options.scene;
   const SceneCases chunks(std::move(loaded.scene), static_cast<std::uint64_t>(options.cases));
   if (chunks.rays_judged() < chunks.rays_in_scene()) {
-    report.left_out.push_back(fmt::format("{} of {} rays: --cases asked for {}",
+    report.left_out.push_back(fmt::format("{} of {} rays: only {} were asked for",
                                           chunks.rays_in_scene() - chunks.rays_judged(),
                                           chunks.rays_in_scene(), chunks.rays_judged()));
   }

@@ -1,4 +1,4 @@
-#include "tools/properties/campaigns.h"
+#include "tools/properties/properties.h"
 
 #include <fmt/core.h>
 
@@ -10,10 +10,8 @@ namespace raycheck::tools {
 namespace {
 
 using properties::CampaignOptions;
-using properties::CampaignResult;
 using properties::Candidate;
 using properties::ChosenSource;
-using properties::Failure;
 using properties::Law;
 
 std::vector<const Law*> filtered_laws(const std::string& filter) {
@@ -22,7 +20,7 @@ std::vector<const Law*> filtered_laws(const std::string& filter) {
     if (law.name.find(filter) != std::string_view::npos) found.push_back(&law);
   }
   if (found.empty()) {
-    throw std::invalid_argument("--filter " + filter +
+    throw std::invalid_argument("filter " + filter +
                                 ": no law's name contains it; `raycheck list` shows the laws");
   }
   return found;
@@ -34,7 +32,7 @@ std::vector<ChosenSource> chosen_sources(const std::vector<std::string>& names) 
     try {
       chosen.push_back(properties::chosen_source(name));
     } catch (const std::invalid_argument& error) {
-      throw std::invalid_argument("--source " + name + ": " + error.what() +
+      throw std::invalid_argument("source " + name + ": " + error.what() +
                                   "; `raycheck list` shows the sources");
     }
   }
@@ -76,7 +74,7 @@ PropertiesReport replay(const PropertiesOptions& options) {
         {parsed.law, candidate.name, run_replay(parsed, candidate, options.max_error)});
     return report;
   }
-  throw std::invalid_argument("--replay: no candidate is called '" + parsed.candidate + "'");
+  throw std::invalid_argument("replay: no candidate is called '" + parsed.candidate + "'");
 }
 
 }  // namespace
@@ -118,92 +116,6 @@ PropertiesReport run_properties(const PropertiesOptions& options,
   }
   report.interrupted = control.interrupted();
   return report;
-}
-
-namespace {
-
-std::string failure_text(const CampaignReport& campaign, bool colours) {
-  const Failure& failure = *campaign.result.failure;
-  std::string text = fmt::format("    the law: {}\n", campaign.law->sentence);
-  for (const auto& discrepancy : failure.verdict.worst(1)) {
-    text += discrepancy_text(discrepancy, "    ", colours);
-  }
-  text += fmt::format("    replay: raycheck properties --replay {}\n", failure.replay);
-  text += "    the shrunk case, as a scene for `raycheck check`:\n";
-  const std::string scene = properties::text(
-      failure.shrunk,
-      fmt::format("breaks the law {} with {}", campaign.law->name, campaign.candidate));
-  for (std::size_t at = 0; at < scene.size();) {
-    const std::size_t end = std::min(scene.find('\n', at), scene.size());
-    text += end == at ? "\n" : fmt::format("      {}\n", scene.substr(at, end - at));
-    at = end + 1;
-  }
-  return text;
-}
-
-}  // namespace
-
-std::string properties_text(const PropertiesReport& report, bool colours) {
-  std::string text;
-  for (const CampaignReport& campaign : report.campaigns) {
-    const CampaignResult& result = campaign.result;
-    const std::uint64_t compared = result.verdict.compared();
-    std::string outcome = "holds";
-    if (result.failure) {
-      outcome = red("BROKEN", colours);
-    } else if (compared == 0) {
-      outcome = "left out";
-    }
-    text += fmt::format("{:<16} {:<26} {}", campaign.law->name, campaign.candidate, outcome);
-    if (compared == 0 && !result.failure) {
-      text += fmt::format(": {}\n", result.reason);
-      continue;
-    }
-    text += fmt::format(" ({}, {}", count_text(static_cast<std::uint64_t>(result.cases), "case"),
-                        count_text(compared, "comparison"));
-    if (result.verdict.excused() > 0) text += fmt::format(", {} excused", result.verdict.excused());
-    if (result.left_out > 0) {
-      text += fmt::format(", {} left out: {}", result.left_out, result.reason);
-    }
-    text += ")\n";
-    if (result.failure) text += failure_text(campaign, colours);
-  }
-  if (report.interrupted) text += "INTERRUPTED: the laws above are those that were tried.\n";
-  const std::uint64_t failures = report.failures();
-  text += fmt::format("{}, {} broken\n", count_text(report.campaigns.size(), "campaign"), failures);
-  return text;
-}
-
-std::string properties_json(const PropertiesReport& report) {
-  Json json = json_header("properties");
-  json["seed"] = report.seed ? Json(*report.seed) : Json(nullptr);
-  json["cases"] = report.cases;
-  json["interrupted"] = report.interrupted;
-  json["campaigns"] = Json::array();
-  for (const CampaignReport& campaign : report.campaigns) {
-    const CampaignResult& result = campaign.result;
-    Json entry;
-    entry["law"] = campaign.law->name;
-    entry["sentence"] = campaign.law->sentence;
-    entry["candidate"] = campaign.candidate;
-    entry["holds"] = !result.failure.has_value();
-    entry["cases"] = result.cases;
-    entry["comparisons"] = result.verdict.compared();
-    entry["excused"] = result.verdict.excused();
-    entry["left_out"] = result.left_out;
-    entry["reason_left_out"] = result.reason.empty() ? Json(nullptr) : Json(result.reason);
-    if (result.failure) {
-      entry["replay"] = result.failure->replay;
-      entry["scene"] = properties::text(result.failure->shrunk);
-      entry["discrepancies"] = Json::array();
-      for (const auto& discrepancy : result.failure->verdict.worst(10)) {
-        entry["discrepancies"].push_back(discrepancy_json(discrepancy));
-      }
-    }
-    json["campaigns"].push_back(std::move(entry));
-  }
-  json["failures"] = report.failures();
-  return json.dump(2) + "\n";
 }
 
 }  // namespace raycheck::tools
