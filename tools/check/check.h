@@ -11,7 +11,7 @@
 #include "properties/verdict.h"
 #include "scene/files/scene_file.h"
 #include "tools/external/contestant.h"
-#include "tools/report/format.h"
+#include "tools/report/json.h"
 
 namespace raycheck::tools {
 

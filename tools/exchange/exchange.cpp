@@ -6,11 +6,13 @@
 #include <charconv>
 #include <istream>
 #include <map>
+#include <nlohmann/json.hpp>
 #include <stdexcept>
 #include <utility>
 
 #include "properties/laws/law.h"
 #include "scene/number.h"
+#include "tools/report/words.h"
 
 namespace raycheck::tools {
 namespace {

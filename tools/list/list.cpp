@@ -2,15 +2,19 @@
 
 #include <fmt/core.h>
 
+#include <nlohmann/json.hpp>
+
 #include "fast/camera_frame.h"
 #include "properties/cases/case_source.h"
 #include "properties/laws/law.h"
 #include "scene/conventions.h"
 #include "tools/methods/methods.h"
-#include "tools/report/format.h"
+#include "tools/report/json.h"
 
 namespace raycheck::tools {
 namespace {
+
+using properties::Quantity;
 
 std::string caveat(std::string_view not_kept) {
   if (not_kept.empty()) return "\n";
@@ -22,8 +26,13 @@ std::string lengths(const fast::Domain& domain) {
   if (domain == fast::Domain{}) return {};
   return fmt::format("; lengths {:.3g} to {:.3g}", domain.smallest_length, domain.largest_length);
 }
+
 Json lengths_json(const fast::Domain& domain) {
   return Json::array({domain.smallest_length, domain.largest_length});
+}
+
+Json bound_json(Quantity quantity, double bound) {
+  return {{"quantity", info(quantity).name}, {"unit", info(quantity).unit}, {"max", bound}};
 }
 
 /// A bound; those of single precision are large.
@@ -85,24 +94,29 @@ std::string list_json() {
   Json json = json_header("list");
   json["ray_methods"] = Json::array();
   for (const auto* method : fast::pixel_ray_methods()) {
-    json["ray_methods"].push_back(
-        {{"name", method->name},
-         {"sentence", method->sentence},
-         {"max_point_ulp", method->pixel_points ? Json(method->max_point_ulp) : Json(nullptr)},
-         {"max_direction_ulp", method->max_direction_ulp},
-         {"max_unit_defect_ulp", method->max_unit_defect_ulp},
-         {"lengths", lengths_json(method->domain)},
-         {"not_kept_on", method->not_kept}});
+    Json bounds = Json::array();
+    if (method->pixel_points) {
+      bounds.push_back(bound_json(Quantity::kPixelPoint, method->max_point_ulp));
+    }
+    bounds.push_back(bound_json(Quantity::kDirection, method->max_direction_ulp));
+    bounds.push_back(bound_json(Quantity::kUnitDefect, method->max_unit_defect_ulp));
+    json["ray_methods"].push_back({{"name", method->name},
+                                   {"sentence", method->sentence},
+                                   {"bounds", bounds},
+                                   {"lengths", lengths_json(method->domain)},
+                                   {"not_kept_on", method->not_kept}});
   }
   json["intersection_methods"] = Json::array();
   for (const auto* method : fast::intersect_methods()) {
-    json["intersection_methods"].push_back({{"name", method->name},
-                                            {"sentence", method->sentence},
-                                            {"max_ulp", method->max_ulp},
-                                            {"max_point_ulp", method->max_point_ulp},
-                                            {"exact_class", method->exact_class},
-                                            {"lengths", lengths_json(method->domain)},
-                                            {"not_kept_on", method->not_kept}});
+    json["intersection_methods"].push_back(
+        {{"name", method->name},
+         {"sentence", method->sentence},
+         {"bounds",
+          {bound_json(Quantity::kParameter, method->max_ulp),
+           bound_json(Quantity::kHitPoint, method->max_point_ulp)}},
+         {"exact_class", method->exact_class},
+         {"lengths", lengths_json(method->domain)},
+         {"not_kept_on", method->not_kept}});
   }
   json["laws"] = Json::array();
   for (const properties::Law& law : properties::laws()) {

@@ -2,9 +2,11 @@
 
 #include <fmt/core.h>
 
+#include <nlohmann/json.hpp>
 #include <stdexcept>
 
-#include "tools/report/format.h"
+#include "tools/report/json.h"
+#include "tools/report/words.h"
 
 namespace raycheck::tools {
 namespace {
@@ -195,6 +197,7 @@ std::string properties_json(const PropertiesReport& report) {
     entry["cases"] = result.cases;
     entry["comparisons"] = result.verdict.compared();
     entry["excused"] = result.verdict.excused();
+    entry["quantities"] = tallies_json(result.verdict);
     entry["left_out"] = result.left_out;
     entry["reason_left_out"] = result.reason.empty() ? Json(nullptr) : Json(result.reason);
     if (result.failure) {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <fstream>
 #include <memory>
+#include <nlohmann/json.hpp>
 #include <stdexcept>
 
 #include "properties/search/campaign.h"
@@ -11,7 +12,8 @@
 #include "tools/arguments.h"
 #include "tools/command_line.h"
 #include "tools/commands.h"
-#include "tools/report/format.h"
+#include "tools/report/json.h"
+#include "tools/report/words.h"
 #include "tools/terminal.h"
 
 namespace raycheck::tools {
