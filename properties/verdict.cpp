@@ -8,6 +8,7 @@
 #include <utility>
 
 namespace raycheck::properties {
+
 std::vector<Discrepancy> worst_first(std::vector<Discrepancy> discrepancies) {
   const auto is_excused = [](const Discrepancy& d) { return static_cast<bool>(d.excuse); };
   std::vector<const Discrepancy*> sorted;
@@ -31,12 +32,6 @@ std::vector<Discrepancy> worst_first(std::vector<Discrepancy> discrepancies) {
   std::vector<Discrepancy> result;
   for (const auto& [key, d] : keyed) result.push_back(*d);
   return result;
-}
-
-Verdict Verdict::left_out(std::string reason) {
-  Verdict verdict;
-  verdict.left_out_ = std::move(reason);
-  return verdict;
 }
 
 void Verdict::measured(Quantity quantity, const Place& place, double error) {
@@ -82,6 +77,7 @@ void Verdict::judged(Quantity quantity, const Place& place, Wrong wrong, Excuse 
 }
 
 void Verdict::add(Discrepancy discrepancy) {
+  if (!law_.empty()) discrepancy.law = law_;
   ++discrepancies_;
   if (discrepancy.excuse) ++excused_;
   kept_.push_back(std::move(discrepancy));

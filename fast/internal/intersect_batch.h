@@ -162,9 +162,9 @@ HWY_INLINE void store(std::uint64_t bytes, std::uint8_t* to) {
 
 /// A BatchKernel for multiples of kLaneCount.
 template <class Answerer>
-[[gnu::flatten]] HWY_NOINLINE bool answer_whole_vectors(const BatchQuestion& question,
+[[gnu::flatten]] HWY_NOINLINE bool answer_whole_vectors(const BatchInput& input,
                                                         const HitArrays& answers) {
-  const BatchQuestion asked = question;
+  const BatchInput asked = input;
   const HitArrays to = answers;
   const Triple<Lanes> centre = triple<Lanes>(asked.sphere.centre);
   const Lanes radius(asked.sphere.radius);
@@ -183,11 +183,11 @@ template <class Answerer>
 }
 
 /// A BatchKernel made of one for multiples of kLaneCount.
-inline bool answer_batch(BatchKernel whole_vectors, const BatchQuestion& question,
+inline bool answer_batch(BatchKernel whole_vectors, const BatchInput& input,
                          const HitArrays& answers) {
   constexpr std::size_t kLanes = kLaneCount;
-  const std::size_t rest = question.count % kLanes;
-  BatchQuestion part = question;
+  const std::size_t rest = input.count % kLanes;
+  BatchInput part = input;
   part.count -= rest;
   const bool valid = whole_vectors(part, answers);
   if (rest == 0) return valid;
@@ -199,8 +199,8 @@ inline bool answer_batch(BatchKernel whole_vectors, const BatchQuestion& questio
   for (std::size_t k = 0; k < kLanes; ++k) {
     const std::size_t ray = first + (k < rest ? k : rest - 1);
     for (std::size_t axis = 0; axis < 3; ++axis) {
-      given[axis][k] = question.rays.origin[axis][ray];
-      given[3 + axis][k] = question.rays.direction[axis][ray];
+      given[axis][k] = input.rays.origin[axis][ray];
+      given[3 + axis][k] = input.rays.direction[axis][ray];
     }
   }
   part.count = kLanes;
@@ -217,5 +217,25 @@ inline bool answer_batch(BatchKernel whole_vectors, const BatchQuestion& questio
 
 }  // namespace raycheck::fast::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
+
+// What a method has of its formula, a `template <class N> struct Formula` with roots() as FromRoots
+// asks it: in the target's namespace, the batch by lanes;
+#define RAYCHECK_BATCH_OF(Formula)                                                        \
+  namespace {                                                                             \
+  bool batch(const BatchInput& input, const HitArrays& answers) {                         \
+    return answer_batch(answer_whole_vectors<FromRoots<Formula<Lanes>>>, input, answers); \
+  }                                                                                       \
+  }
+// and where HWY_ONCE is set, in raycheck::fast, intersect() by the best target's batch, and One,
+// which answers one ray.
+#define RAYCHECK_INTERSECT_BY(Formula)                                            \
+  namespace {                                                                     \
+  HWY_EXPORT(batch);                                                              \
+  void intersect(const Rays& rays, const scene::Sphere& sphere, scene::Root root, \
+                 scene::Tangent tangent, Hits& hits) {                            \
+    intersect_by(HWY_DYNAMIC_DISPATCH(batch), rays, sphere, root, tangent, hits); \
+  }                                                                               \
+  using One = HWY_NAMESPACE::FromRoots<HWY_NAMESPACE::Formula<double>>;           \
+  }
 
 #endif  // RAYCHECK_FAST_INTERNAL_INTERSECT_BATCH_H_

@@ -1,5 +1,5 @@
 // The method `robust` held to the letter of its promise: no wrong class and no s off by more than
-// kRobustMaxUlp, on any valid input.
+// kRobust.max_ulp, on any valid input.
 
 #include "fast/internal/robust.h"
 
@@ -89,7 +89,7 @@ void compare_all(Answer answer, const Ray& ray, const Sphere& sphere, Audit& aud
 
 void expect_kept(const Audit& audit, int least_pairs, int least_hits) {
   EXPECT_EQ(audit.wrong_classes, 0) << audit.worst;
-  EXPECT_LE(audit.worst_s, kRobustMaxUlp) << audit.worst;
+  EXPECT_LE(audit.worst_s, kRobust.max_ulp) << audit.worst;
   EXPECT_GE(audit.pairs, least_pairs);
   EXPECT_GE(audit.hits, least_hits);
 }

@@ -1,6 +1,6 @@
 #include <nlohmann/json.hpp>
 
-#include "tools/check/check.h"
+#include "tools/check/check_views.h"
 #include "tools/report/certificate.h"
 
 namespace raycheck::tools {

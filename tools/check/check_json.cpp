@@ -1,6 +1,6 @@
 #include <nlohmann/json.hpp>
 
-#include "tools/check/check.h"
+#include "tools/check/check_views.h"
 #include "tools/report/json.h"
 
 namespace raycheck::tools {
@@ -35,7 +35,7 @@ Json candidate_json(const CandidateReport& candidate, std::size_t top) {
   return json;
 }
 
-std::string check_json(const CheckReport& report) {
+std::string check_json(const CheckReport& report, const ViewOptions& /*options*/) {
   Json json = json_header("check");
   json["scene"] = report.path;
   json["width"] = report.scene.camera ? Json(report.scene.camera->width) : Json(nullptr);

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <array>
 
-#include "tools/check/check.h"
+#include "tools/check/check_views.h"
 #include "tools/report/words.h"
 
 namespace raycheck::tools {
@@ -89,7 +89,7 @@ std::string quantities_table(const CandidateReport& candidate) {
   return text;
 }
 
-std::string check_text(const CheckReport& report, bool colours) {
+std::string check_text(const CheckReport& report, const ViewOptions& options) {
   std::string text = scene_text(report);
   if (report.interrupted) text += "INTERRUPTED: what follows covers only what was judged.\n";
   text +=
@@ -133,7 +133,7 @@ std::string check_text(const CheckReport& report, bool colours) {
     text += fmt::format("\nworst discrepancies ({} of {}):\n", found.size(), total);
     for (std::size_t k = 0; k < found.size(); ++k) {
       text += fmt::format("{:>3}. {}\n", k + 1, found[k].candidate->name);
-      text += discrepancy_text(found[k].discrepancy, "     ", colours);
+      text += discrepancy_text(found[k].discrepancy, "     ", options.colours);
     }
   } else if (report.compared() > 0) {
     text += "\nno discrepancy\n";

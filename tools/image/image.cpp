@@ -160,7 +160,7 @@ void resize(const scene::Pixel& size, scene::Scene& scene) {
   const auto problems = scene::problems(scene);
   if (!problems.empty()) {
     throw std::invalid_argument(fmt::format(
-        "--size {},{}: {}", size.i, size.j,
+        "size {},{}: {}", size.i, size.j,
         problems.front().field + " = " + problems.front().value + ": " + problems.front().what));
   }
 }

@@ -1,7 +1,7 @@
 #include <nlohmann/json.hpp>
 
-#include "tools/image/image.h"
 #include "tools/image/image_paint.h"
+#include "tools/image/image_views.h"
 #include "tools/report/json.h"
 
 namespace raycheck::tools {
@@ -23,7 +23,7 @@ Json error_counts_json(const ErrorCounts& error) {
 
 }  // namespace
 
-std::string image_json(const ImageReport& report) {
+std::string image_json(const ImageReport& report, const ViewOptions& /*options*/) {
   Json json = json_header("image");
   json["scene"] = report.path;
   json["file"] = report.interrupted ? Json(nullptr) : Json(report.file);

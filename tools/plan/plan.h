@@ -77,9 +77,6 @@ struct PlanReport {
 /// Plans a scene file, and measures what each item saves. Throws what the reader throws.
 PlanReport make_plan(const PlanOptions& options);
 
-std::string plan_text(const PlanReport& report);
-std::string plan_json(const PlanReport& report);
-
 }  // namespace raycheck::tools
 
 #endif  // RAYCHECK_TOOLS_PLAN_PLAN_H_

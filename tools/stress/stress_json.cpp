@@ -1,10 +1,10 @@
 #include <nlohmann/json.hpp>
 
 #include "tools/report/json.h"
-#include "tools/stress/stress.h"
+#include "tools/stress/stress_views.h"
 
 namespace raycheck::tools {
-std::string stress_json(const StressReport& report) {
+std::string stress_json(const StressReport& report, const ViewOptions& /*options*/) {
   Json json = json_header("stress");
   json["interrupted"] = report.interrupted;
   json["cases"] = report.cases;

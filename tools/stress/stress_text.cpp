@@ -5,7 +5,7 @@
 
 #include "tools/report/table.h"
 #include "tools/report/words.h"
-#include "tools/stress/stress.h"
+#include "tools/stress/stress_views.h"
 
 namespace raycheck::tools {
 namespace {
@@ -213,16 +213,18 @@ std::string rendered(const StressReport& report, Render render, std::string_view
 
 }  // namespace
 
-std::string stress_text(const StressReport& report) {
+std::string stress_text(const StressReport& report, const ViewOptions& /*options*/) {
   return rendered(
       report, [](const Table& table) { return table.text(); }, "");
 }
 
-std::string stress_markdown(const StressReport& report) {
+std::string stress_markdown(const StressReport& report, const ViewOptions& /*options*/) {
   return rendered(
       report, [](const Table& table) { return table.markdown(); }, "### ");
 }
 
-std::string stress_csv(const StressReport& report) { return detail_table(report).csv(); }
+std::string stress_csv(const StressReport& report, const ViewOptions& /*options*/) {
+  return detail_table(report).csv();
+}
 
 }  // namespace raycheck::tools

@@ -1,7 +1,7 @@
 #include <nlohmann/json.hpp>
 
 #include "tools/report/json.h"
-#include "tools/tradeoff/tradeoff.h"
+#include "tools/tradeoff/tradeoff_views.h"
 
 namespace raycheck::tools {
 namespace {
@@ -28,7 +28,7 @@ Json cost_json(const MethodCost& cost) {
 
 }  // namespace
 
-std::string tradeoff_json(const TradeoffReport& report) {
+std::string tradeoff_json(const TradeoffReport& report, const ViewOptions& /*options*/) {
   Json json = json_header("tradeoff");
   json["interrupted"] = report.interrupted;
   json["subject"] = report.subject;

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-#include "tools/tradeoff/tradeoff.h"
+#include "tools/tradeoff/tradeoff_views.h"
 
 namespace raycheck::tools {
 namespace {

@@ -2,7 +2,7 @@
 
 #include "tools/report/table.h"
 #include "tools/report/words.h"
-#include "tools/tradeoff/tradeoff.h"
+#include "tools/tradeoff/tradeoff_views.h"
 
 namespace raycheck::tools {
 namespace {
@@ -222,17 +222,17 @@ std::string rendered(const TradeoffReport& report, Render render, std::string_vi
 
 }  // namespace
 
-std::string tradeoff_text(const TradeoffReport& report) {
+std::string tradeoff_text(const TradeoffReport& report, const ViewOptions& /*options*/) {
   return rendered(
       report, [](const Table& table) { return table.text(); }, "", "  ");
 }
 
-std::string tradeoff_markdown(const TradeoffReport& report) {
+std::string tradeoff_markdown(const TradeoffReport& report, const ViewOptions& /*options*/) {
   return rendered(
       report, [](const Table& table) { return table.markdown(); }, "### ", "- ");
 }
 
-std::string tradeoff_csv(const TradeoffReport& report) {
+std::string tradeoff_csv(const TradeoffReport& report, const ViewOptions& /*options*/) {
   Table table({{"stage"},
                {"method"},
                {"pareto"},
