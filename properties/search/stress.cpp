@@ -17,7 +17,7 @@ void keep_first_of_each(StressResult& result, const Case& the_case, const Verdic
           return other.discrepancy.law == discrepancy.law &&
                  other.discrepancy.quantity == discrepancy.quantity &&
                  other.discrepancy.wrong == discrepancy.wrong &&
-                 other.discrepancy.excuse == discrepancy.excuse;
+                 other.discrepancy.excuse.kind == discrepancy.excuse.kind;
         });
     if (!known) result.found.push_back({the_case, std::move(discrepancy)});
   }
