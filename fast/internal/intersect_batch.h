@@ -22,7 +22,7 @@
 HWY_BEFORE_NAMESPACE();
 namespace raycheck::fast::HWY_NAMESPACE {
 
-/// Roots, in the type of number that a method reckons with.
+/// Roots, in the type of number that a method computes in.
 template <class N>
 struct RootsOf {
   N axial_distance;
@@ -84,7 +84,7 @@ struct FromRoots : Method {
 };
 
 // The functions of an IntersectMethod, of an Answerer: a type with an answer() as FromRoots has.
-// Flattened: a call would pass vectors through memory, and reckon what the answer does not need.
+// Flattened: a call would pass vectors through memory, and compute what the answer does not need.
 
 template <class N>
 HWY_INLINE Chosen plain(const ChosenOf<N>& chosen) {

@@ -214,7 +214,7 @@ std::optional<To> exact_sum_of(const A& a, const B& b, double p, double q) {
 /// Two cameras with the same axes: the candidate's frames must agree.
 Verdict compare_frames(Trial& trial, const Law& law, const scene::Camera& other_camera,
                        const std::string& what) {
-  if (!scene::problems(other_camera).empty()) {
+  if (!scene::defects(other_camera).empty()) {
     return Verdict::left_out("the changed camera is degenerate");
   }
   Verdict verdict;

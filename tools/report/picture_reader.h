@@ -16,7 +16,7 @@ struct ReadPicture {
   std::vector<Colour> pixels;
 };
 
-/// A picture that is none; what() says why.
+/// A file cannot be read as a picture; what() says why.
 class PictureError : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;
