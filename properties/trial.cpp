@@ -260,8 +260,8 @@ Stability Trial::weigh(double error, double condition,
   return stability;
 }
 
-void Trial::examine(Verdict& verdict, std::string_view law, Quantity quantity, const Place& place,
-                    double error, double bound, const std::function<double()>& condition,
+void Trial::examine(Verdict& verdict, Quantity quantity, const Place& place, double error,
+                    double bound, const std::function<double()>& condition,
                     const std::function<void(Discrepancy&)>& describe,
                     const std::function<double()>& backward) const {
   Discrepancy discrepancy;
@@ -283,7 +283,6 @@ void Trial::examine(Verdict& verdict, std::string_view law, Quantity quantity, c
     verdict.count_ill_conditioned(quantity);
     return;
   }
-  discrepancy.law = law;
   discrepancy.quantity = quantity;
   discrepancy.place = place;
   discrepancy.error = error;
@@ -298,11 +297,10 @@ void Trial::examine(Verdict& verdict, std::string_view law, Quantity quantity, c
   verdict.add(std::move(discrepancy));
 }
 
-void Trial::convict(Verdict& verdict, std::string_view law, Quantity quantity, const Place& place,
-                    Wrong wrong, const std::function<bool()>& may_flip,
+void Trial::convict(Verdict& verdict, Quantity quantity, const Place& place, Wrong wrong,
+                    const std::function<bool()>& may_flip,
                     const std::function<void(Discrepancy&)>& describe) const {
   Discrepancy discrepancy;
-  discrepancy.law = law;
   discrepancy.quantity = quantity;
   discrepancy.place = place;
   discrepancy.error = std::numeric_limits<double>::infinity();

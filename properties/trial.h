@@ -87,41 +87,41 @@ class Trial {
   /// are called only then; `describe` fills in what, got and exact. Under `conditioning` every
   /// error is weighed, by `backward` (a backward error in units of u) where kappa is infinite.
   template <class Condition, class Describe>
-  void measure(Verdict& verdict, std::string_view law, Quantity quantity, const Place& place,
-               double error, double bound, const Condition& condition, const Describe& describe,
+  void measure(Verdict& verdict, Quantity quantity, const Place& place, double error, double bound,
+               const Condition& condition, const Describe& describe,
                const std::function<double()>& backward = {}) const {
     verdict.measured(quantity, place, error);
     if (error <= bound && !options_.conditioning) return;
-    examine(verdict, law, quantity, place, error, bound, condition, describe, backward);
+    examine(verdict, quantity, place, error, bound, condition, describe, backward);
   }
   template <class Condition, class Describe>
-  void measure(Verdict& verdict, std::string_view law, Quantity quantity, const Place& place,
-               double error, const Condition& condition, const Describe& describe) const {
-    measure(verdict, law, quantity, place, error, bound(quantity), condition, describe);
+  void measure(Verdict& verdict, Quantity quantity, const Place& place, double error,
+               const Condition& condition, const Describe& describe) const {
+    measure(verdict, quantity, place, error, bound(quantity), condition, describe);
   }
   /// Counts a right or wrong answer, and adds a discrepancy when it is wrong. `may_flip` says
   /// whether a change of the inputs within kExcusedChange may make it right; a candidate that
   /// promises the exact class is not asked.
   template <class MayFlip, class Describe>
-  void judge(Verdict& verdict, std::string_view law, Quantity quantity, const Place& place,
-             Wrong wrong, const MayFlip& may_flip, const Describe& describe) const {
+  void judge(Verdict& verdict, Quantity quantity, const Place& place, Wrong wrong,
+             const MayFlip& may_flip, const Describe& describe) const {
     if (wrong == Wrong::kNot) {
       verdict.judged_right(quantity, 1);
     } else {
-      convict(verdict, law, quantity, place, wrong, may_flip, describe);
+      convict(verdict, quantity, place, wrong, may_flip, describe);
     }
   }
 
  private:
   Stability weigh(double error, double condition, const std::function<double()>& backward) const;
   /// measure() of an error that is weighed, or above its bound.
-  void examine(Verdict& verdict, std::string_view law, Quantity quantity, const Place& place,
-               double error, double bound, const std::function<double()>& condition,
+  void examine(Verdict& verdict, Quantity quantity, const Place& place, double error, double bound,
+               const std::function<double()>& condition,
                const std::function<void(Discrepancy&)>& describe,
                const std::function<double()>& backward) const;
   /// judge() of a wrong answer.
-  void convict(Verdict& verdict, std::string_view law, Quantity quantity, const Place& place,
-               Wrong wrong, const std::function<bool()>& may_flip,
+  void convict(Verdict& verdict, Quantity quantity, const Place& place, Wrong wrong,
+               const std::function<bool()>& may_flip,
                const std::function<void(Discrepancy&)>& describe) const;
 
   const Case& case_;

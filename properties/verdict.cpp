@@ -62,12 +62,6 @@ std::optional<double> Tally::max() const {
   return errors.empty() ? std::nullopt : std::optional(worst);
 }
 
-Verdict Verdict::left_out(std::string reason) {
-  Verdict verdict;
-  verdict.left_out_ = std::move(reason);
-  return verdict;
-}
-
 void Verdict::measured(Quantity quantity, const Place& place, double error) {
   Tally& tally = tallies_[quantity];
   ++tally.cases;
@@ -125,6 +119,7 @@ void Verdict::judged(Quantity quantity, const Place& place, Wrong wrong, Excuse 
 }
 
 void Verdict::add(Discrepancy discrepancy) {
+  if (!law_.empty()) discrepancy.law = law_;
   ++discrepancies_;
   if (discrepancy.excuse != Excuse::kNone) ++excused_;
   kept_.push_back(std::move(discrepancy));

@@ -111,8 +111,12 @@ inline constexpr std::size_t kKeptDiscrepancies = 1000;
 /// compared and the discrepancies found; it holds when there are none without an excuse.
 class Verdict {
  public:
-  static Verdict left_out(std::string reason);
-  /// Notes that a part of the case was left out.
+  /// Speaks for no law: others are merged into it.
+  Verdict() = default;
+  /// Speaks for the law of that name, which its discrepancies then bear.
+  explicit Verdict(std::string_view law) : law_(law) {}
+
+  /// Notes that the case, or a part of it, was left out.
   void leave_out(std::string reason) { left_out_ = std::move(reason); }
 
   /// Counts a measured error.
@@ -125,6 +129,7 @@ class Verdict {
   void judged_right(Quantity quantity, std::uint64_t count);
   /// Counts an answer that is right or wrong.
   void judged(Quantity quantity, const Place& place, Wrong wrong, Excuse excuse);
+  /// Adds a discrepancy with the law that this verdict speaks for.
   void add(Discrepancy discrepancy);
   void merge(Verdict other);
   /// Adds to every ray index: this verdict's case was a part, from that ray on, of a larger one.
@@ -142,6 +147,7 @@ class Verdict {
  private:
   void prune();
 
+  std::string_view law_;
   std::string left_out_;
   std::map<Quantity, Tally> tallies_;
   std::vector<Discrepancy> kept_;

@@ -45,10 +45,6 @@ std::optional<Intersection> classify(Sign sign, scene::Root convention) {
   return miss;
 }
 
-}  // namespace
-
-namespace {
-
 /// A function of its own, so that no operation moves to where doubles round upward.
 [[gnu::noinline]] ExactRay::Direction direction_of(const ExactRay::Source& source) {
   const NearestGuard guard;
@@ -56,12 +52,15 @@ namespace {
   return {{line.g.x(), line.g.y(), line.g.z()}, line.a};
 }
 
+void raise(Rung* highest, Rung rung) {
+  if (highest != nullptr) *highest = std::max(*highest, rung);
+}
+
 }  // namespace
 
 ExactRay::ExactRay(const ExactCamera& camera, const scene::Pixel& pixel)
     : source_{camera.impl(), pixel, {}} {
   require_pixel_of(source_.camera->camera, pixel);
-  direction_ = direction_of(source_);
   const IntervalGuard guard;
   const auto line = line_of(IntervalLift{}, source_);
   bounds_ = {line.g.x().inf(), line.g.x().sup(), line.g.y().inf(), line.g.y().sup(),
@@ -70,12 +69,30 @@ ExactRay::ExactRay(const ExactCamera& camera, const scene::Pixel& pixel)
 
 ExactRay::ExactRay(const scene::Ray& ray) : source_{nullptr, {}, ray} {
   scene::require_valid(ray);
-  direction_ = direction_of(source_);
   const IntervalGuard guard;
   const auto line = line_of(IntervalLift{}, source_);
   bounds_ = {ray.direction.x, ray.direction.x, ray.direction.y, ray.direction.y,
              ray.direction.z, ray.direction.z, line.a.inf(),    line.a.sup()};
 }
+
+ExactRay::Direction ExactRay::direction_in_double_doubles() const {
+  return direction_.get([this] { return direction_of(source_); });
+}
+
+/// The first rung, as long as it lives: doubles round upward, and the ray's line is in intervals.
+struct ExactRay::Filter {
+  explicit Filter(const ExactRay& ray)
+      : line{lift_vector<IntervalKernel>(IntervalLift{}, base_of(ray.source_)),
+             {Interval(ray.bounds_[0], ray.bounds_[1]), Interval(ray.bounds_[2], ray.bounds_[3]),
+              Interval(ray.bounds_[4], ray.bounds_[5])},
+             Interval(ray.bounds_[6], ray.bounds_[7]),
+             ray.source_.camera != nullptr &&
+                 ray.source_.camera->conventions.origin == scene::Origin::kPixel,
+             ray.source_.camera != nullptr} {}
+
+  IntervalGuard guard;
+  Line<IntervalKernel> line;
+};
 
 /// A sign by double-doubles. A function of its own, so that no operation moves to where doubles
 /// round upward.
@@ -92,7 +109,7 @@ template <class F>
 int ExactRay::decide(const scene::Sphere& first, const scene::Sphere& second, Engine engine,
                      Rung* highest, F sign) const {
   const auto take = [highest](Rung rung, int answer) {
-    if (highest != nullptr) *highest = std::max(*highest, rung);
+    raise(highest, rung);
     return answer;
   };
   const auto sign_under = [&]<class K>(const auto& lift, const Line<K>& line) {
@@ -101,18 +118,10 @@ int ExactRay::decide(const scene::Sphere& first, const scene::Sphere& second, En
   };
   if (engine == Engine::kFiltered) {
     {
-      const IntervalGuard guard;
-      const bool from_camera = source_.camera != nullptr;
-      const scene::Point3& base = from_camera ? source_.camera->camera.eye : source_.given.origin;
-      const IntervalLift lift;
-      const Line<IntervalKernel> line{
-          lift_vector<IntervalKernel>(lift, base),
-          {Interval(bounds_[0], bounds_[1]), Interval(bounds_[2], bounds_[3]),
-           Interval(bounds_[4], bounds_[5])},
-          Interval(bounds_[6], bounds_[7]),
-          from_camera && source_.camera->conventions.origin == scene::Origin::kPixel,
-          from_camera};
-      if (const auto answer = sign_under(lift, line)) return take(Rung::kIntervals, *answer);
+      const Filter filter(*this);
+      if (const auto answer = sign_under(IntervalLift{}, filter.line)) {
+        return take(Rung::kIntervals, *answer);
+      }
     }
     if (const auto answer = sign_by_double_doubles(*this, sign_under)) {
       return take(Rung::kDoubleDoubles, *answer);
@@ -129,6 +138,16 @@ int ExactRay::decide(const scene::Sphere& first, const scene::Sphere& second, En
 Intersection ExactRay::intersect(const scene::Sphere& sphere, scene::Root root, Engine engine,
                                  Rung* highest) const {
   scene::require_valid(sphere);
+  if (engine == Engine::kFiltered) {  // All coefficients at once: intervals decide nearly always.
+    const Filter filter(*this);
+    const auto pair =
+        line_and_sphere(filter.line, lift_sphere<IntervalKernel>(IntervalLift{}, sphere));
+    const auto sign = [&](Coefficient coefficient) { return sign_of(coefficient, pair); };
+    if (const auto certain = classify(sign, root)) {
+      raise(highest, Rung::kIntervals);
+      return *certain;
+    }
+  }
   return *classify(
       [&](Coefficient coefficient) -> std::optional<int> {
         return decide(

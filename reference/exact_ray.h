@@ -11,6 +11,7 @@
 #include "reference/enclosure.h"
 #include "reference/exact_camera.h"
 #include "reference/internal/double_double.h"
+#include "reference/internal/kept.h"
 #include "scene/conventions.h"
 #include "scene/geometry.h"
 
@@ -88,12 +89,13 @@ class ExactRay {
     scene::Ray given;
   };
   const Source& source() const { return source_; }
-  /// g and |g|^2 of the line base + lambda g (reference/internal/formulas.h) in double-doubles.
+  /// g and |g|^2 of the line base + lambda g (reference/internal/formulas.h) in double-doubles:
+  /// computed when first asked for, since intervals decide nearly everything.
   struct Direction {
     Triple<DoubleDouble> g;
     DoubleDouble a;
   };
-  const Direction& direction_in_double_doubles() const { return direction_; }
+  Direction direction_in_double_doubles() const;
 
   /// Hit, miss or tangent, and at which root, under a `root` convention.
   /// `highest`, where given, rises to the highest rung that a decision took.
@@ -138,13 +140,14 @@ class ExactRay {
   static constexpr int kValueBits = 70;
 
  private:
+  struct Filter;
   template <class F>
   int decide(const scene::Sphere& first, const scene::Sphere& second, Engine engine, Rung* highest,
              F sign) const;
 
   Source source_;
   std::array<double, 8> bounds_;  ///< Lower and upper bounds of g and |g|^2: the filter's line.
-  Direction direction_;
+  Kept<Direction> direction_;
 };
 
 }  // namespace raycheck::reference

@@ -1,23 +1,15 @@
 #include "properties/cases/case_source.h"
 
 #include <algorithm>
-#include <array>
 #include <charconv>
 #include <stdexcept>
+#include <vector>
 
 #include "properties/cases/case_list.h"
 #include "properties/cases/random.h"
 
 namespace raycheck::properties {
 namespace {
-
-const std::array<CaseSource, 23> kSources = {
-    kCourseSource,      kCourseBehindSource, kCamerasSource,        kPlainCamerasSource,
-    kCrowdsSource,      kFarCameraSource,    kCameraScaleSource,    kUpSource,
-    kFieldOfViewSource, kImageSizeSource,    kNearPlaneSource,      kRaysSource,
-    kTiesSource,        kDistanceSource,     kTangencySource,       kTangentUlpsSource,
-    kSurfaceSource,     kInsideSource,       kHorizonSource,        kCoincidentSource,
-    kFarWorldSource,    kScaleSource,        kDirectionLengthSource};
 
 int any_severity(const Dial& dial, std::uint64_t seed) {
   Random random(~seed);  // apart from the draws that make the case
@@ -26,12 +18,22 @@ int any_severity(const Dial& dial, std::uint64_t seed) {
 
 }  // namespace
 
-std::span<const CaseSource> case_sources() { return kSources; }
+std::span<const CaseSource> case_sources() {
+  static const std::vector<CaseSource> all = [] {
+    std::vector<CaseSource> joined;
+    for (const std::span<const CaseSource> some :
+         {kCourseSources, kCameraSources, kPixelSources, kRaySources, kContactSources}) {
+      joined.insert(joined.end(), some.begin(), some.end());
+    }
+    return joined;
+  }();
+  return all;
+}
 
 const CaseSource* find_case_source(std::string_view name) {
-  const auto* const found = std::find_if(std::begin(kSources), std::end(kSources),
-                                         [&](const CaseSource& s) { return s.name == name; });
-  return found == std::end(kSources) ? nullptr : found;
+  const auto found = std::find_if(case_sources().begin(), case_sources().end(),
+                                  [&](const CaseSource& source) { return source.name == name; });
+  return found == case_sources().end() ? nullptr : &*found;
 }
 
 Case any_case(const CaseSource& source, std::uint64_t seed) {

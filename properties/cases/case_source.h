@@ -30,7 +30,7 @@ struct CaseSource {
   Case (*make)(int severity, std::uint64_t seed);
 };
 
-/// Every source, camera sources first, those without a dial before the families.
+/// Every source, in the order of reports: those with a camera first.
 std::span<const CaseSource> case_sources();
 
 /// The source of that name, or null.

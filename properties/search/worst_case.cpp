@@ -8,7 +8,6 @@
 
 #include "properties/cases/random.h"
 #include "properties/cases/shrink.h"
-#include "properties/laws/law_list.h"
 #include "scene/scene_scalars.h"
 #include "scene/validate.h"
 
@@ -146,13 +145,10 @@ void shrink(WorstCase& at, const Climber& climber, const RunControl& control) {
 }  // namespace
 
 const Law* law_of(Stage stage, Quantity quantity) {
-  if (stage == Stage::kRays) {
-    if (quantity == Quantity::kPixelPoint) return &kPixelPointLaw;
-    return quantity == Quantity::kDirection ? &kDirectionLaw : nullptr;
-  }
-  if (quantity == Quantity::kHitPoint) return &kHitPointLaw;
-  if (quantity == Quantity::kBackwardError) return &kBackwardErrorLaw;
-  return quantity == Quantity::kParameter ? &kParameterLaw : nullptr;
+  if (is_decision(quantity)) return nullptr;
+  const auto found =
+      laws_that([&](const Law& law) { return law.stage == stage && law.quantity == quantity; });
+  return found.empty() ? nullptr : found.front();
 }
 
 std::optional<WorstCase> find_worst_case(const Candidate& candidate, Stage stage,

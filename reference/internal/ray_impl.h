@@ -26,6 +26,11 @@ inline CameraNumbers<EnclosureKernel> numbers_of(const EnclosureLift& lift,
   return camera.enclosed(lift, scratch);
 }
 
+/// E, or a given ray's own origin.
+inline const scene::Point3& base_of(const ExactRay::Source& source) {
+  return source.camera != nullptr ? source.camera->camera.eye : source.given.origin;
+}
+
 // The line of a ray under each kernel: through a camera's pixel, or given.
 template <class K, class Lift>
 Line<K> line_of(const Lift& lift, const CameraNumbers<K>& numbers, const ExactRay::Source& source) {
@@ -47,10 +52,9 @@ inline Line<DoubleDoubleKernel> line_of(const DoubleDoubleLift& lift,
 /// The same, as the ray keeps it.
 inline Line<DoubleDoubleKernel> line_in_double_doubles(const ExactRay& ray) {
   const ExactRay::Source& source = ray.source();
-  const auto& [g, a] = ray.direction_in_double_doubles();
+  const auto [g, a] = ray.direction_in_double_doubles();
   const bool from_camera = source.camera != nullptr;
-  return {lift_vector<DoubleDoubleKernel>(
-              DoubleDoubleLift{}, from_camera ? source.camera->camera.eye : source.given.origin),
+  return {lift_vector<DoubleDoubleKernel>(DoubleDoubleLift{}, base_of(source)),
           {g.x, g.y, g.z},
           a,
           from_camera && source.camera->conventions.origin == scene::Origin::kPixel,

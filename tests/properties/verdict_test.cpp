@@ -33,7 +33,19 @@ TEST(Verdict, OfNothingHoldsAndComparedNothing) {
   EXPECT_EQ(verdict.compared(), 0u);
   EXPECT_TRUE(verdict.reason_left_out().empty());
   EXPECT_TRUE(verdict.worst(10).empty());
-  EXPECT_EQ(Verdict::left_out("why").reason_left_out(), "why");
+}
+
+TEST(Verdict, GivesDiscrepanciesItsLawAndKeepsThatOfOthers) {
+  Verdict of_a_law("parameter");
+  of_a_law.add(discrepancy(4, 1));
+  Verdict of_several;
+  of_several.merge(of_a_law);
+  EXPECT_EQ(of_several.worst(1).front().law, "parameter");
+  Verdict of_another("class");
+  of_another.leave_out("why");
+  of_another.merge(of_a_law);
+  EXPECT_EQ(of_another.reason_left_out(), "why");
+  EXPECT_EQ(of_another.worst(1).front().law, "parameter");
 }
 
 TEST(Verdict, CountsMeasuredErrors) {
@@ -171,7 +183,9 @@ TEST(Verdict, MergesCountsErrorsAndTheWorst) {
   second.add(discrepancy(9, 2, Excuse::kIllConditioned));
   second.shift_rays(100);
   first.merge(second);
-  first.merge(Verdict::left_out("nothing there"));
+  Verdict left_out;
+  left_out.leave_out("nothing there");
+  first.merge(left_out);
   EXPECT_EQ(first.compared(), 5u);
   const Tally& parameter = first.tallies().at(Quantity::kParameter);
   EXPECT_EQ(parameter.cases, 3u);

@@ -119,11 +119,8 @@ Candidate recorded(const AnsweredCase& answered) {
   return result;
 }
 
-/// The laws of single values about intersections: a law that asks other questions has no answers.
-bool is_answered(const Law& law) {
-  return law.judges_values && law.subject != Law::Subject::kCamera &&
-         law.name != "nearest-sphere" && law.name != "image" && law.name != "backward-error";
-}
+/// The laws of single values for each ray and sphere: what else laws ask is not in the answers.
+bool is_answered(const Law& law) { return law.judges_values && law.per == properties::Per::kPair; }
 
 }  // namespace
 

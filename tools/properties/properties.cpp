@@ -45,14 +45,9 @@ bool is_worth_asking(const Law& law, const Contestant& contestant, bool chosen_b
   const MethodPair* const methods = methods_of(contestant);
   if (chosen_by_user || methods == nullptr) return true;
   const MethodPair& pair = *methods;
-  switch (law.subject) {
-    case Law::Subject::kCamera:
-      return pair.intersect == kDefaultMethods.intersect;
-    case Law::Subject::kIntersection:
-      return pair.rays == kDefaultMethods.rays;
-    default:
-      return true;
-  }
+  if (speaks_of_cameras(law) == speaks_of_intersections(law)) return true;
+  return speaks_of_cameras(law) ? pair.intersect == kDefaultMethods.intersect
+                                : pair.rays == kDefaultMethods.rays;
 }
 
 /// A renderer is not told the conventions of a random case: it is judged by the default ones, and

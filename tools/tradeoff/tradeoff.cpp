@@ -141,14 +141,16 @@ void judge_pixels(const std::vector<Case>& chunks, TradeoffReport& report) {
     candidates.push_back(candidate_of(pairs[k]));
     report.pixels.push_back({candidates.back().name, durations[k], {}, false});
   }
+  const std::vector<const Law*> laws = properties::laws_that([](const Law& law) {
+    return law.stage == Stage::kIntersection && law.per == properties::Per::kPair &&
+           law.judges_values && law.tells_stability;
+  });
   for (const Case& chunk : chunks) {
     properties::SharedTruths truths(chunk);
     for (std::size_t k = 0; k < pairs.size(); ++k) {
       const auto conventions = candidates[k].declared.over(chunk.scene.conventions);
       properties::Trial trial(chunk, candidates[k], {.truth = truths.under(conventions)});
-      for (const char* law : {"class", "nearest-root", "parameter"}) {
-        report.pixels[k].verdict.merge(apply(*properties::find_law(law), trial));
-      }
+      for (const Law* law : laws) report.pixels[k].verdict.merge(apply(*law, trial));
     }
   }
   mark_pareto(report.pixels, [](const PixelCost& cost) -> std::optional<Rank> {
