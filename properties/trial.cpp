@@ -25,7 +25,7 @@ struct ValidRays {
   explicit ValidRays(const std::vector<scene::Ray>& all) {
     indices.reserve(all.size());
     for (std::size_t k = 0; k < all.size(); ++k) {
-      if (scene::problems(all[k]).empty()) indices.push_back(k);
+      if (scene::defects(all[k]).empty()) indices.push_back(k);
     }
     rays = all;
     if (indices.size() == all.size()) return;
