@@ -11,9 +11,10 @@ namespace raycheck::fast {
 namespace {
 
 constexpr const IntersectMethod* kMethods[] = {
-    &kQuadratic,  &kLecture,  &kStableQuadratic, &kKahan,         &kPerpendicular,
-    &kCross,      &kCross2,   &kSingleQuadratic, &kSingleLecture, &kDoubleDouble,
-    &kLongDouble, &kFloat128, &kRobust};
+#define RAYCHECK_ADDRESS(name) &k##name,
+    RAYCHECK_INTERSECT_METHODS(RAYCHECK_ADDRESS)
+#undef RAYCHECK_ADDRESS
+};
 
 bool all_finite(const Vectors& vectors) {
   // x - x is 0 for a finite x and NaN otherwise; the sums stay free of branches.
@@ -55,16 +56,16 @@ void intersect_by(BatchKernel kernel, const Rays& rays, const scene::Sphere& sph
   scene::require_valid(sphere);
   hits.resize(rays.size());
   const auto& [origin, direction] = rays;
-  const BatchQuestion question = {rays.size(),
-                                  {{origin.x.data(), origin.y.data(), origin.z.data()},
-                                   {direction.x.data(), direction.y.data(), direction.z.data()}},
-                                  sphere,
-                                  root,
-                                  tangent};
+  const BatchInput input = {rays.size(),
+                            {{origin.x.data(), origin.y.data(), origin.z.data()},
+                             {direction.x.data(), direction.y.data(), direction.z.data()}},
+                            sphere,
+                            root,
+                            tangent};
   const HitArrays answers = {hits.hit.data(),
                              hits.parameter.data(),
                              {hits.point.x.data(), hits.point.y.data(), hits.point.z.data()}};
-  if (!kernel(question, answers)) require_valid(rays, sphere);
+  if (!kernel(input, answers)) require_valid(rays, sphere);
 }
 
 std::vector<std::optional<std::size_t>> nearest_spheres(const IntersectMethod& method,

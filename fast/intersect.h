@@ -9,6 +9,7 @@
 
 #include "fast/batch.h"
 #include "fast/domain.h"
+#include "fast/method_list.h"
 #include "scene/conventions.h"
 #include "scene/geometry.h"
 
@@ -58,6 +59,7 @@ struct IntersectMethod {
                                       scene::Tangent);
   /// What the answer is chosen from, of one ray, unchecked; null where a method has no such values.
   Roots (*roots)(const scene::Ray&, const scene::Sphere&) = nullptr;
+  // The bounds; audited by the tests of fast/ and the campaigns of `raycheck properties`.
   double max_ulp;
   double max_point_ulp;
   std::string_view not_kept = {};  ///< Where it keeps no promise (a test pins that).
@@ -67,63 +69,9 @@ struct IntersectMethod {
   double unit_roundoff = 0x1p-53;  ///< Of the arithmetic that it computes in.
 };
 
-// The bounds; audited by the tests of fast/ and the campaigns of `raycheck properties`.
-inline constexpr double kQuadraticMaxUlp = 128;
-inline constexpr double kQuadraticMaxPointUlp = 160;
-inline constexpr double kLectureMaxUlp = 128;
-inline constexpr double kLectureMaxPointUlp = 160;
-inline constexpr double kStableQuadraticMaxUlp = 128;
-inline constexpr double kStableQuadraticMaxPointUlp = 160;
-inline constexpr double kKahanMaxUlp = 128;
-inline constexpr double kKahanMaxPointUlp = 160;
-inline constexpr double kPerpendicularMaxUlp = 96;
-inline constexpr double kPerpendicularMaxPointUlp = 112;
-inline constexpr double kCrossMaxUlp = 88;
-inline constexpr double kCrossMaxPointUlp = 104;
-inline constexpr double kCross2MaxUlp = 88;
-inline constexpr double kCross2MaxPointUlp = 104;
-inline constexpr double kSingleQuadraticMaxUlp = kQuadraticMaxUlp * 0x1p29;
-inline constexpr double kSingleQuadraticMaxPointUlp = kQuadraticMaxPointUlp * 0x1p29;
-inline constexpr double kSingleLectureMaxUlp = kLectureMaxUlp * 0x1p29;
-inline constexpr double kSingleLectureMaxPointUlp = kLectureMaxPointUlp * 0x1p29;
-inline constexpr double kDoubleDoubleMaxUlp = 1;
-inline constexpr double kDoubleDoubleMaxPointUlp = 1.5;
-inline constexpr double kLongDoubleMaxUlp = 1;
-inline constexpr double kLongDoubleMaxPointUlp = 1.5;
-inline constexpr double kFloat128MaxUlp = 1;
-inline constexpr double kFloat128MaxPointUlp = 1.5;
-inline constexpr double kRobustMaxUlp = 1;
-inline constexpr double kRobustMaxPointUlp = 1.5;
-
-/// `quadratic`: the general parametric approach as textbooks print it, b^2 - 4ac.
-extern const IntersectMethod kQuadratic;
-/// `lecture`: the lecture's faster method: v = T.D, d^2 = r^2 - (|T|^2 - v^2), s = v - d.
-extern const IntersectMethod kLecture;
-/// `stable-quadratic`: the same coefficients, roots by q = b + sign(b) sqrt(disc).
-extern const IntersectMethod kStableQuadratic;
-/// `kahan`: the same coefficients, the discriminant by Kahan's difference of products.
-extern const IntersectMethod kKahan;
-/// `perpendicular`: disc from |T - (T.D) D|^2, which does not cancel; roots by q.
-extern const IntersectMethod kPerpendicular;
-/// `cross`: disc = |d|^2 r^2 - |T x d|^2 with Kahan's products; roots by q.
-extern const IntersectMethod kCross;
-/// `cross2`: cross with T as an exact pair and c = |T|^2 - r^2 compensated.
-extern const IntersectMethod kCross2;
-/// `single-quadratic`, `single-lecture`: the same in single precision; lengths are in
-/// kSingleDomain.
-extern const IntersectMethod kSingleQuadratic;
-extern const IntersectMethod kSingleLecture;
-/// `double-double`: disc = |d|^2 r^2 - |T x d|^2 and roots by q, in pairs of doubles (about 106
-/// bits).
-extern const IntersectMethod kDoubleDouble;
-/// `long-double`: the same in the processor's 64 bits; lengths are in kWideDomain.
-extern const IntersectMethod kLongDouble;
-/// `float128`: the same in 113 bits by software; lengths are in kWideDomain.
-extern const IntersectMethod kFloat128;
-/// `robust`: the class is exact and s within kRobustMaxUlp on every valid input, also where s is
-/// subnormal; it overflows to infinity as IEEE-754. kWideDomain is where Q's relative error means
-/// something.
-extern const IntersectMethod kRobust;
+#define RAYCHECK_DECLARE(name) extern const IntersectMethod k##name;
+RAYCHECK_INTERSECT_METHODS(RAYCHECK_DECLARE)
+#undef RAYCHECK_DECLARE
 
 /// Every method, in the order of reports.
 std::span<const IntersectMethod* const> intersect_methods();

@@ -5,8 +5,11 @@
 namespace raycheck::fast {
 namespace {
 
-constexpr const PixelRayMethod* kMethods[] = {&kLectureRays, &kDirectRays, &kFocalRays,
-                                              &kIncrementalRays, &kSingleRays};
+constexpr const PixelRayMethod* kMethods[] = {
+#define RAYCHECK_ADDRESS(name) &k##name##Rays,
+    RAYCHECK_PIXEL_RAY_METHODS(RAYCHECK_ADDRESS)
+#undef RAYCHECK_ADDRESS
+};
 
 }  // namespace
 

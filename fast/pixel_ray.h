@@ -7,6 +7,7 @@
 
 #include "fast/batch.h"
 #include "fast/domain.h"
+#include "fast/method_list.h"
 #include "scene/camera.h"
 #include "scene/conventions.h"
 
@@ -35,6 +36,7 @@ struct PixelRayMethod {
   MakePoints pixel_points;  ///< P
   MakeRays pixel_rays;      ///< from P along D
   MakeRays focal_rays;      ///< from E along D
+  // The bounds; audited by the campaigns of `raycheck properties`.
   double max_point_ulp;
   double max_direction_ulp;
   double max_unit_defect_ulp;
@@ -43,34 +45,9 @@ struct PixelRayMethod {
   double unit_roundoff = 0x1p-53;  ///< Of the arithmetic that it computes in.
 };
 
-// The bounds of all methods; audited by the campaigns of `raycheck properties`.
-inline constexpr double kPixelPointMaxUlp = 128;
-inline constexpr double kLectureDirectionMaxUlp = 64;  ///< P - E cancels where |E| is large.
-inline constexpr double kDirectDirectionMaxUlp = 64;
-inline constexpr double kUnitDefectMaxUlp = 4;
-inline constexpr double kFocalUnitDefectMaxUlp = 8;     ///< It takes the axes for orthonormal.
-inline constexpr double kIncrementalPointMaxUlp = 256;  ///< kIncrementalTile additions.
-inline constexpr double kIncrementalDirectionMaxUlp = 256;
-inline constexpr double kSinglePointMaxUlp = 56 * 0x1p29;
-inline constexpr double kSingleDirectionMaxUlp = 256 * 0x1p29;
-inline constexpr double kSingleUnitDefectMaxUlp = 4 * 0x1p29;
-
-/// How many pixels of a row `incremental` steps over before it starts anew, by multiplication, as a
-/// renderer in tiles does. A pixel's answer then depends on its column alone, not on which pixels
-/// are asked for; a batch in the order of rows costs an addition a pixel.
-inline constexpr std::int64_t kIncrementalTile = 64;
-
-/// `lecture`: literally P = E + n W + alpha U + beta V, then D = (P - E)/|P - E|.
-extern const PixelRayMethod kLectureRays;
-/// `direct`: D from g = n W + alpha U + beta V, so that E's size does not touch it; P = E + g.
-extern const PixelRayMethod kDirectRays;
-/// `focal`: rays from E only, with all that the pixels share computed once per scene.
-extern const PixelRayMethod kFocalRays;
-/// `incremental`: `direct` with g stepped along a row by du = (right - left)/(w-1) U;
-/// kIncrementalTile.
-extern const PixelRayMethod kIncrementalRays;
-/// `single`: `direct` in single precision, axes included; lengths are in kSingleDomain.
-extern const PixelRayMethod kSingleRays;
+#define RAYCHECK_DECLARE(name) extern const PixelRayMethod k##name##Rays;
+RAYCHECK_PIXEL_RAY_METHODS(RAYCHECK_DECLARE)
+#undef RAYCHECK_DECLARE
 
 /// Where on the image plane a pixel is: alpha along U, beta along V, as every method computes them.
 struct PlanePosition {

@@ -58,6 +58,9 @@ constexpr const QuantityInfo& info(Quantity quantity) {
   return kQuantities[static_cast<std::size_t>(quantity)];
 }
 
+/// Whether its answers are right or wrong, without a measure of how far off.
+constexpr bool is_decision(Quantity quantity) { return info(quantity).unit.empty(); }
+
 /// u: errors are counted in it.
 inline constexpr double kDoubleRoundoff = 0x1p-53;
 

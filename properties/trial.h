@@ -7,17 +7,17 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <type_traits>
 #include <vector>
 
 #include "properties/candidate.h"
+#include "properties/case.h"
+#include "properties/domain.h"
 #include "properties/truth.h"
 #include "properties/verdict.h"
 #include "scene/scene.h"
 
 namespace raycheck::properties {
-
-/// All pixels of a camera, row by row.
-std::vector<scene::Pixel> all_pixels(const scene::Camera& camera);
 
 struct TrialOptions {
   std::optional<double> max_error = {};  ///< A bound in place of the candidate's own.
@@ -87,41 +87,45 @@ class Trial {
   /// are called only then; `describe` fills in what, got and exact. Under `conditioning` every
   /// error is weighed, by `backward` (a backward error in units of u) where kappa is infinite.
   template <class Condition, class Describe>
-  void measure(Verdict& verdict, std::string_view law, Quantity quantity, const Place& place,
-               double error, double bound, const Condition& condition, const Describe& describe,
+  void measure(Verdict& verdict, Quantity quantity, const Place& place, double error, double bound,
+               const Condition& condition, const Describe& describe,
                const std::function<double()>& backward = {}) const {
     verdict.measured(quantity, place, error);
     if (error <= bound && !options_.conditioning) return;
-    examine(verdict, law, quantity, place, error, bound, condition, describe, backward);
+    examine(verdict, quantity, place, error, bound, condition, describe, backward);
   }
   template <class Condition, class Describe>
-  void measure(Verdict& verdict, std::string_view law, Quantity quantity, const Place& place,
-               double error, const Condition& condition, const Describe& describe) const {
-    measure(verdict, law, quantity, place, error, bound(quantity), condition, describe);
+  void measure(Verdict& verdict, Quantity quantity, const Place& place, double error,
+               const Condition& condition, const Describe& describe) const {
+    measure(verdict, quantity, place, error, bound(quantity), condition, describe);
   }
   /// Counts a right or wrong answer, and adds a discrepancy when it is wrong. `may_flip` says
-  /// whether a change of the inputs within kExcusedChange may make it right; a candidate that
-  /// promises the exact class is not asked.
+  /// whether a change of the inputs within excused_change() may make it right, or it is the Excuse
+  /// itself where another one holds; a candidate that promises the exact class is not asked.
   template <class MayFlip, class Describe>
-  void judge(Verdict& verdict, std::string_view law, Quantity quantity, const Place& place,
-             Wrong wrong, const MayFlip& may_flip, const Describe& describe) const {
-    if (wrong == Wrong::kNot) {
-      verdict.judged_right(quantity, 1);
-    } else {
-      convict(verdict, law, quantity, place, wrong, may_flip, describe);
-    }
+  void judge(Verdict& verdict, Quantity quantity, const Place& place, Wrong wrong,
+             const MayFlip& may_flip, const Describe& describe) const {
+    if (wrong == Wrong::kNot) return verdict.judged_right(quantity, 1);
+    const auto excuse = [&]() -> Excuse {
+      if constexpr (std::is_same_v<std::invoke_result_t<MayFlip>, Excuse>) {
+        return may_flip();
+      } else {
+        return may_flip() ? Excuse{ExcuseKind::kSmallChange, excused_change()} : Excuse{};
+      }
+    };
+    convict(verdict, quantity, place, wrong, excuse, describe);
   }
 
  private:
   Stability weigh(double error, double condition, const std::function<double()>& backward) const;
   /// measure() of an error that is weighed, or above its bound.
-  void examine(Verdict& verdict, std::string_view law, Quantity quantity, const Place& place,
-               double error, double bound, const std::function<double()>& condition,
+  void examine(Verdict& verdict, Quantity quantity, const Place& place, double error, double bound,
+               const std::function<double()>& condition,
                const std::function<void(Discrepancy&)>& describe,
                const std::function<double()>& backward) const;
   /// judge() of a wrong answer.
-  void convict(Verdict& verdict, std::string_view law, Quantity quantity, const Place& place,
-               Wrong wrong, const std::function<bool()>& may_flip,
+  void convict(Verdict& verdict, Quantity quantity, const Place& place, Wrong wrong,
+               const std::function<Excuse()>& excuse,
                const std::function<void(Discrepancy&)>& describe) const;
 
   const Case& case_;
@@ -151,17 +155,6 @@ const HitAnswer* find_hit(const SphereHits& hits, std::size_t ray);
 double bound_on(Quantity quantity, const Candidate& candidate,
                 const scene::Conventions& conventions, bool has_camera,
                 std::optional<double> max_error_asked);
-
-/// True when every nonzero length of the scene lies in [smallest, largest]; the distance of a
-/// sphere of radius 0 is one, for want of another.
-bool lengths_are_within(const scene::Scene& scene, double smallest, double largest);
-
-/// How far from 1 the length of a direction may be that counts as unit: what its roundings make.
-inline constexpr double kUnitTolerance = 0x1p-50;
-
-/// True when the scene lies in the candidate's stated domain. (Whether an origin is outside a
-/// sphere is asked of rounded distances: the domain is about the method, not about the truth.)
-bool is_inside_domain(const Candidate& candidate, const scene::Scene& scene);
 
 }  // namespace raycheck::properties
 

@@ -21,8 +21,9 @@ fs::path root() { return RAYCHECK_SOURCE_DIR; }
 
 using Rooms = std::set<std::string>;
 
-/// Every room, and the rooms that its files may include. A folder inside a room (kInside) is part
-/// of it. The commands, tools/*/..._command.cpp, are of the edge, which is `tools`.
+/// Every room but those of commands, and the rooms that its files may include. A folder inside a
+/// room (kInside) is part of it. The commands, tools/*/..._command.cpp, are of the edge, which is
+/// `tools`; their rooms say in their CMake files what they see (sees()).
 const std::map<std::string, Rooms> kSees = {
     {"scene", {}},
     {"scene/files", {"scene"}},
@@ -44,28 +45,10 @@ const std::map<std::string, Rooms> kSees = {
      {"scene", "reference", "reference/visibility", "properties", "properties/laws"}},
     {"tools/methods", {"fast", "properties/candidates", "properties/search", "tools/peers"}},
     {"tools/external", {"scene", "scene/files", "properties", "tools/methods", "tools/report"}},
-    {"tools/check",
-     {"scene", "scene/files", "scene/plan", "properties", "properties/laws", "properties/cases",
-      "properties/mistakes", "tools/run", "tools/report", "tools/external"}},
-    {"tools/exchange", {"scene", "properties/laws", "properties/cases", "tools/check"}},
-    {"tools/explain",
-     {"scene", "reference", "fast", "properties", "properties/candidates", "tools/methods",
-      "tools/report"}},
-    {"tools/grade",
-     {"scene/files", "properties", "properties/laws", "properties/cases", "properties/mistakes",
-      "properties/search", "tools/run", "tools/report", "tools/methods", "tools/external"}},
-    {"tools/image",
-     {"scene", "scene/files", "reference/visibility", "properties", "tools/run", "tools/report",
-      "tools/methods"}},
-    {"tools/list",
-     {"scene", "fast", "properties/laws", "properties/cases", "tools/report", "tools/methods"}},
-    {"tools/plan", {"scene/files", "scene/plan", "reference/visibility", "tools/report"}},
-    {"tools/properties", {"properties", "properties/search", "tools/report", "tools/external"}},
-    {"tools/stress", {"properties", "properties/search", "tools/report", "tools/methods"}},
-    {"tools/tradeoff",
-     {"scene/files", "fast", "properties", "properties/cases", "properties/search", "tools/report",
-      "tools/methods"}},
     {"tools/peers", {"scene", "fast"}}};
+
+/// Rooms of commands that may see another command's.
+const std::map<std::string, Rooms> kCommandsThatSee = {{"tools/exchange", {"tools/check"}}};
 
 /// Folders that are part of the room around them: `internal` ones are for that room's .cpp files
 /// and for each other; of `reference` one room more may look inside.
@@ -107,24 +90,85 @@ std::string room_of(const std::string& file) {
   return folder;
 }
 
+/// Every file below the product's folders.
+std::vector<fs::path> files() {
+  std::vector<fs::path> result;
+  for (const char* top : {"scene", "reference", "fast", "properties", "tools"}) {
+    for (const auto& entry : fs::recursive_directory_iterator(root() / top)) {
+      result.push_back(entry.path());
+    }
+  }
+  return result;
+}
+
+/// Every source below the product's folders.
+std::vector<std::string> sources() {
+  std::vector<std::string> result;
+  for (const fs::path& path : files()) {
+    if (is_source(path)) result.push_back(fs::relative(path, root()).generic_string());
+  }
+  std::sort(result.begin(), result.end());
+  return result;
+}
+
+/// The rooms after SEES in each raycheck_room(...) of the CMake files.
+std::map<std::string, Rooms> linked_rooms() {
+  std::map<std::string, Rooms> result;
+  for (const fs::path& path : files()) {
+    if (path.filename() != "CMakeLists.txt") continue;
+    const std::string text = text_of(path);
+    const std::string call = "raycheck_room(";
+    for (std::size_t at = text.find(call); at != std::string::npos; at = text.find(call, at + 1)) {
+      const std::size_t begin = at + call.size();
+      std::istringstream words(text.substr(begin, text.find(')', begin) - begin));
+      std::string room;
+      words >> room;
+      Rooms& seen = result[room];
+      bool sees = false;
+      for (std::string word; words >> word;) {
+        if (word == "SEES" || word == "LINKS" || word == "SHOWS" || word == "INSIDE" ||
+            word == "EXCEPT") {
+          sees = word == "SEES";
+        } else if (sees) {
+          seen.insert(word);
+        }
+      }
+    }
+  }
+  return result;
+}
+
+/// The rooms of commands.
+const Rooms& commands() {
+  static const Rooms all = [] {
+    Rooms result;
+    for (const std::string& file : sources()) {
+      if (file.ends_with("_command.cpp")) result.insert(folder_of(file));
+    }
+    return result;
+  }();
+  return all;
+}
+
+/// Every room, and the rooms that its files may include.
+const std::map<std::string, Rooms>& sees() {
+  static const std::map<std::string, Rooms> all = [] {
+    std::map<std::string, Rooms> result = kSees;
+    const auto linked = linked_rooms();
+    for (const std::string& room : commands()) {
+      const auto found = linked.find(room);
+      result[room] = found == linked.end() ? Rooms() : found->second;
+    }
+    return result;
+  }();
+  return all;
+}
+
 struct Include {
   std::string from;    ///< "reference/exact_ray.h"
   std::string target;  ///< What stands between the quotes or brackets.
   bool quoted = false;
 };
-
-/// Every source below the product's folders.
-std::vector<std::string> sources() {
-  std::vector<std::string> result;
-  for (const char* top : {"scene", "reference", "fast", "properties", "tools"}) {
-    for (const auto& entry : fs::recursive_directory_iterator(root() / top)) {
-      if (!is_source(entry.path())) continue;
-      result.push_back(fs::relative(entry.path(), root()).generic_string());
-    }
-  }
-  std::sort(result.begin(), result.end());
-  return result;
-}
 
 const std::vector<Include>& includes() {
   static const std::vector<Include> all = [] {
@@ -164,12 +208,12 @@ TEST(Rooms, AreAllKnown) {
   EXPECT_GT(sources().size(), 250u);
   for (const std::string& file : sources()) {
     const std::string room = room_of(file);
-    EXPECT_TRUE(kSees.contains(room) || kPrograms.contains(room) || room == kEdge)
+    EXPECT_TRUE(sees().contains(room) || kPrograms.contains(room) || room == kEdge)
         << file << " lies in no known room";
   }
-  for (const auto& [room, seen] : kSees) {
+  for (const auto& [room, seen] : sees()) {
     EXPECT_TRUE(fs::is_directory(root() / room)) << room;
-    for (const std::string& other : seen) EXPECT_TRUE(kSees.contains(other)) << other;
+    for (const std::string& other : seen) EXPECT_TRUE(sees().contains(other)) << other;
   }
 }
 
@@ -191,12 +235,25 @@ TEST(Rooms, HaveArrowsOneWay) {
     const std::string to = room_of(include.target);
     if (from == to || kPrograms.contains(from) || from == kEdge) continue;
     used[from].insert(to);
-    EXPECT_TRUE(kSees.at(from).contains(to)) << include.from << " includes " << include.target;
+    EXPECT_TRUE(sees().at(from).contains(to)) << include.from << " includes " << include.target;
   }
-  for (const auto& [room, seen] : kSees) {
+  for (const auto& [room, seen] : sees()) {
     for (const std::string& other : seen) {
       EXPECT_TRUE(used[room].contains(other)) << room << " never includes " << other;
     }
+  }
+}
+
+TEST(Rooms, OfCommandsSeeNoOtherCommand) {
+  EXPECT_GT(commands().size(), 5u);
+  for (const std::string& room : commands()) {
+    EXPECT_TRUE(linked_rooms().contains(room)) << room << " has no CMakeLists.txt that says so";
+    Rooms others;
+    for (const std::string& other : sees().at(room)) {
+      if (commands().contains(other)) others.insert(other);
+    }
+    const auto allowed = kCommandsThatSee.find(room);
+    EXPECT_EQ(others, allowed == kCommandsThatSee.end() ? Rooms() : allowed->second) << room;
   }
 }
 
@@ -206,7 +263,7 @@ TEST(Rooms, SeeNoRoomThatSeesThem) {
   bool found = true;
   while (found) {
     found = false;
-    for (const auto& [room, seen] : kSees) {
+    for (const auto& [room, seen] : sees()) {
       if (placed.contains(room)) continue;
       if (std::includes(placed.begin(), placed.end(), seen.begin(), seen.end())) {
         placed.insert(room);
@@ -214,38 +271,12 @@ TEST(Rooms, SeeNoRoomThatSeesThem) {
       }
     }
   }
-  EXPECT_EQ(placed.size(), kSees.size()) << "rooms see each other in a circle";
-}
-
-/// The rooms after SEES in each raycheck_room(...) of a folder's CMake file.
-std::map<std::string, Rooms> linked_rooms() {
-  std::map<std::string, Rooms> result;
-  for (const char* top : {"scene", "reference", "fast", "properties", "tools"}) {
-    const std::string text = text_of(root() / top / "CMakeLists.txt");
-    const std::string call = "raycheck_room(";
-    for (std::size_t at = text.find(call); at != std::string::npos; at = text.find(call, at + 1)) {
-      const std::size_t begin = at + call.size();
-      std::istringstream words(text.substr(begin, text.find(')', begin) - begin));
-      std::string room;
-      words >> room;
-      Rooms& seen = result[room];
-      bool sees = false;
-      for (std::string word; words >> word;) {
-        if (word == "SEES" || word == "LINKS" || word == "SHOWS" || word == "INSIDE" ||
-            word == "EXCEPT") {
-          sees = word == "SEES";
-        } else if (sees) {
-          seen.insert(word);
-        }
-      }
-    }
-  }
-  return result;
+  EXPECT_EQ(placed.size(), sees().size()) << "rooms see each other in a circle";
 }
 
 TEST(Rooms, LinkWhatTheySeeAndNoMore) {
   const auto linked = linked_rooms();
-  for (const auto& [room, seen] : kSees) {
+  for (const auto& [room, seen] : sees()) {
     if (room == "tools/peers") continue;  // a library for each peer, in a CMake file of its own
     ASSERT_TRUE(linked.contains(room)) << room;
     Rooms expected = seen;

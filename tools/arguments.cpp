@@ -127,6 +127,7 @@ std::vector<Contestant> find_contestants(const ExternalArguments& arguments,
 }
 
 void add_format(CLI::App& command, std::string& format, const std::vector<std::string>& formats) {
+  format = formats.front();
   std::string meaning;
   for (std::size_t k = 0; k < formats.size(); ++k) {
     meaning += (k == 0 ? "" : k + 1 == formats.size() ? " or " : ", ") + formats[k];

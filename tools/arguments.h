@@ -13,6 +13,8 @@
 #include "scene/files/scene_file.h"
 #include "tools/external/contestant.h"
 #include "tools/report/plot.h"
+#include "tools/report/view.h"
+#include "tools/terminal.h"
 
 namespace raycheck::tools {
 
@@ -49,8 +51,15 @@ void add_renderer(CLI::App& command, ExternalArguments& arguments);
 std::vector<Contestant> find_contestants(const ExternalArguments& arguments,
                                          std::optional<scene::Dialect> dialect = {});
 
-/// --format, one of those names.
+/// --format, one of those names; the first where it is not given.
 void add_format(CLI::App& command, std::string& format, const std::vector<std::string>& formats);
+/// The same, of the views of a report.
+template <class Report, std::size_t N>
+void add_format(CLI::App& command, std::string& format, const View<Report> (&views)[N]) {
+  std::vector<std::string> names;
+  for (const View<Report>& view : views) names.emplace_back(view.name);
+  add_format(command, format, names);
+}
 /// --certificates FILE
 void add_certificates(CLI::App& command, std::optional<std::string>& path);
 /// --threads; `same` is what does not depend on it.
@@ -63,6 +72,14 @@ void print_error(const std::string& text);
 void print_warnings(const std::vector<std::string>& warnings);
 /// Throws when the report could not be written: a lost report must not look like a good one.
 void print_report(const std::string& text);
+/// Prints a report in the format of that name.
+/// Domain: a name that add_format takes.
+template <class Report, std::size_t N>
+void print_view(const View<Report> (&views)[N], std::string_view format, const Report& report) {
+  for (const View<Report>& view : views) {
+    if (view.name == format) print_report(view.render(report, {stdout_takes_colours()}));
+  }
+}
 /// Draws the plots, unless there is no gnuplot: then it says so on standard error.
 void draw_or_say(const std::vector<Plot>& plots, const std::string& path);
 

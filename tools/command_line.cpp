@@ -10,30 +10,19 @@
 
 #include "tools/arguments.h"
 #include "tools/commands.h"
-#include "tools/list/list.h"
 #include "tools/report/version.h"
 
 namespace raycheck::tools {
-
-Command add_list(CLI::App& program) {
-  CLI::App& command =
-      *program.add_subcommand("list", "Show methods, laws, sources and conventions");
-  const auto format = std::make_shared<std::string>("text");
-  add_format(command, *format, {"text", "json"});
-  return {&command, [format] {
-            print_report(*format == "json" ? list_json() : list_text());
-            return kExitNothingFound;
-          }};
-}
 
 int run_command_line(int argc, char** argv) {
   CLI::App app{"raycheck: an exact reference for camera rays and ray-sphere intersections"};
   app.set_version_flag("--version", std::string(kVersion));
   app.require_subcommand(1);
-  const std::vector<Command> commands = {add_check(app),    add_properties(app), add_explain(app),
-                                         add_stress(app),   add_tradeoff(app),   add_worst(app),
-                                         add_image(app),    add_plan(app),       add_grade(app),
-                                         add_generate(app), add_verify(app),     add_list(app)};
+  const std::vector<Command> commands = {
+#define RAYCHECK_ADD(name) add_##name(app),
+      RAYCHECK_COMMANDS(RAYCHECK_ADD)
+#undef RAYCHECK_ADD
+  };
   const std::string first = argc > 1 ? argv[1] : "";
   const bool is_command =
       std::any_of(commands.begin(), commands.end(),

@@ -14,18 +14,25 @@ struct Command {
   std::function<int()> run;
 };
 
-Command add_check(CLI::App& program);
-Command add_properties(CLI::App& program);
-Command add_explain(CLI::App& program);
-Command add_stress(CLI::App& program);
-Command add_tradeoff(CLI::App& program);
-Command add_worst(CLI::App& program);
-Command add_image(CLI::App& program);
-Command add_plan(CLI::App& program);
-Command add_grade(CLI::App& program);
-Command add_generate(CLI::App& program);
-Command add_verify(CLI::App& program);
-Command add_list(CLI::App& program);
+/// The commands, in the order of --help: NAME is that of tools/NAME/NAME_command.cpp, where
+/// add_NAME adds it to the program.
+#define RAYCHECK_COMMANDS(ROW) \
+  ROW(check)                   \
+  ROW(properties)              \
+  ROW(explain)                 \
+  ROW(stress)                  \
+  ROW(tradeoff)                \
+  ROW(worst)                   \
+  ROW(image)                   \
+  ROW(plan)                    \
+  ROW(grade)                   \
+  ROW(generate)                \
+  ROW(verify)                  \
+  ROW(list)
+
+#define RAYCHECK_DECLARE(name) Command add_##name(CLI::App& program);
+RAYCHECK_COMMANDS(RAYCHECK_DECLARE)
+#undef RAYCHECK_DECLARE
 
 }  // namespace raycheck::tools
 

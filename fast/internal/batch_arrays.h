@@ -36,7 +36,7 @@ inline constexpr auto kBytesOfBits = [] {
 }();
 
 /// What IntersectMethod::intersect is asked.
-struct BatchQuestion {
+struct BatchInput {
   std::size_t count;
   RayArrays rays;
   scene::Sphere sphere;
@@ -46,7 +46,7 @@ struct BatchQuestion {
 
 /// Answers to rays, each as the method's intersect_one() answers it. False where a ray may be no
 /// valid one; its answers then mean nothing.
-using BatchKernel = bool (*)(const BatchQuestion&, const HitArrays&);
+using BatchKernel = bool (*)(const BatchInput&, const HitArrays&);
 
 /// IntersectMethod::intersect by the target's kernel.
 void intersect_by(BatchKernel kernel, const Rays& rays, const scene::Sphere& sphere,

@@ -22,7 +22,7 @@
 HWY_BEFORE_NAMESPACE();
 namespace raycheck::fast::HWY_NAMESPACE {
 
-/// Roots, in the type of number that a method reckons with.
+/// Roots, in the type of number that a method computes in.
 template <class N>
 struct RootsOf {
   N axial_distance;
@@ -84,7 +84,7 @@ struct FromRoots : Method {
 };
 
 // The functions of an IntersectMethod, of an Answerer: a type with an answer() as FromRoots has.
-// Flattened: a call would pass vectors through memory, and reckon what the answer does not need.
+// Flattened: a call would pass vectors through memory, and compute what the answer does not need.
 
 template <class N>
 HWY_INLINE Chosen plain(const ChosenOf<N>& chosen) {
@@ -162,9 +162,9 @@ HWY_INLINE void store(std::uint64_t bytes, std::uint8_t* to) {
 
 /// A BatchKernel for multiples of kLaneCount.
 template <class Answerer>
-[[gnu::flatten]] HWY_NOINLINE bool answer_whole_vectors(const BatchQuestion& question,
+[[gnu::flatten]] HWY_NOINLINE bool answer_whole_vectors(const BatchInput& input,
                                                         const HitArrays& answers) {
-  const BatchQuestion asked = question;
+  const BatchInput asked = input;
   const HitArrays to = answers;
   const Triple<Lanes> centre = triple<Lanes>(asked.sphere.centre);
   const Lanes radius(asked.sphere.radius);
@@ -183,11 +183,11 @@ template <class Answerer>
 }
 
 /// A BatchKernel made of one for multiples of kLaneCount.
-inline bool answer_batch(BatchKernel whole_vectors, const BatchQuestion& question,
+inline bool answer_batch(BatchKernel whole_vectors, const BatchInput& input,
                          const HitArrays& answers) {
   constexpr std::size_t kLanes = kLaneCount;
-  const std::size_t rest = question.count % kLanes;
-  BatchQuestion part = question;
+  const std::size_t rest = input.count % kLanes;
+  BatchInput part = input;
   part.count -= rest;
   const bool valid = whole_vectors(part, answers);
   if (rest == 0) return valid;
@@ -199,8 +199,8 @@ inline bool answer_batch(BatchKernel whole_vectors, const BatchQuestion& questio
   for (std::size_t k = 0; k < kLanes; ++k) {
     const std::size_t ray = first + (k < rest ? k : rest - 1);
     for (std::size_t axis = 0; axis < 3; ++axis) {
-      given[axis][k] = question.rays.origin[axis][ray];
-      given[3 + axis][k] = question.rays.direction[axis][ray];
+      given[axis][k] = input.rays.origin[axis][ray];
+      given[3 + axis][k] = input.rays.direction[axis][ray];
     }
   }
   part.count = kLanes;
@@ -217,5 +217,30 @@ inline bool answer_batch(BatchKernel whole_vectors, const BatchQuestion& questio
 
 }  // namespace raycheck::fast::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
+
+// A method by its formula, a `template <class N> struct Formula` with roots() as FromRoots asks it.
+//
+// In the target's namespace: batch(), by lanes.
+#define RAYCHECK_BATCH_OF(Formula)                                                        \
+  namespace {                                                                             \
+  bool batch(const BatchInput& input, const HitArrays& answers) {                         \
+    return answer_batch(answer_whole_vectors<FromRoots<Formula<Lanes>>>, input, answers); \
+  }                                                                                       \
+  }
+// Where HWY_ONCE is set, in raycheck::fast: intersect(), by the best target's batch, and One, which
+// answers one ray;
+#define RAYCHECK_INTERSECT_BY(Formula)                                            \
+  namespace {                                                                     \
+  HWY_EXPORT(batch);                                                              \
+  void intersect(const Rays& rays, const scene::Sphere& sphere, scene::Root root, \
+                 scene::Tangent tangent, Hits& hits) {                            \
+    intersect_by(HWY_DYNAMIC_DISPATCH(batch), rays, sphere, root, tangent, hits); \
+  }                                                                               \
+  using One = HWY_NAMESPACE::FromRoots<HWY_NAMESPACE::Formula<double>>;           \
+  }
+// and the functions of its IntersectMethod.
+#define RAYCHECK_FUNCTIONS                                                    \
+  .intersect = intersect, .intersect_one = HWY_NAMESPACE::intersect_one<One>, \
+  .roots = HWY_NAMESPACE::roots_of<One>
 
 #endif  // RAYCHECK_FAST_INTERNAL_INTERSECT_BATCH_H_

@@ -27,37 +27,22 @@ struct Cross {
   }
 };
 
-bool batch(const BatchQuestion& question, const HitArrays& answers) {
-  return answer_batch(answer_whole_vectors<FromRoots<Cross<Lanes>>>, question, answers);
-}
-
 }  // namespace
+RAYCHECK_BATCH_OF(Cross)
 }  // namespace raycheck::fast::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
 
 #if HWY_ONCE
 namespace raycheck::fast {
-namespace {
+RAYCHECK_INTERSECT_BY(Cross)
 
-HWY_EXPORT(batch);
-
-void intersect(const Rays& rays, const scene::Sphere& sphere, scene::Root root,
-               scene::Tangent tangent, Hits& hits) {
-  intersect_by(HWY_DYNAMIC_DISPATCH(batch), rays, sphere, root, tangent, hits);
-}
-
-using One = HWY_NAMESPACE::FromRoots<HWY_NAMESPACE::Cross<double>>;
-
-}  // namespace
-
+/// disc = |d|^2 r^2 - |T x d|^2 with Kahan's products; roots by q.
 const IntersectMethod kCross = {
     .name = "cross",
     .sentence = "disc = a r^2 - |T x d|^2 with Kahan's products, roots by q",
-    .intersect = intersect,
-    .intersect_one = HWY_NAMESPACE::intersect_one<One>,
-    .roots = HWY_NAMESPACE::roots_of<One>,
-    .max_ulp = kCrossMaxUlp,
-    .max_point_ulp = kCrossMaxPointUlp,
+    RAYCHECK_FUNCTIONS,
+    .max_ulp = 88,
+    .max_point_ulp = 104,
 };
 
 }  // namespace raycheck::fast

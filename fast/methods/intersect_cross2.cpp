@@ -47,37 +47,22 @@ struct Cross2 {
   }
 };
 
-bool batch(const BatchQuestion& question, const HitArrays& answers) {
-  return answer_batch(answer_whole_vectors<FromRoots<Cross2<Lanes>>>, question, answers);
-}
-
 }  // namespace
+RAYCHECK_BATCH_OF(Cross2)
 }  // namespace raycheck::fast::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
 
 #if HWY_ONCE
 namespace raycheck::fast {
-namespace {
+RAYCHECK_INTERSECT_BY(Cross2)
 
-HWY_EXPORT(batch);
-
-void intersect(const Rays& rays, const scene::Sphere& sphere, scene::Root root,
-               scene::Tangent tangent, Hits& hits) {
-  intersect_by(HWY_DYNAMIC_DISPATCH(batch), rays, sphere, root, tangent, hits);
-}
-
-using One = HWY_NAMESPACE::FromRoots<HWY_NAMESPACE::Cross2<double>>;
-
-}  // namespace
-
+/// `cross` with T as an exact pair and c = |T|^2 - r^2 compensated.
 const IntersectMethod kCross2 = {
     .name = "cross2",
     .sentence = "cross, with C - o as an exact pair and a compensated c",
-    .intersect = intersect,
-    .intersect_one = HWY_NAMESPACE::intersect_one<One>,
-    .roots = HWY_NAMESPACE::roots_of<One>,
-    .max_ulp = kCross2MaxUlp,
-    .max_point_ulp = kCross2MaxPointUlp,
+    RAYCHECK_FUNCTIONS,
+    .max_ulp = 88,
+    .max_point_ulp = 104,
 };
 
 }  // namespace raycheck::fast

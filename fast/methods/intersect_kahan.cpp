@@ -25,37 +25,22 @@ struct Kahan {
   }
 };
 
-bool batch(const BatchQuestion& question, const HitArrays& answers) {
-  return answer_batch(answer_whole_vectors<FromRoots<Kahan<Lanes>>>, question, answers);
-}
-
 }  // namespace
+RAYCHECK_BATCH_OF(Kahan)
 }  // namespace raycheck::fast::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
 
 #if HWY_ONCE
 namespace raycheck::fast {
-namespace {
+RAYCHECK_INTERSECT_BY(Kahan)
 
-HWY_EXPORT(batch);
-
-void intersect(const Rays& rays, const scene::Sphere& sphere, scene::Root root,
-               scene::Tangent tangent, Hits& hits) {
-  intersect_by(HWY_DYNAMIC_DISPATCH(batch), rays, sphere, root, tangent, hits);
-}
-
-using One = HWY_NAMESPACE::FromRoots<HWY_NAMESPACE::Kahan<double>>;
-
-}  // namespace
-
+/// The coefficients of `quadratic`, the discriminant by Kahan's difference of products.
 const IntersectMethod kKahan = {
     .name = "kahan",
     .sentence = "the textbook's a, b, c; disc = b^2 - ac by Kahan's products, roots by q",
-    .intersect = intersect,
-    .intersect_one = HWY_NAMESPACE::intersect_one<One>,
-    .roots = HWY_NAMESPACE::roots_of<One>,
-    .max_ulp = kKahanMaxUlp,
-    .max_point_ulp = kKahanMaxPointUlp,
+    RAYCHECK_FUNCTIONS,
+    .max_ulp = 128,
+    .max_point_ulp = 160,
     .not_kept = "spheres many radii away, grazing rays",
 };
 

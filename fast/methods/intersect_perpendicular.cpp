@@ -26,37 +26,22 @@ struct Perpendicular {
   }
 };
 
-bool batch(const BatchQuestion& question, const HitArrays& answers) {
-  return answer_batch(answer_whole_vectors<FromRoots<Perpendicular<Lanes>>>, question, answers);
-}
-
 }  // namespace
+RAYCHECK_BATCH_OF(Perpendicular)
 }  // namespace raycheck::fast::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
 
 #if HWY_ONCE
 namespace raycheck::fast {
-namespace {
+RAYCHECK_INTERSECT_BY(Perpendicular)
 
-HWY_EXPORT(batch);
-
-void intersect(const Rays& rays, const scene::Sphere& sphere, scene::Root root,
-               scene::Tangent tangent, Hits& hits) {
-  intersect_by(HWY_DYNAMIC_DISPATCH(batch), rays, sphere, root, tangent, hits);
-}
-
-using One = HWY_NAMESPACE::FromRoots<HWY_NAMESPACE::Perpendicular<double>>;
-
-}  // namespace
-
+/// disc from |T - (T.D) D|^2, which does not cancel; roots by q.
 const IntersectMethod kPerpendicular = {
     .name = "perpendicular",
     .sentence = "disc = a (r^2 - |T - (b/a) d|^2), roots by q",
-    .intersect = intersect,
-    .intersect_one = HWY_NAMESPACE::intersect_one<One>,
-    .roots = HWY_NAMESPACE::roots_of<One>,
-    .max_ulp = kPerpendicularMaxUlp,
-    .max_point_ulp = kPerpendicularMaxPointUlp,
+    RAYCHECK_FUNCTIONS,
+    .max_ulp = 96,
+    .max_point_ulp = 112,
 };
 
 }  // namespace raycheck::fast

@@ -6,39 +6,21 @@
 
 HWY_BEFORE_NAMESPACE();
 namespace raycheck::fast::HWY_NAMESPACE {
-namespace {
-
-bool batch(const BatchQuestion& question, const HitArrays& answers) {
-  return answer_batch(answer_whole_vectors<FromRoots<Textbook<Lanes>>>, question, answers);
-}
-
-}  // namespace
+RAYCHECK_BATCH_OF(Textbook)
 }  // namespace raycheck::fast::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
 
 #if HWY_ONCE
 namespace raycheck::fast {
-namespace {
+RAYCHECK_INTERSECT_BY(Textbook)
 
-HWY_EXPORT(batch);
-
-void intersect(const Rays& rays, const scene::Sphere& sphere, scene::Root root,
-               scene::Tangent tangent, Hits& hits) {
-  intersect_by(HWY_DYNAMIC_DISPATCH(batch), rays, sphere, root, tangent, hits);
-}
-
-using One = HWY_NAMESPACE::FromRoots<HWY_NAMESPACE::Textbook<double>>;
-
-}  // namespace
-
+/// The general parametric approach as textbooks print it, b^2 - 4ac.
 const IntersectMethod kQuadratic = {
     .name = "quadratic",
     .sentence = "t = (-b -+ sqrt(b^2 - 4ac)) / 2a, the textbook's general parametric approach",
-    .intersect = intersect,
-    .intersect_one = HWY_NAMESPACE::intersect_one<One>,
-    .roots = HWY_NAMESPACE::roots_of<One>,
-    .max_ulp = kQuadraticMaxUlp,
-    .max_point_ulp = kQuadraticMaxPointUlp,
+    RAYCHECK_FUNCTIONS,
+    .max_ulp = 128,
+    .max_point_ulp = 160,
     .not_kept = "spheres many radii away, grazing rays",
 };
 

@@ -22,37 +22,22 @@ struct StableQuadratic {
   }
 };
 
-bool batch(const BatchQuestion& question, const HitArrays& answers) {
-  return answer_batch(answer_whole_vectors<FromRoots<StableQuadratic<Lanes>>>, question, answers);
-}
-
 }  // namespace
+RAYCHECK_BATCH_OF(StableQuadratic)
 }  // namespace raycheck::fast::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
 
 #if HWY_ONCE
 namespace raycheck::fast {
-namespace {
+RAYCHECK_INTERSECT_BY(StableQuadratic)
 
-HWY_EXPORT(batch);
-
-void intersect(const Rays& rays, const scene::Sphere& sphere, scene::Root root,
-               scene::Tangent tangent, Hits& hits) {
-  intersect_by(HWY_DYNAMIC_DISPATCH(batch), rays, sphere, root, tangent, hits);
-}
-
-using One = HWY_NAMESPACE::FromRoots<HWY_NAMESPACE::StableQuadratic<double>>;
-
-}  // namespace
-
+/// The coefficients of `quadratic`, roots by q = b + sign(b) sqrt(disc).
 const IntersectMethod kStableQuadratic = {
     .name = "stable-quadratic",
     .sentence = "disc = b^2 - ac, q = b + sign(b) sqrt(disc), roots q/a and c/q",
-    .intersect = intersect,
-    .intersect_one = HWY_NAMESPACE::intersect_one<One>,
-    .roots = HWY_NAMESPACE::roots_of<One>,
-    .max_ulp = kStableQuadraticMaxUlp,
-    .max_point_ulp = kStableQuadraticMaxPointUlp,
+    RAYCHECK_FUNCTIONS,
+    .max_ulp = 128,
+    .max_point_ulp = 160,
     .not_kept = "spheres many radii away, grazing rays",
 };
 

@@ -140,22 +140,19 @@ Case up(int severity, std::uint64_t seed) {
   });
 }
 
+constexpr CaseSource kSources[] = {
+    {"cameras", "ordinary cameras and spheres in view", true, {}, cameras},
+    {"plain-cameras", "axis-aligned cameras of small integers, with ties", true, {}, plain_cameras},
+    {"crowds", "ordinary cameras and spheres that hide one another", true, {}, crowds},
+    {"far-camera", "ordinary cameras and spheres in view, all 10^k from the world's origin", true,
+     Dial{"log10 of the distance from the world's origin", 10, 15}, far_camera},
+    {"camera-scale", "cameras and spheres in view, every length times 2^k or 2^-k", true,
+     Dial{"log2 of the scaling, up or down", 2, kMostBinades}, camera_scale},
+    {"up", "up vectors at an angle of 10^-k to the view", true,
+     Dial{"-log10 of the angle between up and the view", 10, 15}, up}};
+
 }  // namespace
 
-constinit const CaseSource kCamerasSource = {
-    "cameras", "ordinary cameras and spheres in view", true, {}, cameras};
-constinit const CaseSource kPlainCamerasSource = {
-    "plain-cameras", "axis-aligned cameras of small integers, with ties", true, {}, plain_cameras};
-constinit const CaseSource kCrowdsSource = {
-    "crowds", "ordinary cameras and spheres that hide one another", true, {}, crowds};
-constinit const CaseSource kFarCameraSource = {
-    "far-camera", "ordinary cameras and spheres in view, all 10^k from the world's origin", true,
-    Dial{"log10 of the distance from the world's origin", 10, 15}, far_camera};
-constinit const CaseSource kCameraScaleSource = {
-    "camera-scale", "cameras and spheres in view, every length times 2^k or 2^-k", true,
-    Dial{"log2 of the scaling, up or down", 2, kMostBinades}, camera_scale};
-constinit const CaseSource kUpSource = {"up", "up vectors at an angle of 10^-k to the view", true,
-                                        Dial{"-log10 of the angle between up and the view", 10, 15},
-                                        up};
+constinit const std::span<const CaseSource> kCameraSources = kSources;
 
 }  // namespace raycheck::properties

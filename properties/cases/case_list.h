@@ -1,39 +1,19 @@
 #ifndef RAYCHECK_PROPERTIES_CASES_CASE_LIST_H_
 #define RAYCHECK_PROPERTIES_CASES_CASE_LIST_H_
 
-// The sources of cases by subject, each defined in the file of that name. Internal to properties/.
+// The sources of cases by subject, each defined in the file of that name. Internal to the cases.
+
+#include <span>
 
 #include "properties/cases/case_source.h"
 
 namespace raycheck::properties {
 
-extern const CaseSource kCourseSource;  // course_cases.cpp
-extern const CaseSource kCourseBehindSource;
-
-extern const CaseSource kCamerasSource;  // camera_cases.cpp
-extern const CaseSource kPlainCamerasSource;
-extern const CaseSource kCrowdsSource;
-extern const CaseSource kFarCameraSource;
-extern const CaseSource kCameraScaleSource;
-extern const CaseSource kUpSource;
-
-extern const CaseSource kFieldOfViewSource;  // pixel_cases.cpp
-extern const CaseSource kImageSizeSource;
-extern const CaseSource kNearPlaneSource;
-
-extern const CaseSource kRaysSource;  // ray_cases.cpp
-extern const CaseSource kTiesSource;
-extern const CaseSource kDistanceSource;
-extern const CaseSource kCoincidentSource;
-extern const CaseSource kFarWorldSource;
-extern const CaseSource kScaleSource;
-extern const CaseSource kDirectionLengthSource;
-
-extern const CaseSource kTangencySource;  // contact_cases.cpp
-extern const CaseSource kTangentUlpsSource;
-extern const CaseSource kSurfaceSource;
-extern const CaseSource kInsideSource;
-extern const CaseSource kHorizonSource;
+extern const std::span<const CaseSource> kCourseSources;   // course_cases.cpp
+extern const std::span<const CaseSource> kCameraSources;   // camera_cases.cpp
+extern const std::span<const CaseSource> kPixelSources;    // pixel_cases.cpp
+extern const std::span<const CaseSource> kRaySources;      // ray_cases.cpp
+extern const std::span<const CaseSource> kContactSources;  // contact_cases.cpp
 
 }  // namespace raycheck::properties
 

@@ -1,9 +1,9 @@
 #include "properties/cases/case_source.h"
 
 #include <algorithm>
-#include <array>
 #include <charconv>
 #include <stdexcept>
+#include <vector>
 
 #include "properties/cases/case_list.h"
 #include "properties/cases/random.h"
@@ -11,13 +11,14 @@
 namespace raycheck::properties {
 namespace {
 
-const std::array<CaseSource, 23> kSources = {
-    kCourseSource,      kCourseBehindSource, kCamerasSource,        kPlainCamerasSource,
-    kCrowdsSource,      kFarCameraSource,    kCameraScaleSource,    kUpSource,
-    kFieldOfViewSource, kImageSizeSource,    kNearPlaneSource,      kRaysSource,
-    kTiesSource,        kDistanceSource,     kTangencySource,       kTangentUlpsSource,
-    kSurfaceSource,     kInsideSource,       kHorizonSource,        kCoincidentSource,
-    kFarWorldSource,    kScaleSource,        kDirectionLengthSource};
+/// FNV-1a: the same on every machine, as std::hash is not.
+std::uint64_t hash(std::string_view text) {
+  std::uint64_t sum = 0xcbf29ce484222325;
+  for (const char letter : text) {
+    sum = (sum ^ static_cast<unsigned char>(letter)) * 0x100000001b3;
+  }
+  return sum;
+}
 
 int any_severity(const Dial& dial, std::uint64_t seed) {
   Random random(~seed);  // apart from the draws that make the case
@@ -26,12 +27,22 @@ int any_severity(const Dial& dial, std::uint64_t seed) {
 
 }  // namespace
 
-std::span<const CaseSource> case_sources() { return kSources; }
+std::span<const CaseSource> case_sources() {
+  static const std::vector<CaseSource> all = [] {
+    std::vector<CaseSource> joined;
+    for (const std::span<const CaseSource> some :
+         {kCourseSources, kCameraSources, kPixelSources, kRaySources, kContactSources}) {
+      joined.insert(joined.end(), some.begin(), some.end());
+    }
+    return joined;
+  }();
+  return all;
+}
 
 const CaseSource* find_case_source(std::string_view name) {
-  const auto* const found = std::find_if(std::begin(kSources), std::end(kSources),
-                                         [&](const CaseSource& s) { return s.name == name; });
-  return found == std::end(kSources) ? nullptr : found;
+  const auto found = std::find_if(case_sources().begin(), case_sources().end(),
+                                  [&](const CaseSource& source) { return source.name == name; });
+  return found == case_sources().end() ? nullptr : &*found;
 }
 
 Case any_case(const CaseSource& source, std::uint64_t seed) {
@@ -44,6 +55,19 @@ Case ChosenSource::make(std::uint64_t seed) const {
 
 std::string ChosenSource::name() const {
   return std::string(source->name) + (severity ? "@" + std::to_string(*severity) : "");
+}
+
+const ChosenSource& chosen_by(std::span<const ChosenSource> sources, std::uint64_t seed) {
+  const ChosenSource* chosen = nullptr;
+  std::uint64_t heaviest = 0;
+  for (const ChosenSource& source : sources) {
+    const std::uint64_t weight = Random(seed ^ hash(source.name())).bits();
+    if (chosen == nullptr || weight > heaviest) {
+      chosen = &source;
+      heaviest = weight;
+    }
+  }
+  return *chosen;
 }
 
 ChosenSource chosen_source(std::string_view name) {

@@ -165,24 +165,23 @@ Case horizon(int severity, std::uint64_t seed) {
   return result;
 }
 
+constexpr CaseSource kSources[] = {
+    {"tangency", "impact parameters r (1 +- 10^-k)", false,
+     Dial{"log10 of the radius over the impact parameter's distance from it", 10, 16}, tangency},
+    {"tangent-ulps", "impact parameters 2^(52-k) ulps off r; at the highest, exactly tangent",
+     false,
+     Dial{"log2 of the radius over the impact parameter's distance from it", 2, kExactlyTangent},
+     tangent_ulps},
+    {"surface", "origins 10^-k half chords off the surface; at the highest, on it", false,
+     Dial{"log10 of the half chord over the distance from the surface", 10, kExactlyOnSurface},
+     surface},
+    {"inside", "origins inside, 10^-k radii off the centre; at the highest, at it", false,
+     Dial{"log10 of the radius over the distance from the centre", 10, kExactlyAtCentre}, inside},
+    {"horizon", "rays at the horizon from 10^-k radii above a huge sphere", false,
+     Dial{"log10 of the radius over the altitude", 10, 15}, horizon}};
+
 }  // namespace
 
-constinit const CaseSource kTangencySource = {
-    "tangency", "impact parameters r (1 +- 10^-k)", false,
-    Dial{"log10 of the radius over the impact parameter's distance from it", 10, 16}, tangency};
-constinit const CaseSource kTangentUlpsSource = {
-    "tangent-ulps", "impact parameters 2^(52-k) ulps off r; at the highest, exactly tangent", false,
-    Dial{"log2 of the radius over the impact parameter's distance from it", 2, kExactlyTangent},
-    tangent_ulps};
-constinit const CaseSource kSurfaceSource = {
-    "surface", "origins 10^-k half chords off the surface; at the highest, on it", false,
-    Dial{"log10 of the half chord over the distance from the surface", 10, kExactlyOnSurface},
-    surface};
-constinit const CaseSource kInsideSource = {
-    "inside", "origins inside, 10^-k radii off the centre; at the highest, at it", false,
-    Dial{"log10 of the radius over the distance from the centre", 10, kExactlyAtCentre}, inside};
-constinit const CaseSource kHorizonSource = {
-    "horizon", "rays at the horizon from 10^-k radii above a huge sphere", false,
-    Dial{"log10 of the radius over the altitude", 10, 15}, horizon};
+constinit const std::span<const CaseSource> kContactSources = kSources;
 
 }  // namespace raycheck::properties

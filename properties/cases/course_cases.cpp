@@ -159,19 +159,20 @@ Case course_scene(std::uint64_t seed, bool with_behind) {
 Case course(int, std::uint64_t seed) { return course_scene(seed, false); }
 Case course_behind(int, std::uint64_t seed) { return course_scene(seed, true); }
 
+constexpr CaseSource kSources[] = {
+    {"course",
+     "cameras and spheres of few digits, the spheres beyond the image plane",
+     true,
+     {},
+     course},
+    {"course-behind",
+     "the same, with spheres behind the eye and before the image plane",
+     true,
+     {},
+     course_behind}};
+
 }  // namespace
 
-constinit const CaseSource kCourseSource = {
-    "course",
-    "cameras and spheres of few digits, the spheres beyond the image plane",
-    true,
-    {},
-    course};
-constinit const CaseSource kCourseBehindSource = {
-    "course-behind",
-    "the same, with spheres behind the eye and before the image plane",
-    true,
-    {},
-    course_behind};
+constinit const std::span<const CaseSource> kCourseSources = kSources;
 
 }  // namespace raycheck::properties

@@ -141,16 +141,16 @@ Case near_plane(int severity, std::uint64_t seed) {
   });
 }
 
+constexpr CaseSource kSources[] = {
+    {"field-of-view", "bounds of 10^k or 10^-k times near", true,
+     Dial{"log10 of the bounds over near, up or down", 10, 15}, field_of_view},
+    {"image-size", "images 2^k pixels across, 2^31 - 1 at most", true,
+     Dial{"log2 of the pixels across", 2, kMostPixelsLog2}, image_size},
+    {"near-plane", "image planes 10^-k radii off the surface of a sphere", true,
+     Dial{"log10 of the radius over the pixel's distance from the surface", 10, 15}, near_plane}};
+
 }  // namespace
 
-constinit const CaseSource kFieldOfViewSource = {
-    "field-of-view", "bounds of 10^k or 10^-k times near", true,
-    Dial{"log10 of the bounds over near, up or down", 10, 15}, field_of_view};
-constinit const CaseSource kImageSizeSource = {
-    "image-size", "images 2^k pixels across, 2^31 - 1 at most", true,
-    Dial{"log2 of the pixels across", 2, kMostPixelsLog2}, image_size};
-constinit const CaseSource kNearPlaneSource = {
-    "near-plane", "image planes 10^-k radii off the surface of a sphere", true,
-    Dial{"log10 of the radius over the pixel's distance from the surface", 10, 15}, near_plane};
+constinit const std::span<const CaseSource> kPixelSources = kSources;
 
 }  // namespace raycheck::properties

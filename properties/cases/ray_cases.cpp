@@ -148,25 +148,22 @@ Case direction_length(int severity, std::uint64_t seed) {
   return result;
 }
 
+constexpr CaseSource kSources[] = {
+    {"rays", "ordinary rays and spheres", false, {}, rays},
+    {"ties", "exact tangents and equal spheres, and their neighbours in ulps", false, {}, ties},
+    {"distance", "spheres 10^k radii away", false,
+     Dial{"log10 of the distance over the radius", 10, 15}, distance},
+    {"coincident", "equal spheres 10^-k radii apart along the ray; at the highest, coincident",
+     false, Dial{"log10 of the radius over the separation", 10, kExactlyCoincident}, coincident},
+    {"far-world", "ordinary rays and spheres, all 10^k from the world's origin", false,
+     Dial{"log10 of the distance from the world's origin", 10, 15}, far_world},
+    {"scale", "ordinary rays and spheres, every length times 2^k or 2^-k", false,
+     Dial{"log2 of the scaling, up or down", 2, kMostBinades}, scale},
+    {"direction-length", "ordinary rays and spheres, the direction times 2^k or 2^-k", false,
+     Dial{"log2 of the direction's length, up or down", 2, kMostBinades}, direction_length}};
+
 }  // namespace
 
-constinit const CaseSource kRaysSource = {"rays", "ordinary rays and spheres", false, {}, rays};
-constinit const CaseSource kTiesSource = {
-    "ties", "exact tangents and equal spheres, and their neighbours in ulps", false, {}, ties};
-constinit const CaseSource kDistanceSource = {"distance", "spheres 10^k radii away", false,
-                                              Dial{"log10 of the distance over the radius", 10, 15},
-                                              distance};
-constinit const CaseSource kCoincidentSource = {
-    "coincident", "equal spheres 10^-k radii apart along the ray; at the highest, coincident",
-    false, Dial{"log10 of the radius over the separation", 10, kExactlyCoincident}, coincident};
-constinit const CaseSource kFarWorldSource = {
-    "far-world", "ordinary rays and spheres, all 10^k from the world's origin", false,
-    Dial{"log10 of the distance from the world's origin", 10, 15}, far_world};
-constinit const CaseSource kScaleSource = {
-    "scale", "ordinary rays and spheres, every length times 2^k or 2^-k", false,
-    Dial{"log2 of the scaling, up or down", 2, kMostBinades}, scale};
-constinit const CaseSource kDirectionLengthSource = {
-    "direction-length", "ordinary rays and spheres, the direction times 2^k or 2^-k", false,
-    Dial{"log2 of the direction's length, up or down", 2, kMostBinades}, direction_length};
+constinit const std::span<const CaseSource> kRaySources = kSources;
 
 }  // namespace raycheck::properties

@@ -22,19 +22,16 @@ double orthonormality_error(const FrameAnswer& frame) {
                    reference::in_units_of_u(dot(V, W)), reference::in_units_of_u(dot(W, U))});
 }
 
-Verdict judge_frame(Trial& trial) {
-  if (!trial.scene().camera) return Verdict::left_out("the scene has no camera");
-  if (!trial.candidate().frame) return Verdict::left_out("the candidate gives no frame");
+void judge_frame(Trial& trial, Verdict& verdict) {
   const FrameAnswer& got = trial.frame();
   const reference::ExactCamera& camera = trial.exact_camera();
   const reference::EnclosedFrame exact = camera.frame();
   const auto condition = [&] { return reference::condition_of_frame(camera); };
-  Verdict verdict;
   const auto judge_axis = [&](const char* axis, const scene::UnitVector3& answer,
                               const Enclosure3& truth,
                               scene::UnitVector3 reference::RoundedFrame::*member) {
-    trial.measure(verdict, kFrameLaw.name, Quantity::kFrame, Place{},
-                  reference::relative_error(answer, truth), condition, [&](Discrepancy& d) {
+    trial.measure(verdict, Quantity::kFrame, Place{}, reference::relative_error(answer, truth),
+                  condition, [&](Discrepancy& d) {
                     d.what = axis;
                     d.got = numbers(answer);
                     d.exact = numbers(camera.rounded_frame().*member);
@@ -43,20 +40,27 @@ Verdict judge_frame(Trial& trial) {
   judge_axis("U", got.U, exact.U, &reference::RoundedFrame::U);
   judge_axis("V", got.V, exact.V, &reference::RoundedFrame::V);
   judge_axis("W", got.W, exact.W, &reference::RoundedFrame::W);
-  trial.measure(verdict, kFrameLaw.name, Quantity::kOrthonormality, Place{},
-                orthonormality_error(got), condition, [&](Discrepancy& d) {
+  trial.measure(verdict, Quantity::kOrthonormality, Place{}, orthonormality_error(got), condition,
+                [&](Discrepancy& d) {
                   d.what = "U, V, W";
                   for (const auto& axis : {got.U, got.V, got.W}) {
                     d.got.insert(d.got.end(), {axis.x, axis.y, axis.z});
                   }
                 });
-  return verdict;
 }
+
+constexpr Law kLaws[] = {
+    {.name = "frame",
+     .sentence = "the frame is orthonormal, right-handed, and the camera's",
+     .per = Per::kScene,
+     .needs = Needs::kFrame,
+     .quantity = Quantity::kFrame,
+     .judges_values = true,
+     .judge = judge_frame},
+};
 
 }  // namespace
 
-constinit const Law kFrameLaw = {"frame",
-                                 "the frame is orthonormal, right-handed, and the camera's",
-                                 Law::Subject::kCamera, true, judge_frame};
+constinit const std::span<const Law> kFrameLaws = kLaws;
 
 }  // namespace raycheck::properties

@@ -14,22 +14,24 @@ bool is_within_threshold(Trial& trial, std::size_t ray, double threshold) {
                                                 exact->intersection) <= threshold;
 }
 
-Verdict judge_image(Trial& trial) {
+Excuse excuse_of(Trial& trial, const Choice& choice) {
   const Candidate& candidate = trial.candidate();
-  if (!candidate.image) return Verdict::left_out("the candidate makes no images");
-  if (!trial.scene().camera) return Verdict::left_out("the scene has no camera");
-  const scene::Camera& camera = *trial.scene().camera;
-  if (camera.width > candidate.most_image_pixels / camera.height) {
-    return Verdict::left_out("the image is larger than the candidate makes");
+  if (is_within_threshold(trial, choice.ray, candidate.image_threshold)) {
+    return {ExcuseKind::kThreshold, candidate.image_threshold};
   }
-  if (trial.scene().spheres.empty()) return Verdict::left_out("the scene has no sphere");
+  const double change = candidate.excused_image_change;
+  return may_flip(trial, choice, change) ? Excuse{ExcuseKind::kSmallChange, change} : Excuse{};
+}
+
+void judge_image(Trial& trial, Verdict& verdict) {
+  const Candidate& candidate = trial.candidate();
+  const scene::Camera& camera = *trial.scene().camera;
   const ImageAnswer image = candidate.image(trial.scene(), trial.conventions());
   const std::int64_t width = camera.width;
   if (image.size() != static_cast<std::size_t>(width * camera.height)) {
     throw std::runtime_error("image: pixels are missing");
   }
   const std::vector<bool> is_left_out = with_unjudged(trial);
-  Verdict verdict;
   std::size_t untold = 0;
   for (std::size_t k = 0; k < trial.ray_count(); ++k) {
     if (is_left_out[k]) continue;
@@ -41,11 +43,8 @@ Verdict judge_image(Trial& trial) {
                         : choice.got == kSomeSphere ? Index()
                                                     : choice.got;
     trial.judge(
-        verdict, kImageLaw.name, Quantity::kNearestSphere, trial.place(k, shown), wrong_of(choice),
-        [&] {
-          return is_within_threshold(trial, k, candidate.image_threshold) ||
-                 may_flip(trial, choice, candidate.excused_image_change);
-        },
+        verdict, Quantity::kNearestSphere, trial.place(k, shown), wrong_of(choice),
+        [&] { return excuse_of(trial, choice); },
         [&](Discrepancy& d) {
           d.what = "sphere shown";
           if (choice.got && choice.got != kSomeSphere) d.got = {static_cast<double>(*choice.got)};
@@ -55,13 +54,20 @@ Verdict judge_image(Trial& trial) {
   if (untold > 0) {
     verdict.leave_out("which sphere is shown where a colour is none of the spheres'");
   }
-  return verdict;
 }
+
+constexpr Law kLaws[] = {
+    {.name = "image",
+     .sentence = "every pixel of an image shows the sphere that its ray meets first",
+     .per = Per::kImage,
+     .needs = Needs::kImage | Needs::kSpheres,
+     .quantity = Quantity::kNearestSphere,
+     .judges_values = true,
+     .judge = judge_image},
+};
 
 }  // namespace
 
-constinit const Law kImageLaw = {
-    "image", "every pixel of an image shows the sphere that its ray meets first",
-    Law::Subject::kCameraAndIntersection, true, judge_image};
+constinit const std::span<const Law> kImageLaws = kLaws;
 
 }  // namespace raycheck::properties

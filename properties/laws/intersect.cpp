@@ -13,13 +13,6 @@ using reference::Enclosure3;
 using reference::ExactRay;
 using reference::Intersection;
 
-std::string nothing_to_say(const Trial& trial) {
-  if (!trial.candidate().intersect) return "the candidate intersects nothing";
-  if (trial.scene().spheres.empty()) return "the scene has no sphere";
-  if (!trial.has_rays()) return "the candidate makes no rays from this origin";
-  return {};
-}
-
 /// A ray and a sphere that meet by the candidate's answer, by the truth, or by both.
 struct Encounter {
   std::size_t ray;
@@ -99,16 +92,14 @@ std::size_t count_unjudged(Trial& trial) {
   return count;
 }
 
-Verdict judge_class(Trial& trial) {
-  if (auto reason = nothing_to_say(trial); !reason.empty()) return Verdict::left_out(reason);
-  Verdict verdict;
+void judge_class(Trial& trial, Verdict& verdict) {
   const std::size_t unjudged = count_unjudged(trial);
   std::size_t misses = trial.ray_count() * trial.scene().spheres.size() - unjudged;
   for_each_encounter(trial, [&](const Encounter& at) {
     const bool missed = at.answer == nullptr;
     const bool false_hit = at.exact == nullptr;
     trial.judge(
-        verdict, kClassLaw.name, Quantity::kClass, trial.place(at.ray, at.sphere),
+        verdict, Quantity::kClass, trial.place(at.ray, at.sphere),
         missed      ? Wrong::kMissed
         : false_hit ? Wrong::kFalseHit
                     : Wrong::kNot,
@@ -118,29 +109,23 @@ Verdict judge_class(Trial& trial) {
   });
   verdict.judged_right(Quantity::kClass, misses);
   if (unjudged > 0) verdict.leave_out("exactly tangent pairs: tangent = either");
-  return verdict;
 }
 
-Verdict judge_root(Trial& trial) {
-  if (auto reason = nothing_to_say(trial); !reason.empty()) return Verdict::left_out(reason);
-  Verdict verdict;
+void judge_root(Trial& trial, Verdict& verdict) {
   for_each_encounter(trial, [&](const Encounter& at) {
     if (at.answer == nullptr || at.exact == nullptr) return;
     trial.judge(
-        verdict, kRootLaw.name, Quantity::kRoot, trial.place(at.ray, at.sphere),
+        verdict, Quantity::kRoot, trial.place(at.ray, at.sphere),
         is_at_other_root(trial, at) ? Wrong::kWrongRoot : Wrong::kNot,
         [&] { return may_flip(trial, at); },
         [&](Discrepancy& d) { describe_parameters(trial, at, d); });
   });
-  return verdict;
 }
 
-Verdict judge_parameter(Trial& trial) {
-  if (auto reason = nothing_to_say(trial); !reason.empty()) return Verdict::left_out(reason);
-  Verdict verdict;
+void judge_parameter(Trial& trial, Verdict& verdict) {
   for_each_common_hit(trial, [&](const Encounter& at) {
     trial.measure(
-        verdict, kParameterLaw.name, Quantity::kParameter, trial.place(at.ray, at.sphere),
+        verdict, Quantity::kParameter, trial.place(at.ray, at.sphere),
         reference::parameter_error(trial.exact_ray(at.ray), trial.scene().spheres[at.sphere],
                                    *at.exact, at.answer->parameter),
         trial.bound(Quantity::kParameter),
@@ -148,20 +133,16 @@ Verdict judge_parameter(Trial& trial) {
         [&](Discrepancy& d) { describe_parameters(trial, at, d); },
         [&] { return backward_error(trial, at); });
   });
-  return verdict;
 }
 
-Verdict judge_backward_error(Trial& trial) {
-  if (auto reason = nothing_to_say(trial); !reason.empty()) return Verdict::left_out(reason);
-  Verdict verdict;
+void judge_backward_error(Trial& trial, Verdict& verdict) {
   for_each_common_hit(trial, [&](const Encounter& at) {
     // It is a change of the inputs already: no condition number magnifies it.
     trial.measure(
-        verdict, kBackwardErrorLaw.name, Quantity::kBackwardError, trial.place(at.ray, at.sphere),
+        verdict, Quantity::kBackwardError, trial.place(at.ray, at.sphere),
         backward_error(trial, at), [] { return 1; },
         [&](Discrepancy& d) { d.got = {at.answer->parameter}; });
   });
-  return verdict;
 }
 
 /// How the candidate's point is off its sphere and its ray, in units of u of r and of s |D|. Both
@@ -174,7 +155,7 @@ void judge_residuals(Trial& trial, Verdict& verdict, const Encounter& at) {
                            const auto& scale) {
     if (!error) return;
     trial.measure(
-        verdict, kHitPointLaw.name, quantity, trial.place(at.ray, at.sphere), *error,
+        verdict, quantity, trial.place(at.ray, at.sphere), *error,
         [&] {
           const Enclosure3 point = reference::enclose_exactly(answer);
           const Enclosure3 centre = reference::enclose_exactly(sphere.centre);
@@ -192,14 +173,12 @@ void judge_residuals(Trial& trial, Verdict& verdict, const Encounter& at) {
           [](const Enclosure3& along, const Enclosure&) { return norm(along); });
 }
 
-Verdict judge_hit_point(Trial& trial) {
-  if (auto reason = nothing_to_say(trial); !reason.empty()) return Verdict::left_out(reason);
-  Verdict verdict;
+void judge_hit_point(Trial& trial, Verdict& verdict) {
   for_each_common_hit(trial, [&](const Encounter& at) {
     const ExactRay& ray = trial.exact_ray(at.ray);
     const scene::Sphere& sphere = trial.scene().spheres[at.sphere];
     trial.measure(
-        verdict, kHitPointLaw.name, Quantity::kHitPoint, trial.place(at.ray, at.sphere),
+        verdict, Quantity::kHitPoint, trial.place(at.ray, at.sphere),
         reference::hit_point_error(ray, sphere, *at.exact, at.answer->point),
         // Every method adds s D to L, a step that loses |L|/|Q| of its own.
         [&] {
@@ -212,17 +191,54 @@ Verdict judge_hit_point(Trial& trial) {
         });
     judge_residuals(trial, verdict, at);
   });
-  return verdict;
+}
+
+/// The same pixel's answers from both origins.
+struct BothOrigins {
+  const ExactRay& eye_ray;
+  const ExactRay& pixel_ray;
+  const HitAnswer& eye_hit;
+  const HitAnswer& pixel_hit;
+};
+
+void describe_origins(Discrepancy& d, const BothOrigins& both, const scene::Sphere& sphere,
+                      const Intersection& at) {
+  d.what = "s from the eye, s from the pixel";
+  d.got = {both.eye_hit.parameter, both.pixel_hit.parameter};
+  d.exact = {both.eye_ray.rounded_parameter(sphere, at),
+             both.pixel_ray.rounded_parameter(sphere, at)};
+}
+
+/// Whether either answer is at the other root than the exact one, which both rays share. Then the
+/// two are no l apart, however accurate both are: a ray that starts within a rounding of the
+/// surface has its near root before or behind it as that rounding falls. That is a wrong choice,
+/// judged as the class and root laws judge one: right only where a small change of the inputs takes
+/// that origin across the surface.
+bool judge_other_root(Trial& trial, Verdict& verdict, const Place& place, const BothOrigins& both,
+                      const Intersection& at) {
+  const scene::Sphere& sphere = trial.scene().spheres[*place.sphere];
+  const auto is_wrong = [&](const ExactRay& ray, const HitAnswer& hit) {
+    return reference::is_at_other_root(ray, sphere, at, hit.parameter);
+  };
+  const auto may_flip = [&](const ExactRay& ray) {
+    return ray.may_flip_within(sphere, trial.conventions().root, trial.excused_change());
+  };
+  const bool eye_is_wrong = is_wrong(both.eye_ray, both.eye_hit);
+  const bool pixel_is_wrong = is_wrong(both.pixel_ray, both.pixel_hit);
+  if (!eye_is_wrong && !pixel_is_wrong) return false;
+  trial.judge(
+      verdict, Quantity::kRoot, place, Wrong::kWrongRoot,
+      [&] {
+        return (!eye_is_wrong || may_flip(both.eye_ray)) &&
+               (!pixel_is_wrong || may_flip(both.pixel_ray));
+      },
+      [&](Discrepancy& d) { describe_origins(d, both, sphere, at); });
+  return true;
 }
 
 /// The same point from both origins: s from the eye is s from the pixel point plus l.
-Verdict judge_focal_and_pixel(Trial& trial) {
-  if (auto reason = nothing_to_say(trial); !reason.empty()) return Verdict::left_out(reason);
-  if (!trial.scene().camera) return Verdict::left_out("the scene has no camera");
+void judge_focal_and_pixel(Trial& trial, Verdict& verdict) {
   const Candidate& candidate = trial.candidate();
-  if (!candidate.pixel_rays || !candidate.focal_rays) {
-    return Verdict::left_out("the candidate has rays from one origin only");
-  }
   scene::Conventions from_pixel = trial.conventions();
   from_pixel.origin = scene::Origin::kPixel;
   scene::Conventions from_eye = from_pixel;
@@ -232,7 +248,6 @@ Verdict judge_focal_and_pixel(Trial& trial) {
   const reference::ExactCamera eye_camera(camera, from_eye);
   const auto pixel_rays = candidate.pixel_rays(camera, from_pixel, trial.pixels());
   const auto eye_rays = candidate.focal_rays(camera, from_eye, trial.pixels());
-  Verdict verdict;
   const auto all_pixel_hits = trial.intersect(pixel_rays, trial.scene().spheres, from_pixel);
   const auto all_eye_hits = trial.intersect(eye_rays, trial.scene().spheres, from_eye);
   for (std::size_t sphere = 0; sphere < trial.scene().spheres.size(); ++sphere) {
@@ -249,6 +264,9 @@ Verdict judge_focal_and_pixel(Trial& trial) {
           !(at == pixel_ray.intersect(the_sphere, from_pixel.root))) {
         continue;
       }
+      const Place place = trial.place(k, sphere);
+      const BothOrigins both{eye_ray, pixel_ray, eye.hit, *pixel_hit};
+      if (judge_other_root(trial, verdict, place, both, at)) continue;
       const auto enclosed = eye_ray.enclose(256);
       const Enclosure off = Enclosure(eye.hit.parameter, 256) -
                             Enclosure(pixel_hit->parameter, 256) - enclosed.length();
@@ -257,46 +275,76 @@ Verdict judge_focal_and_pixel(Trial& trial) {
         return reference::condition_of_parameter(eye_ray, the_sphere, at) +
                reference::condition_of_point(eye_ray, the_sphere, at);
       };
-      const auto describe = [&](Discrepancy& d) {
-        d.what = "s from the eye, s from the pixel";
-        d.got = {eye.hit.parameter, pixel_hit->parameter};
-        d.exact = {eye_ray.rounded_parameter(the_sphere, at),
-                   pixel_ray.rounded_parameter(the_sphere, at)};
-      };
-      trial.measure(verdict, kFocalAndPixelLaw.name, Quantity::kInvariance, trial.place(k, sphere),
-                    reference::in_units_of_u(off / scale), 2 * trial.bound(Quantity::kParameter),
-                    condition, describe);
+      const auto describe = [&](Discrepancy& d) { describe_origins(d, both, the_sphere, at); };
+      trial.measure(verdict, Quantity::kInvariance, place, reference::in_units_of_u(off / scale),
+                    2 * trial.bound(Quantity::kParameter), condition, describe);
       const Enclosure3 apart =
           reference::enclose_exactly(eye.hit.point) - reference::enclose_exactly(pixel_hit->point);
       const Enclosure size = norm(enclosed.point(the_sphere, at)) + norm(enclosed.origin());
-      trial.measure(verdict, kFocalAndPixelLaw.name, Quantity::kInvariance, trial.place(k, sphere),
+      trial.measure(verdict, Quantity::kInvariance, place,
                     reference::in_units_of_u(norm(apart) / size),
                     2 * trial.bound(Quantity::kHitPoint), condition, describe);
     }
   }
   if (verdict.compared() == 0) {
-    return Verdict::left_out("no sphere is met at one root from both origins");
+    return verdict.leave_out("no sphere is met at one root from both origins");
   }
-  return verdict;
 }
+
+constexpr Law kLaws[] = {
+    {.name = "class",
+     .sentence = "hit or miss as the exact class says",
+     .per = Per::kPair,
+     .needs = Needs::kIntersect | Needs::kSpheres | Needs::kRays,
+     .quantity = Quantity::kClass,
+     .judges_values = true,
+     .stage = Stage::kIntersection,
+     .tells_stability = true,
+     .judge = judge_class},
+    {.name = "nearest-root",
+     .sentence = "the root is the right one: no exact root lies in [0, s)",
+     .per = Per::kPair,
+     .needs = Needs::kIntersect | Needs::kSpheres | Needs::kRays,
+     .quantity = Quantity::kRoot,
+     .judges_values = true,
+     .stage = Stage::kIntersection,
+     .tells_stability = true,
+     .judge = judge_root},
+    {.name = "parameter",
+     .sentence = "the parameter s is the exact root's",
+     .per = Per::kPair,
+     .needs = Needs::kIntersect | Needs::kSpheres | Needs::kRays,
+     .quantity = Quantity::kParameter,
+     .judges_values = true,
+     .stage = Stage::kIntersection,
+     .tells_stability = true,
+     .judge = judge_parameter},
+    {.name = "backward-error",
+     .sentence = "the parameter s is the exact root for inputs changed by a few roundings",
+     .per = Per::kPair,
+     .needs = Needs::kIntersect | Needs::kSpheres | Needs::kRays,
+     .quantity = Quantity::kBackwardError,
+     .stage = Stage::kIntersection,
+     .tells_stability = true,
+     .judge = judge_backward_error},
+    {.name = "hit-point",
+     .sentence = "the hit point is exact, lies on the sphere and on the ray",
+     .per = Per::kPair,
+     .needs = Needs::kIntersect | Needs::kSpheres | Needs::kRays,
+     .quantity = Quantity::kHitPoint,
+     .judges_values = true,
+     .stage = Stage::kIntersection,
+     .judge = judge_hit_point},
+    {.name = "focal-and-pixel",
+     .sentence = "focal and pixel origins find the same point, parameters l apart",
+     .per = Per::kPair,
+     .needs = Needs::kBothOrigins | Needs::kIntersect | Needs::kSpheres,
+     .quantity = Quantity::kInvariance,
+     .judge = judge_focal_and_pixel},
+};
 
 }  // namespace
 
-constinit const Law kClassLaw = {"class", "hit or miss as the exact class says",
-                                 Law::Subject::kIntersection, true, judge_class};
-constinit const Law kRootLaw = {"nearest-root",
-                                "the root is the right one: no exact root lies in [0, s)",
-                                Law::Subject::kIntersection, true, judge_root};
-constinit const Law kParameterLaw = {"parameter", "the parameter s is the exact root's",
-                                     Law::Subject::kIntersection, true, judge_parameter};
-constinit const Law kBackwardErrorLaw = {
-    "backward-error", "the parameter s is the exact root for inputs changed by a few roundings",
-    Law::Subject::kIntersection, false, judge_backward_error};
-constinit const Law kHitPointLaw = {"hit-point",
-                                    "the hit point is exact, lies on the sphere and on the ray",
-                                    Law::Subject::kIntersection, true, judge_hit_point};
-constinit const Law kFocalAndPixelLaw = {
-    "focal-and-pixel", "focal and pixel origins find the same point, parameters l apart",
-    Law::Subject::kCameraAndIntersection, false, judge_focal_and_pixel};
+constinit const std::span<const Law> kIntersectLaws = kLaws;
 
 }  // namespace raycheck::properties

@@ -1,6 +1,6 @@
 #include "properties/laws/law.h"
 
-#include <array>
+#include <algorithm>
 #include <exception>
 #include <limits>
 #include <stdexcept>
@@ -9,36 +9,32 @@
 #include "properties/laws/law_list.h"
 
 namespace raycheck::properties {
-namespace {
 
-const std::array<Law, 29> kLaws = {kFrameLaw,          kPixelPointLaw,    kBoundsLaw,
-                                   kImagePlaneLaw,     kCentrePixelLaw,   kPixelZeroZeroLaw,
-                                   kDensityLaw,        kSquarePixelsLaw,  kUnitDirectionLaw,
-                                   kDirectionLaw,      kRayOriginLaw,     kClassLaw,
-                                   kRootLaw,           kParameterLaw,     kBackwardErrorLaw,
-                                   kHitPointLaw,       kFocalAndPixelLaw, kNearestSphereLaw,
-                                   kVisibleSphereLaw,  kImageLaw,         kPlanLeftOutLaw,
-                                   kPlanRectanglesLaw, kPlanRootsLaw,     kScalingLaw,
-                                   kAxesLaw,           kLookAtLaw,        kUpLaw,
-                                   kGrowingRadiusLaw,  kRefusalLaw};
-
-}  // namespace
-
-std::span<const Law> laws() { return kLaws; }
+std::span<const Law> laws() {
+  static const std::vector<Law> all = [] {
+    std::vector<Law> joined;
+    for (const std::span<const Law> some :
+         {kFrameLaws, kPixelPlaneLaws, kPixelRayLaws, kIntersectLaws, kNearestSphereLaws,
+          kImageLaws, kPlanLaws, kMetamorphicLaws, kRefusalLaws}) {
+      joined.insert(joined.end(), some.begin(), some.end());
+    }
+    return joined;
+  }();
+  return all;
+}
 
 const Law* find_law(std::string_view name) {
-  for (const Law& law : laws()) {
-    if (law.name == name) return &law;
-  }
-  return nullptr;
+  const auto found =
+      std::find_if(laws().begin(), laws().end(), [&](const Law& law) { return law.name == name; });
+  return found == laws().end() ? nullptr : &*found;
 }
 
 namespace {
 
 Verdict verdict_of(const Law& law, const Trial& trial, Wrong wrong, const char* message) {
-  Verdict verdict;
+  Verdict verdict(law.name);
   trial.judge(
-      verdict, law.name, Quantity::kRefusal, Place{}, wrong, [] { return false; },
+      verdict, Quantity::kRefusal, Place{}, wrong, [] { return false; },
       [&](Discrepancy& discrepancy) { discrepancy.what = message; });
   return verdict;
 }
@@ -47,7 +43,14 @@ Verdict verdict_of(const Law& law, const Trial& trial, Wrong wrong, const char* 
 
 Verdict apply(const Law& law, Trial& trial) {
   try {
-    return law.judge(trial);
+    Verdict verdict(law.name);
+    const std::string_view missing = what_is_missing(law.needs, trial);
+    if (missing.empty()) {
+      law.judge(trial, verdict);
+    } else {
+      verdict.leave_out(std::string(missing));
+    }
+    return verdict;
   } catch (const std::invalid_argument& error) {
     return verdict_of(law, trial, Wrong::kRefused, error.what());
   } catch (const std::exception& error) {

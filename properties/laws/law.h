@@ -1,37 +1,72 @@
 #ifndef RAYCHECK_PROPERTIES_LAWS_LAW_H_
 #define RAYCHECK_PROPERTIES_LAWS_LAW_H_
 
+#include <optional>
 #include <span>
 #include <string_view>
+#include <vector>
 
+#include "properties/laws/needs.h"
+#include "properties/quantity.h"
+#include "properties/stage.h"
 #include "properties/trial.h"
 #include "properties/verdict.h"
 
 namespace raycheck::properties {
 
+/// What a law's answer is one of.
+enum class Per { kScene, kRay, kPair, kImage };
+
 /// One law: a function from (case, candidate, truth), bundled as a Trial, to a verdict: it holds,
 /// it is left out because the scene or the candidate has nothing that it speaks of, or there are
-/// discrepancies.
+/// discrepancies. What callers ask about a law is here: none knows a law by its name.
 struct Law {
   std::string_view name;
   std::string_view sentence;
-  /// What it speaks of decides which cases are worth making for it.
-  enum class Subject { kCamera, kIntersection, kCameraAndIntersection, kAny } subject;
+  Per per;
+  Needs needs;
+  Quantity quantity;  ///< The first that it judges.
   /// It compares single answers with the truth, one quantity at a time, as `check` reports them;
   /// the others relate several answers to each other, an answer to the ray that its own candidate
   /// made, or a plan to what it leaves out.
-  bool judges_values;
-  Verdict (*judge)(Trial&);
+  bool judges_values = false;
+  /// The stage that it judges, where it is about one alone.
+  std::optional<Stage> stage = {};
+  /// Whether that stage is stable is told by it (and not by what follows from what others judge).
+  bool tells_stability = false;
+  /// Asked where its needs are met only. It may leave the case out nevertheless, with a reason.
+  void (*judge)(Trial&, Verdict&) = nullptr;
 };
+
+/// Whether a law speaks of cameras, so that only scenes with one are worth making for it.
+constexpr bool speaks_of_cameras(const Law& law) { return needs_any(law.needs, kOfCameras); }
+/// Whether it speaks of rays that meet spheres.
+constexpr bool speaks_of_intersections(const Law& law) {
+  return needs_any(law.needs, kOfIntersections);
+}
+/// Whether its answers are right or wrong, one by one against the truth.
+constexpr bool judges_decisions(const Law& law) {
+  return law.judges_values && is_decision(law.quantity);
+}
 
 /// Every law, in the order of reports.
 std::span<const Law> laws();
 
+/// The laws for which a condition holds, in the same order.
+template <class Condition>
+std::vector<const Law*> laws_that(const Condition& holds) {
+  std::vector<const Law*> found;
+  for (const Law& law : laws()) {
+    if (holds(law)) found.push_back(&law);
+  }
+  return found;
+}
+
 /// The law of that name, or null.
 const Law* find_law(std::string_view name);
 
-/// The law's verdict. A candidate that refuses the case, which is a problem, or fails in another
-/// way, is a discrepancy.
+/// The law's verdict, left out with the reason where its needs are not met. A candidate that
+/// refuses the case, which is a problem, or fails in another way, is a discrepancy.
 Verdict apply(const Law& law, Trial& trial);
 
 }  // namespace raycheck::properties

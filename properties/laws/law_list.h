@@ -1,48 +1,24 @@
 #ifndef RAYCHECK_PROPERTIES_LAWS_LAW_LIST_H_
 #define RAYCHECK_PROPERTIES_LAWS_LAW_LIST_H_
 
-// The laws by subject, each defined in the file of that name. Internal to properties/.
+// The laws by subject, each defined in the file of that name. Internal to the laws.
+
+#include <span>
+#include <vector>
 
 #include "properties/laws/law.h"
 
 namespace raycheck::properties {
 
-extern const Law kFrameLaw;  // camera_frame.cpp
-
-extern const Law kPixelPointLaw;  // pixel_plane.cpp
-extern const Law kBoundsLaw;
-extern const Law kImagePlaneLaw;
-extern const Law kCentrePixelLaw;
-extern const Law kPixelZeroZeroLaw;
-extern const Law kDensityLaw;
-extern const Law kSquarePixelsLaw;
-
-extern const Law kUnitDirectionLaw;  // pixel_ray.cpp
-extern const Law kDirectionLaw;
-extern const Law kRayOriginLaw;
-
-extern const Law kClassLaw;  // intersect.cpp
-extern const Law kRootLaw;
-extern const Law kParameterLaw;
-extern const Law kBackwardErrorLaw;
-extern const Law kHitPointLaw;
-extern const Law kFocalAndPixelLaw;
-
-extern const Law kImageLaw;          // image_law.cpp
-extern const Law kNearestSphereLaw;  // nearest_sphere.cpp
-extern const Law kVisibleSphereLaw;
-
-extern const Law kPlanLeftOutLaw;  // scene_plan.cpp
-extern const Law kPlanRectanglesLaw;
-extern const Law kPlanRootsLaw;
-
-extern const Law kScalingLaw;  // invariance.cpp
-extern const Law kAxesLaw;
-extern const Law kLookAtLaw;
-extern const Law kUpLaw;
-extern const Law kGrowingRadiusLaw;
-
-extern const Law kRefusalLaw;  // refusal.cpp
+extern const std::span<const Law> kFrameLaws;          // camera_frame.cpp
+extern const std::span<const Law> kPixelPlaneLaws;     // pixel_plane.cpp
+extern const std::span<const Law> kPixelRayLaws;       // pixel_ray.cpp
+extern const std::span<const Law> kIntersectLaws;      // intersect.cpp
+extern const std::span<const Law> kNearestSphereLaws;  // nearest_sphere.cpp
+extern const std::span<const Law> kImageLaws;          // image.cpp
+extern const std::span<const Law> kPlanLaws;           // plan.cpp
+extern const std::span<const Law> kMetamorphicLaws;    // metamorphic.cpp
+extern const std::span<const Law> kRefusalLaws;        // refusal.cpp
 
 /// The coordinates as a list, for reports.
 template <class Triple>

@@ -18,17 +18,13 @@ namespace {
 using reference::Enclosure;
 using scene::Scene;
 
-std::string nothing_to_intersect(const Trial& trial) {
-  if (!trial.candidate().intersect) return "the candidate intersects nothing";
-  if (trial.scene().spheres.empty()) return "the scene has no sphere";
-  if (!trial.has_rays()) return "the candidate makes no rays from this origin";
-  return {};
-}
+/// What there must be for hits to be compared, besides rays.
+constexpr Needs kOfHits = Needs::kIntersect | Needs::kSpheres;
 
 /// Compares the hits of a case and its transformed case; `factor` takes a parameter of the first to
 /// the second. The exact answer serves only to tell how well-conditioned a pair is.
-void compare_hits(Trial& trial, Trial& transformed, Verdict& verdict, const Law& law,
-                  const std::string& what, double factor) {
+void compare_hits(Trial& trial, Trial& transformed, Verdict& verdict, const std::string& what,
+                  double factor) {
   for (std::size_t sphere = 0; sphere < trial.scene().spheres.size(); ++sphere) {
     const auto& hits = trial.hits(sphere);
     const auto& others = transformed.hits(sphere);
@@ -49,7 +45,7 @@ void compare_hits(Trial& trial, Trial& transformed, Verdict& verdict, const Law&
         return trial.exact_ray(k).may_flip_within(the_sphere, trial.conventions().root,
                                                   trial.excused_change());
       };
-      trial.judge(verdict, law.name, Quantity::kClass, place, wrong, may_flip, describe);
+      trial.judge(verdict, Quantity::kClass, place, wrong, may_flip, describe);
       if (hit == nullptr || other == nullptr) continue;
       const auto condition = [&] {
         // Where roundings may flip the class, they may also exchange a double root's two halves.
@@ -59,7 +55,7 @@ void compare_hits(Trial& trial, Trial& transformed, Verdict& verdict, const Law&
         return reference::condition_of_parameter(trial.exact_ray(k), the_sphere,
                                                  trial.exact_intersection(k, sphere));
       };
-      trial.measure(verdict, law.name, Quantity::kInvariance, place,
+      trial.measure(verdict, Quantity::kInvariance, place,
                     reference::ulp_error(other->parameter, Enclosure(hit->parameter * factor, 128)),
                     2 * trial.bound(Quantity::kParameter), condition, describe);
     }
@@ -67,14 +63,13 @@ void compare_hits(Trial& trial, Trial& transformed, Verdict& verdict, const Law&
 }
 
 /// Compares the directions of a case and its transformed case; `map` takes the first to the second.
-void compare_directions(Trial& trial, Trial& transformed, Verdict& verdict, const Law& law,
-                        const std::string& what,
+void compare_directions(Trial& trial, Trial& transformed, Verdict& verdict, const std::string& what,
                         const std::function<scene::Vector3(const scene::Vector3&)>& map) {
   for (std::size_t k = 0; k < trial.ray_count(); ++k) {
     const scene::Vector3 expected = map(trial.rays()[k].direction);
     const scene::Vector3& got = transformed.rays()[k].direction;
     trial.measure(
-        verdict, law.name, Quantity::kInvariance, trial.place(k),
+        verdict, Quantity::kInvariance, trial.place(k),
         reference::relative_error(scene::UnitVector3{got.x, got.y, got.z},
                                   reference::enclose_exactly(expected)),
         2 * trial.bound(Quantity::kDirection),
@@ -100,11 +95,11 @@ std::optional<Scene> scaled(Scene scene, int exponent) {
   return exact ? std::optional(scene) : std::nullopt;
 }
 
-Verdict judge_scaling(Trial& trial) {
-  const bool hits = nothing_to_intersect(trial).empty();
-  const bool directions = trial.scene().camera && trial.has_rays();
-  if (!hits && !directions) return Verdict::left_out(nothing_to_intersect(trial));
-  Verdict verdict;
+void judge_scaling(Trial& trial, Verdict& verdict) {
+  const std::string_view no_hits = what_is_missing(kOfHits, trial);
+  const bool hits = no_hits.empty();
+  const bool directions = trial.scene().camera.has_value();
+  if (!hits && !directions) return verdict.leave_out(std::string(no_hits));
   for (const int exponent : {-120, -40, 3, 40, 120}) {
     const auto scene = scaled(trial.scene(), exponent);
     if (!scene || !is_inside_domain(trial.candidate(), *scene)) continue;
@@ -112,17 +107,16 @@ Verdict judge_scaling(Trial& trial) {
     Trial transformed(transformed_case, trial.candidate());
     const std::string what = "scaled by 2^" + std::to_string(exponent);
     if (directions) {
-      compare_directions(trial, transformed, verdict, kScalingLaw, what,
+      compare_directions(trial, transformed, verdict, what,
                          [](const scene::Vector3& v) { return v; });
     }
     if (hits) {
-      compare_hits(trial, transformed, verdict, kScalingLaw, what, std::ldexp(1.0, exponent));
+      compare_hits(trial, transformed, verdict, what, std::ldexp(1.0, exponent));
     }
   }
   if (verdict.compared() == 0) {
-    return Verdict::left_out("no scaled scene stays in the method's stated domain");
+    return verdict.leave_out("no scaled scene stays in the method's stated domain");
   }
-  return verdict;
 }
 
 /// A map of world axes to world axes: coordinates are moved, never rounded.
@@ -172,21 +166,20 @@ Scene rotated(Scene scene, const AxesMap& map) {
   return scene;
 }
 
-Verdict judge_axes(Trial& trial) {
-  const bool hits = nothing_to_intersect(trial).empty();
-  const bool directions = trial.scene().camera && trial.has_rays();
-  if (!hits && !directions) return Verdict::left_out(nothing_to_intersect(trial));
-  Verdict verdict;
+void judge_axes(Trial& trial, Verdict& verdict) {
+  const std::string_view no_hits = what_is_missing(kOfHits, trial);
+  const bool hits = no_hits.empty();
+  const bool directions = trial.scene().camera.has_value();
+  if (!hits && !directions) return verdict.leave_out(std::string(no_hits));
   for (const AxesMap& map : kAxesMaps) {
     if (map.is_mirror && trial.scene().camera) continue;
     const Case transformed_case{rotated(trial.scene(), map), trial.pixels()};
     Trial transformed(transformed_case, trial.candidate());
     if (directions) {
-      compare_directions(trial, transformed, verdict, kAxesLaw, map.what, map.apply);
+      compare_directions(trial, transformed, verdict, map.what, map.apply);
     }
-    if (hits) compare_hits(trial, transformed, verdict, kAxesLaw, map.what, 1);
+    if (hits) compare_hits(trial, transformed, verdict, map.what, 1);
   }
-  return verdict;
 }
 
 /// a + b, where that is a double.
@@ -212,19 +205,16 @@ std::optional<To> exact_sum_of(const A& a, const B& b, double p, double q) {
 }
 
 /// Two cameras with the same axes: the candidate's frames must agree.
-Verdict compare_frames(Trial& trial, const Law& law, const scene::Camera& other_camera,
-                       const std::string& what) {
-  if (!scene::problems(other_camera).empty()) {
-    return Verdict::left_out("the changed camera is degenerate");
-  }
-  Verdict verdict;
+void compare_frames(Trial& trial, Verdict& verdict, const scene::Camera& other_camera,
+                    const std::string& what) {
+  if (!scene::defects(other_camera).empty()) return;
   const FrameAnswer other = trial.candidate().frame(other_camera);
   const FrameAnswer& frame = trial.frame();
   const reference::ExactCamera exact_other(other_camera, trial.conventions());
   const auto compare = [&](const char* axis, const scene::UnitVector3& got,
                            const scene::UnitVector3& expected) {
     trial.measure(
-        verdict, law.name, Quantity::kInvariance, Place{},
+        verdict, Quantity::kInvariance, Place{},
         reference::relative_error(got, reference::enclose_exactly(expected)),
         2 * trial.bound(Quantity::kFrame),
         [&] {
@@ -240,20 +230,11 @@ Verdict compare_frames(Trial& trial, const Law& law, const scene::Camera& other_
   compare("U", other.U, frame.U);
   compare("V", other.V, frame.V);
   compare("W", other.W, frame.W);
-  return verdict;
 }
 
-std::string no_frame(const Trial& trial) {
-  if (!trial.scene().camera) return "the scene has no camera";
-  if (!trial.candidate().frame) return "the candidate gives no frame";
-  return {};
-}
-
-Verdict judge_look_at(Trial& trial) {
-  if (auto reason = no_frame(trial); !reason.empty()) return Verdict::left_out(reason);
+void judge_look_at(Trial& trial, Verdict& verdict) {
   const scene::Camera& camera = *trial.scene().camera;
   const auto along = exact_sum_of<scene::Vector3>(camera.look_at, camera.eye, 1, -1);
-  Verdict verdict;
   // A + k (A - E) lies on the view axis where no step rounds.
   for (const double multiple : {-0.5, 1.0, 2.0, 8.0}) {
     if (!along) break;
@@ -261,39 +242,33 @@ Verdict judge_look_at(Trial& trial) {
     if (!moved) continue;
     scene::Camera other = camera;
     other.look_at = *moved;
-    verdict.merge(compare_frames(trial, kLookAtLaw, other, "look-at moved along the view axis"));
+    compare_frames(trial, verdict, other, "look-at moved along the view axis");
   }
   if (verdict.compared() == 0) {
-    return Verdict::left_out("no point A + k (A - E) tried is a double");
+    return verdict.leave_out("no point A + k (A - E) tried is a double");
   }
-  return verdict;
 }
 
-Verdict judge_up(Trial& trial) {
-  if (auto reason = no_frame(trial); !reason.empty()) return Verdict::left_out(reason);
+void judge_up(Trial& trial, Verdict& verdict) {
   const scene::Camera& camera = *trial.scene().camera;
   const auto along = exact_sum_of<scene::Vector3>(camera.eye, camera.look_at, 1, -1);
-  Verdict verdict;
   for (const double multiple : {-1.0, 0.5, 1.0, 4.0}) {
     if (!along) break;
     const auto tilted = exact_sum_of<scene::Vector3>(camera.up, *along, 1, multiple);
     if (!tilted) continue;
     scene::Camera other = camera;
     other.up = *tilted;
-    verdict.merge(compare_frames(trial, kUpLaw, other, "up + k (E - A)"));
+    compare_frames(trial, verdict, other, "up + k (E - A)");
   }
   if (verdict.compared() == 0) {
-    return Verdict::left_out("no vector up + k (E - A) tried is a double");
+    return verdict.leave_out("no vector up + k (E - A) tried is a double");
   }
-  return verdict;
 }
 
-Verdict judge_growing_radius(Trial& trial) {
-  if (auto reason = nothing_to_intersect(trial); !reason.empty()) return Verdict::left_out(reason);
+void judge_growing_radius(Trial& trial, Verdict& verdict) {
   if (trial.conventions().root != scene::Root::kNearest) {
-    return Verdict::left_out("with root = smaller, a grown sphere may swallow the origin");
+    return verdict.leave_out("with root = smaller, a grown sphere may swallow the origin");
   }
-  Verdict verdict;
   for (std::size_t sphere = 0; sphere < trial.scene().spheres.size(); ++sphere) {
     const scene::Sphere& the_sphere = trial.scene().spheres[sphere];
     for (const double radius : {std::nextafter(the_sphere.radius, HUGE_VAL),
@@ -304,7 +279,7 @@ Verdict judge_growing_radius(Trial& trial) {
       for (const RayHit& before : trial.hits(sphere)) {
         const std::size_t k = before.ray;
         trial.judge(
-            verdict, kGrowingRadiusLaw.name, Quantity::kClass, trial.place(k, sphere),
+            verdict, Quantity::kClass, trial.place(k, sphere),
             find_hit(grown.front(), k) != nullptr ? Wrong::kNot : Wrong::kMissed,
             [&] {
               return trial.exact_ray(k).may_flip_within(the_sphere, trial.conventions().root,
@@ -317,23 +292,45 @@ Verdict judge_growing_radius(Trial& trial) {
       }
     }
   }
-  if (verdict.compared() == 0) return Verdict::left_out("the candidate finds no hit to begin with");
-  return verdict;
+  if (verdict.compared() == 0) return verdict.leave_out("the candidate finds no hit to begin with");
 }
+
+constexpr Law kLaws[] = {
+    {.name = "scaling",
+     .sentence = "scaling every length by 2^k scales every answer",
+     .per = Per::kRay,
+     .needs = Needs::kRays,
+     .quantity = Quantity::kInvariance,
+     .judge = judge_scaling},
+    {.name = "axes",
+     .sentence = "permuting or negating axes does the same to every answer",
+     .per = Per::kRay,
+     .needs = Needs::kRays,
+     .quantity = Quantity::kInvariance,
+     .judge = judge_axes},
+    {.name = "look-at",
+     .sentence = "moving look-at along the view axis leaves the frame alone",
+     .per = Per::kScene,
+     .needs = Needs::kFrame,
+     .quantity = Quantity::kInvariance,
+     .judge = judge_look_at},
+    {.name = "up",
+     .sentence = "adding a multiple of W to up leaves the frame alone",
+     .per = Per::kScene,
+     .needs = Needs::kFrame,
+     .quantity = Quantity::kInvariance,
+     .judge = judge_up},
+    {.name = "growing-radius",
+     .sentence = "growing r never turns a hit into a miss",
+     .per = Per::kPair,
+     .needs = kOfHits | Needs::kRays,
+     .quantity = Quantity::kClass,
+     .stage = Stage::kIntersection,
+     .judge = judge_growing_radius},
+};
 
 }  // namespace
 
-constinit const Law kScalingLaw = {"scaling", "scaling every length by 2^k scales every answer",
-                                   Law::Subject::kAny, false, judge_scaling};
-constinit const Law kAxesLaw = {"axes", "permuting or negating axes does the same to every answer",
-                                Law::Subject::kAny, false, judge_axes};
-constinit const Law kLookAtLaw = {"look-at",
-                                  "moving look-at along the view axis leaves the frame alone",
-                                  Law::Subject::kCamera, false, judge_look_at};
-constinit const Law kUpLaw = {"up", "adding a multiple of W to up leaves the frame alone",
-                              Law::Subject::kCamera, false, judge_up};
-constinit const Law kGrowingRadiusLaw = {"growing-radius",
-                                         "growing r never turns a hit into a miss",
-                                         Law::Subject::kIntersection, false, judge_growing_radius};
+constinit const std::span<const Law> kMetamorphicLaws = kLaws;
 
 }  // namespace raycheck::properties

@@ -32,20 +32,11 @@ std::vector<scene::Pixel> with_spread_pixels(const Trial& trial) {
   return pixels;
 }
 
-Verdict judge_nearest_sphere(Trial& trial) {
-  if (!trial.candidate().nearest) return Verdict::left_out("the candidate ranks no spheres");
-  if (trial.scene().spheres.empty()) return Verdict::left_out("the scene has no sphere");
-  if (!trial.has_rays()) {
-    return Verdict::left_out("the candidate makes no rays from this origin");
-  }
-  if (trial.scene().spheres.size() == 1) {
-    return Verdict::left_out("the scene has one sphere: its class says it all");
-  }
+void judge_nearest_sphere(Trial& trial, Verdict& verdict) {
   const std::vector<scene::Sphere> reversed(trial.scene().spheres.rbegin(),
                                             trial.scene().spheres.rend());
   const auto backwards = trial.rank(trial.rays(), reversed);
   const std::vector<bool> is_left_out = with_unjudged(trial);
-  Verdict verdict;
   for (std::size_t k = 0; k < trial.ray_count(); ++k) {
     if (is_left_out[k]) continue;
     const auto& exact = trial.exact_nearest()[k];
@@ -56,16 +47,14 @@ Verdict judge_nearest_sphere(Trial& trial) {
     const bool right_forwards = is_right(choice);
     if (right_forwards) choice.got = reversed_got;
     trial.judge(
-        verdict, kNearestSphereLaw.name, Quantity::kNearestSphere,
-        trial.place(k, exact ? Index(exact->index) : choice.got), wrong_of(choice),
-        [&] { return may_flip(trial, choice, trial.excused_change()); },
+        verdict, Quantity::kNearestSphere, trial.place(k, exact ? Index(exact->index) : choice.got),
+        wrong_of(choice), [&] { return may_flip(trial, choice, trial.excused_change()); },
         [&](Discrepancy& d) {
           d.what = right_forwards ? "sphere index, spheres in reverse order" : "sphere index";
           if (choice.got) d.got = {static_cast<double>(*choice.got)};
           if (exact) d.exact = {static_cast<double>(exact->index)};
         });
   }
-  return verdict;
 }
 
 /// The distance of a hit from the eye.
@@ -84,7 +73,7 @@ void measure_parameter(const Trial& trial, Verdict& verdict, const Place& place,
                           : distance.contains_zero() ? std::numeric_limits<double>::infinity()
                                                      : reference::in_units_of_u(error / distance);
   trial.measure(
-      verdict, kVisibleSphereLaw.name, Quantity::kHitPoint, place, relative,
+      verdict, Quantity::kHitPoint, place, relative,
       reference::kVisibleParameterError / kDoubleRoundoff, [] { return 0; },
       [&](Discrepancy& d) {
         d.what = "s, as a share of the distance from the eye";
@@ -93,21 +82,13 @@ void measure_parameter(const Trial& trial, Verdict& verdict, const Place& place,
       });
 }
 
-Verdict judge_visible_sphere(Trial& trial) {
-  if (!trial.scene().camera) return Verdict::left_out("the scene has no camera");
-  if (!trial.candidate().visible) return Verdict::left_out("the candidate sees nothing");
-  if (trial.scene().spheres.empty()) return Verdict::left_out("the scene has no sphere");
-  const scene::Camera& camera = *trial.scene().camera;
-  if (std::max(camera.width, camera.height) > trial.candidate().most_visible_across) {
-    return Verdict::left_out("the image is larger than the candidate sees");
-  }
+void judge_visible_sphere(Trial& trial, Verdict& verdict) {
   Case wider{trial.scene(), with_spread_pixels(trial)};
   Trial seen(wider, trial.candidate());
   const auto answers = trial.candidate().visible(trial.scene(), trial.conventions(), wider.pixels);
   if (answers.size() != wider.pixels.size()) throw std::runtime_error("visible: answers missing");
   const bool exactly = trial.candidate().exact_visible;
   const std::vector<bool> is_left_out = with_unjudged(seen);
-  Verdict verdict;
   for (std::size_t k = 0; k < answers.size(); ++k) {
     if (is_left_out[k]) continue;
     const ExactRay& ray = seen.exact_ray(k);
@@ -116,7 +97,7 @@ Verdict judge_visible_sphere(Trial& trial) {
     const bool right = is_right(choice) && !(exactly && exact && exact->index != *choice.got);
     const Place place = seen.place(k, exact ? Index(exact->index) : choice.got);
     seen.judge(
-        verdict, kVisibleSphereLaw.name, Quantity::kNearestSphere, place,
+        verdict, Quantity::kNearestSphere, place,
         right           ? Wrong::kNot
         : !choice.exact ? Wrong::kFalseHit
         : !choice.got   ? Wrong::kMissed
@@ -131,17 +112,28 @@ Verdict judge_visible_sphere(Trial& trial) {
       measure_parameter(seen, verdict, place, ray, *exact, answers[k]->parameter);
     }
   }
-  return verdict;
 }
+
+constexpr Law kLaws[] = {
+    {.name = "nearest-sphere",
+     .sentence = "the nearest sphere wins, whatever the order in the file",
+     .per = Per::kRay,
+     .needs = Needs::kNearest | Needs::kSpheres | Needs::kRays | Needs::kSeveralSpheres,
+     .quantity = Quantity::kNearestSphere,
+     .judges_values = true,
+     .stage = Stage::kIntersection,
+     .tells_stability = true,
+     .judge = judge_nearest_sphere},
+    {.name = "visible-sphere",
+     .sentence = "every pixel sees the nearest sphere of its ray, by whichever plan",
+     .per = Per::kRay,
+     .needs = Needs::kVisible | Needs::kSpheres,
+     .quantity = Quantity::kNearestSphere,
+     .judge = judge_visible_sphere},
+};
 
 }  // namespace
 
-constinit const Law kNearestSphereLaw = {"nearest-sphere",
-                                         "the nearest sphere wins, whatever the order in the file",
-                                         Law::Subject::kIntersection, true, judge_nearest_sphere};
-
-constinit const Law kVisibleSphereLaw = {
-    "visible-sphere", "every pixel sees the nearest sphere of its ray, by whichever plan",
-    Law::Subject::kCameraAndIntersection, false, judge_visible_sphere};
+constinit const std::span<const Law> kNearestSphereLaws = kLaws;
 
 }  // namespace raycheck::properties

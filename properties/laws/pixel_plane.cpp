@@ -22,13 +22,6 @@ using scene::Point3;
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr int kBits = 256;
 
-/// Why a law about pixel points has nothing to say; empty when it has.
-std::string nothing_to_say(const Trial& trial) {
-  if (!trial.scene().camera) return "the scene has no camera";
-  if (!trial.candidate().pixel_points) return "the candidate gives no pixel points";
-  return {};
-}
-
 std::string name(const Pixel& pixel) {
   return "pixel (" + std::to_string(pixel.i) + ", " + std::to_string(pixel.j) + ")";
 }
@@ -93,13 +86,12 @@ bool is_told_apart(const Trial& trial, const PlaneAnswers& answers, const Enclos
 }
 
 /// Measures an error at a pixel of `answers`, with the condition number of all its pixel points.
-void measure_at(Trial& trial, Verdict& verdict, const Law& law, const PlaneAnswers& answers,
-                std::size_t k, double error, double bound, const std::string& what) {
+void measure_at(Trial& trial, Verdict& verdict, const PlaneAnswers& answers, std::size_t k,
+                double error, double bound, const std::string& what) {
   Place place;
   place.pixel = answers.pixel(k);
   trial.measure(
-      verdict, law.name, Quantity::kPixelPoint, place, error, bound,
-      [&] { return worst_condition(answers); },
+      verdict, Quantity::kPixelPoint, place, error, bound, [&] { return worst_condition(answers); },
       [&](Discrepancy& d) {
         d.what = what;
         d.got = numbers(answers.point(k));
@@ -118,14 +110,12 @@ std::vector<Pixel> corners(const scene::Camera& camera) {
   return result;
 }
 
-Verdict judge_pixel_point(Trial& trial) {
-  if (auto reason = nothing_to_say(trial); !reason.empty()) return Verdict::left_out(reason);
-  Verdict verdict;
+void judge_pixel_point(Trial& trial, Verdict& verdict) {
   const auto& points = trial.pixel_points();
   for (std::size_t k = 0; k < points.size(); ++k) {
     const ExactRay& ray = trial.exact_ray(k);
     trial.measure(
-        verdict, kPixelPointLaw.name, Quantity::kPixelPoint, trial.place(k),
+        verdict, Quantity::kPixelPoint, trial.place(k),
         reference::pixel_point_error(ray, points[k]),
         [&] { return reference::condition_of_pixel_point(ray); },
         [&](Discrepancy& d) {
@@ -133,7 +123,6 @@ Verdict judge_pixel_point(Trial& trial) {
           d.exact = numbers(ray.rounded_pixel_point());
         });
   }
-  return verdict;
 }
 
 /// The axis k along which a vector points exactly, with its sign; 0 when it is along none.
@@ -166,8 +155,8 @@ void judge_promised_bits(Trial& trial, Verdict& verdict, const PlaneAnswers& ans
     if (along.sign == 0 || (!at_first && first + (last - first) != last)) return;
     const double promised = along.sign * (at_first ? first : last);
     const double got = numbers(answers.point(k))[static_cast<std::size_t>(along.index)];
-    measure_at(trial, verdict, kBoundsLaw, answers, k,
-               reference::ulp_error(got, Enclosure(promised, kBits)), 0, "bit-exact corner");
+    measure_at(trial, verdict, answers, k, reference::ulp_error(got, Enclosure(promised, kBits)), 0,
+               "bit-exact corner");
   };
   const Pixel& pixel = answers.pixel(k);
   if (signed_axis(frame.U).sign != 0 && signed_axis(frame.V).sign != 0) {
@@ -177,25 +166,19 @@ void judge_promised_bits(Trial& trial, Verdict& verdict, const PlaneAnswers& ans
   }
 }
 
-Verdict judge_bounds(Trial& trial) {
-  if (auto reason = nothing_to_say(trial); !reason.empty()) return Verdict::left_out(reason);
-  Verdict verdict;
+void judge_bounds(Trial& trial, Verdict& verdict) {
   const PlaneAnswers answers(trial, *trial.scene().camera, corners(*trial.scene().camera));
   for (std::size_t k = 0; k < answers.size(); ++k) {
     const Enclosure3 off = answers.position(k) - answers.exact_position(k);
     const Enclosure size = answers.size_of_point(k);
-    measure_at(trial, verdict, kBoundsLaw, answers, k,
-               std::max(relative(off.x, size), relative(off.y, size)),
+    measure_at(trial, verdict, answers, k, std::max(relative(off.x, size), relative(off.y, size)),
                trial.bound(Quantity::kPixelPoint), "corner " + name(answers.pixel(k)));
     judge_promised_bits(trial, verdict, answers, k);
   }
-  return verdict;
 }
 
-Verdict judge_image_plane(Trial& trial) {
-  if (auto reason = nothing_to_say(trial); !reason.empty()) return Verdict::left_out(reason);
+void judge_image_plane(Trial& trial, Verdict& verdict) {
   const scene::Camera& camera = *trial.scene().camera;
-  Verdict verdict;
   for (const Pixel& pixel : trial.pixels()) {
     std::vector<Pixel> here_and_next = {pixel};
     if (pixel.i + 1 < camera.width) here_and_next.push_back({pixel.i + 1, pixel.j});
@@ -203,48 +186,41 @@ Verdict judge_image_plane(Trial& trial) {
     const PlaneAnswers answers(trial, camera, here_and_next);
     const Enclosure size = answers.size_of_point(0);
     const Enclosure3 here = answers.position(0) - answers.exact_position(0);
-    measure_at(trial, verdict, kImagePlaneLaw, answers, 0, relative(here.z, size),
+    measure_at(trial, verdict, answers, 0, relative(here.z, size),
                trial.bound(Quantity::kPixelPoint), "distance from the plane");
     for (std::size_t k = 1; k < answers.size(); ++k) {
       const Enclosure3 next = answers.position(k) - answers.exact_position(k);
-      measure_at(trial, verdict, kImagePlaneLaw, answers, k, relative(norm(next - here), size),
+      measure_at(trial, verdict, answers, k, relative(norm(next - here), size),
                  2 * trial.bound(Quantity::kPixelPoint), "step from " + name(pixel));
     }
   }
-  return verdict;
 }
 
-Verdict judge_centre_pixel(Trial& trial) {
-  if (auto reason = nothing_to_say(trial); !reason.empty()) return Verdict::left_out(reason);
+void judge_centre_pixel(Trial& trial, Verdict& verdict) {
   const scene::Camera& camera = *trial.scene().camera;
   if (camera.width % 2 == 0 || camera.height % 2 == 0) {
-    return Verdict::left_out("an even image has no centre pixel");
+    return verdict.leave_out("an even image has no centre pixel");
   }
   if (camera.left != -camera.right || camera.bottom != -camera.top) {
-    return Verdict::left_out("the bounds are not symmetric");
+    return verdict.leave_out("the bounds are not symmetric");
   }
-  Verdict verdict;
   const PlaneAnswers answers(trial, camera, {{camera.width / 2, camera.height / 2}});
   const Enclosure3 position = answers.position(0);
   const Enclosure off_axis = norm(Enclosure3{position.x, position.y, Enclosure(0)});
-  measure_at(trial, verdict, kCentrePixelLaw, answers, 0,
-             relative(off_axis, answers.size_of_point(0)), trial.bound(Quantity::kPixelPoint),
-             "distance from the optical axis");
-  return verdict;
+  measure_at(trial, verdict, answers, 0, relative(off_axis, answers.size_of_point(0)),
+             trial.bound(Quantity::kPixelPoint), "distance from the optical axis");
 }
 
-Verdict judge_pixel_zero_zero(Trial& trial) {
-  if (auto reason = nothing_to_say(trial); !reason.empty()) return Verdict::left_out(reason);
+void judge_pixel_zero_zero(Trial& trial, Verdict& verdict) {
   const scene::Camera& camera = *trial.scene().camera;
   if (camera.width < 2 || camera.height < 2) {
-    return Verdict::left_out("an image of one row or column has no distinct corners");
+    return verdict.leave_out("an image of one row or column has no distinct corners");
   }
   const PlaneAnswers answers(trial, camera, {{0, 0}, {camera.width - 1, camera.height - 1}});
   const Enclosure3 extent = answers.exact_position(1) - answers.exact_position(0);
   if (!is_told_apart(trial, answers, extent.x) || !is_told_apart(trial, answers, extent.y)) {
-    return Verdict::left_out("the image is too small for the rounding of its pixel points");
+    return verdict.leave_out("the image is too small for the rounding of its pixel points");
   }
-  Verdict verdict;
   const Enclosure3 got = answers.position(0);
   const Enclosure3 own = got - answers.exact_position(0);
   const Enclosure3 opposite = got - answers.exact_position(1);
@@ -252,19 +228,17 @@ Verdict judge_pixel_zero_zero(Trial& trial) {
     return (abs(b) - abs(a)).certain_sign().value_or(0) > 0;
   };
   const bool right = is_nearer(own.x, opposite.x) && is_nearer(own.y, opposite.y);
-  measure_at(trial, verdict, kPixelZeroZeroLaw, answers, 0, right ? 0 : kInfinity,
-             trial.bound(Quantity::kPixelPoint), "corner of pixel (0, 0)");
-  return verdict;
+  measure_at(trial, verdict, answers, 0, right ? 0 : kInfinity, trial.bound(Quantity::kPixelPoint),
+             "corner of pixel (0, 0)");
 }
 
-Verdict judge_density(Trial& trial) {
-  if (auto reason = nothing_to_say(trial); !reason.empty()) return Verdict::left_out(reason);
+void judge_density(Trial& trial, Verdict& verdict) {
   const scene::Camera& camera = *trial.scene().camera;
   if (trial.conventions().samples != scene::Samples::kEdges) {
-    return Verdict::left_out("samples at cell centres move with the density");
+    return verdict.leave_out("samples at cell centres move with the density");
   }
   if (std::max(camera.width, camera.height) > scene::kMostPixelsAcross / 2) {
-    return Verdict::left_out("an image of twice the density would be too large");
+    return verdict.leave_out("an image of twice the density would be too large");
   }
   scene::Camera denser = camera;
   denser.width = 2 * camera.width - 1;
@@ -273,24 +247,20 @@ Verdict judge_density(Trial& trial) {
   pixels.insert(pixels.end(), trial.pixels().begin(), trial.pixels().end());
   std::vector<Pixel> same_places;
   for (const Pixel& pixel : pixels) same_places.push_back({2 * pixel.i, 2 * pixel.j});
-  Verdict verdict;
   const PlaneAnswers sparse(trial, camera, pixels);
   const PlaneAnswers dense(trial, denser, same_places);
   for (std::size_t k = 0; k < pixels.size(); ++k) {
     const Enclosure3 moved =
         reference::enclose_exactly(dense.point(k)) - reference::enclose_exactly(sparse.point(k));
-    measure_at(trial, verdict, kDensityLaw, sparse, k,
-               relative(norm(moved), sparse.size_of_point(k)),
+    measure_at(trial, verdict, sparse, k, relative(norm(moved), sparse.size_of_point(k)),
                2 * trial.bound(Quantity::kPixelPoint), name(pixels[k]) + " at twice the density");
   }
-  return verdict;
 }
 
-Verdict judge_square_pixels(Trial& trial) {
-  if (auto reason = nothing_to_say(trial); !reason.empty()) return Verdict::left_out(reason);
+void judge_square_pixels(Trial& trial, Verdict& verdict) {
   const scene::Camera& camera = *trial.scene().camera;
   if (camera.width < 2 || camera.height < 2) {
-    return Verdict::left_out("an image of one row or column has one spacing only");
+    return verdict.leave_out("an image of one row or column has one spacing only");
   }
   const PlaneAnswers answers(trial, camera, {{0, 0}, {1, 0}, {0, 1}});
   const auto step = [&](std::size_t k) {
@@ -301,7 +271,7 @@ Verdict judge_square_pixels(Trial& trial) {
   const Enclosure across = abs(answers.exact_position(1).x - origin.x);
   const Enclosure down = abs(answers.exact_position(2).y - origin.y);
   if (!is_told_apart(trial, answers, across) || !is_told_apart(trial, answers, down)) {
-    return Verdict::left_out("a pixel is too small for the rounding of its points");
+    return verdict.leave_out("a pixel is too small for the rounding of its points");
   }
   // got ratio / exact ratio - 1; squares are the scenes whose exact ratio is 1.
   const Enclosure got_down = step(2);
@@ -309,12 +279,10 @@ Verdict judge_square_pixels(Trial& trial) {
       got_down.contains_zero()
           ? kInfinity
           : reference::in_units_of_u(step(1) * down / (got_down * across) - Enclosure(1));
-  Verdict verdict;
   Place place;
   place.pixel = Pixel{0, 0};
   trial.measure(
-      verdict, kSquarePixelsLaw.name, Quantity::kPixelPoint, place, error,
-      2 * trial.bound(Quantity::kPixelPoint),
+      verdict, Quantity::kPixelPoint, place, error, 2 * trial.bound(Quantity::kPixelPoint),
       [&] {
         // A step is a difference of two points: their rounding weighs |P| / step.
         const Enclosure size = answers.size_of_point(0);
@@ -326,28 +294,58 @@ Verdict judge_square_pixels(Trial& trial) {
         d.got = {(step(1) / got_down).upper()};
         d.exact = {(across / down).upper()};
       });
-  return verdict;
 }
+
+constexpr Law kLaws[] = {
+    {.name = "pixel-point",
+     .sentence = "pixel points are E + nW + alpha U + beta V",
+     .per = Per::kRay,
+     .needs = Needs::kPixelPoints,
+     .quantity = Quantity::kPixelPoint,
+     .judges_values = true,
+     .stage = Stage::kRays,
+     .tells_stability = true,
+     .judge = judge_pixel_point},
+    {.name = "bounds",
+     .sentence = "first and last pixels lie at left and right, bottom and top",
+     .per = Per::kScene,
+     .needs = Needs::kPixelPoints,
+     .quantity = Quantity::kPixelPoint,
+     .judge = judge_bounds},
+    {.name = "image-plane",
+     .sentence = "pixels lie in the image plane, evenly spaced",
+     .per = Per::kRay,
+     .needs = Needs::kPixelPoints,
+     .quantity = Quantity::kPixelPoint,
+     .judge = judge_image_plane},
+    {.name = "centre-pixel",
+     .sentence = "the centre pixel of an odd symmetric image lies on the optical axis",
+     .per = Per::kScene,
+     .needs = Needs::kPixelPoints,
+     .quantity = Quantity::kPixelPoint,
+     .judge = judge_centre_pixel},
+    {.name = "pixel-zero-zero",
+     .sentence = "pixel (0, 0) is at the corner that the row order says",
+     .per = Per::kScene,
+     .needs = Needs::kPixelPoints,
+     .quantity = Quantity::kPixelPoint,
+     .judge = judge_pixel_zero_zero},
+    {.name = "density",
+     .sentence = "pixel density does not change the field of view",
+     .per = Per::kRay,
+     .needs = Needs::kPixelPoints,
+     .quantity = Quantity::kPixelPoint,
+     .judge = judge_density},
+    {.name = "square-pixels",
+     .sentence = "pixels are square exactly when the spacings agree",
+     .per = Per::kScene,
+     .needs = Needs::kPixelPoints,
+     .quantity = Quantity::kPixelPoint,
+     .judge = judge_square_pixels},
+};
 
 }  // namespace
 
-constinit const Law kPixelPointLaw = {"pixel-point", "pixel points are E + nW + alpha U + beta V",
-                                      Law::Subject::kCamera, true, judge_pixel_point};
-constinit const Law kBoundsLaw = {"bounds",
-                                  "first and last pixels lie at left and right, bottom and top",
-                                  Law::Subject::kCamera, false, judge_bounds};
-constinit const Law kImagePlaneLaw = {"image-plane", "pixels lie in the image plane, evenly spaced",
-                                      Law::Subject::kCamera, false, judge_image_plane};
-constinit const Law kCentrePixelLaw = {
-    "centre-pixel", "the centre pixel of an odd symmetric image lies on the optical axis",
-    Law::Subject::kCamera, false, judge_centre_pixel};
-constinit const Law kPixelZeroZeroLaw = {"pixel-zero-zero",
-                                         "pixel (0, 0) is at the corner that the row order says",
-                                         Law::Subject::kCamera, false, judge_pixel_zero_zero};
-constinit const Law kDensityLaw = {"density", "pixel density does not change the field of view",
-                                   Law::Subject::kCamera, false, judge_density};
-constinit const Law kSquarePixelsLaw = {"square-pixels",
-                                        "pixels are square exactly when the spacings agree",
-                                        Law::Subject::kCamera, false, judge_square_pixels};
+constinit const std::span<const Law> kPixelPlaneLaws = kLaws;
 
 }  // namespace raycheck::properties

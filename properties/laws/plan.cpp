@@ -19,24 +19,16 @@ using scene::Pixel;
 using scene::SpherePlan;
 using scene::Wanted;
 
-std::string nothing_to_plan(const Trial& trial) {
-  if (!trial.scene().camera) return "the scene has no camera";
-  if (!trial.candidate().plan) return "the candidate plans nothing";
-  if (trial.scene().spheres.empty()) return "the scene has no sphere";
-  return {};
-}
-
 /// Counts what the plan says of a sphere at a pixel. Nothing excuses a plan: it promises to change
 /// no answer, whatever the scene.
-void judge(Verdict& verdict, const Law& law, const Trial& trial, Quantity quantity,
-           const Pixel& pixel, std::size_t sphere, Wrong wrong, const std::string& what) {
+void judge(Verdict& verdict, const Trial& trial, Quantity quantity, const Pixel& pixel,
+           std::size_t sphere, Wrong wrong, const std::string& what) {
   const auto width = static_cast<std::size_t>(trial.scene().camera->width);
   const Place place{static_cast<std::size_t>(pixel.j) * width + static_cast<std::size_t>(pixel.i),
                     pixel, sphere};
-  verdict.judged(quantity, place, wrong, Excuse::kNone);
+  verdict.judged(quantity, place, wrong, {});
   if (wrong == Wrong::kNot) return;
   Discrepancy discrepancy;
-  discrepancy.law = law.name;
   discrepancy.quantity = quantity;
   discrepancy.place = place;
   discrepancy.what = what;
@@ -62,12 +54,10 @@ bool is_hidden(const ExactRay& ray, const Trial& trial, std::size_t sphere, std:
   return order < 0 || (order == 0 && by < sphere);
 }
 
-Verdict judge_left_out(Trial& trial) {
-  if (auto reason = nothing_to_plan(trial); !reason.empty()) return Verdict::left_out(reason);
+void judge_left_out(Trial& trial, Verdict& verdict) {
   const PlanStatements statements(trial);
   const ExactCamera camera(*trial.scene().camera, trial.conventions());
   const auto& spheres = trial.scene().spheres;
-  Verdict verdict;
   for (std::size_t k = 0; k < spheres.size(); ++k) {
     for (const PlanStatement& statement : statements.of(k)) {
       const SpherePlan& said = statement.said();
@@ -80,8 +70,7 @@ Verdict judge_left_out(Trial& trial) {
             is_ranked
                 ? is_hidden(ray, trial, k, said.hidden_by.value())
                 : ray.intersect(spheres[k], trial.conventions().root).hit_class == HitClass::kMiss;
-        judge(verdict, kPlanLeftOutLaw, trial,
-              is_ranked ? Quantity::kNearestSphere : Quantity::kClass, pixel, k,
+        judge(verdict, trial, is_ranked ? Quantity::kNearestSphere : Quantity::kClass, pixel, k,
               is_right    ? Wrong::kNot
               : is_ranked ? Wrong::kWrongSphere
                           : Wrong::kMissed,
@@ -90,16 +79,13 @@ Verdict judge_left_out(Trial& trial) {
       }
     }
   }
-  if (verdict.compared() == 0) return Verdict::left_out("the plan leaves out no sphere");
-  return verdict;
+  if (verdict.compared() == 0) return verdict.leave_out("the plan leaves out no sphere");
 }
 
-Verdict judge_rectangles(Trial& trial) {
-  if (auto reason = nothing_to_plan(trial); !reason.empty()) return Verdict::left_out(reason);
+void judge_rectangles(Trial& trial, Verdict& verdict) {
   const PlanStatements statements(trial);
   const ExactCamera camera(*trial.scene().camera, trial.conventions());
   const auto& spheres = trial.scene().spheres;
-  Verdict verdict;
   for (std::size_t k = 0; k < spheres.size(); ++k) {
     for (const PlanStatement& statement : statements.of(k)) {
       const SpherePlan& said = statement.said();
@@ -111,14 +97,13 @@ Verdict judge_rectangles(Trial& trial) {
       for (const Pixel& pixel : statements.outside(statement)) {
         const Intersection at =
             ExactRay(camera, pixel).intersect(spheres[k], trial.conventions().root);
-        judge(verdict, kPlanRectanglesLaw, trial, Quantity::kClass, pixel, k,
+        judge(verdict, trial, Quantity::kClass, pixel, k,
               at.hit_class == HitClass::kMiss ? Wrong::kNot : Wrong::kMissed,
               "outside its rectangle" + for_what(statement));
       }
     }
   }
-  if (verdict.compared() == 0) return Verdict::left_out("every rectangle is the whole image");
-  return verdict;
+  if (verdict.compared() == 0) return verdict.leave_out("every rectangle is the whole image");
 }
 
 /// The rays from the eye through a pixel and away from it: their line meets what one of them meets.
@@ -149,13 +134,11 @@ class Line {
   ExactCamera forwards_, backwards_;
 };
 
-Verdict judge_roots(Trial& trial) {
-  if (auto reason = nothing_to_plan(trial); !reason.empty()) return Verdict::left_out(reason);
+void judge_roots(Trial& trial, Verdict& verdict) {
   const PlanStatements statements(trial);
   const ExactCamera camera(*trial.scene().camera, trial.conventions());
   const Line line(*trial.scene().camera, trial.conventions());
   const auto& spheres = trial.scene().spheres;
-  Verdict verdict;
   for (std::size_t k = 0; k < spheres.size(); ++k) {
     for (const PlanStatement& statement : statements.of(k)) {
       const SpherePlan& said = statement.said();
@@ -165,32 +148,44 @@ Verdict judge_roots(Trial& trial) {
             ExactRay(camera, pixel).intersect(spheres[k], trial.conventions().root);
         const bool is_hit = at.hit_class != HitClass::kMiss;
         if (is_hit) {
-          judge(verdict, kPlanRootsLaw, trial, Quantity::kRoot, pixel, k,
+          judge(verdict, trial, Quantity::kRoot, pixel, k,
                 at.root == reference::WhichRoot::kLarger ? Wrong::kWrongRoot : Wrong::kNot,
                 said.origin_inside ? "behind the origin" : "from inside");
         }
         if (!said.reaches_behind) {
-          judge(verdict, kPlanRootsLaw, trial, Quantity::kClass, pixel, k,
+          judge(verdict, trial, Quantity::kClass, pixel, k,
                 !is_hit && line.meets(spheres[k], pixel) ? Wrong::kFalseHit : Wrong::kNot,
                 "behind the origin");
         }
       }
     }
   }
-  if (verdict.compared() == 0) return Verdict::left_out("any ray may start inside, or past it");
-  return verdict;
+  if (verdict.compared() == 0) return verdict.leave_out("any ray may start inside, or past it");
 }
+
+constexpr Law kLaws[] = {
+    {.name = "plan-left-out",
+     .sentence = "no ray sees a sphere that the plan leaves out",
+     .per = Per::kPair,
+     .needs = Needs::kPlan | Needs::kSpheres,
+     .quantity = Quantity::kClass,
+     .judge = judge_left_out},
+    {.name = "plan-rectangles",
+     .sentence = "every pixel outside a sphere's rectangle misses it",
+     .per = Per::kPair,
+     .needs = Needs::kPlan | Needs::kSpheres,
+     .quantity = Quantity::kClass,
+     .judge = judge_rectangles},
+    {.name = "plan-roots",
+     .sentence = "the far root, and the test for what is behind, are needed where the plan says",
+     .per = Per::kPair,
+     .needs = Needs::kPlan | Needs::kSpheres,
+     .quantity = Quantity::kRoot,
+     .judge = judge_roots},
+};
 
 }  // namespace
 
-constinit const Law kPlanLeftOutLaw = {"plan-left-out",
-                                       "no ray sees a sphere that the plan leaves out",
-                                       Law::Subject::kCameraAndIntersection, false, judge_left_out};
-constinit const Law kPlanRectanglesLaw = {
-    "plan-rectangles", "every pixel outside a sphere's rectangle misses it",
-    Law::Subject::kCameraAndIntersection, false, judge_rectangles};
-constinit const Law kPlanRootsLaw = {
-    "plan-roots", "the far root, and the test for what is behind, are needed where the plan says",
-    Law::Subject::kCameraAndIntersection, false, judge_roots};
+constinit const std::span<const Law> kPlanLaws = kLaws;
 
 }  // namespace raycheck::properties

@@ -68,7 +68,7 @@ void expect_refusal(Trial& trial, Verdict& verdict, const std::string& what,
     wrong = Wrong::kNot;
   }
   trial.judge(
-      verdict, kRefusalLaw.name, Quantity::kRefusal, Place{}, wrong, [] { return false; },
+      verdict, Quantity::kRefusal, Place{}, wrong, [] { return false; },
       [&](Discrepancy& d) { d.what = what; });
 }
 
@@ -123,25 +123,27 @@ void spoil_intersections(Trial& trial, Verdict& verdict) {
   }
 }
 
-Verdict judge_refusal(Trial& trial) {
-  if (!trial.candidate().refuses) {
-    return Verdict::left_out("the candidate is never asked what is not a problem");
-  }
-  Verdict verdict;
+void judge_refusal(Trial& trial, Verdict& verdict) {
   if (trial.scene().camera) spoil_cameras(trial, verdict);
   if (trial.candidate().intersect && !trial.scene().spheres.empty()) {
     spoil_intersections(trial, verdict);
   }
   if (verdict.compared() == 0) {
-    return Verdict::left_out("the candidate has nothing that the scene's input could spoil");
+    return verdict.leave_out("the candidate has nothing that the scene's input could spoil");
   }
-  return verdict;
 }
+
+constexpr Law kLaws[] = {
+    {.name = "refusal",
+     .sentence = "non-finite and degenerate input is refused, not answered",
+     .per = Per::kScene,
+     .needs = Needs::kRefusals,
+     .quantity = Quantity::kRefusal,
+     .judge = judge_refusal},
+};
 
 }  // namespace
 
-constinit const Law kRefusalLaw = {"refusal",
-                                   "non-finite and degenerate input is refused, not answered",
-                                   Law::Subject::kAny, false, judge_refusal};
+constinit const std::span<const Law> kRefusalLaws = kLaws;
 
 }  // namespace raycheck::properties

@@ -16,7 +16,7 @@ namespace {
 
 using scene::Vector3;
 
-/// Any stage's answer: which sphere, or whether one, and what vectors there are.
+/// Any step's answer: which sphere, or whether one, and what vectors there are.
 struct Answer {
   std::optional<std::size_t> choice;
   std::array<Vector3, 3> vectors;
@@ -69,30 +69,30 @@ Answers hit_answers(const Question& question, const Trial& trial) {
 }
 
 /// Empty where the candidate has no such function.
-std::optional<Answers> ask(Stage stage, const Question& question, const Candidate& candidate) {
+std::optional<Answers> ask(Step step, const Question& question, const Candidate& candidate) {
   Trial trial(question.the_case, candidate);
   const scene::Scene& scene = question.the_case.scene;
   Answers answers;
-  switch (stage) {
-    case Stage::kFrame: {
+  switch (step) {
+    case Step::kFrame: {
       if (!scene.camera || !candidate.frame) return {};
       const auto& [U, V, W] = trial.frame();
       return Answers{{{}, {vector(U), vector(V), vector(W)}}};
     }
-    case Stage::kPixelPoint:
+    case Step::kPixelPoint:
       if (!scene.camera || !candidate.pixel_points) return {};
       for (const scene::Point3& P : trial.pixel_points()) answers.push_back({{}, {vector(P)}});
       return answers;
-    case Stage::kRay:
+    case Step::kRay:
       if (!scene.camera || !trial.has_rays()) return {};
       for (const auto& [origin, direction] : trial.rays()) {
         answers.push_back({{}, {vector(origin), direction}});
       }
       return answers;
-    case Stage::kIntersect:
+    case Step::kIntersect:
       if (!candidate.intersect) return {};
       return hit_answers(question, trial);
-    case Stage::kNearest:
+    case Step::kNearest:
       break;
   }
   if (!candidate.nearest) return {};
@@ -103,10 +103,9 @@ std::optional<Answers> ask(Stage stage, const Question& question, const Candidat
 }
 
 /// The same; empty too where the candidate refuses or fails.
-std::optional<Answers> try_to_ask(Stage stage, const Question& question,
-                                  const Candidate& candidate) {
+std::optional<Answers> try_to_ask(Step step, const Question& question, const Candidate& candidate) {
   try {
-    return ask(stage, question, candidate);
+    return ask(step, question, candidate);
   } catch (const std::runtime_error&) {
     return {};
   } catch (const std::invalid_argument&) {
@@ -114,7 +113,7 @@ std::optional<Answers> try_to_ask(Stage stage, const Question& question,
   }
 }
 
-/// What a candidate answered to a question at a stage, what is right, and what other right formulas
+/// What a candidate answered to a question at a step, what is right, and what other right formulas
 /// make of it.
 struct Given {
   const Question* question;
@@ -155,7 +154,7 @@ std::vector<Candidate> other_right_candidates(const Candidate& candidate) {
   return others;
 }
 
-/// A candidate's answers to cases, each stage's worked out when first asked for.
+/// A candidate's answers to cases, each step's worked out when first asked for.
 class Examination {
  public:
   Examination(std::span<const Case> cases, const Candidate& candidate)
@@ -170,37 +169,37 @@ class Examination {
     }
   }
 
-  const std::vector<Given>& at(Stage stage) {
-    auto& known = given_[static_cast<std::size_t>(stage)];
+  const std::vector<Given>& at(Step step) {
+    auto& known = given_[static_cast<std::size_t>(step)];
     if (known) return *known;
     known.emplace();
     for (const Question& question : questions_) {
-      std::optional<Answers> answers = try_to_ask(stage, question, candidate_);
+      std::optional<Answers> answers = try_to_ask(step, question, candidate_);
       if (!answers) continue;
-      Given given = {&question, std::move(*answers), ask(stage, question, right_).value(), {}};
+      Given given = {&question, std::move(*answers), ask(step, question, right_).value(), {}};
       if (count_different(given, given.right, kAnswerTolerances.front()) > 0) {
-        given.also_right = ask_others(stage, question);
+        given.also_right = ask_others(step, question);
       }
       known->push_back(std::move(given));
     }
     return *known;
   }
 
-  std::uint64_t errors(Stage stage, double tolerance) {
+  std::uint64_t errors(Step step, double tolerance) {
     std::uint64_t count = 0;
-    for (const Given& given : at(stage)) count += count_different(given, given.right, tolerance);
+    for (const Given& given : at(step)) count += count_different(given, given.right, tolerance);
     return count;
   }
 
-  /// The answers up to a stage that are not as a mistake makes them; any number above `most` where
+  /// The answers up to a step that are not as a mistake makes them; any number above `most` where
   /// they are more.
-  std::uint64_t contradicted(const Mistake& mistake, Stage first, Stage last, double tolerance,
+  std::uint64_t contradicted(const Mistake& mistake, Step first, Step last, double tolerance,
                              std::uint64_t most) {
     std::uint64_t count = 0;
-    for (auto stage = static_cast<int>(last); stage >= static_cast<int>(first); --stage) {
-      for (const Given& given : at(static_cast<Stage>(stage))) {
+    for (auto step = static_cast<int>(last); step >= static_cast<int>(first); --step) {
+      for (const Given& given : at(static_cast<Step>(step))) {
         if (count > most) return count;
-        const auto made = try_to_ask(static_cast<Stage>(stage), *given.question, mistake.candidate);
+        const auto made = try_to_ask(static_cast<Step>(step), *given.question, mistake.candidate);
         count += count_different(given, made ? *made : given.right, tolerance);
       }
     }
@@ -208,15 +207,15 @@ class Examination {
   }
 
  private:
-  std::vector<Answers> ask_others(Stage stage, Question question) const {
+  std::vector<Answers> ask_others(Step step, Question question) const {
     std::vector<Answers> answers;
     scene::Conventions& conventions = question.the_case.scene.conventions;
     const auto add = [&](const Candidate& other) {
       if (!(other.declared.over(conventions) == conventions)) return;
-      if (auto its = try_to_ask(stage, question, other)) answers.push_back(std::move(*its));
+      if (auto its = try_to_ask(step, question, other)) answers.push_back(std::move(*its));
     };
     for (const Candidate& other : others_) add(other);
-    if (conventions.tangent == scene::Tangent::kEither && stage >= Stage::kIntersect) {
+    if (conventions.tangent == scene::Tangent::kEither && step >= Step::kIntersect) {
       conventions.tangent = scene::Tangent::kMiss;
       add(right_);
     }
@@ -227,18 +226,18 @@ class Examination {
   const Candidate right_ = right_candidate();
   const std::vector<Candidate> others_;
   std::vector<Question> questions_;
-  std::array<std::optional<std::vector<Given>>, kStageCount> given_;
+  std::array<std::optional<std::vector<Given>>, kStepCount> given_;
 };
 
-std::vector<Explanation> explain(Examination& examination, Stage stage, std::uint64_t errors,
+std::vector<Explanation> explain(Examination& examination, Step step, std::uint64_t errors,
                                  double tolerance) {
   // Hits are asked about right rays: no mistake in these shows in them.
-  const Stage first = stage < Stage::kIntersect ? Stage::kFrame : Stage::kIntersect;
+  const Step first = step < Step::kIntersect ? Step::kFrame : Step::kIntersect;
   std::vector<Explanation> best;
   std::uint64_t fewest = most_unexplained(errors);
   for (const Mistake& mistake : mistakes()) {
-    if (mistake.stage < first || mistake.stage > stage) continue;
-    const std::uint64_t left = examination.contradicted(mistake, first, stage, tolerance, fewest);
+    if (mistake.step < first || mistake.step > step) continue;
+    const std::uint64_t left = examination.contradicted(mistake, first, step, tolerance, fewest);
     if (left > fewest) continue;
     if (left < fewest) best.clear();
     fewest = left;
@@ -252,11 +251,11 @@ std::vector<Explanation> explain(Examination& examination, Stage stage, std::uin
 std::vector<Explanation> explanations(std::span<const Case> cases, const Candidate& candidate) {
   Examination examination(cases, candidate);
   for (const double tolerance : kAnswerTolerances) {
-    for (const Stage stage :
-         {Stage::kFrame, Stage::kPixelPoint, Stage::kRay, Stage::kIntersect, Stage::kNearest}) {
-      const std::uint64_t errors = examination.errors(stage, tolerance);
+    for (const Step step :
+         {Step::kFrame, Step::kPixelPoint, Step::kRay, Step::kIntersect, Step::kNearest}) {
+      const std::uint64_t errors = examination.errors(step, tolerance);
       if (errors == 0) continue;
-      std::vector<Explanation> found = explain(examination, stage, errors, tolerance);
+      std::vector<Explanation> found = explain(examination, step, errors, tolerance);
       if (!found.empty()) return found;
       break;
     }

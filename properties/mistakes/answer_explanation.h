@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "properties/candidate.h"
+#include "properties/case.h"
 #include "properties/mistakes/explanation.h"
-#include "properties/truth.h"
 
 namespace raycheck::properties {
 
@@ -16,8 +16,8 @@ namespace raycheck::properties {
 inline constexpr std::array<double, 2> kAnswerTolerances = {1e-6, 1e-4};
 
 /// The classic mistake in a candidate's functions: what explains at least kExplainedShare of the
-/// wrong answers to the cases at the first stage that has any, and contradicts few of the answers
-/// there and at the stages before; of several the best, all where they explain as many. The stages
+/// wrong answers to the cases at the first step that has any, and contradicts few of the answers
+/// there and at the steps before; of several the best, all where they explain as many. The steps
 /// are the frame, the pixel points and the rays under the origin convention; then, on right rays,
 /// the hits; then the nearest sphere. One that the candidate has no function for is passed over,
 /// and so are tangents that are not judged, cases outside its domain and those that it refuses or

@@ -125,7 +125,7 @@ Mistake frame(std::string sentence, std::function<void(const Camera&, FrameAnswe
     change(camera, axes);
     return axes;
   };
-  return {std::move(sentence), Stage::kFrame, {}, {}, {}, with(formulas)};
+  return {std::move(sentence), Step::kFrame, {}, {}, {}, with(formulas)};
 }
 
 void turn(UnitVector3& axis) { axis = {-axis.x, -axis.y, -axis.z}; }
@@ -189,7 +189,7 @@ Mistake direction(std::string sentence,
                   std::function<Vector3(const Camera&, const Point3&, const Vector3&)> formula) {
   Formulas formulas;
   formulas.direction = std::move(formula);
-  return {std::move(sentence), Stage::kRay, {}, {}, {}, with(formulas)};
+  return {std::move(sentence), Step::kRay, {}, {}, {}, with(formulas)};
 }
 
 Vector3 from_world(const Point3& P) { return {P.x, P.y, P.z}; }
@@ -217,7 +217,7 @@ std::vector<Mistake> ray_mistakes() {
                                [](const Camera&, const Point3&, const Vector3& g) { return g; });
   take_for_unit(not_unit.candidate);
   Mistake taken_for_unit = {"directions are taken for unit ones, whatever their length",
-                            Stage::kIntersect,
+                            Step::kIntersect,
                             {},
                             {},
                             {},
@@ -225,7 +225,7 @@ std::vector<Mistake> ray_mistakes() {
   take_for_unit(taken_for_unit.candidate);
   return {
       {"E is not added: P = nW + alpha U + beta V",
-       Stage::kPixelPoint,
+       Step::kPixelPoint,
        {},
        {},
        {},

@@ -69,16 +69,16 @@ Candidate with_question(const ChangeCamera& camera, const ChangeConventions& con
   return candidate;
 }
 
-Mistake camera(std::string sentence, const ChangeCamera& change, Stage stage = Stage::kPixelPoint) {
-  return {std::move(sentence), stage, change, {}, {}, with_question(change, {}, {})};
+Mistake camera(std::string sentence, const ChangeCamera& change, Step step = Step::kPixelPoint) {
+  return {std::move(sentence), step, change, {}, {}, with_question(change, {}, {})};
 }
 
-Mistake convention(std::string sentence, const ChangeConventions& change, Stage stage) {
-  return {std::move(sentence), stage, {}, change, {}, with_question({}, change, {})};
+Mistake convention(std::string sentence, const ChangeConventions& change, Step step) {
+  return {std::move(sentence), step, {}, change, {}, with_question({}, change, {})};
 }
 
 Mistake pixel(std::string sentence, const ChangePixel& change) {
-  return {std::move(sentence), Stage::kPixelPoint, {}, {}, change, with_question({}, {}, change)};
+  return {std::move(sentence), Step::kPixelPoint, {}, {}, change, with_question({}, {}, change)};
 }
 
 std::vector<Mistake> pixel_mistakes() {
@@ -104,29 +104,29 @@ std::vector<Mistake> convention_mistakes() {
     return [member, value](Conventions& conventions) { conventions.*member = value; };
   };
   return {convention("pixels are sampled at their centres",
-                     of(&Conventions::samples, Samples::kCentres), Stage::kPixelPoint),
+                     of(&Conventions::samples, Samples::kCentres), Step::kPixelPoint),
           convention("pixels are sampled from edge to edge",
-                     of(&Conventions::samples, Samples::kEdges), Stage::kPixelPoint),
+                     of(&Conventions::samples, Samples::kEdges), Step::kPixelPoint),
           convention("rays start at the eye, so that spheres before the image plane are seen",
-                     of(&Conventions::origin, Origin::kFocal), Stage::kRay),
+                     of(&Conventions::origin, Origin::kFocal), Step::kRay),
           convention("rays start on the image plane, so that spheres before it are not seen",
-                     of(&Conventions::origin, Origin::kPixel), Stage::kRay),
+                     of(&Conventions::origin, Origin::kPixel), Step::kRay),
           convention("only the near root counts, so that spheres around the origin are not seen",
-                     of(&Conventions::root, Root::kSmaller), Stage::kIntersect),
+                     of(&Conventions::root, Root::kSmaller), Step::kIntersect),
           convention("the far root counts too, so that spheres around the origin are seen",
-                     of(&Conventions::root, Root::kNearest), Stage::kIntersect),
+                     of(&Conventions::root, Root::kNearest), Step::kIntersect),
           convention(
               "a tangent counts as a miss",
               [](Conventions& asked) {
                 if (asked.tangent == Tangent::kHit) asked.tangent = Tangent::kMiss;
               },
-              Stage::kIntersect),
+              Step::kIntersect),
           convention(
               "a tangent counts as a hit",
               [](Conventions& asked) {
                 if (asked.tangent == Tangent::kMiss) asked.tangent = Tangent::kHit;
               },
-              Stage::kIntersect)};
+              Step::kIntersect)};
 }
 
 /// Steps from the first pixel of a row or column to its last under the samples convention.
@@ -227,14 +227,14 @@ std::vector<Mistake> view_mistakes() {
           [](Camera& its, auto&) {
             its.up = {0, 1, 0};
           },
-          Stage::kFrame),
+          Step::kFrame),
       camera(
           "look-at is taken for the direction of view",
           [](Camera& its, auto&) {
             its.look_at = {its.eye.x + its.look_at.x, its.eye.y + its.look_at.y,
                            its.eye.z + its.look_at.z};
           },
-          Stage::kFrame),
+          Step::kFrame),
   };
 }
 

@@ -19,7 +19,7 @@ double length(const scene::Vector3& v) { return std::hypot(v.x, v.y, v.z); }
 Mistake choice(std::string sentence, const ChooseHit& choose) {
   Candidate candidate = right_candidate();
   answer_by_choice(candidate, fast::kCross.roots, choose);
-  return {std::move(sentence), Stage::kIntersect, {}, {}, {}, candidate};
+  return {std::move(sentence), Step::kIntersect, {}, {}, {}, candidate};
 }
 
 /// Hits changed after the fact.
@@ -34,7 +34,7 @@ Mistake value(std::string sentence, const std::function<HitAnswer(const Ray&, Hi
               }
               return hits;
             });
-  return {std::move(sentence), Stage::kIntersect, {}, {}, {}, candidate};
+  return {std::move(sentence), Step::kIntersect, {}, {}, {}, candidate};
 }
 
 Hit wherever_behind(const Ray& ray, const Roots& roots, const Conventions& conventions) {
@@ -64,7 +64,7 @@ Mistake winner(std::string sentence, const RankSphere& rank,
                const ChooseHit& choose = usual_choice) {
   Candidate candidate = right_candidate();
   rank_by(candidate, choose, rank);
-  return {std::move(sentence), Stage::kNearest, {}, {}, {}, candidate};
+  return {std::move(sentence), Step::kNearest, {}, {}, {}, candidate};
 }
 
 std::vector<Mistake> winner_mistakes() {

@@ -12,8 +12,8 @@
 namespace raycheck::properties {
 
 /// Where a mistake is made: the first answer that shows it.
-enum class Stage { kFrame, kPixelPoint, kRay, kIntersect, kNearest };
-inline constexpr std::size_t kStageCount = 5;
+enum class Step { kFrame, kPixelPoint, kRay, kIntersect, kNearest };
+inline constexpr std::size_t kStepCount = 5;
 
 /// Another camera than the one given, under its conventions; it may be no valid one.
 using ChangeCamera = std::function<void(scene::Camera&, const scene::Conventions&)>;
@@ -26,7 +26,7 @@ using ChangePixel = std::function<scene::Pixel(const scene::Camera&, const scene
 /// answer to that other question. Without any it is a wrong formula.
 struct Mistake {
   std::string sentence;  ///< "rows are upside down"
-  Stage stage = Stage::kFrame;
+  Step step = Step::kFrame;
   ChangeCamera camera = {};
   ChangeConventions conventions = {};
   ChangePixel pixel = {};

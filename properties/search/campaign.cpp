@@ -37,9 +37,7 @@ rc::Gen<Case> generator(Choose choose, Provenance& noted) {
 }
 
 bool suits(const Law& law, const ChosenSource& chosen) {
-  const bool needs_camera =
-      law.subject == Law::Subject::kCamera || law.subject == Law::Subject::kCameraAndIntersection;
-  return !needs_camera || chosen.source->has_camera;
+  return !speaks_of_cameras(law) || chosen.source->has_camera;
 }
 
 std::string replay_text(const Law& law, const Candidate& candidate, const Provenance& from) {
@@ -102,8 +100,8 @@ CampaignResult run_campaign(const Law& law, const Candidate& candidate,
     return none;
   }
   return run(law, candidate, options, control, [sources](rc::Random& random) {
-    const ChosenSource& source = sources[random.next() % sources.size()];
-    return Provenance{source, random.next()};
+    const std::uint64_t seed = random.next();
+    return Provenance{chosen_by(sources, seed), seed};
   });
 }
 

@@ -5,20 +5,10 @@
 #include <utility>
 
 #include "properties/cases/random.h"
-#include "properties/laws/law_list.h"
 #include "scene/validate.h"
 
 namespace raycheck::properties {
 namespace {
-
-constexpr const Law* kRayLaws[] = {&kPixelPointLaw, &kDirectionLaw};
-constexpr const Law* kIntersectionLaws[] = {&kClassLaw, &kRootLaw, &kParameterLaw,
-                                            &kBackwardErrorLaw, &kNearestSphereLaw};
-
-/// The nearest of one sphere is what the class law judges.
-bool has_something_to_judge(const Law& law, const Case& the_case) {
-  return &law != &kNearestSphereLaw || the_case.scene.spheres.size() > 1;
-}
 
 void keep_first_of_each(StressResult& result, const Case& the_case, const Verdict& verdict) {
   for (Discrepancy& discrepancy : verdict.worst(kKeptDiscrepancies)) {
@@ -27,7 +17,7 @@ void keep_first_of_each(StressResult& result, const Case& the_case, const Verdic
           return other.discrepancy.law == discrepancy.law &&
                  other.discrepancy.quantity == discrepancy.quantity &&
                  other.discrepancy.wrong == discrepancy.wrong &&
-                 other.discrepancy.excuse == discrepancy.excuse;
+                 other.discrepancy.excuse.kind == discrepancy.excuse.kind;
         });
     if (!known) result.found.push_back({the_case, std::move(discrepancy)});
   }
@@ -35,9 +25,8 @@ void keep_first_of_each(StressResult& result, const Case& the_case, const Verdic
 
 }  // namespace
 
-std::span<const Law* const> laws_of(Stage stage) {
-  if (stage == Stage::kRays) return kRayLaws;
-  return kIntersectionLaws;
+std::vector<const Law*> laws_of(Stage stage) {
+  return laws_that([stage](const Law& law) { return law.stage == stage && law.tells_stability; });
 }
 
 std::optional<Case> alone(const Case& the_case, Stage stage, const Candidate& rays) {
@@ -54,7 +43,7 @@ std::optional<Case> alone(const Case& the_case, Stage stage, const Candidate& ra
   if (!make) return std::nullopt;
   for (const scene::Ray& ray :
        make(*the_case.scene.camera, the_case.scene.conventions, the_case.pixels)) {
-    if (scene::problems(ray).empty()) result.scene.rays.push_back(ray);
+    if (scene::defects(ray).empty()) result.scene.rays.push_back(ray);
   }
   return result.scene.rays.empty() ? std::nullopt : std::optional(std::move(result));
 }
@@ -71,12 +60,13 @@ void stress(const Case& the_case, Stage stage, std::span<const Candidate> candid
   const std::optional<Case> asked = alone(the_case, stage, candidates.front());
   if (!asked) return;
   SharedTruths truths(*asked);
+  const std::vector<const Law*> laws = laws_of(stage);
   for (std::size_t k = 0; k < candidates.size(); ++k) {
     const Candidate& candidate = candidates[k];
     const auto conventions = candidate.declared.over(asked->scene.conventions);
     Trial trial(*asked, candidate, {.conditioning = true, .truth = truths.under(conventions)});
-    for (const Law* law : laws_of(stage)) {
-      if (!has_something_to_judge(*law, *asked)) continue;
+    for (const Law* law : laws) {
+      if (!what_is_missing(law->needs, trial).empty()) continue;
       Verdict verdict = apply(*law, trial);
       if (verdict.discrepancies() > 0) keep_first_of_each(results[k], *asked, verdict);
       (trial.inside_domain() ? results[k].inside : results[k].outside).merge(std::move(verdict));

@@ -9,22 +9,12 @@
 #include "properties/cases/case_source.h"
 #include "properties/laws/law.h"
 #include "properties/run_control.h"
+#include "properties/stage.h"
 
 namespace raycheck::properties {
 
-/// The half of a candidate that is under stress, judged alone: the rays that it makes, or what it
-/// says about rays given to it.
-enum class Stage { kRays, kIntersection };
-constexpr std::string_view name(Stage stage) {
-  return stage == Stage::kRays ? "rays" : "intersections";
-}
-
-/// The laws that judge a stage.
-std::span<const Law* const> laws_of(Stage stage);
-/// The quantity by which a stage's accuracy is told: the direction, or the parameter.
-constexpr Quantity main_quantity(Stage stage) {
-  return stage == Stage::kRays ? Quantity::kDirection : Quantity::kParameter;
-}
+/// The laws that tell whether a stage is stable.
+std::vector<const Law*> laws_of(Stage stage);
 
 /// The case that asks a stage alone: for intersections the rays that `rays` makes of the case's
 /// camera, taken exactly, in place of the camera. Empty where there is nothing to ask.

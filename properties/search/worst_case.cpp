@@ -8,7 +8,6 @@
 
 #include "properties/cases/random.h"
 #include "properties/cases/shrink.h"
-#include "properties/laws/law_list.h"
 #include "scene/scene_scalars.h"
 #include "scene/validate.h"
 
@@ -33,13 +32,11 @@ class Climber {
     const auto found = verdict.tallies().find(options_.quantity);
     if (found == verdict.tallies().end() || found->second.errors.empty()) return std::nullopt;
     const Tally& tally = found->second;
-    const auto worst = std::max_element(tally.errors.begin(), tally.errors.end());
-    if (!std::isfinite(*worst)) return std::nullopt;
+    if (!std::isfinite(tally.worst)) return std::nullopt;
     WorstCase result;
     result.the_case = the_case;
-    result.error = *worst;
-    result.stability.condition =
-        tally.conditions[static_cast<std::size_t>(worst - tally.errors.begin())];
+    result.error = tally.worst;
+    result.stability.condition = tally.worst_condition.value();
     result.stability.ratio = tally.worst_ratio;
     for (std::size_t k = 0; k < kOutcomeCount; ++k) {
       if (tally.outcomes[k] > 0) result.stability.outcome = static_cast<Outcome>(k);
@@ -124,7 +121,7 @@ void climb(WorstCase& at, const Climber& climber, int steps, const RunControl& c
            Random& random) {
   for (int step = 0; step < steps && !control.interrupted(); ++step) {
     const Case next = neighbour(at.the_case, random);
-    if (!scene::problems(next.scene).empty()) continue;
+    if (!scene::defects(next.scene).empty()) continue;
     std::optional<WorstCase> seen = climber.look(next);
     if (seen && seen->height > at.height) at = std::move(*seen);
   }
@@ -146,13 +143,10 @@ void shrink(WorstCase& at, const Climber& climber, const RunControl& control) {
 }  // namespace
 
 const Law* law_of(Stage stage, Quantity quantity) {
-  if (stage == Stage::kRays) {
-    if (quantity == Quantity::kPixelPoint) return &kPixelPointLaw;
-    return quantity == Quantity::kDirection ? &kDirectionLaw : nullptr;
-  }
-  if (quantity == Quantity::kHitPoint) return &kHitPointLaw;
-  if (quantity == Quantity::kBackwardError) return &kBackwardErrorLaw;
-  return quantity == Quantity::kParameter ? &kParameterLaw : nullptr;
+  if (is_decision(quantity)) return nullptr;
+  const auto found =
+      laws_that([&](const Law& law) { return law.stage == stage && law.quantity == quantity; });
+  return found.empty() ? nullptr : found.front();
 }
 
 std::optional<WorstCase> find_worst_case(const Candidate& candidate, Stage stage,

@@ -1,5 +1,5 @@
 // The method `robust` held to the letter of its promise: no wrong class and no s off by more than
-// kRobustMaxUlp, on any valid input.
+// kRobust.max_ulp, on any valid input.
 
 #include "fast/internal/robust.h"
 
@@ -53,7 +53,7 @@ using Answer = std::optional<Hit> (*)(const Ray&, const Sphere&, Root, Tangent);
 
 void compare(Answer answer, const Ray& ray, const Sphere& sphere, Root root, Tangent tangent,
              Audit& audit) {
-  if (!scene::problems(ray).empty() || !scene::problems(sphere).empty()) return;
+  if (!scene::defects(ray).empty() || !scene::defects(sphere).empty()) return;
   const reference::ExactRay exact(ray);
   const reference::Intersection at = exact.intersect(sphere, root);
   const auto hit = answer(ray, sphere, root, tangent);
@@ -89,7 +89,7 @@ void compare_all(Answer answer, const Ray& ray, const Sphere& sphere, Audit& aud
 
 void expect_kept(const Audit& audit, int least_pairs, int least_hits) {
   EXPECT_EQ(audit.wrong_classes, 0) << audit.worst;
-  EXPECT_LE(audit.worst_s, kRobustMaxUlp) << audit.worst;
+  EXPECT_LE(audit.worst_s, kRobust.max_ulp) << audit.worst;
   EXPECT_GE(audit.pairs, least_pairs);
   EXPECT_GE(audit.hits, least_hits);
 }

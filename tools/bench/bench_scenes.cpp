@@ -133,11 +133,13 @@ std::string wrong_answers(const fast::PixelRayMethod& rays, const fast::Intersec
   if (scene.camera) the_case.pixels = properties::all_pixels(*scene.camera);
   const properties::Candidate candidate = properties::fast_candidate(rays, intersect);
   properties::Trial trial(the_case, candidate);
-  for (const char* name : {"class", "nearest-root", "direction", "parameter"}) {
+  for (const properties::Law& law : properties::laws()) {
+    if (!law.judges_values || !law.tells_stability) continue;
     // Among many rays some graze: there the less stable methods keep no bound.
-    if (name == std::string("parameter") && !intersect.not_kept.empty()) continue;
-    const properties::Verdict verdict = apply(*properties::find_law(name), trial);
-    if (!verdict.holds()) return candidate.name + " breaks the law " + name;
+    if (law.quantity == properties::Quantity::kParameter && !intersect.not_kept.empty()) continue;
+    if (!apply(law, trial).holds()) {
+      return candidate.name + " breaks the law " + std::string(law.name);
+    }
   }
   return {};
 }

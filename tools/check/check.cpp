@@ -24,6 +24,7 @@ namespace {
 using properties::Candidate;
 using properties::Case;
 using properties::Law;
+using properties::Per;
 using properties::RunControl;
 using properties::Trial;
 using properties::Truth;
@@ -31,12 +32,6 @@ using properties::Verdict;
 
 /// Rays judged before progress is shown and an interrupt is heeded.
 constexpr std::size_t kChunk = 512;
-
-/// A law whose answer is one for the scene, not one for each ray.
-bool is_per_scene(const Law& law) { return law.name == "frame"; }
-
-/// A law of renderers alone, which need not be said to be left out of all others.
-bool is_of_images(const Law& law) { return law.name == "image"; }
 
 /// Reasons by law.
 using ReasonsLeftOut = std::map<std::string_view, std::string>;
@@ -73,8 +68,9 @@ ChunkVerdict judge_chunk(const Case& chunk, std::uint64_t first, std::shared_ptr
   Trial trial(chunk, candidate, {.max_error = max_error, .truth = std::move(truth)});
   ChunkVerdict found;
   for (const Law& law : properties::laws()) {
-    if (!law.judges_values || (is_per_scene(law) && first > 0)) continue;
-    if (is_of_images(law) && !candidate.image) continue;
+    if (!law.judges_values || (law.per == Per::kScene && first > 0)) continue;
+    // Of others than renderers it need not be said that they make no images.
+    if (law.per == Per::kImage && !candidate.image) continue;
     Verdict verdict = apply(law, trial);
     if (!verdict.reason_left_out().empty()) found.left_out[law.name] = verdict.reason_left_out();
     if (!chunk.scene.camera) verdict.shift_rays(first);
@@ -117,7 +113,7 @@ CandidateReport finish(Judged judged, const scene::Scene& scene) {
 std::vector<std::string> left_out_lines(const CheckReport& report) {
   std::vector<std::string> lines;
   if (report.rays_judged < report.rays_in_scene && !report.interrupted) {
-    lines.push_back(fmt::format("{} of {} pixels: --pixels asked for {}",
+    lines.push_back(fmt::format("{} of {} pixels: only {} were asked for",
                                 report.rays_in_scene - report.rays_judged, report.rays_in_scene,
                                 report.rays_judged));
   }
@@ -277,7 +273,7 @@ CheckReport check(const CheckOptions& options, const RunControl& control) {
   report.warnings = std::move(loaded.warnings);
   report.top = options.top;
   if (!report.scene.camera && options.pixels) {
-    throw std::invalid_argument("--pixels: " + options.path +
+    throw std::invalid_argument("pixels: " + options.path +
                                 " has given rays and no pixels; all its rays are judged");
   }
   const SceneCases cases(report.scene, options.pixels);

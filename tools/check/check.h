@@ -11,7 +11,6 @@
 #include "properties/verdict.h"
 #include "scene/files/scene_file.h"
 #include "tools/external/contestant.h"
-#include "tools/report/format.h"
 
 namespace raycheck::tools {
 
@@ -66,15 +65,6 @@ struct CheckReport {
 /// Judges the candidates on a scene file; the report does not depend on the number of threads.
 /// Throws what the reader throws.
 CheckReport check(const CheckOptions& options, const properties::RunControl& control = {});
-
-/// What was compared of a candidate, a row a quantity.
-std::string quantities_table(const CandidateReport& candidate);
-Json candidate_json(const CandidateReport& candidate, std::size_t top);
-
-std::string check_text(const CheckReport& report, bool colours);
-std::string check_json(const CheckReport& report);
-/// Certificates of the worst discrepancies of each candidate, those of check_json: a line each.
-std::string check_certificates(const CheckReport& report);
 
 }  // namespace raycheck::tools
 

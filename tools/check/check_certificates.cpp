@@ -1,4 +1,6 @@
-#include "tools/check/check.h"
+#include <nlohmann/json.hpp>
+
+#include "tools/check/check_views.h"
 #include "tools/report/certificate.h"
 
 namespace raycheck::tools {

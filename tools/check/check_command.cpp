@@ -4,7 +4,7 @@
 #include <stdexcept>
 
 #include "tools/arguments.h"
-#include "tools/check/check.h"
+#include "tools/check/check_views.h"
 #include "tools/commands.h"
 #include "tools/report/output_file.h"
 #include "tools/terminal.h"
@@ -24,7 +24,7 @@ struct Arguments {
   std::optional<double> max_ulp;
   std::optional<std::string> certificates;
   int threads = tbb::info::default_concurrency();
-  std::string format = "text";
+  std::string format;
 };
 
 int run_check(const Arguments& arguments) {
@@ -51,8 +51,7 @@ int run_check(const Arguments& arguments) {
   if (arguments.certificates) certificates.emplace("--certificates", *arguments.certificates);
   const CheckReport report = check(options, run_control(options.path, arguments.threads));
   print_warnings(report.warnings);
-  print_report(arguments.format == "json" ? check_json(report)
-                                          : check_text(report, stdout_takes_colours()));
+  print_view(kCheckViews, arguments.format, report);
   if (certificates) certificates->write(check_certificates(report));
   return exit_code(report.interrupted, report.discrepancies() > 0, report.compared() > 0);
 }
@@ -83,7 +82,7 @@ Command add_check(CLI::App& program) {
       ->check(kBound);
   add_threads(command, arguments.threads, "the report");
   add_certificates(command, arguments.certificates);
-  add_format(command, arguments.format, {"text", "json"});
+  add_format(command, arguments.format, kCheckViews);
   return {&command, [given] { return run_check(*given); }};
 }
 

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <array>
 
-#include "tools/check/check.h"
-#include "tools/report/format.h"
+#include "tools/check/check_views.h"
+#include "tools/report/words.h"
 
 namespace raycheck::tools {
 namespace {
@@ -89,7 +89,7 @@ std::string quantities_table(const CandidateReport& candidate) {
   return text;
 }
 
-std::string check_text(const CheckReport& report, bool colours) {
+std::string check_text(const CheckReport& report, const ViewOptions& options) {
   std::string text = scene_text(report);
   if (report.interrupted) text += "INTERRUPTED: what follows covers only what was judged.\n";
   text +=
@@ -125,7 +125,7 @@ std::string check_text(const CheckReport& report, bool colours) {
     // The candidates' worst before their second worst, excused ones last.
     std::stable_sort(found.begin(), found.end(), [](const Found& a, const Found& b) {
       const auto key = [](const Found& f) {
-        return std::pair(f.discrepancy.excuse != properties::Excuse::kNone, f.rank);
+        return std::pair(static_cast<bool>(f.discrepancy.excuse), f.rank);
       };
       return key(a) < key(b);
     });
@@ -133,7 +133,7 @@ std::string check_text(const CheckReport& report, bool colours) {
     text += fmt::format("\nworst discrepancies ({} of {}):\n", found.size(), total);
     for (std::size_t k = 0; k < found.size(); ++k) {
       text += fmt::format("{:>3}. {}\n", k + 1, found[k].candidate->name);
-      text += discrepancy_text(found[k].discrepancy, "     ", colours);
+      text += discrepancy_text(found[k].discrepancy, "     ", options.colours);
     }
   } else if (report.compared() > 0) {
     text += "\nno discrepancy\n";

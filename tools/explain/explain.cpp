@@ -188,12 +188,12 @@ ExplainReport explain(const ExplainOptions& options) {
     report.nearest = nearest->index;
   }
   if (scene.spheres.empty()) {
-    if (options.sphere) throw std::invalid_argument("--sphere: the scene has no sphere");
+    if (options.sphere) throw std::invalid_argument("sphere: the scene has no sphere");
     return report;
   }
   report.sphere = options.sphere.value_or(report.nearest.value_or(0));
   if (*report.sphere >= scene.spheres.size()) {
-    throw std::invalid_argument(fmt::format("--sphere {}: the scene's spheres are numbered 0 to {}",
+    throw std::invalid_argument(fmt::format("sphere {}: the scene's spheres are numbered 0 to {}",
                                             *report.sphere, scene.spheres.size() - 1));
   }
   const scene::Sphere& sphere = scene.spheres[*report.sphere];

@@ -79,11 +79,8 @@ struct ExplainReport {
 };
 
 /// Derives one ray step by step, exactly and by every method.
-/// Domain: a valid scene; otherwise throws std::invalid_argument naming the field or the option.
+/// Domain: a valid scene; otherwise throws std::invalid_argument naming the field.
 ExplainReport explain(const ExplainOptions& options);
-
-std::string explain_text(const ExplainReport& report, bool colours);
-std::string explain_json(const ExplainReport& report);
 
 }  // namespace raycheck::tools
 

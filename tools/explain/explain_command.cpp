@@ -5,7 +5,7 @@
 #include "scene/number.h"
 #include "tools/arguments.h"
 #include "tools/commands.h"
-#include "tools/explain/explain.h"
+#include "tools/explain/explain_views.h"
 #include "tools/terminal.h"
 
 namespace raycheck::tools {
@@ -18,7 +18,7 @@ struct Arguments {
   std::string sphere;
   std::string ray;
   std::string rays;
-  std::string format = "text";
+  std::string format;
 };
 
 ExplainOptions explain_given_ray(const Arguments& arguments) {
@@ -66,8 +66,7 @@ ExplainOptions explain_pixel(const Arguments& arguments) {
 int run_explain(const Arguments& arguments) {
   const ExplainReport report =
       explain(arguments.ray.empty() ? explain_pixel(arguments) : explain_given_ray(arguments));
-  print_report(arguments.format == "json" ? explain_json(report)
-                                          : explain_text(report, stdout_takes_colours()));
+  print_view(kExplainViews, arguments.format, report);
   return exit_code(false, report.has_discrepancy(), true);
 }
 
@@ -87,7 +86,7 @@ Command add_explain(CLI::App& program) {
   command.add_option("--sphere", arguments.sphere,
                      "which sphere of the scene (default: the one met first); with --ray: "
                      "cx,cy,cz,r");
-  add_format(command, arguments.format, {"text", "json"});
+  add_format(command, arguments.format, kExplainViews);
   return {&command, [given] { return run_explain(*given); }};
 }
 

@@ -1,7 +1,8 @@
 #include <array>
+#include <nlohmann/json.hpp>
 
-#include "tools/explain/explain.h"
-#include "tools/report/format.h"
+#include "tools/explain/explain_views.h"
+#include "tools/report/json.h"
 
 namespace raycheck::tools {
 namespace {
@@ -94,7 +95,7 @@ Json exact_ray_json(const ExplainReport& report) {
 
 }  // namespace
 
-std::string explain_json(const ExplainReport& report) {
+std::string explain_json(const ExplainReport& report, const ViewOptions& /*options*/) {
   Json json = json_header("explain");
   json["conventions"] = conventions_json(report.scene.conventions);
   if (report.pixel) json["pixel"] = {report.pixel->i, report.pixel->j};

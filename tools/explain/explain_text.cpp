@@ -4,8 +4,8 @@
 #include <cmath>
 
 #include "scene/number.h"
-#include "tools/explain/explain.h"
-#include "tools/report/format.h"
+#include "tools/explain/explain_views.h"
+#include "tools/report/words.h"
 
 namespace raycheck::tools {
 namespace {
@@ -96,7 +96,7 @@ std::string verdict_of(const MethodReport& method, const ExplainReport& report, 
 
 }  // namespace
 
-std::string explain_text(const ExplainReport& report, bool colours) {
+std::string explain_text(const ExplainReport& report, const ViewOptions& options) {
   std::string text;
   if (report.pixel) {
     text += fmt::format("pixel ({}, {}); {}\n", report.pixel->i, report.pixel->j,
@@ -129,7 +129,7 @@ std::string explain_text(const ExplainReport& report, bool colours) {
   }
   text += "\nmethods:\n";
   for (const MethodReport& method : report.methods) {
-    text += fmt::format("  {:<17} {}\n", method.name, verdict_of(method, report, colours));
+    text += fmt::format("  {:<17} {}\n", method.name, verdict_of(method, report, options.colours));
   }
   return text;
 }

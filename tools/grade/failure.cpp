@@ -13,7 +13,7 @@
 #include "tools/external/renderer.h"
 #include "tools/external/sandbox/process.h"
 #include "tools/grade/submission.h"
-#include "tools/report/format.h"
+#include "tools/report/words.h"
 
 namespace raycheck::tools {
 namespace {
@@ -22,6 +22,7 @@ using properties::Candidate;
 using properties::Case;
 using properties::Discrepancy;
 using properties::Law;
+using properties::Per;
 using properties::Trial;
 using properties::Verdict;
 using properties::Wrong;
@@ -35,18 +36,20 @@ constexpr int kTriesOfPictures = 60;
 /// Fewer wrong answers are explained by too much to name a mistake.
 constexpr std::uint64_t kFewestErrors = 3;
 
-/// The steps from a scene to what is seen, and the laws by which each is judged, in order.
-constexpr std::pair<std::string_view, std::string_view> kSteps[] = {
-    {"frame", "frame"},
-    {"pixel-point", "pixel point"},
-    {"unit-direction", "direction"},
-    {"direction", "direction"},
-    {"ray-origin", "ray origin"},
-    {"class", "discriminant"},
-    {"nearest-root", "root"},
-    {"parameter", "root"},
-    {"hit-point", "hit point"},
-    {"nearest-sphere", "nearest sphere"}};
+/// The step from a scene to what is seen that a wrong quantity shows to be wrong.
+std::string step_that_gives(properties::Quantity quantity) {
+  using properties::Quantity;
+  switch (quantity) {
+    case Quantity::kUnitDefect:
+      return std::string(info(Quantity::kDirection).name);
+    case Quantity::kClass:
+      return "discriminant";
+    case Quantity::kParameter:
+      return std::string(info(Quantity::kRoot).name);
+    default:
+      return std::string(info(quantity).name);
+  }
+}
 
 /// Whether a camera still looks the way in which another does, its bounds in the same order: what
 /// programs may rely on.
@@ -58,10 +61,12 @@ bool is_alike(const scene::Scene& now, const scene::Scene& before) {
          (a.bottom < a.top) == (b.bottom < b.top);
 }
 
+/// The first wrong step: laws of single values are in the order of steps.
 std::string step_of(const Case& the_case, const Asking& asking) {
   Trial trial(the_case, asking.candidate, asking.options());
-  for (const auto& [law, step] : kSteps) {
-    if (!apply(*properties::find_law(law), trial).holds()) return std::string(step);
+  for (const Law& law : properties::laws()) {
+    if (!law.judges_values || law.per == Per::kImage) continue;
+    if (!apply(law, trial).holds()) return step_that_gives(law.quantity);
   }
   return "";
 }
@@ -150,7 +155,9 @@ std::vector<Explanation> explained_pictures(const std::vector<Case>& cases,
     const properties::ImageAnswer image = candidate.image(one.scene, conventions);
     if (properties::shows_nothing(image)) continue;
     Trial trial(one, candidate);
-    wrong += apply(*properties::find_law("image"), trial).discrepancies();
+    for (const Law& law : properties::laws()) {
+      if (law.per == Per::kImage) wrong += apply(law, trial).discrepancies();
+    }
     for (const Explanation& mistake : properties::explanations(one.scene, conventions, image)) {
       const auto known = std::find_if(found.begin(), found.end(), [&](const Explanation& other) {
         return other.sentence == mistake.sentence;

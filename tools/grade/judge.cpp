@@ -11,7 +11,7 @@
 #include "tools/grade/item_cases.h"
 #include "tools/grade/submission.h"
 #include "tools/methods/methods.h"
-#include "tools/report/format.h"
+#include "tools/report/words.h"
 
 namespace raycheck::tools {
 namespace {
@@ -83,8 +83,9 @@ struct Shown {
 /// Whether an answer may be missing: decisions about the case are excused, and where one goes the
 /// other way there is a hit less to compare.
 bool may_miss_answers(Trial& trial) {
-  for (const char* law : {"class", "nearest-sphere"}) {
-    if (apply(*properties::find_law(law), trial).excused() > 0) return true;
+  for (const Law& law : properties::laws()) {
+    if (!judges_decisions(law) || law.per == properties::Per::kImage) continue;
+    if (apply(law, trial).excused() > 0) return true;
   }
   return false;
 }

@@ -192,7 +192,8 @@ class RubricReader {
     }
     Questions result;
     if (pictures) {
-      result.laws = {properties::find_law("image")};
+      result.laws = properties::laws_that(
+          [](const properties::Law& law) { return law.per == properties::Per::kImage; });
       fields_.choose(from, "judge", kJudgeNames, result.masks_only);
       if (const auto change = fields_.optional(from, "image_change")) {
         result.image_change = number_between(*change, 0, 1, "must be between 0 and 1");

@@ -72,9 +72,6 @@ struct ImageReport {
 ImageReport make_image(const ImageOptions& options, PictureFile& file,
                        const properties::RunControl& control = {});
 
-std::string image_text(const ImageReport& report);
-std::string image_json(const ImageReport& report);
-
 }  // namespace raycheck::tools
 
 #endif  // RAYCHECK_TOOLS_IMAGE_IMAGE_H_

@@ -8,8 +8,8 @@
 #include "scene/number.h"
 #include "tools/arguments.h"
 #include "tools/commands.h"
-#include "tools/image/image.h"
 #include "tools/image/image_paint.h"
+#include "tools/image/image_views.h"
 #include "tools/terminal.h"
 
 namespace raycheck::tools {
@@ -24,7 +24,7 @@ struct Arguments {
   std::string intersect;
   std::string size;
   int threads = tbb::info::default_concurrency();
-  std::string format = "text";
+  std::string format;
 };
 
 /// The colours of the picture of errors, for --help.
@@ -71,7 +71,7 @@ int run(const Arguments& arguments) {
   const ImageReport report =
       make_image(options, file, run_control(options.path, arguments.threads));
   print_warnings(report.warnings);
-  print_report(arguments.format == "json" ? image_json(report) : image_text(report));
+  print_view(kImageViews, arguments.format, report);
   return exit_code(report.interrupted, report.error && report.error->wrong > 0, true);
 }
 
@@ -102,7 +102,7 @@ Command add_image(CLI::App& program) {
       ->check(CLI::Range(1, 1024))
       ->capture_default_str();
   command.add_option("--dialect", arguments.dialect, "of a driver file: A, B or C");
-  add_format(command, arguments.format, {"text", "json"});
+  add_format(command, arguments.format, kImageViews);
   command.footer(legend());
   return {&command, [given] { return run(*given); }};
 }

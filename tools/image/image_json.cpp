@@ -1,6 +1,8 @@
-#include "tools/image/image.h"
+#include <nlohmann/json.hpp>
+
 #include "tools/image/image_paint.h"
-#include "tools/report/format.h"
+#include "tools/image/image_views.h"
+#include "tools/report/json.h"
 
 namespace raycheck::tools {
 namespace {
@@ -21,7 +23,7 @@ Json error_counts_json(const ErrorCounts& error) {
 
 }  // namespace
 
-std::string image_json(const ImageReport& report) {
+std::string image_json(const ImageReport& report, const ViewOptions& /*options*/) {
   Json json = json_header("image");
   json["scene"] = report.path;
   json["file"] = report.interrupted ? Json(nullptr) : Json(report.file);

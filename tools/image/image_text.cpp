@@ -1,9 +1,9 @@
 #include <fmt/core.h>
 
-#include "tools/image/image.h"
 #include "tools/image/image_paint.h"
-#include "tools/report/format.h"
+#include "tools/image/image_views.h"
 #include "tools/report/table.h"
+#include "tools/report/words.h"
 
 namespace raycheck::tools {
 namespace {
@@ -25,7 +25,7 @@ std::string error_table(const ErrorCounts& error) {
 
 }  // namespace
 
-std::string image_text(const ImageReport& report) {
+std::string image_text(const ImageReport& report, const ViewOptions& /*options*/) {
   std::string text =
       fmt::format("{}: {} x {} pixels, {}\n{}\n", report.path, report.width, report.height,
                   count_text(report.spheres, "sphere"), conventions_text(report.conventions));

@@ -13,24 +13,24 @@ namespace raycheck::tools {
 namespace {
 
 template <class Methods>
-auto& find(const Methods& methods, const std::string& name, const char* option) {
+auto& find(const Methods& methods, const std::string& name, const char* field) {
   std::string known;
   for (const auto* method : methods) {
     if (method->name == name) return *method;
     known += (known.empty() ? "" : ", ") + std::string(method->name);
   }
-  throw std::invalid_argument(std::string(option) + " " + name +
+  throw std::invalid_argument(std::string(field) + " " + name +
                               ": no such method; the methods are " + known);
 }
 
 }  // namespace
 
 const fast::PixelRayMethod& find_rays(const std::string& name) {
-  return find(fast::pixel_ray_methods(), name, "--rays");
+  return find(fast::pixel_ray_methods(), name, "rays");
 }
 
 const fast::IntersectMethod& find_intersect(const std::string& name) {
-  return find(all_intersect_methods(), name, "--intersect");
+  return find(all_intersect_methods(), name, "intersect");
 }
 
 std::vector<const fast::IntersectMethod*> all_intersect_methods() {
@@ -75,8 +75,7 @@ std::vector<StagedMethod> find_methods(const std::vector<std::string>& names) {
       for (const StagedMethod& method : all) {
         known += (known.empty() ? "" : ", ") + std::string(method.name());
       }
-      throw std::invalid_argument("--method " + name + ": no such method; the methods are " +
-                                  known);
+      throw std::invalid_argument("method " + name + ": no such method; the methods are " + known);
     }
   }
   std::erase_if(all, [&](const StagedMethod& method) {

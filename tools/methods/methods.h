@@ -21,7 +21,7 @@ struct MethodPair {
 /// What is judged when nothing is asked for: stable and plain.
 inline constexpr MethodPair kDefaultMethods = {&fast::kDirectRays, &fast::kCross};
 
-/// The method of that name; throws std::invalid_argument naming the option and the known names.
+/// The method of that name; throws std::invalid_argument naming the field and the known names.
 const fast::PixelRayMethod& find_rays(const std::string& name);
 const fast::IntersectMethod& find_intersect(const std::string& name);
 
@@ -41,7 +41,7 @@ std::vector<const fast::IntersectMethod*> all_intersect_methods();
 
 /// The methods of those names, of either kind ("rays/NAME" and "intersect/NAME" tell them apart;
 /// "all" is every one); when there are none those of fast/, which is what a renderer may use.
-/// Throws std::invalid_argument naming the option and the known names.
+/// Throws std::invalid_argument naming the field and the known names.
 std::vector<StagedMethod> find_methods(const std::vector<std::string>& names);
 
 properties::Candidate candidate_of(const MethodPair& pair);

@@ -5,7 +5,7 @@
 #include "tools/arguments.h"
 #include "tools/command_line.h"
 #include "tools/commands.h"
-#include "tools/plan/plan.h"
+#include "tools/plan/plan_views.h"
 
 namespace raycheck::tools {
 namespace {
@@ -14,7 +14,7 @@ struct Arguments {
   PlanOptions options;
   std::string dialect;
   std::string wanted = "nearest";
-  std::string format = "text";
+  std::string format;
 };
 
 int run(Arguments& arguments) {
@@ -24,7 +24,7 @@ int run(Arguments& arguments) {
       scene::kWantedNames.begin());
   const PlanReport report = make_plan(arguments.options);
   print_warnings(report.warnings);
-  print_report(arguments.format == "json" ? plan_json(report) : plan_text(report));
+  print_view(kPlanViews, arguments.format, report);
   return kExitNothingFound;
 }
 
@@ -47,7 +47,7 @@ Command add_plan(CLI::App& program) {
       ->check(CLI::Range(0, std::numeric_limits<int>::max()))
       ->capture_default_str();
   command.add_option("--dialect", arguments.dialect, "of a driver file: A, B or C");
-  add_format(command, arguments.format, {"text", "json"});
+  add_format(command, arguments.format, kPlanViews);
   return {&command, [given] { return run(*given); }};
 }
 

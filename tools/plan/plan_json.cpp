@@ -1,5 +1,7 @@
-#include "tools/plan/plan.h"
-#include "tools/report/format.h"
+#include <nlohmann/json.hpp>
+
+#include "tools/plan/plan_views.h"
+#include "tools/report/json.h"
 
 namespace raycheck::tools {
 namespace {
@@ -35,7 +37,7 @@ Json sphere_json(const scene::SpherePlan& sphere) {
 
 }  // namespace
 
-std::string plan_json(const PlanReport& report) {
+std::string plan_json(const PlanReport& report, const ViewOptions& /*options*/) {
   Json json = json_header("plan");
   json["scene"] = report.path;
   json["width"] = report.scene.camera ? Json(report.scene.camera->width) : Json(nullptr);

@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "tools/plan/plan.h"
-#include "tools/report/format.h"
+#include "tools/plan/plan_views.h"
 #include "tools/report/table.h"
+#include "tools/report/words.h"
 
 namespace raycheck::tools {
 namespace {
@@ -84,7 +84,7 @@ std::string spheres_table(const PlanReport& report) {
 
 }  // namespace
 
-std::string plan_text(const PlanReport& report) {
+std::string plan_text(const PlanReport& report, const ViewOptions& /*options*/) {
   if (!report.plan) {
     return fmt::format("{}: {}, {}\nno plan: rays that are given one by one share nothing\n",
                        report.path, count_text(report.scene.rays.size(), "given ray"),

@@ -3,7 +3,7 @@
 
 #include "tools/arguments.h"
 #include "tools/commands.h"
-#include "tools/properties/campaigns.h"
+#include "tools/properties/properties_views.h"
 #include "tools/terminal.h"
 
 namespace raycheck::tools {
@@ -19,7 +19,7 @@ struct Arguments {
   ExternalArguments external;
   std::vector<std::string> sources;
   std::optional<double> max_ulp;
-  std::string format = "text";
+  std::string format;
 };
 
 int run_properties_command(const Arguments& arguments) {
@@ -42,8 +42,7 @@ int run_properties_command(const Arguments& arguments) {
     options.contestants.insert(options.contestants.begin(), pairs.begin(), pairs.end());
   }
   const PropertiesReport report = run_properties(options, run_control("laws"));
-  print_report(arguments.format == "json" ? properties_json(report)
-                                          : properties_text(report, stdout_takes_colours()));
+  print_view(kPropertiesViews, arguments.format, report);
   return exit_code(report.interrupted, report.failures() > 0, report.compared() > 0);
 }
 
@@ -72,7 +71,7 @@ Command add_properties(CLI::App& program) {
       .add_option("--max-ulp", arguments.max_ulp,
                   "the bound on every error (default: the method's documented bounds)")
       ->check(kBound);
-  add_format(command, arguments.format, {"text", "json"});
+  add_format(command, arguments.format, kPropertiesViews);
   return {&command, [given] { return run_properties_command(*given); }};
 }
 

@@ -139,24 +139,24 @@ std::string gnuplot_script(const std::vector<Plot>& plots, const std::string& pa
 
 void require_plottable(const std::string& path) {
   if (terminal_of(path) == nullptr) {
-    throw std::invalid_argument("--plot " + path + ": the file's name ends in .svg, .png or .pdf");
+    throw std::invalid_argument("plot " + path + ": the file's name ends in .svg, .png or .pdf");
   }
   const std::filesystem::path folder = std::filesystem::path(path).parent_path();
   if (!folder.empty() && !std::filesystem::is_directory(folder)) {
-    throw std::invalid_argument("--plot " + path + ": there is no folder " + folder.string());
+    throw std::invalid_argument("plot " + path + ": there is no folder " + folder.string());
   }
 }
 
 void draw(const std::vector<Plot>& plots, const std::string& path) {
   require_plottable(path);
   if (!is_installed("gnuplot")) {
-    throw GnuplotMissing("--plot " + path +
+    throw GnuplotMissing("plot " + path +
                          ": no plot was drawn, for gnuplot is not installed (Debian: apt-get "
                          "install gnuplot-nox)");
   }
   std::string name = std::filesystem::temp_directory_path() / "raycheck-plot-XXXXXX";
   const int file = mkstemp(name.data());
-  if (file < 0) throw std::runtime_error("--plot: no temporary file could be made, " + name);
+  if (file < 0) throw std::runtime_error("plot: no temporary file could be made, " + name);
   close(file);
   const std::unique_ptr<const std::string, void (*)(const std::string*)> remove_at_end(
       &name, [](const std::string* path_of_script) {
@@ -165,13 +165,13 @@ void draw(const std::vector<Plot>& plots, const std::string& path) {
       });
   std::ofstream(name) << gnuplot_script(plots, path);
   FILE* const gnuplot = popen(("gnuplot " + name + " 2>&1").c_str(), "r");
-  if (gnuplot == nullptr) throw std::runtime_error("--plot: gnuplot could not be started");
+  if (gnuplot == nullptr) throw std::runtime_error("plot: gnuplot could not be started");
   std::string said;
   std::array<char, 512> buffer{};
   while (std::fgets(buffer.data(), buffer.size(), gnuplot) != nullptr) said += buffer.data();
   const int status = pclose(gnuplot);
   if (status == -1 || !WIFEXITED(status) || WEXITSTATUS(status) != 0) {
-    throw std::runtime_error("--plot " + path + ": gnuplot failed: " + said);
+    throw std::runtime_error("plot " + path + ": gnuplot failed: " + said);
   }
 }
 

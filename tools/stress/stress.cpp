@@ -25,8 +25,7 @@ std::vector<const CaseSource*> chosen_families(const std::vector<std::string>& n
   for (const std::string& name : names) {
     const CaseSource* const family = properties::find_case_source(name);
     if (family == nullptr || !family->dial) {
-      throw std::invalid_argument("--family " + name + ": no such family; the families are " +
-                                  known);
+      throw std::invalid_argument("family " + name + ": no such family; the families are " + known);
     }
     if (std::find(families.begin(), families.end(), family) == families.end()) {
       families.push_back(family);
@@ -40,8 +39,8 @@ std::pair<int, int> range_of(const CaseSource& family, const StressOptions& opti
   if (!options.severities) return {0, highest};
   const auto [from, to] = *options.severities;
   if (from > highest) {
-    throw std::invalid_argument(fmt::format("--severity {}..{}: the severities of {} are 0..{}",
-                                            from, to, family.name, highest));
+    throw std::invalid_argument(fmt::format("severity {}..{}: the severities of {} are 0..{}", from,
+                                            to, family.name, highest));
   }
   return {from, std::min(to, highest)};
 }

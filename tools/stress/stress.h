@@ -9,7 +9,6 @@
 #include "properties/run_control.h"
 #include "properties/search/stress.h"
 #include "tools/methods/methods.h"
-#include "tools/report/plot.h"
 
 namespace raycheck::tools {
 
@@ -55,21 +54,12 @@ struct StressReport {
   std::uint64_t compared() const;
 };
 
-/// Of a family with more severities only every so manieth is judged, and the last.
+/// A family with more severities is judged at some of them, evenly spaced, and at the last.
 inline constexpr int kMostSeverities = 64;
 
 /// Judges methods on families of cases of growing severity, each stage alone.
-/// Throws std::invalid_argument naming the option.
+/// Throws std::invalid_argument naming the field.
 StressReport run_stress(const StressOptions& options, const properties::RunControl& control = {});
-
-std::string stress_text(const StressReport& report);
-std::string stress_markdown(const StressReport& report);
-std::string stress_csv(const StressReport& report);
-std::string stress_json(const StressReport& report);
-/// Certificates of the first discrepancy of each kind at each severity: a line each.
-std::string stress_certificates(const StressReport& report);
-/// Error against severity, a plot for each family and stage.
-std::vector<Plot> stress_plots(const StressReport& report);
 
 }  // namespace raycheck::tools
 

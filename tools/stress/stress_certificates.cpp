@@ -1,5 +1,7 @@
+#include <nlohmann/json.hpp>
+
 #include "tools/report/certificate.h"
-#include "tools/stress/stress.h"
+#include "tools/stress/stress_views.h"
 
 namespace raycheck::tools {
 

@@ -7,7 +7,7 @@
 #include "tools/command_line.h"
 #include "tools/commands.h"
 #include "tools/report/output_file.h"
-#include "tools/stress/stress.h"
+#include "tools/stress/stress_views.h"
 #include "tools/terminal.h"
 
 namespace raycheck::tools {
@@ -18,7 +18,7 @@ struct Arguments {
   std::string severity;
   std::string plot;
   std::optional<std::string> certificates;
-  std::string format = "text";
+  std::string format;
 };
 
 /// "3" or "2..7"
@@ -35,19 +35,13 @@ std::pair<int, int> parse_range(const std::string& text) {
   return range;
 }
 
-std::string rendered(const StressReport& report, const std::string& format) {
-  if (format == "json") return stress_json(report);
-  if (format == "csv") return stress_csv(report);
-  return format == "markdown" ? stress_markdown(report) : stress_text(report);
-}
-
 int run(Arguments& arguments) {
   if (!arguments.severity.empty()) arguments.options.severities = parse_range(arguments.severity);
   if (!arguments.plot.empty()) require_plottable(arguments.plot);
   std::optional<OutputFile> certificates;
   if (arguments.certificates) certificates.emplace("--certificates", *arguments.certificates);
   const StressReport report = run_stress(arguments.options, run_control("stress"));
-  print_report(rendered(report, arguments.format));
+  print_view(kStressViews, arguments.format, report);
   if (!arguments.plot.empty()) draw_or_say(stress_plots(report), arguments.plot);
   if (certificates) certificates->write(stress_certificates(report));
   return exit_code(report.interrupted, !report.all_stable(), report.compared() > 0);
@@ -77,7 +71,7 @@ Command add_stress(CLI::App& program) {
   command.add_option("--plot", given->plot,
                      "draw error against severity to a file, .svg, .png or .pdf");
   add_certificates(command, given->certificates);
-  add_format(command, given->format, {"text", "json", "csv", "markdown"});
+  add_format(command, given->format, kStressViews);
   return {&command, [given] { return run(*given); }};
 }
 

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "tools/stress/stress.h"
+#include "tools/stress/stress_views.h"
 
 namespace raycheck::tools {
 

@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "tools/report/format.h"
 #include "tools/report/table.h"
-#include "tools/stress/stress.h"
+#include "tools/report/words.h"
+#include "tools/stress/stress_views.h"
 
 namespace raycheck::tools {
 namespace {
@@ -148,12 +148,8 @@ Table summary_table(const StressReport& report) {
       std::uint64_t false_hits = 0;
       for (const auto& [quantity, tally] : all.tallies()) {
         if (quantity != Quantity::kClass) continue;
-        const auto of = [&, &wrong = tally.wrong](properties::Wrong kind) {
-          const auto found = wrong.find(kind);
-          return found == wrong.end() ? std::uint64_t{0} : found->second;
-        };
-        missed = of(properties::Wrong::kMissed);
-        false_hits = of(properties::Wrong::kFalseHit);
+        missed = tally.count(properties::Wrong::kMissed);
+        false_hits = tally.count(properties::Wrong::kFalseHit);
       }
       const std::uint64_t defects = properties::defects(all);
       const auto classes = all.tallies().find(Quantity::kClass);
@@ -217,16 +213,18 @@ std::string rendered(const StressReport& report, Render render, std::string_view
 
 }  // namespace
 
-std::string stress_text(const StressReport& report) {
+std::string stress_text(const StressReport& report, const ViewOptions& /*options*/) {
   return rendered(
       report, [](const Table& table) { return table.text(); }, "");
 }
 
-std::string stress_markdown(const StressReport& report) {
+std::string stress_markdown(const StressReport& report, const ViewOptions& /*options*/) {
   return rendered(
       report, [](const Table& table) { return table.markdown(); }, "### ");
 }
 
-std::string stress_csv(const StressReport& report) { return detail_table(report).csv(); }
+std::string stress_csv(const StressReport& report, const ViewOptions& /*options*/) {
+  return detail_table(report).csv();
+}
 
 }  // namespace raycheck::tools

@@ -17,6 +17,7 @@ using properties::Candidate;
 using properties::Case;
 using properties::CaseSource;
 using properties::ChosenSource;
+using properties::Law;
 using properties::Stage;
 using properties::StressResult;
 
@@ -38,7 +39,8 @@ std::vector<ChosenSource> chosen_sources(const TradeoffOptions& options) {
     try {
       sources.push_back(properties::chosen_source(name));
     } catch (const std::invalid_argument& error) {
-      throw std::invalid_argument("--family " + name + ": " + error.what() + "; see raycheck list");
+      throw std::invalid_argument("family " + name + ": " + error.what() +
+                                  "; `raycheck list` shows the sources");
     }
   }
   return sources;
@@ -140,14 +142,16 @@ void judge_pixels(const std::vector<Case>& chunks, TradeoffReport& report) {
     candidates.push_back(candidate_of(pairs[k]));
     report.pixels.push_back({candidates.back().name, durations[k], {}, false});
   }
+  const std::vector<const Law*> laws = properties::laws_that([](const Law& law) {
+    return law.stage == Stage::kIntersection && law.per == properties::Per::kPair &&
+           law.judges_values && law.tells_stability;
+  });
   for (const Case& chunk : chunks) {
     properties::SharedTruths truths(chunk);
     for (std::size_t k = 0; k < pairs.size(); ++k) {
       const auto conventions = candidates[k].declared.over(chunk.scene.conventions);
       properties::Trial trial(chunk, candidates[k], {.truth = truths.under(conventions)});
-      for (const char* law : {"class", "nearest-root", "parameter"}) {
-        report.pixels[k].verdict.merge(apply(*properties::find_law(law), trial));
-      }
+      for (const Law* law : laws) report.pixels[k].verdict.merge(apply(*law, trial));
     }
   }
   mark_pareto(report.pixels, [](const PixelCost& cost) -> std::optional<Rank> {
@@ -193,7 +197,7 @@ void run_on_scene(const TradeoffOptions& options, const std::vector<StagedMethod
   report.subject = options.scene;
   const SceneCases chunks(std::move(loaded.scene), static_cast<std::uint64_t>(options.cases));
   if (chunks.rays_judged() < chunks.rays_in_scene()) {
-    report.left_out.push_back(fmt::format("{} of {} rays: --cases asked for {}",
+    report.left_out.push_back(fmt::format("{} of {} rays: only {} were asked for",
                                           chunks.rays_in_scene() - chunks.rays_judged(),
                                           chunks.rays_in_scene(), chunks.rays_judged()));
   }

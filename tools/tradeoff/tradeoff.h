@@ -10,7 +10,6 @@
 #include "properties/search/stress.h"
 #include "scene/files/scene_file.h"
 #include "tools/methods/methods.h"
-#include "tools/report/plot.h"
 
 namespace raycheck::tools {
 
@@ -71,17 +70,10 @@ struct TradeoffReport {
   std::uint64_t compared() const;
 };
 
-/// Judges and times methods on the same inputs. Throws std::invalid_argument naming the option, and
+/// Judges and times methods on the same inputs. Throws std::invalid_argument naming the field, and
 /// what the reader of scenes throws.
 TradeoffReport run_tradeoff(const TradeoffOptions& options,
                             const properties::RunControl& control = {});
-
-std::string tradeoff_text(const TradeoffReport& report);
-std::string tradeoff_markdown(const TradeoffReport& report);
-std::string tradeoff_csv(const TradeoffReport& report);
-std::string tradeoff_json(const TradeoffReport& report);
-/// Error against time, a plot for each stage.
-std::vector<Plot> tradeoff_plots(const TradeoffReport& report);
 
 }  // namespace raycheck::tools
 

@@ -4,7 +4,7 @@
 #include "tools/arguments.h"
 #include "tools/commands.h"
 #include "tools/terminal.h"
-#include "tools/tradeoff/tradeoff.h"
+#include "tools/tradeoff/tradeoff_views.h"
 
 namespace raycheck::tools {
 namespace {
@@ -13,14 +13,8 @@ struct Arguments {
   TradeoffOptions options;
   std::string dialect;
   std::string plot;
-  std::string format = "text";
+  std::string format;
 };
-
-std::string rendered(const TradeoffReport& report, const std::string& format) {
-  if (format == "json") return tradeoff_json(report);
-  if (format == "csv") return tradeoff_csv(report);
-  return format == "markdown" ? tradeoff_markdown(report) : tradeoff_text(report);
-}
 
 int run(Arguments& arguments) {
   TradeoffOptions& options = arguments.options;
@@ -33,7 +27,7 @@ int run(Arguments& arguments) {
   if (!arguments.plot.empty()) require_plottable(arguments.plot);
   const TradeoffReport report = run_tradeoff(options, run_control("tradeoff"));
   print_warnings(report.warnings);
-  print_report(rendered(report, arguments.format));
+  print_view(kTradeoffViews, arguments.format, report);
   if (!arguments.plot.empty()) draw_or_say(tradeoff_plots(report), arguments.plot);
   return exit_code(report.interrupted, false, report.compared() > 0);
 }
@@ -65,7 +59,7 @@ Command add_tradeoff(CLI::App& program) {
   add_seed(command, options.seed);
   command.add_option("--plot", given->plot,
                      "draw error against time to a file, .svg, .png or .pdf");
-  add_format(command, given->format, {"text", "json", "csv", "markdown"});
+  add_format(command, given->format, kTradeoffViews);
   return {&command, [given] { return run(*given); }};
 }
 

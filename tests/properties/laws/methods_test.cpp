@@ -80,7 +80,7 @@ std::vector<std::string> law_names() {
 std::vector<std::string> laws_of_intersections() {
   std::vector<std::string> names;
   for (const Law& law : laws()) {
-    if (law.subject != Law::Subject::kCamera) names.emplace_back(law.name);
+    if (speaks_of_intersections(law) || !speaks_of_cameras(law)) names.emplace_back(law.name);
   }
   return names;
 }

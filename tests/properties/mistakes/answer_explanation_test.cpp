@@ -65,7 +65,7 @@ TEST(Mistakes, HaveSentencesOfTheirOwn) {
 std::vector<std::size_t> indices(bool on_the_way) {
   std::vector<std::size_t> result;
   for (std::size_t k = 0; k < mistakes().size(); ++k) {
-    if ((mistakes()[k].stage < Stage::kIntersect) == on_the_way) result.push_back(k);
+    if ((mistakes()[k].step < Step::kIntersect) == on_the_way) result.push_back(k);
   }
   return result;
 }
@@ -161,7 +161,7 @@ TEST(AnswerExplanation, OfTwoMistakesAtOnceIsNone) {
   EXPECT_EQ(sentences_for(candidate), Sentences());
 }
 
-TEST(AnswerExplanation, IsOfTheEarliestWrongStage) {
+TEST(AnswerExplanation, IsOfTheEarliestWrongStep) {
   Candidate candidate = candidate_of("rows are upside down");
   candidate.intersect = candidate_of("the far root is taken for the near one").intersect;
   candidate.nearest = candidate_of("the last sphere in the file wins").nearest;

@@ -1,4 +1,4 @@
-#include "tools/exchange/exchange.h"
+#include "tools/exchange/verify.h"
 
 #include <fmt/core.h>
 
@@ -11,6 +11,7 @@
 
 #include "properties/laws/law.h"
 #include "scene/number.h"
+#include "tools/exchange/generate.h"
 
 namespace raycheck::tools {
 namespace {
@@ -21,13 +22,8 @@ using properties::Law;
 using properties::SphereHits;
 using properties::Trial;
 
-/// "SOURCE@SEVERITY:SEED", and of one question ":RAY:SPHERE" more.
-std::string case_name(const std::string& source, std::uint64_t seed) {
-  return fmt::format("{}:{:x}", source, seed);
-}
-
 /// The answers to one case, by ray and sphere.
-struct Answered {
+struct AnsweredCase {
   properties::ChosenSource source;
   std::uint64_t seed = 0;
   std::size_t rays = 0, spheres = 0;
@@ -60,7 +56,7 @@ double number(std::string_view text) {
   return *value;
 }
 
-using Cases = std::vector<Answered>;
+using Cases = std::vector<AnsweredCase>;
 
 /// Adds the answer of a line to the case that its id names.
 void read_answer(std::string_view line, Cases& cases, std::map<std::string, std::size_t>& known) {
@@ -73,7 +69,7 @@ void read_answer(std::string_view line, Cases& cases, std::map<std::string, std:
   const std::string name = fmt::format("{}:{}", id[0], id[1]);
   const auto [at, is_new] = known.try_emplace(name, cases.size());
   if (is_new) {
-    Answered& added = cases.emplace_back();
+    AnsweredCase& added = cases.emplace_back();
     added.source = properties::chosen_source(id[0]);
     added.seed = integer<std::uint64_t>(id[1], 16);
     if (added.source.source->has_camera) {
@@ -90,7 +86,7 @@ void read_answer(std::string_view line, Cases& cases, std::map<std::string, std:
     throw std::invalid_argument("an answer is 'ID miss' or 'ID S X Y Z'");
   }
   const std::pair place(integer<std::size_t>(id[2], 10), integer<std::size_t>(id[3], 10));
-  const Answered& of = cases[at->second];
+  const AnsweredCase& of = cases[at->second];
   if (place.first >= of.rays || place.second >= of.spheres) {
     throw std::invalid_argument(fmt::format("there is no such question: '{}'", found.front()));
   }
@@ -100,7 +96,7 @@ void read_answer(std::string_view line, Cases& cases, std::map<std::string, std:
 }
 
 /// A candidate that says again what was answered.
-Candidate recorded(const Answered& answered) {
+Candidate recorded(const AnsweredCase& answered) {
   Candidate candidate = candidate_of(kDefaultMethods);  // for its bounds
   Candidate result;
   result.name = "the answers";
@@ -123,33 +119,15 @@ Candidate recorded(const Answered& answered) {
   return result;
 }
 
-/// The laws of single values about intersections: a law that asks other questions has no answers.
-bool is_answered(const Law& law) {
-  return law.judges_values && law.subject != Law::Subject::kCamera &&
-         law.name != "nearest-sphere" && law.name != "image" && law.name != "backward-error";
-}
+/// The laws of single values for each ray and sphere: what else laws ask is not in the answers.
+bool is_answered(const Law& law) { return law.judges_values && law.per == properties::Per::kPair; }
 
 }  // namespace
 
-std::string questions(const properties::ChosenSource& source, std::uint64_t seed) {
-  const scene::Scene scene = source.make(seed).scene;
-  std::string lines;
-  for (std::size_t ray = 0; ray < scene.rays.size(); ++ray) {
-    for (std::size_t sphere = 0; sphere < scene.spheres.size(); ++sphere) {
-      const auto& [origin, direction] = scene.rays[ray];
-      const auto& [centre, radius] = scene.spheres[sphere];
-      lines += fmt::format("{}:{}:{} {} {} {} {} {} {}\n", case_name(source.name(), seed), ray,
-                           sphere, name(scene.conventions.root), name(scene.conventions.tangent),
-                           scene::shortest_words(origin), scene::shortest_words(direction),
-                           scene::shortest_words(centre), scene::shortest(radius));
-    }
-  }
-  return lines;
-}
-
-VerifyReport verify(std::istream& answers, std::optional<double> max_error, std::size_t top) {
+VerifyReport verify(std::istream& answers, const VerifyOptions& options) {
   VerifyReport report;
-  report.top = top;
+  report.top = options.top;
+  report.cases_asked = options.cases;
   Cases cases;
   std::map<std::string, std::size_t> known;
   std::uint64_t number = 0;
@@ -164,10 +142,10 @@ VerifyReport verify(std::istream& answers, std::optional<double> max_error, std:
     ++report.answers;
   }
   report.cases = cases.size();
-  for (const Answered& answered : cases) {
+  for (const AnsweredCase& answered : cases) {
     const properties::Case the_case = answered.source.make(answered.seed);
     const Candidate candidate = recorded(answered);
-    Trial trial(the_case, candidate, {.max_error = max_error});
+    Trial trial(the_case, candidate, {.max_error = options.max_error});
     const std::size_t first = report.ids.size();
     for (const Law& law : properties::laws()) {
       if (!is_answered(law)) continue;
@@ -176,8 +154,7 @@ VerifyReport verify(std::istream& answers, std::optional<double> max_error, std:
       report.candidate.verdict.merge(std::move(verdict));
     }
     for (std::size_t ray = 0; ray < the_case.scene.rays.size(); ++ray) {
-      report.ids.push_back(
-          fmt::format("{}:{}", case_name(answered.source.name(), answered.seed), ray));
+      report.ids.push_back(fmt::format("{}:{}", case_id(answered.source, answered.seed), ray));
     }
   }
   report.candidate.name = "the answers";
@@ -185,45 +162,9 @@ VerifyReport verify(std::istream& answers, std::optional<double> max_error, std:
   const Candidate candidate = recorded({});
   for (std::size_t k = 0; k < properties::kQuantityCount; ++k) {
     report.candidate.bounds.push_back(
-        bound_on(static_cast<properties::Quantity>(k), candidate, {}, false, max_error));
+        bound_on(static_cast<properties::Quantity>(k), candidate, {}, false, options.max_error));
   }
   return report;
-}
-
-std::string verify_text(const VerifyReport& report, bool colours) {
-  const properties::Verdict& verdict = report.candidate.verdict;
-  std::string text = fmt::format("{} to {}\n\n", count_text(report.answers, "answer"),
-                                 count_text(report.cases, "case"));
-  text += quantities_table(report.candidate);
-  if (is_short(report)) {
-    text += fmt::format("\n{} of {} are not answered\n", report.cases_asked - report.cases,
-                        count_text(report.cases_asked, "case"));
-  }
-  const auto worst = verdict.worst(report.top);
-  if (verdict.discrepancies() > 0) {
-    text +=
-        fmt::format("\nworst discrepancies ({} of {}):\n", worst.size(), verdict.discrepancies());
-  } else {
-    text += verdict.compared() > 0 ? "\nno discrepancy\n" : "\nnothing was checked\n";
-  }
-  for (std::size_t k = 0; k < worst.size(); ++k) {
-    text += fmt::format("{:>3}. {}\n", k + 1, report.ids.at(worst[k].place.ray));
-    text += discrepancy_text(worst[k], "     ", colours);
-  }
-  return text;
-}
-
-std::string verify_json(const VerifyReport& report) {
-  Json json = json_header("verify");
-  json["answers"] = report.answers;
-  json["cases"] = report.cases;
-  json["cases_asked"] = report.cases_asked > 0 ? Json(report.cases_asked) : Json(nullptr);
-  json.update(candidate_json(report.candidate, report.top));
-  for (const char* key : {"rays", "intersect", "kept_by", "ns_per_ray", "explanations"}) {
-    json.erase(key);  // of methods, of processes and of renderers
-  }
-  for (Json& one : json["worst"]) one["id"] = report.ids.at(one["ray"].get<std::size_t>());
-  return json.dump(2) + "\n";
 }
 
 }  // namespace raycheck::tools

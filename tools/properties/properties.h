@@ -1,5 +1,5 @@
-#ifndef RAYCHECK_TOOLS_PROPERTIES_CAMPAIGNS_H_
-#define RAYCHECK_TOOLS_PROPERTIES_CAMPAIGNS_H_
+#ifndef RAYCHECK_TOOLS_PROPERTIES_PROPERTIES_H_
+#define RAYCHECK_TOOLS_PROPERTIES_PROPERTIES_H_
 
 #include <cstdint>
 #include <optional>
@@ -39,13 +39,10 @@ struct PropertiesReport {
   std::uint64_t compared() const;
 };
 
-/// Runs the campaigns, or replays one failure. Throws std::invalid_argument naming the option.
+/// Runs the campaigns, or replays one failure. Throws std::invalid_argument naming the field.
 PropertiesReport run_properties(const PropertiesOptions& options,
                                 const properties::RunControl& control = {});
 
-std::string properties_text(const PropertiesReport& report, bool colours);
-std::string properties_json(const PropertiesReport& report);
-
 }  // namespace raycheck::tools
 
-#endif  // RAYCHECK_TOOLS_PROPERTIES_CAMPAIGNS_H_
+#endif  // RAYCHECK_TOOLS_PROPERTIES_PROPERTIES_H_

@@ -1,0 +1,31 @@
+#ifndef RAYCHECK_FAST_METHOD_LIST_H_
+#define RAYCHECK_FAST_METHOD_LIST_H_
+
+// Every method of fast/, in the order of reports, a line each: what it does, and where it comes
+// from, is in its file in fast/methods/. Internal to fast/.
+
+/// METHOD(Name): fast::kName in intersect_name.cpp.
+#define RAYCHECK_INTERSECT_METHODS(METHOD) \
+  METHOD(Quadratic)                        \
+  METHOD(Lecture)                          \
+  METHOD(StableQuadratic)                  \
+  METHOD(Kahan)                            \
+  METHOD(Perpendicular)                    \
+  METHOD(Cross)                            \
+  METHOD(Cross2)                           \
+  METHOD(SingleQuadratic)                  \
+  METHOD(SingleLecture)                    \
+  METHOD(DoubleDouble)                     \
+  METHOD(LongDouble)                       \
+  METHOD(Float128)                         \
+  METHOD(Robust)
+
+/// METHOD(Name): fast::kNameRays in pixel_ray_name.cpp.
+#define RAYCHECK_PIXEL_RAY_METHODS(METHOD) \
+  METHOD(Lecture)                          \
+  METHOD(Direct)                           \
+  METHOD(Focal)                            \
+  METHOD(Incremental)                      \
+  METHOD(Single)
+
+#endif  // RAYCHECK_FAST_METHOD_LIST_H_

@@ -1,0 +1,70 @@
+#include "properties/laws/needs.h"
+
+#include <algorithm>
+
+namespace raycheck::properties {
+namespace {
+
+struct Need {
+  Needs of;  ///< It is one of each of these.
+  bool (*is_met)(const Trial&);
+  std::string_view reason;  ///< Why a law is left out where it is not met.
+};
+
+bool has_camera(const Trial& trial) { return trial.scene().camera.has_value(); }
+
+/// In the order in which they are asked for: no image has a size where there is no camera.
+constexpr Need kNeeds[] = {
+    {Needs::kImage, [](const Trial& trial) { return bool(trial.candidate().image); },
+     "the candidate makes no images"},
+    {Needs::kMadeRays, has_camera, "the rays are given, not made from a camera"},
+    {kOfCameras, has_camera, "the scene has no camera"},
+    {Needs::kFrame, [](const Trial& trial) { return bool(trial.candidate().frame); },
+     "the candidate gives no frame"},
+    {Needs::kPixelPoints, [](const Trial& trial) { return bool(trial.candidate().pixel_points); },
+     "the candidate gives no pixel points"},
+    {Needs::kBothOrigins,
+     [](const Trial& trial) {
+       return trial.candidate().pixel_rays && trial.candidate().focal_rays;
+     },
+     "the candidate has rays from one origin only"},
+    {Needs::kIntersect, [](const Trial& trial) { return bool(trial.candidate().intersect); },
+     "the candidate intersects nothing"},
+    {Needs::kNearest, [](const Trial& trial) { return bool(trial.candidate().nearest); },
+     "the candidate ranks no spheres"},
+    {Needs::kVisible, [](const Trial& trial) { return bool(trial.candidate().visible); },
+     "the candidate sees nothing"},
+    {Needs::kPlan, [](const Trial& trial) { return bool(trial.candidate().plan); },
+     "the candidate plans nothing"},
+    {Needs::kRefusals, [](const Trial& trial) { return trial.candidate().refuses; },
+     "the candidate is never asked what is not a problem"},
+    {Needs::kImage,
+     [](const Trial& trial) {
+       const scene::Camera& camera = *trial.scene().camera;
+       return camera.width <= trial.candidate().most_image_pixels / camera.height;
+     },
+     "the image is larger than the candidate makes"},
+    {Needs::kSpheres, [](const Trial& trial) { return !trial.scene().spheres.empty(); },
+     "the scene has no sphere"},
+    {Needs::kVisible,
+     [](const Trial& trial) {
+       const scene::Camera& camera = *trial.scene().camera;
+       return std::max(camera.width, camera.height) <= trial.candidate().most_visible_across;
+     },
+     "the image is larger than the candidate sees"},
+    {Needs::kRays | Needs::kMadeRays, [](const Trial& trial) { return trial.has_rays(); },
+     "the candidate makes no rays from this origin"},
+    {Needs::kSeveralSpheres, [](const Trial& trial) { return trial.scene().spheres.size() > 1; },
+     "the scene has one sphere: its class says it all"},
+};
+
+}  // namespace
+
+std::string_view what_is_missing(Needs needs, const Trial& trial) {
+  for (const Need& need : kNeeds) {
+    if (needs_any(needs, need.of) && !need.is_met(trial)) return need.reason;
+  }
+  return {};
+}
+
+}  // namespace raycheck::properties

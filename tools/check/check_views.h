@@ -1,0 +1,29 @@
+#ifndef RAYCHECK_TOOLS_CHECK_CHECK_VIEWS_H_
+#define RAYCHECK_TOOLS_CHECK_CHECK_VIEWS_H_
+
+// The views of `check`, each in the file of its name.
+
+#include "tools/check/check.h"
+#include "tools/report/json.h"
+#include "tools/report/view.h"
+
+namespace raycheck::tools {
+
+std::string check_text(const CheckReport& report, const ViewOptions& options);
+std::string check_json(const CheckReport& report, const ViewOptions& options);
+
+inline constexpr View<CheckReport> kCheckViews[] = {
+    {"text", check_text},
+    {"json", check_json},
+};
+
+/// What was compared of a candidate, a row a quantity.
+std::string quantities_table(const CandidateReport& candidate);
+Json candidate_json(const CandidateReport& candidate, std::size_t top);
+
+/// Certificates of the worst discrepancies of each candidate, those of check_json: a line each.
+std::string check_certificates(const CheckReport& report);
+
+}  // namespace raycheck::tools
+
+#endif  // RAYCHECK_TOOLS_CHECK_CHECK_VIEWS_H_

@@ -1,0 +1,28 @@
+#ifndef RAYCHECK_TOOLS_EXCHANGE_GENERATE_H_
+#define RAYCHECK_TOOLS_EXCHANGE_GENERATE_H_
+
+#include <cstdint>
+#include <string>
+
+#include "properties/cases/case_source.h"
+
+namespace raycheck::tools {
+
+// Questions and answers one a line, for programs between `raycheck generate` and `raycheck verify`:
+// docs/candidates.md has the format. A question is a ray and a sphere; its id, CASE:RAY:SPHERE,
+// names the case, so that verify makes it again.
+
+/// "SOURCE@SEVERITY:SEED"
+std::string case_id(const properties::ChosenSource& source, std::uint64_t seed);
+
+/// The source of that name, "FAMILY" or "FAMILY@SEVERITY".
+/// Errors: std::invalid_argument naming the family where there is none, or its cases have cameras.
+properties::ChosenSource source_of_questions(const std::string& family);
+
+/// The questions of a case: every ray with every sphere.
+/// Domain: a source of given rays.
+std::string questions(const properties::ChosenSource& source, std::uint64_t seed);
+
+}  // namespace raycheck::tools
+
+#endif  // RAYCHECK_TOOLS_EXCHANGE_GENERATE_H_

@@ -1,0 +1,22 @@
+#include <nlohmann/json.hpp>
+
+#include "tools/check/check_views.h"
+#include "tools/exchange/verify_views.h"
+#include "tools/report/json.h"
+
+namespace raycheck::tools {
+
+std::string verify_json(const VerifyReport& report, const ViewOptions& /*options*/) {
+  Json json = json_header("verify");
+  json["answers"] = report.answers;
+  json["cases"] = report.cases;
+  json["cases_asked"] = report.cases_asked > 0 ? Json(report.cases_asked) : Json(nullptr);
+  json.update(candidate_json(report.candidate, report.top));
+  for (const char* key : {"rays", "intersect", "kept_by", "ns_per_ray", "explanations"}) {
+    json.erase(key);  // of methods, of processes and of renderers
+  }
+  for (Json& one : json["worst"]) one["id"] = report.ids.at(one["ray"].get<std::size_t>());
+  return json.dump(2) + "\n";
+}
+
+}  // namespace raycheck::tools

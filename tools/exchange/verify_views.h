@@ -1,0 +1,21 @@
+#ifndef RAYCHECK_TOOLS_EXCHANGE_VERIFY_VIEWS_H_
+#define RAYCHECK_TOOLS_EXCHANGE_VERIFY_VIEWS_H_
+
+// The views of `verify`, each in the file of its name.
+
+#include "tools/exchange/verify.h"
+#include "tools/report/view.h"
+
+namespace raycheck::tools {
+
+std::string verify_text(const VerifyReport& report, const ViewOptions& options);
+std::string verify_json(const VerifyReport& report, const ViewOptions& options);
+
+inline constexpr View<VerifyReport> kVerifyViews[] = {
+    {"text", verify_text},
+    {"json", verify_json},
+};
+
+}  // namespace raycheck::tools
+
+#endif  // RAYCHECK_TOOLS_EXCHANGE_VERIFY_VIEWS_H_

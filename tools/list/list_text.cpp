@@ -1,0 +1,75 @@
+#include <fmt/core.h>
+
+#include "scene/conventions.h"
+#include "tools/list/list_views.h"
+
+namespace raycheck::tools {
+namespace {
+
+std::string caveat(std::string_view not_kept) {
+  if (not_kept.empty()) return "\n";
+  return fmt::format("\n  {:<17} not kept on {}\n", "", not_kept);
+}
+
+/// The lengths of a method that has its own; empty for most.
+std::string lengths(const fast::Domain& domain) {
+  if (domain == fast::Domain{}) return {};
+  return fmt::format("; lengths {:.3g} to {:.3g}", domain.smallest_length, domain.largest_length);
+}
+
+/// A bound; those of single precision are large.
+std::string bound(double ulp) {
+  return ulp < 1e6 ? fmt::format("{}", ulp) : fmt::format("{:.3g}", ulp);
+}
+
+template <class Names>
+std::string joined(const Names& names) {
+  std::string text;
+  for (const auto& name : names) text += (text.empty() ? "" : " | ") + std::string(name);
+  return text;
+}
+
+}  // namespace
+
+std::string list_text(const Catalogue& catalogue, const ViewOptions& /*options*/) {
+  std::string text = "ray methods (--rays):\n";
+  for (const auto* method : catalogue.ray_methods) {
+    text += fmt::format("  {:<17} {}\n", method->name, method->sentence);
+    text +=
+        fmt::format("  {:<17} bounds: {}direction {} u, unit defect {} u{}{}", "",
+                    method->pixel_points ? fmt::format("point {} u, ", bound(method->max_point_ulp))
+                                         : std::string(),
+                    bound(method->max_direction_ulp), bound(method->max_unit_defect_ulp),
+                    lengths(method->domain), caveat(method->not_kept));
+  }
+  text += "\nintersection methods (--intersect):\n";
+  for (const auto* method : catalogue.intersect_methods) {
+    text += fmt::format("  {:<17} {}\n  {:<17} bounds: parameter {} ulp, hit point {} u{}{}{}",
+                        method->name, method->sentence, "", bound(method->max_ulp),
+                        bound(method->max_point_ulp), method->exact_class ? "; exact class" : "",
+                        lengths(method->domain), caveat(method->not_kept));
+  }
+  text += fmt::format(
+      "\nBounds hold up to condition number {}, in proportion beyond, for lengths from {:.3g} to "
+      "{:.3g} where no others are named.\n",
+      properties::kModerateCondition, fast::kSmallestLength, fast::kLargestLength);
+  text += "\nlaws (--filter):\n";
+  for (const properties::Law& law : catalogue.laws) {
+    text += fmt::format("  {:<17} {}\n", law.name, law.sentence);
+  }
+  text += "\nsources of random cases (--source), those with severities as NAME or NAME@SEVERITY:\n";
+  for (const properties::CaseSource& source : catalogue.sources) {
+    text += fmt::format("  {:<17} {}\n", source.name, source.sentence);
+    if (!source.dial) continue;
+    text += fmt::format("  {:<17} @0 to @{}: {}\n", "", source.dial->highest, source.dial->meaning);
+  }
+  text += "\nconventions (the first is the default):\n";
+  text += fmt::format("  rows              {}\n", joined(scene::kRowsNames));
+  text += fmt::format("  samples           {}\n", joined(scene::kSamplesNames));
+  text += fmt::format("  origin            {}\n", joined(scene::kOriginNames));
+  text += fmt::format("  root              {}\n", joined(scene::kRootNames));
+  text += fmt::format("  tangent           {}\n", joined(scene::kTangentNames));
+  return text;
+}
+
+}  // namespace raycheck::tools

@@ -1,0 +1,24 @@
+#ifndef RAYCHECK_TOOLS_REPORT_VIEW_H_
+#define RAYCHECK_TOOLS_REPORT_VIEW_H_
+
+#include <string>
+#include <string_view>
+
+namespace raycheck::tools {
+
+/// What a view is told of the place that it is shown in.
+struct ViewOptions {
+  bool colours = false;  ///< Of a terminal.
+};
+
+/// A format of a command's report: what --format calls it, and what writes it. The views of a room
+/// stand in a table, the first is what --format is by default.
+template <class Report>
+struct View {
+  std::string_view name;
+  std::string (*render)(const Report& report, const ViewOptions& options);
+};
+
+}  // namespace raycheck::tools
+
+#endif  // RAYCHECK_TOOLS_REPORT_VIEW_H_

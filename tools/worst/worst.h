@@ -1,0 +1,38 @@
+#ifndef RAYCHECK_TOOLS_WORST_WORST_H_
+#define RAYCHECK_TOOLS_WORST_WORST_H_
+
+#include <optional>
+#include <string>
+
+#include "properties/run_control.h"
+#include "properties/search/worst_case.h"
+#include "tools/methods/methods.h"
+
+namespace raycheck::tools {
+
+struct WorstOptions {
+  std::string method;    ///< Of either kind.
+  std::string family;    ///< "SOURCE" or "SOURCE@SEVERITY", where the search starts.
+  std::string quantity;  ///< With hyphens for spaces; empty: the main one of the method's stage.
+  std::string climb = "error";  ///< One of properties::kClimbNames.
+  int cases = properties::SearchOptions{}.cases;
+  int steps = properties::SearchOptions{}.steps;
+  std::uint64_t seed = properties::SearchOptions{}.seed;
+};
+
+struct WorstReport {
+  StagedMethod method;
+  properties::SearchOptions search;
+  std::optional<properties::WorstCase> worst;  ///< Empty: nothing was measured.
+  bool interrupted = false;
+
+  bool is_unstable() const;
+};
+
+/// Searches for the input on which a method's certified error is worst.
+/// Throws std::invalid_argument naming the field.
+WorstReport find_worst(const WorstOptions& options, const properties::RunControl& control = {});
+
+}  // namespace raycheck::tools
+
+#endif  // RAYCHECK_TOOLS_WORST_WORST_H_

@@ -1,0 +1,37 @@
+#include <nlohmann/json.hpp>
+
+#include "tools/report/json.h"
+#include "tools/worst/worst_views.h"
+
+namespace raycheck::tools {
+namespace {
+
+void add(Json& json, const properties::WorstCase& worst) {
+  json["random"] = error_json(worst.height_random);
+  json["climbed"] = error_json(worst.height_climbed);
+  json["shrunk"] = error_json(worst.height);
+  json["error"] = error_json(worst.error);
+  json["condition"] = error_json(worst.stability.condition);
+  json["ratio"] = error_json(worst.stability.ratio);
+  json["outcome"] = name(worst.stability.outcome);
+  json["discrepancy"] = discrepancy_json(worst.shown);
+  json["scene"] = properties::text(worst.the_case);
+}
+
+}  // namespace
+
+std::string worst_json(const WorstReport& report, const ViewOptions& /*options*/) {
+  const properties::SearchOptions& search = report.search;
+  Json json = json_header("worst");
+  json["method"] = report.method.name();
+  json["family"] = search.source.name();
+  json["seed"] = search.seed;
+  json["climbed_on"] = properties::kClimbNames[static_cast<std::size_t>(search.climb)];
+  json["unit"] = info(search.quantity).unit;
+  json["measured"] = report.worst.has_value();
+  json["interrupted"] = report.interrupted;
+  if (report.worst) add(json, *report.worst);
+  return json.dump(2) + "\n";
+}
+
+}  // namespace raycheck::tools

@@ -1,0 +1,69 @@
+#include <fmt/core.h>
+
+#include "scene/number.h"
+#include "tools/report/words.h"
+#include "tools/worst/worst_views.h"
+
+namespace raycheck::tools {
+namespace {
+
+/// What was found, in a line.
+std::string headline(const WorstReport& report) {
+  const properties::WorstCase& worst = *report.worst;
+  return fmt::format("{} {} on {}: off by {} {}, condition number {}, rho {}: {}",
+                     report.method.name(), info(report.search.quantity).name,
+                     report.search.source.name(), error_text(worst.error),
+                     info(report.search.quantity).unit, error_text(worst.stability.condition),
+                     error_text(worst.stability.ratio), name(worst.stability.outcome));
+}
+
+/// The numbers of a case, to the bit.
+std::string in_hexfloat(const scene::Scene& scene) {
+  std::string text;
+  const auto add = [&](const char* name, std::initializer_list<double> numbers) {
+    text += fmt::format("  {:<9}", name);
+    for (const double x : numbers) text += " " + scene::hexfloat(x);
+    text += "\n";
+  };
+  if (scene.camera) {
+    const scene::Camera& c = *scene.camera;
+    add("eye", {c.eye.x, c.eye.y, c.eye.z});
+    add("look_at", {c.look_at.x, c.look_at.y, c.look_at.z});
+    add("up", {c.up.x, c.up.y, c.up.z});
+    add("near", {c.near});
+    add("bounds", {c.left, c.right, c.bottom, c.top});
+  }
+  for (const scene::Ray& ray : scene.rays) {
+    add("origin", {ray.origin.x, ray.origin.y, ray.origin.z});
+    add("direction", {ray.direction.x, ray.direction.y, ray.direction.z});
+  }
+  for (const scene::Sphere& sphere : scene.spheres) {
+    add("centre", {sphere.centre.x, sphere.centre.y, sphere.centre.z});
+    add("radius", {sphere.radius});
+  }
+  return text;
+}
+
+}  // namespace
+
+std::string worst_text(const WorstReport& report, const ViewOptions& /*options*/) {
+  if (!report.worst) {
+    return fmt::format("{} on {}: nothing was measured in its stated domain\n",
+                       report.method.name(), report.search.source.name());
+  }
+  const properties::WorstCase& worst = *report.worst;
+  std::string text = headline(report) + "\n";
+  text += fmt::format("climbed on {}: {} by random cases, {} by climbing, {} when shrunk\n",
+                      properties::kClimbNames[static_cast<std::size_t>(report.search.climb)],
+                      error_text(worst.height_random), error_text(worst.height_climbed),
+                      error_text(worst.height));
+  text += fmt::format("  got   {}\n  exact {}\n\n", numbers_text(worst.shown.got),
+                      numbers_text(worst.shown.exact));
+  return text + in_hexfloat(worst.the_case.scene) + "\n" + properties::text(worst.the_case);
+}
+
+std::string worst_scene(const WorstReport& report) {
+  return properties::text(report.worst->the_case, headline(report));
+}
+
+}  // namespace raycheck::tools
