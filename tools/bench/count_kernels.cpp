@@ -1,6 +1,6 @@
 // The work whose instructions tools/bench/counts.py counts, a piece a kernel: always the same, on
 // one thread. Run by itself, it checks the answers of every kernel and says how it was built; under
-// valgrind --tool=callgrind --instr-atstart=no --collect-atstart=no it dumps one count a kernel.
+// valgrind --tool=callgrind --collect-atstart=no it dumps one count a kernel.
 
 #if __has_include(<valgrind/callgrind.h>)
 #include <valgrind/callgrind.h>
@@ -233,12 +233,11 @@ std::string built_by() {
 void count(const Kernel& kernel) {
   kernel.work();
 #ifdef RAYCHECK_HAS_CALLGRIND
-  CALLGRIND_START_INSTRUMENTATION;
+  CALLGRIND_ZERO_STATS;
   CALLGRIND_TOGGLE_COLLECT;
   kernel.work();
   CALLGRIND_TOGGLE_COLLECT;
   CALLGRIND_DUMP_STATS_AT(kernel.name.c_str());
-  CALLGRIND_STOP_INSTRUMENTATION;
 #endif
 }
 

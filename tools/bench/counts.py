@@ -45,7 +45,7 @@ def counted(program):
     with tempfile.TemporaryDirectory() as folder:
         out = pathlib.Path(folder) / "out"
         run = subprocess.run(
-            ["valgrind", "--tool=callgrind", "--instr-atstart=no", "--collect-atstart=no",
+            ["valgrind", "--tool=callgrind", "--collect-atstart=no",
              f"--callgrind-out-file={out}", program, "--count"],
             env=ENVIRONMENT, text=True, capture_output=True)
         if run.returncode != 0:
