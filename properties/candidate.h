@@ -11,6 +11,7 @@
 #include <string>
 #include <vector>
 
+#include "properties/domain.h"
 #include "properties/quantity.h"
 #include "scene/plan/plan.h"
 #include "scene/scene.h"
@@ -64,17 +65,13 @@ struct DeclaredConventions {
   scene::Conventions over(scene::Conventions conventions) const;
 };
 
-/// An implementation under judgement: what it can be asked (an empty function: it has no such
-/// thing), under which conventions, and what it promises. A candidate is asked from one thread at a
-/// time: where several judge, each has a candidate of its own. Functions refuse input that is not a
-/// problem with std::invalid_argument; of what they throw otherwise, what() says how they failed.
-/// Answers come in the order of the questions; an absent hit is a miss.
-struct Candidate {
+/// What an implementation can be asked; an empty function: it has no such thing. Functions refuse
+/// input that is not a problem with std::invalid_argument; of what they throw otherwise, what()
+/// says how they failed. Answers come in the order of what was asked; an absent hit is a miss.
+struct Functions {
   using Pixels = std::span<const scene::Pixel>;
   using Rays = std::span<const scene::Ray>;
   using Spheres = std::span<const scene::Sphere>;
-
-  std::string name;
 
   std::function<FrameAnswer(const scene::Camera&)> frame;
   std::function<std::vector<scene::Point3>(const scene::Camera&, const scene::Conventions&, Pixels)>
@@ -96,47 +93,50 @@ struct Candidate {
   std::function<std::vector<std::optional<SeenAnswer>>(const scene::Scene&,
                                                        const scene::Conventions&, Pixels)>
       visible;
-
   /// The whole image of a scene with a camera.
   std::function<ImageAnswer(const scene::Scene&, const scene::Conventions&)> image;
+};
 
-  DeclaredConventions declared;
+/// What an implementation promises of its answers.
+struct Promises {
+  /// Its documented bound on the error of a quantity, in that quantity's unit; empty: none.
+  std::array<std::optional<double>, kQuantityCount> max_error = {};
+  /// The same where the rays come from a camera, so that a hit inherits the error of its ray;
+  /// empty: max_error.
+  std::array<std::optional<double>, kQuantityCount> max_error_end_to_end = {};
+  /// The exact class of every given ray: no closeness to tangency and no domain excuses a wrong
+  /// one.
+  bool exact_class = false;
+  /// The same of every sphere seen through a pixel, and s within reference::kVisibleParameterError.
+  bool exact_visible = false;
+  /// It is asked what is not a problem, too, which it is to refuse.
+  bool refuses = true;
+  /// Of the arithmetic that it computes in.
+  double unit_roundoff = kDoubleRoundoff;
+};
+
+/// The bound promised on a quantity of a scene with a camera or of given rays; empty: none.
+std::optional<double> documented_bound(const Promises& promises, Quantity quantity,
+                                       bool has_camera);
+
+/// Which images are for an implementation, and how they are judged.
+struct ImagePolicy {
   /// Wrong pixels of `image` are excused where a relative change of the scene by so much may make
   /// them right, or where the exact s is at most image_threshold.
   double excused_image_change = kExcusedImageChange;
   double image_threshold = 0;
   /// Larger images are not for `image`.
   std::int64_t most_image_pixels = std::int64_t{1} << 22;
-  /// Its documented bound on the error of a quantity, in that quantity's unit; empty: none.
-  std::array<std::optional<double>, kQuantityCount> max_error = {};
-  /// The same where the rays come from a camera, so that a hit inherits the error of its ray;
-  /// empty: max_error.
-  std::array<std::optional<double>, kQuantityCount> max_error_end_to_end = {};
-  /// It promises the exact class of every given ray: no closeness to tangency and no domain excuses
-  /// a wrong one.
-  bool exact_class = false;
-  /// It promises the same of every sphere seen through a pixel, and s within
-  /// reference::kVisibleParameterError.
-  bool exact_visible = false;
   /// Images with more pixels across or down are not for `visible`.
   std::int64_t most_visible_across = scene::kMostPixelsAcross;
-  /// It is asked what is not a problem, too, which it is to refuse.
-  bool refuses = true;
-  /// Of the arithmetic that it computes in.
-  double unit_roundoff = kDoubleRoundoff;
-  /// Its stated domain: rays of these kinds only, and nonzero lengths between these.
-  bool needs_unit_direction = false;
-  bool needs_origin_outside = false;
-  double smallest_length = 0;
-  double largest_length = std::numeric_limits<double>::infinity();
-  /// The lengths of scenes with a camera lie between these too.
-  double smallest_camera_length = 0;
-  double largest_camera_length = std::numeric_limits<double>::infinity();
 };
 
-/// The candidate's own bound on a quantity of a scene with a camera or of given rays; empty: none.
-std::optional<double> documented_bound(const Candidate& candidate, Quantity quantity,
-                                       bool has_camera);
+/// An implementation under judgement. Who needs a part of it takes that part alone, as its base. It
+/// is asked from one thread at a time: where several judge, each has a candidate of its own.
+struct Candidate : Functions, Promises, Domain, ImagePolicy {
+  std::string name;
+  DeclaredConventions declared;
+};
 
 }  // namespace raycheck::properties
 

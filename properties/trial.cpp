@@ -25,7 +25,7 @@ struct ValidRays {
   explicit ValidRays(const std::vector<scene::Ray>& all) {
     indices.reserve(all.size());
     for (std::size_t k = 0; k < all.size(); ++k) {
-      if (scene::problems(all[k]).empty()) indices.push_back(k);
+      if (scene::defects(all[k]).empty()) indices.push_back(k);
     }
     rays = all;
     if (indices.size() == all.size()) return;
@@ -48,91 +48,7 @@ void require_in_order(const SphereHits& hits, std::size_t rays) {
   }
 }
 
-template <class Triple>
-double length(const Triple& v) {
-  return std::hypot(v.x, v.y, v.z);
-}
-
 }  // namespace
-
-scene::Conventions DeclaredConventions::over(scene::Conventions conventions) const {
-  conventions.rows = rows.value_or(conventions.rows);
-  conventions.samples = samples.value_or(conventions.samples);
-  conventions.origin = origin.value_or(conventions.origin);
-  conventions.root = root.value_or(conventions.root);
-  conventions.tangent = tangent.value_or(conventions.tangent);
-  return conventions;
-}
-
-std::optional<double> documented_bound(const Candidate& candidate, Quantity quantity,
-                                       bool has_camera) {
-  const auto index = static_cast<std::size_t>(quantity);
-  const auto end_to_end = candidate.max_error_end_to_end[index];
-  return has_camera && end_to_end ? end_to_end : candidate.max_error[index];
-}
-
-std::vector<scene::Pixel> all_pixels(const scene::Camera& camera) {
-  std::vector<scene::Pixel> pixels;
-  pixels.reserve(static_cast<std::size_t>(camera.width) * static_cast<std::size_t>(camera.height));
-  for (std::int64_t j = 0; j < camera.height; ++j) {
-    for (std::int64_t i = 0; i < camera.width; ++i) pixels.push_back({i, j});
-  }
-  return pixels;
-}
-
-bool lengths_are_within(const scene::Scene& scene, double smallest, double largest) {
-  const auto within = [&](double size) {
-    return size == 0 || (std::abs(size) >= smallest && std::abs(size) <= largest);
-  };
-  bool inside = true;
-  const auto require = [&](double size) { inside = inside && within(size); };
-  const auto require_distance_of_points = [&](const scene::Point3& from) {
-    for (const scene::Sphere& sphere : scene.spheres) {
-      if (sphere.radius == 0) require(length(sphere.centre - from));
-    }
-  };
-  if (scene.camera) {
-    const scene::Camera& camera = *scene.camera;
-    require(length(camera.eye - camera.look_at));
-    require(length(camera.up));
-    require(camera.near);
-    require(camera.right - camera.left);
-    require(camera.top - camera.bottom);
-    require_distance_of_points(camera.eye);
-    for (const double size : {length(camera.eye), length(camera.look_at), camera.left, camera.right,
-                              camera.bottom, camera.top}) {
-      inside = inside && std::abs(size) <= largest;
-    }
-  }
-  for (const scene::Ray& ray : scene.rays) {
-    require(length(ray.direction));
-    inside = inside && length(ray.origin) <= largest;
-    require_distance_of_points(ray.origin);
-  }
-  for (const scene::Sphere& sphere : scene.spheres) {
-    require(sphere.radius);
-    inside = inside && length(sphere.centre) <= largest;
-  }
-  return inside;
-}
-
-bool is_inside_domain(const Candidate& candidate, const scene::Scene& scene) {
-  // From a camera directions are unit as far as the method makes them so.
-  const bool unit_directions = std::all_of(
-      scene.rays.begin(), scene.rays.end(),
-      [](const scene::Ray& ray) { return std::abs(length(ray.direction) - 1) <= kUnitTolerance; });
-  const auto is_outside = [&](const scene::Ray& ray) {
-    return std::all_of(scene.spheres.begin(), scene.spheres.end(), [&](const scene::Sphere& s) {
-      return length(s.centre - ray.origin) > s.radius;
-    });
-  };
-  return lengths_are_within(scene, candidate.smallest_length, candidate.largest_length) &&
-         (!scene.camera || lengths_are_within(scene, candidate.smallest_camera_length,
-                                              candidate.largest_camera_length)) &&
-         (!candidate.needs_unit_direction || unit_directions) &&
-         (!candidate.needs_origin_outside ||
-          std::all_of(scene.rays.begin(), scene.rays.end(), is_outside));
-}
 
 Trial::Trial(const Case& the_case, const Candidate& candidate, TrialOptions options)
     : case_(the_case),

@@ -11,14 +11,13 @@
 #include <vector>
 
 #include "properties/candidate.h"
+#include "properties/case.h"
+#include "properties/domain.h"
 #include "properties/truth.h"
 #include "properties/verdict.h"
 #include "scene/scene.h"
 
 namespace raycheck::properties {
-
-/// All pixels of a camera, row by row.
-std::vector<scene::Pixel> all_pixels(const scene::Camera& camera);
 
 struct TrialOptions {
   std::optional<double> max_error = {};  ///< A bound in place of the candidate's own.
@@ -156,17 +155,6 @@ const HitAnswer* find_hit(const SphereHits& hits, std::size_t ray);
 double bound_on(Quantity quantity, const Candidate& candidate,
                 const scene::Conventions& conventions, bool has_camera,
                 std::optional<double> max_error_asked);
-
-/// True when every nonzero length of the scene lies in [smallest, largest]; the distance of a
-/// sphere of radius 0 is one, for want of another.
-bool lengths_are_within(const scene::Scene& scene, double smallest, double largest);
-
-/// How far from 1 the length of a direction may be that counts as unit: what its roundings make.
-inline constexpr double kUnitTolerance = 0x1p-50;
-
-/// True when the scene lies in the candidate's stated domain. (Whether an origin is outside a
-/// sphere is asked of rounded distances: the domain is about the method, not about the truth.)
-bool is_inside_domain(const Candidate& candidate, const scene::Scene& scene);
 
 }  // namespace raycheck::properties
 

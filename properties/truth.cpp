@@ -6,10 +6,6 @@
 
 namespace raycheck::properties {
 
-std::size_t count_rays(const Case& the_case) {
-  return the_case.scene.camera ? the_case.pixels.size() : the_case.scene.rays.size();
-}
-
 Truth::Truth(const Case& the_case, const scene::Conventions& conventions,
              const scene::ScenePlan* plan)
     : case_(the_case),

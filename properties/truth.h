@@ -8,22 +8,13 @@
 #include <span>
 #include <vector>
 
+#include "properties/case.h"
 #include "reference/exact_camera.h"
 #include "reference/exact_ray.h"
 #include "scene/plan/plan.h"
 #include "scene/scene.h"
 
 namespace raycheck::properties {
-
-/// What a law is asked about: a scene, and the pixels that are looked at when it has a camera (its
-/// given rays are all looked at). Where cases come from is no business of a law's.
-struct Case {
-  scene::Scene scene;
-  std::vector<scene::Pixel> pixels;
-};
-
-/// How many rays a case looks at.
-std::size_t count_rays(const Case& the_case);
 
 /// The element of a ray in a list in the order of the rays; null where there is none.
 template <class List>

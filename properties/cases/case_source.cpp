@@ -11,6 +11,15 @@
 namespace raycheck::properties {
 namespace {
 
+/// FNV-1a: the same on every machine, as std::hash is not.
+std::uint64_t hash(std::string_view text) {
+  std::uint64_t sum = 0xcbf29ce484222325;
+  for (const char letter : text) {
+    sum = (sum ^ static_cast<unsigned char>(letter)) * 0x100000001b3;
+  }
+  return sum;
+}
+
 int any_severity(const Dial& dial, std::uint64_t seed) {
   Random random(~seed);  // apart from the draws that make the case
   return static_cast<int>(random.integer(0, dial.highest));
@@ -46,6 +55,19 @@ Case ChosenSource::make(std::uint64_t seed) const {
 
 std::string ChosenSource::name() const {
   return std::string(source->name) + (severity ? "@" + std::to_string(*severity) : "");
+}
+
+const ChosenSource& chosen_by(std::span<const ChosenSource> sources, std::uint64_t seed) {
+  const ChosenSource* chosen = nullptr;
+  std::uint64_t heaviest = 0;
+  for (const ChosenSource& source : sources) {
+    const std::uint64_t weight = Random(seed ^ hash(source.name())).bits();
+    if (chosen == nullptr || weight > heaviest) {
+      chosen = &source;
+      heaviest = weight;
+    }
+  }
+  return *chosen;
 }
 
 ChosenSource chosen_source(std::string_view name) {

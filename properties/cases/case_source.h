@@ -7,7 +7,7 @@
 #include <string>
 #include <string_view>
 
-#include "properties/trial.h"
+#include "properties/case.h"
 
 namespace raycheck::properties {
 
@@ -47,6 +47,12 @@ struct ChosenSource {
   Case make(std::uint64_t seed) const;
   std::string name() const;  ///< "SOURCE" or "SOURCE@SEVERITY"
 };
+
+/// The one of several sources that a case's seed chooses, each as likely as the others (by
+/// rendezvous hashing of seed and name; Thaler and Ravishankar 1998). A source more takes over its
+/// share of the seeds, and leaves every other seed the source that it had.
+/// Domain: at least one source.
+const ChosenSource& chosen_by(std::span<const ChosenSource> sources, std::uint64_t seed);
 
 /// Reads a ChosenSource's name. Throws std::invalid_argument saying which part of it is wrong, and
 /// which severities there are.

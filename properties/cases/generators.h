@@ -4,8 +4,8 @@
 // What the makers of random cases share. Internal to properties/. Nothing here calls a function
 // that differs between machines, but for Random::power_of_ten().
 
+#include "properties/case.h"
 #include "properties/cases/random.h"
-#include "properties/trial.h"
 #include "scene/validate.h"
 
 namespace raycheck::properties {
@@ -85,7 +85,7 @@ Case valid_case(std::uint64_t seed, Fill fill) {
     Case result;
     result.scene.conventions = any_conventions(random);
     fill(random, result);
-    if (scene::problems(result.scene).empty()) return result;
+    if (scene::defects(result.scene).empty()) return result;
   }
 }
 

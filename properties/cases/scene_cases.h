@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <optional>
 
-#include "properties/trial.h"
+#include "properties/case.h"
 
 namespace raycheck::tools {
 

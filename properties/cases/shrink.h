@@ -4,7 +4,7 @@
 #include <functional>
 #include <vector>
 
-#include "properties/trial.h"
+#include "properties/case.h"
 
 namespace raycheck::properties {
 

@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "properties/candidate.h"
+#include "properties/case.h"
 #include "properties/mistakes/explanation.h"
-#include "properties/truth.h"
 
 namespace raycheck::properties {
 

@@ -43,7 +43,7 @@ std::optional<Case> alone(const Case& the_case, Stage stage, const Candidate& ra
   if (!make) return std::nullopt;
   for (const scene::Ray& ray :
        make(*the_case.scene.camera, the_case.scene.conventions, the_case.pixels)) {
-    if (scene::problems(ray).empty()) result.scene.rays.push_back(ray);
+    if (scene::defects(ray).empty()) result.scene.rays.push_back(ray);
   }
   return result.scene.rays.empty() ? std::nullopt : std::optional(std::move(result));
 }

@@ -121,7 +121,7 @@ void climb(WorstCase& at, const Climber& climber, int steps, const RunControl& c
            Random& random) {
   for (int step = 0; step < steps && !control.interrupted(); ++step) {
     const Case next = neighbour(at.the_case, random);
-    if (!scene::problems(next.scene).empty()) continue;
+    if (!scene::defects(next.scene).empty()) continue;
     std::optional<WorstCase> seen = climber.look(next);
     if (seen && seen->height > at.height) at = std::move(*seen);
   }

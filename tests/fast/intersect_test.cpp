@@ -13,6 +13,7 @@
 #include "properties/quantity.h"
 #include "reference/condition.h"
 #include "reference/error_measure.h"
+#include "tests/method_names.h"
 
 namespace raycheck::fast {
 namespace {
@@ -260,13 +261,7 @@ TEST(IntersectBounds, OfSinglePrecisionHoldOnTies) {
 
 INSTANTIATE_TEST_SUITE_P(Methods, EachMethod,
                          testing::ValuesIn(intersect_methods().begin(), intersect_methods().end()),
-                         [](const testing::TestParamInfo<const IntersectMethod*>& the_test) {
-                           std::string name(the_test.param->name);
-                           for (char& letter : name) {
-                             if (letter == '-') letter = '_';
-                           }
-                           return name;
-                         });
+                         test_name);
 
 }  // namespace
 }  // namespace raycheck::fast

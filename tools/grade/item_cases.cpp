@@ -62,7 +62,7 @@ Asked ItemCases::of_scene(const RubricScene& scene) const {
 
 /// A submission that heeds no conventions is right under the default ones.
 std::optional<Asked> ItemCases::of_source(std::size_t k) const {
-  const properties::ChosenSource& source = questions_.sources[k % questions_.sources.size()];
+  const properties::ChosenSource& source = properties::chosen_by(questions_.sources, seeds_[k]);
   Asked asked{source.make(seeds_[k]), fmt::format("{}, random case {}", source.name(), k + 1)};
   asked.the_case.scene.conventions = {};
   if (!pictures_) return asked;

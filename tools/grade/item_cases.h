@@ -6,7 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "properties/truth.h"
+#include "properties/candidate.h"
+#include "properties/case.h"
 #include "tools/grade/rubric.h"
 
 namespace raycheck::tools {

@@ -17,6 +17,7 @@ using properties::Candidate;
 using properties::Case;
 using properties::CaseSource;
 using properties::ChosenSource;
+using properties::Law;
 using properties::Stage;
 using properties::StressResult;
 

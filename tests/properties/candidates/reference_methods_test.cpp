@@ -13,6 +13,7 @@
 #include "reference/error_measure.h"
 #include "reference/exact_ray.h"
 #include "tests/method_expectations.h"
+#include "tests/method_names.h"
 #include "tests/reference/random_cases.h"
 
 namespace raycheck::properties {
@@ -188,11 +189,7 @@ TEST(ReferenceIntervals, MissesWhatItDoesNotDecide) {
 
 INSTANTIATE_TEST_SUITE_P(Methods, EachExactMethod,
                          testing::ValuesIn(exact_methods().begin(), exact_methods().end()),
-                         [](const testing::TestParamInfo<const fast::IntersectMethod*>& the_test) {
-                           std::string name(the_test.param->name);
-                           std::replace(name.begin(), name.end(), '-', '_');
-                           return name;
-                         });
+                         fast::test_name);
 
 }  // namespace
 }  // namespace raycheck::properties

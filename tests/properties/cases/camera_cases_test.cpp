@@ -5,6 +5,8 @@
 #include <array>
 #include <cmath>
 
+#include "reference/exact_camera.h"
+#include "reference/exact_ray.h"
 #include "tests/properties/cases/dial.h"
 
 namespace raycheck::properties {

@@ -6,10 +6,14 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <map>
 #include <set>
 #include <stdexcept>
 #include <string>
+#include <vector>
 
+#include "properties/cases/random.h"
+#include "properties/trial.h"
 #include "scene/validate.h"
 #include "tests/properties/cases/dial.h"
 
@@ -81,7 +85,7 @@ TEST(CaseSource, MakesValidCasesWithPixelsInTheImage) {
   for_each_severity([](const CaseSource& source, int severity) {
     for (std::uint64_t seed = 0; seed < 200; ++seed) {
       const Case the_case = source.make(severity, seed);
-      ASSERT_TRUE(scene::problems(the_case.scene).empty()) << seed;
+      ASSERT_TRUE(scene::defects(the_case.scene).empty()) << seed;
       ASSERT_EQ(the_case.scene.camera.has_value(), source.has_camera);
       if (!source.has_camera) continue;
       ASSERT_FALSE(the_case.pixels.empty());
@@ -192,6 +196,51 @@ TEST(ChosenSource, NamesWhatIsWrong) {
     EXPECT_EQ(error_of("distance@" + std::string(severity)),
               "severities of 'distance' are 0 to 15, not '" + std::string(severity) + "'");
   }
+}
+
+TEST(ChosenBy, IsEachSourceAboutAsOftenAsTheOthers) {
+  std::vector<ChosenSource> all;
+  for (const CaseSource& source : case_sources()) all.push_back({&source});
+  constexpr std::uint64_t kMean = 1000;
+  std::map<std::string, std::uint64_t> counts;
+  for (std::uint64_t seed = 0; seed < kMean * all.size(); ++seed) {
+    ++counts[chosen_by(all, seed).name()];
+  }
+  EXPECT_EQ(counts.size(), all.size());
+  for (const auto& [name, count] : counts) {
+    EXPECT_NEAR(static_cast<double>(count), kMean, 5 * std::sqrt(kMean)) << name;
+  }
+}
+
+TEST(ChosenBy, StaysWhatItWasWhereASourceMoreIsNotChosen) {
+  std::vector<ChosenSource> all;
+  for (const CaseSource& source : case_sources()) all.push_back({&source});
+  Random seeds(1);
+  for (std::size_t added = 0; added < all.size(); ++added) {
+    std::vector<ChosenSource> fewer = all;
+    fewer.erase(fewer.begin() + static_cast<std::ptrdiff_t>(added));
+    std::uint64_t taken_over = 0;
+    constexpr std::uint64_t kSeeds = 500;
+    for (std::uint64_t k = 0; k < kSeeds; ++k) {
+      const std::uint64_t seed = seeds.bits();
+      const ChosenSource& now = chosen_by(all, seed);
+      if (now.source == all[added].source) {
+        ++taken_over;
+      } else {
+        EXPECT_EQ(chosen_by(fewer, seed).name(), now.name());
+      }
+    }
+    EXPECT_GT(taken_over, 0u) << all[added].name();
+    EXPECT_LT(taken_over, kSeeds / 5) << all[added].name();
+  }
+}
+
+TEST(ChosenBy, TellsSeveritiesOfASourceApart) {
+  const std::vector<ChosenSource> two = {chosen_source("tangency@1"), chosen_source("tangency@9")};
+  int first = 0;
+  for (std::uint64_t seed = 0; seed < 100; ++seed) first += chosen_by(two, seed).severity == 1;
+  EXPECT_GT(first, 25);
+  EXPECT_LT(first, 75);
 }
 
 }  // namespace

@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 
+#include "properties/trial.h"
 #include "tests/properties/cases/dial.h"
 
 namespace raycheck::properties {

@@ -152,6 +152,7 @@ struct Hostile {
   const char* what;   ///< Part of what is said of it.
   const char* layer;  ///< Without this layer it is not kept from it.
 };
+void PrintTo(const Hostile& hostile, std::ostream* out) { *out << hostile.how; }
 
 class EachHostile : public testing::TestWithParam<Hostile> {};
 
@@ -232,6 +233,7 @@ struct Mistake {
   const char* name;
   const char* sentence;
 };
+void PrintTo(const Mistake& mistake, std::ostream* out) { *out << mistake.name; }
 
 class EachMistake : public testing::TestWithParam<Mistake> {};
 

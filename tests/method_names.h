@@ -1,0 +1,26 @@
+#ifndef RAYCHECK_TESTS_METHOD_NAMES_H_
+#define RAYCHECK_TESTS_METHOD_NAMES_H_
+
+// How tests of each intersection method are called: by the method, not by its address.
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <ostream>
+#include <string>
+
+#include "fast/intersect.h"
+
+namespace raycheck::fast {
+
+inline void PrintTo(const IntersectMethod* method, std::ostream* out) { *out << method->name; }
+
+inline std::string test_name(const testing::TestParamInfo<const IntersectMethod*>& the_test) {
+  std::string name(the_test.param->name);
+  std::replace(name.begin(), name.end(), '-', '_');
+  return name;
+}
+
+}  // namespace raycheck::fast
+
+#endif  // RAYCHECK_TESTS_METHOD_NAMES_H_
