@@ -3,6 +3,10 @@
 
     python3 docs/generate.py            docs/error-against-run-time.md, from its template
     python3 docs/generate.py --shown    the console blocks of README.md and the others
+    python3 docs/generate.py --lists [PROGRAM] [--check]
+                                        the marked parts of README.md: of what the program (default:
+                                        ./run) lists, and of packages.txt; --check writes nothing and
+                                        exits with 1 where the page is stale
     python3 docs/generate.py --performance
                                         docs/performance.md and its plot, from a run of
                                         bench_visibility with the peers built in
@@ -10,6 +14,7 @@
 In a template a line `{{ARGUMENTS}}` stands for what `./run ARGUMENTS` prints. In a console block
 `$ ./run ARGUMENTS` is followed by what it prints; where the block elides lines by `...`, it stays
 as it is and must be looked after by hand. The session blocks of a page are one shell's commands.
+A marked part lies between `<!-- NAME: ... -->` and `<!-- end of NAME -->`.
 """
 import json
 import os
@@ -60,6 +65,50 @@ def shown(path):
 
     text = path.read_text()
     path.write_text(re.sub(r"```console\n\$ \./run (.*)\n((?:(?!```).*\n)*)```", again, text))
+
+
+def laws_part(known):
+    """How many laws and sources there are, and what each law says."""
+    dials = [source for source in known["sources"] if source["dial"]]
+    lines = [f"`properties` tries {len(known['laws'])} laws on random cases of "
+             f"{len(known['sources'])} sources. {len(dials)} of those are stress",
+             "families, each with a dial from severity 0 (ordinary) to its end: far, grazing, tangent to the",
+             "last bit, on the surface, at the ends of the double range; `--source distance@9` asks for one",
+             "severity. A broken law prints the smallest case found, as a scene that `check` accepts, and a",
+             "string that replays it.", "", "| law | what must hold |", "|---|---|"]
+    lines += [f"| `{law['name']}` | {law['sentence']} |" for law in known["laws"]]
+    return "\n".join(lines)
+
+
+def packages_part(when):
+    """A table of the packages that are needed then, from the list that `run` installs."""
+    lines = ["| package | licence | used for |", "|---|---|---|"]
+    for line in (ROOT / "packages.txt").read_text().splitlines():
+        if not line.startswith(when + " "):
+            continue
+        package, licence, sentence = (part.strip() for part in line[len(when):].split("|"))
+        lines.append(f"| {package} | {licence} | {sentence} |")
+    return "\n".join(lines)
+
+
+def lists(program, check):
+    """Writes the marked parts of README.md again, or only says whether that would change it."""
+    listed = subprocess.run([program, "list", "--format", "json"], cwd=ROOT, text=True, check=True,
+                            capture_output=True)
+    parts = {"laws": laws_part(json.loads(listed.stdout)), "packages": packages_part("always"),
+             "peers": packages_part("peers")}
+    path = ROOT / "README.md"
+    text = path.read_text()
+    now = text
+    for name, part in parts.items():
+        marked = re.compile(rf"(<!-- {name}: .*-->\n).*?(<!-- end of {name} -->)", re.DOTALL)
+        now, found = marked.subn(lambda match: f"{match[1]}{part}\n{match[2]}", now)
+        if found != 1:
+            sys.exit(f"{path.name}: {found} parts are marked {name}")
+    if check and now != text:
+        sys.exit(f"{path.name} is stale: python3 docs/generate.py --lists")
+    if not check:
+        path.write_text(now)
 
 
 MARK = "\x01"
@@ -233,6 +282,9 @@ def performance():
 if __name__ == "__main__":
     if sys.argv[1:] == ["--performance"]:
         performance()
+    elif sys.argv[1:2] == ["--lists"]:
+        programs = [word for word in sys.argv[2:] if word != "--check"]
+        lists(programs[0] if programs else "./run", "--check" in sys.argv[2:])
     elif sys.argv[1:] == ["--shown"]:
         for path in [ROOT / "README.md", ROOT / "CONTRIBUTING.md", *sorted((ROOT / "docs").glob("*.md"))]:
             shown(path)

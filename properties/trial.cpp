@@ -25,7 +25,7 @@ struct ValidRays {
   explicit ValidRays(const std::vector<scene::Ray>& all) {
     indices.reserve(all.size());
     for (std::size_t k = 0; k < all.size(); ++k) {
-      if (scene::problems(all[k]).empty()) indices.push_back(k);
+      if (scene::defects(all[k]).empty()) indices.push_back(k);
     }
     rays = all;
     if (indices.size() == all.size()) return;
@@ -183,7 +183,7 @@ void Trial::examine(Verdict& verdict, Quantity quantity, const Place& place, dou
   Discrepancy discrepancy;
   if (options_.conditioning) {
     const Stability stability = weigh(error, condition(), backward);
-    verdict.weighed(quantity, stability);
+    verdict.weighed(quantity, place, error, stability);
     discrepancy.condition = stability.condition;
   }
   if (error <= bound) return;
@@ -206,15 +206,15 @@ void Trial::examine(Verdict& verdict, Quantity quantity, const Place& place, dou
   const bool is_number = std::all_of(discrepancy.got.begin(), discrepancy.got.end(),
                                      [](double x) { return std::isfinite(x); });
   if (!inside_domain_) {
-    discrepancy.excuse = Excuse::kOutsideDomain;
+    discrepancy.excuse = {ExcuseKind::kOutsideDomain};
   } else if (ill_conditioned && is_number) {
-    discrepancy.excuse = Excuse::kIllConditioned;
+    discrepancy.excuse = {ExcuseKind::kIllConditioned, *discrepancy.condition};
   }
   verdict.add(std::move(discrepancy));
 }
 
 void Trial::convict(Verdict& verdict, Quantity quantity, const Place& place, Wrong wrong,
-                    const std::function<bool()>& may_flip,
+                    const std::function<Excuse()>& excuse,
                     const std::function<void(Discrepancy&)>& describe) const {
   Discrepancy discrepancy;
   discrepancy.quantity = quantity;
@@ -224,9 +224,9 @@ void Trial::convict(Verdict& verdict, Quantity quantity, const Place& place, Wro
   const bool promised =
       candidate_.exact_class && quantity == Quantity::kClass && !case_.scene.camera;
   if (!inside_domain_ && !promised) {
-    discrepancy.excuse = Excuse::kOutsideDomain;
-  } else if (!promised && may_flip()) {
-    discrepancy.excuse = Excuse::kSmallChangeFlips;
+    discrepancy.excuse = {ExcuseKind::kOutsideDomain};
+  } else if (!promised) {
+    discrepancy.excuse = excuse();
   }
   verdict.judged(quantity, place, wrong, discrepancy.excuse);
   describe(discrepancy);

@@ -7,6 +7,7 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <type_traits>
 #include <vector>
 
 #include "properties/candidate.h"
@@ -99,16 +100,20 @@ class Trial {
     measure(verdict, quantity, place, error, bound(quantity), condition, describe);
   }
   /// Counts a right or wrong answer, and adds a discrepancy when it is wrong. `may_flip` says
-  /// whether a change of the inputs within kExcusedChange may make it right; a candidate that
-  /// promises the exact class is not asked.
+  /// whether a change of the inputs within excused_change() may make it right, or it is the Excuse
+  /// itself where another one holds; a candidate that promises the exact class is not asked.
   template <class MayFlip, class Describe>
   void judge(Verdict& verdict, Quantity quantity, const Place& place, Wrong wrong,
              const MayFlip& may_flip, const Describe& describe) const {
-    if (wrong == Wrong::kNot) {
-      verdict.judged_right(quantity, 1);
-    } else {
-      convict(verdict, quantity, place, wrong, may_flip, describe);
-    }
+    if (wrong == Wrong::kNot) return verdict.judged_right(quantity, 1);
+    const auto excuse = [&]() -> Excuse {
+      if constexpr (std::is_same_v<std::invoke_result_t<MayFlip>, Excuse>) {
+        return may_flip();
+      } else {
+        return may_flip() ? Excuse{ExcuseKind::kSmallChange, excused_change()} : Excuse{};
+      }
+    };
+    convict(verdict, quantity, place, wrong, excuse, describe);
   }
 
  private:
@@ -120,7 +125,7 @@ class Trial {
                const std::function<double()>& backward) const;
   /// judge() of a wrong answer.
   void convict(Verdict& verdict, Quantity quantity, const Place& place, Wrong wrong,
-               const std::function<bool()>& may_flip,
+               const std::function<Excuse()>& excuse,
                const std::function<void(Discrepancy&)>& describe) const;
 
   const Case& case_;

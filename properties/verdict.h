@@ -11,51 +11,12 @@
 #include <utility>
 #include <vector>
 
+#include "properties/excuse.h"
 #include "properties/quantity.h"
 #include "properties/stability.h"
-#include "scene/camera.h"
+#include "properties/tally.h"
 
 namespace raycheck::properties {
-
-/// How an answer that is right or wrong was wrong.
-enum class Wrong {
-  kNot,
-  kMissed,
-  kFalseHit,
-  kWrongSphere,
-  kWrongRoot,
-  kRefused,
-  kAnswered,
-  kFailed
-};
-inline constexpr std::array<std::string_view, 8> kWrongNames = {"",
-                                                                "missed",
-                                                                "false hit",
-                                                                "wrong sphere",
-                                                                "wrong root",
-                                                                "refused",
-                                                                "answered what is not a problem",
-                                                                "failed"};
-constexpr std::string_view name(Wrong wrong) {
-  return kWrongNames[static_cast<std::size_t>(wrong)];
-}
-
-/// Why a discrepancy is not held against the method.
-enum class Excuse { kNone, kSmallChangeFlips, kIllConditioned, kOutsideDomain };
-inline constexpr std::array<std::string_view, 4> kExcuseNames = {
-    "", "a change of the inputs by 16 u may flip it", "ill-conditioned",
-    "outside the method's stated domain"};
-constexpr std::string_view name(Excuse excuse) {
-  return kExcuseNames[static_cast<std::size_t>(excuse)];
-}
-
-/// Where in a case an answer was asked: a ray (a camera's pixel, or a given ray by its index), and
-/// a sphere where the quantity has one.
-struct Place {
-  std::size_t ray = 0;
-  std::optional<scene::Pixel> pixel;
-  std::optional<std::size_t> sphere;
-};
 
 /// One answer that differs from the truth by more than it may.
 struct Discrepancy {
@@ -68,41 +29,13 @@ struct Discrepancy {
   double error = 0;           ///< In the quantity's unit; infinite where right or wrong.
   Wrong wrong = Wrong::kNot;
   std::optional<double> condition;  ///< The condition number, where it was asked for.
-  Excuse excuse = Excuse::kNone;
+  Excuse excuse;
 };
 
 /// The order of reports: without an excuse first; among those the worst of each quantity first,
 /// then the second worst of each, and so on, so that no quantity hides the others. Worse is the
-/// larger error, then the earlier place.
+/// larger error, then the earlier place, then the law and the part by name.
 std::vector<Discrepancy> worst_first(std::vector<Discrepancy> discrepancies);
-
-/// What was compared for one quantity.
-struct Tally {
-  std::uint64_t cases = 0;
-  std::map<Wrong, std::uint64_t> wrong;
-  std::uint64_t wrong_excused = 0;    ///< Of those, how many have an excuse.
-  std::vector<double> errors;         ///< Empty for what is right or wrong.
-  std::uint64_t ill_conditioned = 0;  ///< Above the flat bound, within its growth: no discrepancy.
-  double worst = -1;
-  Place worst_place;
-  // Only of trials that ask for the conditioning.
-  std::vector<double> conditions;  ///< One for each error.
-  double worst_ratio = -1;         ///< The largest stability ratio within the stated domain.
-  std::array<std::uint64_t, kOutcomeCount> outcomes = {};
-
-  std::uint64_t class_errors() const;
-  std::uint64_t count(Outcome outcome) const { return outcomes[static_cast<std::size_t>(outcome)]; }
-  /// All empty when no error was measured. The quantile is the least error that is no
-  /// smaller than that share of all.
-  std::optional<double> quantile(double share) const;
-  std::optional<double> median() const { return quantile(0.5); }
-  std::optional<double> max() const;
-  /// The largest error over what a documented bound grows by, which is what that bound holds for,
-  /// infinite errors aside; empty unless errors were weighed.
-  std::optional<double> max_over_growth() const;
-  /// A quantile of the condition numbers.
-  std::optional<double> condition_quantile(double share) const;
-};
 
 /// How many discrepancies a verdict keeps; a bad candidate has one in every pixel.
 inline constexpr std::size_t kKeptDiscrepancies = 1000;
@@ -121,8 +54,8 @@ class Verdict {
 
   /// Counts a measured error.
   void measured(Quantity quantity, const Place& place, double error);
-  /// Counts what the error just measured is worth.
-  void weighed(Quantity quantity, const Stability& stability);
+  /// Counts what an error just measured is worth.
+  void weighed(Quantity quantity, const Place& place, double error, const Stability& stability);
   /// Counts an error, measured before, that only its condition number allows.
   void count_ill_conditioned(Quantity quantity) { ++tallies_[quantity].ill_conditioned; }
   /// Counts answers that are right.

@@ -21,7 +21,7 @@ struct RoundedFrame {
 };
 
 /// A camera, known exactly; made once per scene, then read from any thread.
-/// Domain: a camera with no problems under `conventions` (scene/validate.h); otherwise throws
+/// Domain: a camera without defects under `conventions` (scene/validate.h); otherwise throws
 ///         std::invalid_argument naming the field.
 /// Error:  as ExactRay.
 class ExactCamera {

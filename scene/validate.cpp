@@ -28,10 +28,10 @@ bool is_exactly_parallel(const Vector3& vector, const Point3& from, const Point3
          vector_x * y == vector_y * x;
 }
 
-// Collects the problems of one input under the name `input_`, e.g. "sphere[2]".
+// Collects the defects of one input under the name `input_`, e.g. "sphere[2]".
 class Collector {
  public:
-  Collector(std::string input, std::vector<Problem>& found)
+  Collector(std::string input, std::vector<Defect>& found)
       : input_(std::move(input)), found_(found) {}
 
   void check(const Camera& camera) {
@@ -112,41 +112,41 @@ class Collector {
   }
 
   std::string input_;
-  std::vector<Problem>& found_;
+  std::vector<Defect>& found_;
 };
 
 template <typename Input>
-std::vector<Problem> problems_of(const char* name, const Input& input) {
-  std::vector<Problem> found;
+std::vector<Defect> defects_of(const char* name, const Input& input) {
+  std::vector<Defect> found;
   Collector(name, found).check(input);
   return found;
 }
 
 template <typename Input>
-void check_each(const char* name, const std::vector<Input>& inputs, std::vector<Problem>& found) {
+void check_each(const char* name, const std::vector<Input>& inputs, std::vector<Defect>& found) {
   for (std::size_t i = 0; i < inputs.size(); ++i) {
     Collector(name + ("[" + std::to_string(i) + "]"), found).check(inputs[i]);
   }
 }
 
-void require_none(const std::vector<Problem>& found) {
+void require_none(const std::vector<Defect>& found) {
   if (found.empty()) return;
   std::string message;
-  for (const Problem& problem : found) {
+  for (const Defect& defect : found) {
     if (!message.empty()) message += '\n';
-    message += problem.field + " = " + problem.value + ": " + problem.what;
+    message += defect.field + " = " + defect.value + ": " + defect.what;
   }
   throw std::invalid_argument(message);
 }
 
 }  // namespace
 
-std::vector<Problem> problems(const Camera& camera) { return problems_of("camera", camera); }
-std::vector<Problem> problems(const Ray& ray) { return problems_of("ray", ray); }
-std::vector<Problem> problems(const Sphere& sphere) { return problems_of("sphere", sphere); }
+std::vector<Defect> defects(const Camera& camera) { return defects_of("camera", camera); }
+std::vector<Defect> defects(const Ray& ray) { return defects_of("ray", ray); }
+std::vector<Defect> defects(const Sphere& sphere) { return defects_of("sphere", sphere); }
 
-std::vector<Problem> problems(const Scene& scene) {
-  std::vector<Problem> found;
+std::vector<Defect> defects(const Scene& scene) {
+  std::vector<Defect> found;
   if (!scene.camera && scene.rays.empty()) {
     found.push_back({"scene", "no camera and no rays", "needs one of the two"});
   }
@@ -165,13 +165,13 @@ std::vector<Problem> problems(const Scene& scene) {
   return found;
 }
 
-void require_valid(const Camera& camera) { require_none(problems(camera)); }
-void require_valid(const Ray& ray) { require_none(problems(ray)); }
+void require_valid(const Camera& camera) { require_none(defects(camera)); }
+void require_valid(const Ray& ray) { require_none(defects(ray)); }
 void require_valid(const Sphere& sphere) {
   // Asked at every exact decision: no list is made of what nearly all spheres have none of.
   if (is_finite(sphere.centre) && std::isfinite(sphere.radius) && sphere.radius >= 0) return;
-  require_none(problems(sphere));
+  require_none(defects(sphere));
 }
-void require_valid(const Scene& scene) { require_none(problems(scene)); }
+void require_valid(const Scene& scene) { require_none(defects(scene)); }
 
 }  // namespace raycheck::scene

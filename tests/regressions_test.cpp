@@ -237,7 +237,7 @@ TEST_P(WorstKnown, IsAsFarOffAsItSaysAndWithinTheBound) {
   const std::string_view not_kept =
       makes_rays ? ray_method(method).not_kept : intersect_method(method).not_kept;
   if (not_kept.empty()) {
-    EXPECT_LE(*tally.max_over_growth(), trial.bound(quantity));
+    EXPECT_LE(*tally.max_over_growth, trial.bound(quantity));
   }
 }
 

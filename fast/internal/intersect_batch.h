@@ -22,7 +22,7 @@
 HWY_BEFORE_NAMESPACE();
 namespace raycheck::fast::HWY_NAMESPACE {
 
-/// Roots, in the type of number that a method reckons with.
+/// Roots, in the type of number that a method computes in.
 template <class N>
 struct RootsOf {
   N axial_distance;
@@ -84,7 +84,7 @@ struct FromRoots : Method {
 };
 
 // The functions of an IntersectMethod, of an Answerer: a type with an answer() as FromRoots has.
-// Flattened: a call would pass vectors through memory, and reckon what the answer does not need.
+// Flattened: a call would pass vectors through memory, and compute what the answer does not need.
 
 template <class N>
 HWY_INLINE Chosen plain(const ChosenOf<N>& chosen) {
@@ -218,16 +218,17 @@ inline bool answer_batch(BatchKernel whole_vectors, const BatchInput& input,
 }  // namespace raycheck::fast::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
 
-// What a method has of its formula, a `template <class N> struct Formula` with roots() as FromRoots
-// asks it: in the target's namespace, the batch by lanes;
+// A method by its formula, a `template <class N> struct Formula` with roots() as FromRoots asks it.
+//
+// In the target's namespace: batch(), by lanes.
 #define RAYCHECK_BATCH_OF(Formula)                                                        \
   namespace {                                                                             \
   bool batch(const BatchInput& input, const HitArrays& answers) {                         \
     return answer_batch(answer_whole_vectors<FromRoots<Formula<Lanes>>>, input, answers); \
   }                                                                                       \
   }
-// and where HWY_ONCE is set, in raycheck::fast, intersect() by the best target's batch, and One,
-// which answers one ray.
+// Where HWY_ONCE is set, in raycheck::fast: intersect(), by the best target's batch, and One, which
+// answers one ray;
 #define RAYCHECK_INTERSECT_BY(Formula)                                            \
   namespace {                                                                     \
   HWY_EXPORT(batch);                                                              \
@@ -237,5 +238,9 @@ HWY_AFTER_NAMESPACE();
   }                                                                               \
   using One = HWY_NAMESPACE::FromRoots<HWY_NAMESPACE::Formula<double>>;           \
   }
+// and the functions of its IntersectMethod.
+#define RAYCHECK_FUNCTIONS                                                    \
+  .intersect = intersect, .intersect_one = HWY_NAMESPACE::intersect_one<One>, \
+  .roots = HWY_NAMESPACE::roots_of<One>
 
 #endif  // RAYCHECK_FAST_INTERNAL_INTERSECT_BATCH_H_

@@ -40,9 +40,7 @@ RAYCHECK_INTERSECT_BY(Cross)
 const IntersectMethod kCross = {
     .name = "cross",
     .sentence = "disc = a r^2 - |T x d|^2 with Kahan's products, roots by q",
-    .intersect = intersect,
-    .intersect_one = HWY_NAMESPACE::intersect_one<One>,
-    .roots = HWY_NAMESPACE::roots_of<One>,
+    RAYCHECK_FUNCTIONS,
     .max_ulp = 88,
     .max_point_ulp = 104,
 };

@@ -60,9 +60,7 @@ RAYCHECK_INTERSECT_BY(Cross2)
 const IntersectMethod kCross2 = {
     .name = "cross2",
     .sentence = "cross, with C - o as an exact pair and a compensated c",
-    .intersect = intersect,
-    .intersect_one = HWY_NAMESPACE::intersect_one<One>,
-    .roots = HWY_NAMESPACE::roots_of<One>,
+    RAYCHECK_FUNCTIONS,
     .max_ulp = 88,
     .max_point_ulp = 104,
 };

@@ -38,9 +38,7 @@ RAYCHECK_INTERSECT_BY(Kahan)
 const IntersectMethod kKahan = {
     .name = "kahan",
     .sentence = "the textbook's a, b, c; disc = b^2 - ac by Kahan's products, roots by q",
-    .intersect = intersect,
-    .intersect_one = HWY_NAMESPACE::intersect_one<One>,
-    .roots = HWY_NAMESPACE::roots_of<One>,
+    RAYCHECK_FUNCTIONS,
     .max_ulp = 128,
     .max_point_ulp = 160,
     .not_kept = "spheres many radii away, grazing rays",

@@ -18,9 +18,7 @@ RAYCHECK_INTERSECT_BY(LectureFormula)
 const IntersectMethod kLecture = {
     .name = "lecture",
     .sentence = "v = T.D, d^2 = r^2 - (|T|^2 - v^2), s = v - d",
-    .intersect = intersect,
-    .intersect_one = HWY_NAMESPACE::intersect_one<One>,
-    .roots = HWY_NAMESPACE::roots_of<One>,
+    RAYCHECK_FUNCTIONS,
     .max_ulp = 128,
     .max_point_ulp = 160,
     .not_kept = "spheres many radii away, grazing rays",

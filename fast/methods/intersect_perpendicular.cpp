@@ -39,9 +39,7 @@ RAYCHECK_INTERSECT_BY(Perpendicular)
 const IntersectMethod kPerpendicular = {
     .name = "perpendicular",
     .sentence = "disc = a (r^2 - |T - (b/a) d|^2), roots by q",
-    .intersect = intersect,
-    .intersect_one = HWY_NAMESPACE::intersect_one<One>,
-    .roots = HWY_NAMESPACE::roots_of<One>,
+    RAYCHECK_FUNCTIONS,
     .max_ulp = 96,
     .max_point_ulp = 112,
 };

@@ -18,9 +18,7 @@ RAYCHECK_INTERSECT_BY(Textbook)
 const IntersectMethod kQuadratic = {
     .name = "quadratic",
     .sentence = "t = (-b -+ sqrt(b^2 - 4ac)) / 2a, the textbook's general parametric approach",
-    .intersect = intersect,
-    .intersect_one = HWY_NAMESPACE::intersect_one<One>,
-    .roots = HWY_NAMESPACE::roots_of<One>,
+    RAYCHECK_FUNCTIONS,
     .max_ulp = 128,
     .max_point_ulp = 160,
     .not_kept = "spheres many radii away, grazing rays",

@@ -235,7 +235,7 @@ void intersect(const Rays& rays, const scene::Sphere& sphere, scene::Root root,
     if (open == nullptr) return;
     const auto k = static_cast<std::size_t>(open - first);
     const scene::Ray ray = ray_at(rays, k);
-    if (!scene::problems(ray).empty()) require_valid(rays, sphere);
+    if (!scene::defects(ray).empty()) require_valid(rays, sphere);
     const Chosen chosen = answer_carefully(ray, sphere, root, tangent);
     *open = chosen.hit;
     hits.parameter[k] = chosen.at.parameter;

@@ -35,9 +35,7 @@ RAYCHECK_INTERSECT_BY(StableQuadratic)
 const IntersectMethod kStableQuadratic = {
     .name = "stable-quadratic",
     .sentence = "disc = b^2 - ac, q = b + sign(b) sqrt(disc), roots q/a and c/q",
-    .intersect = intersect,
-    .intersect_one = HWY_NAMESPACE::intersect_one<One>,
-    .roots = HWY_NAMESPACE::roots_of<One>,
+    RAYCHECK_FUNCTIONS,
     .max_ulp = 128,
     .max_point_ulp = 160,
     .not_kept = "spheres many radii away, grazing rays",

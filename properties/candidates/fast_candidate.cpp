@@ -148,7 +148,7 @@ Candidate fast_candidate(const fast::PixelRayMethod& rays, const fast::Intersect
     candidate.max_error[static_cast<std::size_t>(quantity)] = bound;
   };
   promise(Quantity::kFrame, fast::kFrameMaxUlp);
-  promise(Quantity::kOrthonormality, fast::kFrameMaxUlp);
+  promise(Quantity::kOrthonormality, fast::kFrameMaxDefectUlp);
   promise(Quantity::kPixelPoint, rays.max_point_ulp);
   promise(Quantity::kRayOrigin, rays.max_point_ulp);
   promise(Quantity::kDirection, rays.max_direction_ulp);

@@ -85,7 +85,7 @@ Case valid_case(std::uint64_t seed, Fill fill) {
     Case result;
     result.scene.conventions = any_conventions(random);
     fill(random, result);
-    if (scene::problems(result.scene).empty()) return result;
+    if (scene::defects(result.scene).empty()) return result;
   }
 }
 

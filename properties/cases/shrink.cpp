@@ -29,7 +29,7 @@ double rounded_to_bits(double value, int bits) {
 }
 
 bool is_valid(const Case& the_case) {
-  if (!scene::problems(the_case.scene).empty()) return false;
+  if (!scene::defects(the_case.scene).empty()) return false;
   if (!the_case.scene.camera) return true;
   const scene::Camera& camera = *the_case.scene.camera;
   return std::all_of(the_case.pixels.begin(), the_case.pixels.end(), [&](const scene::Pixel& p) {

@@ -14,6 +14,15 @@ bool is_within_threshold(Trial& trial, std::size_t ray, double threshold) {
                                                 exact->intersection) <= threshold;
 }
 
+Excuse excuse_of(Trial& trial, const Choice& choice) {
+  const Candidate& candidate = trial.candidate();
+  if (is_within_threshold(trial, choice.ray, candidate.image_threshold)) {
+    return {ExcuseKind::kThreshold, candidate.image_threshold};
+  }
+  const double change = candidate.excused_image_change;
+  return may_flip(trial, choice, change) ? Excuse{ExcuseKind::kSmallChange, change} : Excuse{};
+}
+
 void judge_image(Trial& trial, Verdict& verdict) {
   const Candidate& candidate = trial.candidate();
   const scene::Camera& camera = *trial.scene().camera;
@@ -35,10 +44,7 @@ void judge_image(Trial& trial, Verdict& verdict) {
                                                     : choice.got;
     trial.judge(
         verdict, Quantity::kNearestSphere, trial.place(k, shown), wrong_of(choice),
-        [&] {
-          return is_within_threshold(trial, k, candidate.image_threshold) ||
-                 may_flip(trial, choice, candidate.excused_image_change);
-        },
+        [&] { return excuse_of(trial, choice); },
         [&](Discrepancy& d) {
           d.what = "sphere shown";
           if (choice.got && choice.got != kSomeSphere) d.got = {static_cast<double>(*choice.got)};

@@ -193,6 +193,49 @@ void judge_hit_point(Trial& trial, Verdict& verdict) {
   });
 }
 
+/// The same pixel's answers from both origins.
+struct BothOrigins {
+  const ExactRay& eye_ray;
+  const ExactRay& pixel_ray;
+  const HitAnswer& eye_hit;
+  const HitAnswer& pixel_hit;
+};
+
+void describe_origins(Discrepancy& d, const BothOrigins& both, const scene::Sphere& sphere,
+                      const Intersection& at) {
+  d.what = "s from the eye, s from the pixel";
+  d.got = {both.eye_hit.parameter, both.pixel_hit.parameter};
+  d.exact = {both.eye_ray.rounded_parameter(sphere, at),
+             both.pixel_ray.rounded_parameter(sphere, at)};
+}
+
+/// Whether either answer is at the other root than the exact one, which both rays share. Then the
+/// two are no l apart, however accurate both are: a ray that starts within a rounding of the
+/// surface has its near root before or behind it as that rounding falls. That is a wrong choice,
+/// judged as the class and root laws judge one: right only where a small change of the inputs takes
+/// that origin across the surface.
+bool judge_other_root(Trial& trial, Verdict& verdict, const Place& place, const BothOrigins& both,
+                      const Intersection& at) {
+  const scene::Sphere& sphere = trial.scene().spheres[*place.sphere];
+  const auto is_wrong = [&](const ExactRay& ray, const HitAnswer& hit) {
+    return reference::is_at_other_root(ray, sphere, at, hit.parameter);
+  };
+  const auto may_flip = [&](const ExactRay& ray) {
+    return ray.may_flip_within(sphere, trial.conventions().root, trial.excused_change());
+  };
+  const bool eye_is_wrong = is_wrong(both.eye_ray, both.eye_hit);
+  const bool pixel_is_wrong = is_wrong(both.pixel_ray, both.pixel_hit);
+  if (!eye_is_wrong && !pixel_is_wrong) return false;
+  trial.judge(
+      verdict, Quantity::kRoot, place, Wrong::kWrongRoot,
+      [&] {
+        return (!eye_is_wrong || may_flip(both.eye_ray)) &&
+               (!pixel_is_wrong || may_flip(both.pixel_ray));
+      },
+      [&](Discrepancy& d) { describe_origins(d, both, sphere, at); });
+  return true;
+}
+
 /// The same point from both origins: s from the eye is s from the pixel point plus l.
 void judge_focal_and_pixel(Trial& trial, Verdict& verdict) {
   const Candidate& candidate = trial.candidate();
@@ -221,6 +264,9 @@ void judge_focal_and_pixel(Trial& trial, Verdict& verdict) {
           !(at == pixel_ray.intersect(the_sphere, from_pixel.root))) {
         continue;
       }
+      const Place place = trial.place(k, sphere);
+      const BothOrigins both{eye_ray, pixel_ray, eye.hit, *pixel_hit};
+      if (judge_other_root(trial, verdict, place, both, at)) continue;
       const auto enclosed = eye_ray.enclose(256);
       const Enclosure off = Enclosure(eye.hit.parameter, 256) -
                             Enclosure(pixel_hit->parameter, 256) - enclosed.length();
@@ -229,19 +275,13 @@ void judge_focal_and_pixel(Trial& trial, Verdict& verdict) {
         return reference::condition_of_parameter(eye_ray, the_sphere, at) +
                reference::condition_of_point(eye_ray, the_sphere, at);
       };
-      const auto describe = [&](Discrepancy& d) {
-        d.what = "s from the eye, s from the pixel";
-        d.got = {eye.hit.parameter, pixel_hit->parameter};
-        d.exact = {eye_ray.rounded_parameter(the_sphere, at),
-                   pixel_ray.rounded_parameter(the_sphere, at)};
-      };
-      trial.measure(verdict, Quantity::kInvariance, trial.place(k, sphere),
-                    reference::in_units_of_u(off / scale), 2 * trial.bound(Quantity::kParameter),
-                    condition, describe);
+      const auto describe = [&](Discrepancy& d) { describe_origins(d, both, the_sphere, at); };
+      trial.measure(verdict, Quantity::kInvariance, place, reference::in_units_of_u(off / scale),
+                    2 * trial.bound(Quantity::kParameter), condition, describe);
       const Enclosure3 apart =
           reference::enclose_exactly(eye.hit.point) - reference::enclose_exactly(pixel_hit->point);
       const Enclosure size = norm(enclosed.point(the_sphere, at)) + norm(enclosed.origin());
-      trial.measure(verdict, Quantity::kInvariance, trial.place(k, sphere),
+      trial.measure(verdict, Quantity::kInvariance, place,
                     reference::in_units_of_u(norm(apart) / size),
                     2 * trial.bound(Quantity::kHitPoint), condition, describe);
     }

@@ -207,7 +207,7 @@ std::optional<To> exact_sum_of(const A& a, const B& b, double p, double q) {
 /// Two cameras with the same axes: the candidate's frames must agree.
 void compare_frames(Trial& trial, Verdict& verdict, const scene::Camera& other_camera,
                     const std::string& what) {
-  if (!scene::problems(other_camera).empty()) return;
+  if (!scene::defects(other_camera).empty()) return;
   const FrameAnswer other = trial.candidate().frame(other_camera);
   const FrameAnswer& frame = trial.frame();
   const reference::ExactCamera exact_other(other_camera, trial.conventions());

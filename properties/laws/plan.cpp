@@ -26,7 +26,7 @@ void judge(Verdict& verdict, const Trial& trial, Quantity quantity, const Pixel&
   const auto width = static_cast<std::size_t>(trial.scene().camera->width);
   const Place place{static_cast<std::size_t>(pixel.j) * width + static_cast<std::size_t>(pixel.i),
                     pixel, sphere};
-  verdict.judged(quantity, place, wrong, Excuse::kNone);
+  verdict.judged(quantity, place, wrong, {});
   if (wrong == Wrong::kNot) return;
   Discrepancy discrepancy;
   discrepancy.quantity = quantity;

@@ -60,7 +60,7 @@ std::optional<ImageAnswer> exactly(const Mistake& mistake, const Scene& asked,
                                    const ImageAnswer& truth) {
   if (mistake.pixel) return rearranged(truth, *asked.camera, mistake.pixel);
   const Scene other = mistaken(mistake, asked, asked.conventions);
-  if (other == asked || !scene::problems(other).empty()) return {};
+  if (other == asked || !scene::defects(other).empty()) return {};
   return exact_image(other, other.conventions);
 }
 

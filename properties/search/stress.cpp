@@ -17,7 +17,7 @@ void keep_first_of_each(StressResult& result, const Case& the_case, const Verdic
           return other.discrepancy.law == discrepancy.law &&
                  other.discrepancy.quantity == discrepancy.quantity &&
                  other.discrepancy.wrong == discrepancy.wrong &&
-                 other.discrepancy.excuse == discrepancy.excuse;
+                 other.discrepancy.excuse.kind == discrepancy.excuse.kind;
         });
     if (!known) result.found.push_back({the_case, std::move(discrepancy)});
   }
@@ -43,7 +43,7 @@ std::optional<Case> alone(const Case& the_case, Stage stage, const Candidate& ra
   if (!make) return std::nullopt;
   for (const scene::Ray& ray :
        make(*the_case.scene.camera, the_case.scene.conventions, the_case.pixels)) {
-    if (scene::problems(ray).empty()) result.scene.rays.push_back(ray);
+    if (scene::defects(ray).empty()) result.scene.rays.push_back(ray);
   }
   return result.scene.rays.empty() ? std::nullopt : std::optional(std::move(result));
 }

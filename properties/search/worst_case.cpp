@@ -32,13 +32,11 @@ class Climber {
     const auto found = verdict.tallies().find(options_.quantity);
     if (found == verdict.tallies().end() || found->second.errors.empty()) return std::nullopt;
     const Tally& tally = found->second;
-    const auto worst = std::max_element(tally.errors.begin(), tally.errors.end());
-    if (!std::isfinite(*worst)) return std::nullopt;
+    if (!std::isfinite(tally.worst)) return std::nullopt;
     WorstCase result;
     result.the_case = the_case;
-    result.error = *worst;
-    result.stability.condition =
-        tally.conditions[static_cast<std::size_t>(worst - tally.errors.begin())];
+    result.error = tally.worst;
+    result.stability.condition = tally.worst_condition.value();
     result.stability.ratio = tally.worst_ratio;
     for (std::size_t k = 0; k < kOutcomeCount; ++k) {
       if (tally.outcomes[k] > 0) result.stability.outcome = static_cast<Outcome>(k);
@@ -123,7 +121,7 @@ void climb(WorstCase& at, const Climber& climber, int steps, const RunControl& c
            Random& random) {
   for (int step = 0; step < steps && !control.interrupted(); ++step) {
     const Case next = neighbour(at.the_case, random);
-    if (!scene::problems(next.scene).empty()) continue;
+    if (!scene::defects(next.scene).empty()) continue;
     std::optional<WorstCase> seen = climber.look(next);
     if (seen && seen->height > at.height) at = std::move(*seen);
   }

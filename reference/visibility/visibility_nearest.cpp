@@ -77,13 +77,13 @@ class NearestOfRows {
     for (const std::uint32_t entry : in_tile) {
       const std::uint32_t position = in_band[entry];
       const FilteredSphere* sphere = &impl_.spheres[position];
-      if (!impl_.plan.items.constants) sphere = &again_.emplace_back(reckoned_again(*sphere));
+      if (!impl_.plan.items.constants) sphere = &again_.emplace_back(computed_anew(*sphere));
       list_.push_back({sphere, at_.within_tile(impl_.rectangles[position], band, tile)});
     }
   }
 
   /// The constants of a sphere, as if they were not kept.
-  FilteredSphere reckoned_again(const FilteredSphere& kept) const {
+  FilteredSphere computed_anew(const FilteredSphere& kept) const {
     const auto index = static_cast<std::size_t>(kept.index);
     scene::SpherePlan plan = impl_.plan.spheres[index];
     plan.seen = impl_.plan.eye.sphere(impl_.scene.spheres[index]);
@@ -104,7 +104,7 @@ class NearestOfRows {
                       static_cast<std::ptrdiff_t>(impl_.width)};
     const double least =
         finish_tile(tile_, at_.row_begin(), at_.row_end(), columns, rays, impl_.scale, output);
-    if (!impl_.plan.items.quantities) reckon_all(rays, columns);
+    if (!impl_.plan.items.quantities) compute_all(rays, columns);
     if (certified == Certified::kNo) return;
     if (!rows_.parameter.empty() || !rows_.point_x.empty()) require_precise(rays, least, columns);
     const std::uint64_t inside =
@@ -122,7 +122,7 @@ class NearestOfRows {
   }
 
   /// s and Q of the tile though nobody asked.
-  void reckon_all(const TileRays& rays, int columns) {
+  void compute_all(const TileRays& rays, int columns) {
     double* const scratch = all_quantities_.data();
     finish_tile(tile_, at_.row_begin(), at_.row_end(), columns, rays, impl_.scale,
                 {nullptr, scratch, {scratch, scratch, scratch}, Tile::kWidth});

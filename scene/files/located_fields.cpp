@@ -38,11 +38,11 @@ void LocatedFields::fail(std::size_t line, std::string_view field, std::string_v
 
 void LocatedFields::require_valid(const Scene& scene) const {
   std::string message;
-  for (const Problem& problem : problems(scene)) {
-    const auto known = lines_.find(problem.field);
+  for (const Defect& defect : defects(scene)) {
+    const auto known = lines_.find(defect.field);
     if (!message.empty()) message += '\n';
     message += located(known == lines_.end() ? 1 : known->second,
-                       problem.field + " = " + problem.value + ": " + problem.what);
+                       defect.field + " = " + defect.value + ": " + defect.what);
   }
   if (!message.empty()) throw SceneFileError(message);
 }

@@ -36,7 +36,7 @@ class EyeSpace {
  public:
   using Axis = std::array<Bounds, 3>;
 
-  /// `general` keeps even the world's axes as bounds, reckoned as any others.
+  /// `general` keeps even the world's axes as bounds, computed as any others.
   EyeSpace(const Camera& camera, const Conventions& conventions, const Scaling& scaling,
            bool general = false);
 

@@ -23,9 +23,9 @@ struct PlanItems {
   bool view = true;    ///< Leave out spheres outside the view volume.
   bool behind = true;  ///< Leave out spheres behind every origin.
   bool hidden = true;  ///< Leave out spheres hidden by a nearer one, where the nearest is wanted.
-  bool rectangles = true;   ///< Ask only the pixels of a sphere's rectangle about it.
-  bool constants = true;    ///< Reckon once what a sphere has in common with all rays from the eye.
-  bool far_root = true;     ///< The far root only where an origin may be inside.
+  bool rectangles = true;  ///< Ask only the pixels of a sphere's rectangle about it.
+  bool constants = true;   ///< Compute once what a sphere has in common with all rays from the eye.
+  bool far_root = true;    ///< The far root only where an origin may be inside.
   bool behind_test = true;  ///< Compare roots with the origin only where a sphere may reach behind.
   bool scaling = true;      ///< Scale by powers of two only where magnitudes call for it.
   bool filter = true;       ///< The exact fallback only where the filter of doubles fails.
@@ -86,7 +86,7 @@ struct ScenePlan {
 /// By how many pixels a side a rectangle may be too large.
 inline constexpr std::int64_t kRectangleSlack = 1;
 
-/// Each sphere is compared with so many of those that look largest.
+/// How many of the spheres that look largest each sphere is compared with.
 inline constexpr std::size_t kMostOccluders = 64;
 
 /// Magnitudes within 2^-kPlainExponent and 2^kPlainExponent need no scaling: products of four of

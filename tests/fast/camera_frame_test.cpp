@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <limits>
 #include <stdexcept>
 #include <string>
@@ -52,6 +53,32 @@ TEST(CameraFrame, IsWithinItsBoundOnRandomCameras) {
     }
   }
   EXPECT_GT(judged, 1500);
+}
+
+/// The largest of the axes' unit defects and mutual cosines, in units of u.
+double defect(const CameraFrame& frame) {
+  const auto cosine = [](const UnitVector3& a, const UnitVector3& b) {
+    return reference::in_units_of_u(
+        dot(reference::enclose_exactly(a), reference::enclose_exactly(b)));
+  };
+  return std::max({reference::unit_defect(frame.U), reference::unit_defect(frame.V),
+                   reference::unit_defect(frame.W), cosine(frame.U, frame.V),
+                   cosine(frame.V, frame.W), cosine(frame.W, frame.U)});
+}
+
+TEST(CameraFrame, IsOrthonormalHoweverNearUpIsToTheView) {
+  double worst_condition = 0;
+  for (const char* source : {"cameras", "plain-cameras", "far-camera", "up"}) {
+    for (std::uint64_t seed = 0; seed < 1000; ++seed) {
+      const auto the_case = properties::chosen_source(source).make(seed);
+      const Camera& camera = *the_case.scene.camera;
+      EXPECT_LE(defect(camera_frame(camera)), kFrameMaxDefectUlp) << source << " " << seed;
+      worst_condition =
+          std::max(worst_condition, reference::condition_of_frame(reference::ExactCamera(
+                                        camera, the_case.scene.conventions)));
+    }
+  }
+  EXPECT_GT(worst_condition, 1e14);
 }
 
 std::string refusal(const Camera& camera) {

@@ -53,7 +53,7 @@ using Answer = std::optional<Hit> (*)(const Ray&, const Sphere&, Root, Tangent);
 
 void compare(Answer answer, const Ray& ray, const Sphere& sphere, Root root, Tangent tangent,
              Audit& audit) {
-  if (!scene::problems(ray).empty() || !scene::problems(sphere).empty()) return;
+  if (!scene::defects(ray).empty() || !scene::defects(sphere).empty()) return;
   const reference::ExactRay exact(ray);
   const reference::Intersection at = exact.intersect(sphere, root);
   const auto hit = answer(ray, sphere, root, tangent);

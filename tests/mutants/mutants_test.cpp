@@ -52,7 +52,7 @@ TEST_P(EachMutant, IsCaughtByTheLawsItNames) {
     const CampaignResult result = run_campaign(*law, mutant.candidate, options());
     ASSERT_TRUE(result.failure.has_value());
     const Failure& failure = *result.failure;
-    EXPECT_TRUE(scene::problems(failure.shrunk.scene).empty());
+    EXPECT_TRUE(scene::defects(failure.shrunk.scene).empty());
     EXPECT_TRUE(breaks(*law, failure.shrunk, mutant.candidate));
     // By a wrong answer, not by a throw.
     EXPECT_NE(failure.verdict.worst(1).front().wrong, Wrong::kRefused);

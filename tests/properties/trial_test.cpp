@@ -146,7 +146,7 @@ TEST(Trial, ExcusesWhatIsOutsideTheStatedDomain) {
   for (const Case& outside : {small, large}) {
     const Verdict verdict = judge("class", outside, candidate);
     EXPECT_TRUE(verdict.holds());
-    EXPECT_EQ(verdict.worst(1).at(0).excuse, Excuse::kOutsideDomain);
+    EXPECT_EQ(verdict.worst(1).at(0).excuse.kind, ExcuseKind::kOutsideDomain);
   }
 }
 
@@ -166,9 +166,11 @@ TEST(Trial, HoldsAPromiseOfTheExactClassWithoutExcuse) {
   Candidate candidate = that_answers(HitAnswer{5, {0, 1, 0}});
   candidate.smallest_length = 10;
   const Case outside = at_height(std::nextafter(1.0, 2.0));
-  EXPECT_EQ(judge("class", outside, candidate).worst(1).at(0).excuse, Excuse::kOutsideDomain);
+  EXPECT_EQ(judge("class", outside, candidate).worst(1).at(0).excuse.kind,
+            ExcuseKind::kOutsideDomain);
   candidate.smallest_length = 0;
-  EXPECT_EQ(judge("class", outside, candidate).worst(1).at(0).excuse, Excuse::kSmallChangeFlips);
+  EXPECT_EQ(judge("class", outside, candidate).worst(1).at(0).excuse,
+            (Excuse{ExcuseKind::kSmallChange, kExcusedChange}));
   candidate.exact_class = true;
   EXPECT_FALSE(judge("class", outside, candidate).holds());
   candidate.smallest_length = 10;

@@ -2,14 +2,20 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
+#include <random>
 #include <set>
+#include <string>
+#include <utility>
 #include <vector>
 
 namespace raycheck::properties {
 namespace {
 
+constexpr Excuse kFlips = {ExcuseKind::kSmallChange, kExcusedChange};
+constexpr Excuse kIllConditioned = {ExcuseKind::kIllConditioned, 1e6};
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 Place at_ray(std::size_t ray) {
@@ -18,7 +24,7 @@ Place at_ray(std::size_t ray) {
   return place;
 }
 
-Discrepancy discrepancy(double error, std::size_t ray, Excuse excuse = Excuse::kNone) {
+Discrepancy discrepancy(double error, std::size_t ray, Excuse excuse = {}) {
   Discrepancy result;
   result.quantity = Quantity::kParameter;
   result.place = at_ray(ray);
@@ -60,7 +66,7 @@ TEST(Verdict, CountsMeasuredErrors) {
   EXPECT_EQ(tally.median(), 1.0);  // the lower of the middle two
   EXPECT_EQ(tally.max(), 8.0);
   EXPECT_EQ(tally.worst_place.ray, 8u);
-  EXPECT_EQ(tally.class_errors(), 0u);
+  EXPECT_EQ(tally.wrong_answers(), 0u);
 }
 
 TEST(Verdict, TakesTheLeastErrorThatIsNoSmallerThanAShareOfAll) {
@@ -80,12 +86,12 @@ TEST(Verdict, HoldsABoundToErrorsOverWhatItGrowsBy) {
   Verdict verdict;
   const auto add = [&](double error, double condition) {
     verdict.measured(Quantity::kParameter, at_ray(0), error);
-    verdict.weighed(Quantity::kParameter, {condition, 0, Outcome::kAccurate});
+    verdict.weighed(Quantity::kParameter, at_ray(0), error, {condition, 0, Outcome::kAccurate});
   };
   add(3, 1);
   add(50, 10 * kModerateCondition);
   add(kInfinity, kInfinity);
-  EXPECT_EQ(verdict.tallies().at(Quantity::kParameter).max_over_growth(), 5.0);
+  EXPECT_EQ(verdict.tallies().at(Quantity::kParameter).max_over_growth, 5.0);
 }
 
 TEST(Verdict, CountsRightAndWrongAnswersWithoutAveragingThem) {
@@ -93,12 +99,12 @@ TEST(Verdict, CountsRightAndWrongAnswersWithoutAveragingThem) {
   verdict.judged_right(Quantity::kRoot, 0);
   EXPECT_TRUE(verdict.tallies().empty());
   verdict.judged_right(Quantity::kClass, 1);
-  verdict.judged(Quantity::kClass, at_ray(1), Wrong::kMissed, Excuse::kSmallChangeFlips);
-  verdict.judged(Quantity::kClass, at_ray(2), Wrong::kFalseHit, Excuse::kNone);
-  verdict.judged(Quantity::kClass, at_ray(3), Wrong::kMissed, Excuse::kNone);
+  verdict.judged(Quantity::kClass, at_ray(1), Wrong::kMissed, kFlips);
+  verdict.judged(Quantity::kClass, at_ray(2), Wrong::kFalseHit, {});
+  verdict.judged(Quantity::kClass, at_ray(3), Wrong::kMissed, {});
   const Tally& tally = verdict.tallies().at(Quantity::kClass);
   EXPECT_EQ(tally.cases, 4u);
-  EXPECT_EQ(tally.class_errors(), 3u);
+  EXPECT_EQ(tally.wrong_answers(), 3u);
   EXPECT_EQ(tally.wrong.at(Wrong::kMissed), 2u);
   EXPECT_EQ(tally.wrong_excused, 1u);
   EXPECT_EQ(tally.worst_place.ray, 2u);  // the first without an excuse
@@ -108,7 +114,7 @@ TEST(Verdict, CountsRightAndWrongAnswersWithoutAveragingThem) {
 
 TEST(Verdict, HoldsWhenEveryDiscrepancyHasAnExcuse) {
   Verdict verdict;
-  verdict.add(discrepancy(100, 0, Excuse::kIllConditioned));
+  verdict.add(discrepancy(100, 0, kIllConditioned));
   EXPECT_TRUE(verdict.holds());
   EXPECT_EQ(verdict.excused(), 1u);
   verdict.add(discrepancy(20, 1));
@@ -118,7 +124,7 @@ TEST(Verdict, HoldsWhenEveryDiscrepancyHasAnExcuse) {
 
 TEST(Verdict, PutsTheWorstFirst) {
   Verdict verdict;
-  verdict.add(discrepancy(kInfinity, 0, Excuse::kSmallChangeFlips));
+  verdict.add(discrepancy(kInfinity, 0, kFlips));
   verdict.add(discrepancy(20, 5));
   verdict.add(discrepancy(30, 9));
   verdict.add(discrepancy(20, 2));
@@ -134,7 +140,7 @@ TEST(Verdict, LetsNoQuantityHideTheOthers) {
   for (const double error : {40.0, 50.0, 60.0}) all.push_back(discrepancy(error, 1));
   all.push_back(discrepancy(20, 2));
   all.back().quantity = Quantity::kFrame;
-  all.push_back(discrepancy(kInfinity, 3, Excuse::kSmallChangeFlips));
+  all.push_back(discrepancy(kInfinity, 3, kFlips));
   const auto sorted = worst_first(all);
   std::vector<double> errors;
   for (const Discrepancy& d : sorted) errors.push_back(d.error);
@@ -174,13 +180,13 @@ TEST(Verdict, ForgetsNoneOfTheWorstAndCountsAll) {
 TEST(Verdict, MergesCountsErrorsAndTheWorst) {
   Verdict first;
   first.measured(Quantity::kParameter, at_ray(1), 4);
-  first.judged(Quantity::kClass, at_ray(1), Wrong::kMissed, Excuse::kNone);
+  first.judged(Quantity::kClass, at_ray(1), Wrong::kMissed, {});
   first.add(discrepancy(4, 1));
   Verdict second;
   second.measured(Quantity::kParameter, at_ray(2), 9);
   second.measured(Quantity::kParameter, at_ray(3), 2);
-  second.judged(Quantity::kClass, at_ray(2), Wrong::kMissed, Excuse::kSmallChangeFlips);
-  second.add(discrepancy(9, 2, Excuse::kIllConditioned));
+  second.judged(Quantity::kClass, at_ray(2), Wrong::kMissed, kFlips);
+  second.add(discrepancy(9, 2, kIllConditioned));
   second.shift_rays(100);
   first.merge(second);
   Verdict left_out;
@@ -200,6 +206,73 @@ TEST(Verdict, MergesCountsErrorsAndTheWorst) {
   EXPECT_EQ(first.worst(1).front().place.ray, 1u);
   EXPECT_EQ(first.worst(2).back().place.ray, 102u);
   EXPECT_EQ(first.reason_left_out(), "nothing there");
+}
+
+/// A verdict on a handful of answers, all kinds of them, with many ties.
+Verdict random_verdict(std::mt19937_64& random) {
+  const auto below = [&](std::uint64_t end) { return random() % end; };
+  Verdict verdict;
+  for (std::uint64_t k = 0; k < 1 + below(5); ++k) {
+    const Place place = {below(4), std::nullopt, below(3)};
+    const double error = static_cast<double>(below(30)) * 1.37;
+    const double condition = static_cast<double>(below(100)) / 3;
+    verdict.measured(Quantity::kParameter, place, error);
+    verdict.weighed(Quantity::kParameter, place, error, {condition, error, Outcome::kAccurate});
+    const auto wrong = static_cast<Wrong>(below(kWrongCount));
+    const auto excuse = below(2) == 0 ? Excuse{} : kFlips;
+    verdict.judged(Quantity::kClass, place, wrong, excuse);
+    Discrepancy found = discrepancy(error, place.ray, excuse);
+    found.what = std::to_string(below(3));
+    found.condition = condition;
+    verdict.add(found);
+  }
+  return verdict;
+}
+
+void expect_equal(const Tally& a, const Tally& b) {
+  EXPECT_EQ(a.cases, b.cases);
+  EXPECT_EQ(a.right, b.right);
+  EXPECT_EQ(a.wrong, b.wrong);
+  EXPECT_EQ(a.wrong_excused, b.wrong_excused);
+  EXPECT_TRUE(a.errors == b.errors);
+  EXPECT_TRUE(a.conditions == b.conditions);
+  EXPECT_EQ(a.worst, b.worst);
+  EXPECT_FALSE(is_earlier(a.worst_place, b.worst_place) ||
+               is_earlier(b.worst_place, a.worst_place));
+  EXPECT_EQ(a.worst_condition, b.worst_condition);
+  EXPECT_EQ(a.worst_ratio, b.worst_ratio);
+  EXPECT_EQ(a.outcomes, b.outcomes);
+  EXPECT_EQ(a.max_over_growth, b.max_over_growth);
+}
+
+TEST(Verdict, IsTheSameInWhateverOrderItsPartsAreMerged) {
+  std::mt19937_64 random(8);
+  for (int round = 0; round < 20; ++round) {
+    std::vector<Verdict> parts;
+    for (int k = 0; k < 300; ++k) parts.push_back(random_verdict(random));
+    Verdict in_order;
+    for (const Verdict& part : parts) in_order.merge(part);
+    // Some parts are merged with one another first.
+    std::shuffle(parts.begin(), parts.end(), random);
+    while (parts.size() > 1) {
+      const std::size_t into = random() % (parts.size() - 1);
+      parts[into].merge(std::move(parts.back()));
+      parts.pop_back();
+    }
+    ASSERT_EQ(parts[0].tallies().size(), in_order.tallies().size());
+    for (const auto& [quantity, tally] : in_order.tallies()) {
+      expect_equal(parts[0].tallies().at(quantity), tally);
+      EXPECT_EQ(tally.cases, tally.right + tally.wrong_answers() + tally.errors.count());
+    }
+    EXPECT_EQ(parts[0].excused(), in_order.excused());
+    const auto one = parts[0].worst(100), other = in_order.worst(100);
+    ASSERT_EQ(one.size(), 100u);
+    for (std::size_t k = 0; k < one.size(); ++k) {
+      EXPECT_EQ(one[k].error, other[k].error);
+      EXPECT_EQ(one[k].place.ray, other[k].place.ray);
+      EXPECT_EQ(one[k].what, other[k].what);
+    }
+  }
 }
 
 TEST(Verdict, MergesManyDiscrepanciesWithoutKeepingThemAll) {

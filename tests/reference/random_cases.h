@@ -66,7 +66,7 @@ inline scene::Ray random_ray(Random& random, Sizes sizes) {
   for (;;) {
     const scene::Ray ray{triple<scene::Point3>(random, sizes),
                          triple<scene::Vector3>(random, sizes)};
-    if (scene::problems(ray).empty()) return ray;
+    if (scene::defects(ray).empty()) return ray;
   }
 }
 
@@ -83,7 +83,7 @@ inline scene::Camera random_camera(Random& random, Sizes sizes) {
     camera.top = number(random, sizes);
     camera.width = random.integer(2, 9);
     camera.height = random.integer(2, 9);
-    if (scene::problems(camera).empty()) return camera;
+    if (scene::defects(camera).empty()) return camera;
   }
 }
 

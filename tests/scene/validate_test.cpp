@@ -21,17 +21,17 @@ Camera lecture_camera() {
 
 Scene lecture_scene() { return {lecture_camera(), {}, {{{5, 5, 5}, 3}}, {}}; }
 
-std::string spelled(const std::vector<Problem>& found) {
+std::string spelled(const std::vector<Defect>& found) {
   std::string text;
-  for (const Problem& problem : found) {
-    text += problem.field + " = " + problem.value + ": " + problem.what + "\n";
+  for (const Defect& defect : found) {
+    text += defect.field + " = " + defect.value + ": " + defect.what + "\n";
   }
   return text;
 }
 
 template <typename Input>
 void expect_one(const Input& input, const std::string& field, const std::string& value) {
-  const std::vector<Problem> found = problems(input);
+  const std::vector<Defect> found = defects(input);
   ASSERT_EQ(found.size(), 1u) << spelled(found);
   EXPECT_EQ(found[0].field, field);
   EXPECT_EQ(found[0].value, value);
@@ -46,7 +46,7 @@ void expect_one(const Input& input, const std::string& field, const std::string&
 
 template <typename Input>
 void expect_none(const Input& input) {
-  EXPECT_EQ(spelled(problems(input)), "");
+  EXPECT_EQ(spelled(defects(input)), "");
   EXPECT_NO_THROW(require_valid(input));
 }
 
@@ -157,7 +157,7 @@ TEST(Validate, RefusesEveryNonFiniteNumber) {
     for (const double value : {kInfinity, -kInfinity, std::nan("")}) {
       Scene scene = lecture_scene();
       *named.number(scene) = value;
-      const std::vector<Problem> found = problems(scene);
+      const std::vector<Defect> found = defects(scene);
       ASSERT_EQ(found.size(), 1u) << named.field << "\n" << spelled(found);
       EXPECT_EQ(found[0].field, named.field);
       EXPECT_EQ(found[0].what, "is not finite");
@@ -173,7 +173,7 @@ TEST(Validate, NamesDegenerateRaysAndSpheresByIndex) {
   Scene scene;
   scene.rays = {{{0, 0, 0}, {1, 0, 0}}, {{0, 0, 0}, {0, 0, 0}}};
   scene.spheres = {{{0, 0, 0}, 1}, {{0, 0, 0}, 1}, {{0, 0, 0}, -2}};
-  EXPECT_EQ(spelled(problems(scene)),
+  EXPECT_EQ(spelled(defects(scene)),
             "ray[1].direction = [0, 0, 0]: is the zero vector\n"
             "sphere[2].radius = -2: is negative\n");
 }
@@ -186,7 +186,7 @@ TEST(Validate, NeedsACameraOrRaysButNotBoth) {
 }
 
 TEST(Validate, ReportsAllProblemsAtOnce) {
-  const std::vector<Problem> found = problems(changed([](Camera& c) {
+  const std::vector<Defect> found = defects(changed([](Camera& c) {
     c.look_at = c.eye;
     c.near = 0;
     c.left = c.right;

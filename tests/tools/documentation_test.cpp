@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "tests/tools/program.h"
+#include "tests/tools/report/picture.h"
 
 namespace raycheck::tests {
 namespace {
@@ -82,8 +83,8 @@ Outcome run_shown(const Shown& shown) {
   int pictures = 0;
   for (const auto& entry : std::filesystem::directory_iterator(folder)) {
     const std::string name = entry.path().filename().string();
-    EXPECT_TRUE(contents(entry.path().string()) ==
-                contents(std::string(RAYCHECK_SOURCE_DIR) + "/" + kPictures + name))
+    EXPECT_TRUE(read_picture(entry.path().string()) ==
+                read_picture(std::string(RAYCHECK_SOURCE_DIR) + "/" + kPictures + name))
         << shown.where << ": " << name;
     ++pictures;
   }
@@ -153,6 +154,11 @@ TEST(Documentation, shows_what_the_program_prints) {
     }
   }
   EXPECT_GE(commands, 6);
+}
+
+TEST(Documentation, lists_the_laws_and_the_packages_there_are) {
+  const Outcome outcome = run_python("docs/generate.py --lists --check '" RAYCHECK_BINARY "'");
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
 }
 
 /// The session blocks of a page: commands with what they print, run one after the other by one

@@ -1,3 +1,5 @@
+#include <nlohmann/json.hpp>
+
 #include "tools/check/check_views.h"
 #include "tools/report/certificate.h"
 

@@ -1,43 +1,9 @@
-#include <algorithm>
+#include <nlohmann/json.hpp>
 
 #include "tools/check/check_views.h"
-#include "tools/report/format.h"
+#include "tools/report/json.h"
 
 namespace raycheck::tools {
-namespace {
-
-using properties::Tally;
-using properties::Wrong;
-
-Json quantity_json(properties::Quantity quantity, const Tally& tally, double bound) {
-  const auto count = [&](Wrong wrong) {
-    const auto found = tally.wrong.find(wrong);
-    return found == tally.wrong.end() ? std::uint64_t{0} : found->second;
-  };
-  const auto& place = tally.worst_place;
-  const bool has_worst = tally.worst > 0 && has_place(quantity);
-  Json json;
-  json["name"] = info(quantity).name;
-  json["unit"] = info(quantity).unit;
-  json["cases"] = tally.cases;
-  json["class_errors"] = tally.class_errors();
-  json["missed"] = count(Wrong::kMissed);
-  json["false_hits"] = count(Wrong::kFalseHit);
-  json["wrong_sphere"] = count(Wrong::kWrongSphere);
-  json["wrong_root"] = count(Wrong::kWrongRoot);
-  json["class_errors_excused"] = tally.wrong_excused;
-  json["ill_conditioned"] = tally.ill_conditioned;
-  json["median_ulp"] = error_json(tally.median());
-  json["max_ulp"] = error_json(tally.max());
-  json["bound"] = tally.errors.empty() ? Json(nullptr) : error_json(bound);
-  json["worst_pixel"] =
-      has_worst && place.pixel ? Json{place.pixel->i, place.pixel->j} : Json(nullptr);
-  json["worst_ray"] = has_worst ? Json(place.ray) : Json(nullptr);
-  json["worst_sphere"] = has_worst && place.sphere ? Json(*place.sphere) : Json(nullptr);
-  return json;
-}
-
-}  // namespace
 
 Json candidate_json(const CandidateReport& candidate, std::size_t top) {
   Json json;
@@ -50,11 +16,7 @@ Json candidate_json(const CandidateReport& candidate, std::size_t top) {
   json["conventions"] = conventions_json(candidate.conventions);
   json["ns_per_ray"] = {{"make", error_json(candidate.timing.make)},
                         {"intersect", error_json(candidate.timing.intersect)}};
-  json["quantities"] = Json::array();
-  for (const auto& [quantity, tally] : candidate.verdict.tallies()) {
-    json["quantities"].push_back(
-        quantity_json(quantity, tally, candidate.bounds[static_cast<std::size_t>(quantity)]));
-  }
+  json["quantities"] = tallies_json(candidate.verdict, candidate.bounds);
   json["explanations"] = Json::array();
   for (const properties::Explanation& one : candidate.explanations) {
     json["explanations"].push_back(

@@ -4,7 +4,7 @@
 #include <array>
 
 #include "tools/check/check_views.h"
-#include "tools/report/format.h"
+#include "tools/report/words.h"
 
 namespace raycheck::tools {
 namespace {
@@ -125,7 +125,7 @@ std::string check_text(const CheckReport& report, const ViewOptions& options) {
     // The candidates' worst before their second worst, excused ones last.
     std::stable_sort(found.begin(), found.end(), [](const Found& a, const Found& b) {
       const auto key = [](const Found& f) {
-        return std::pair(f.discrepancy.excuse != properties::Excuse::kNone, f.rank);
+        return std::pair(static_cast<bool>(f.discrepancy.excuse), f.rank);
       };
       return key(a) < key(b);
     });

@@ -4,7 +4,7 @@
 // The views of `check`, each in the file of its name.
 
 #include "tools/check/check.h"
-#include "tools/report/format.h"
+#include "tools/report/json.h"
 #include "tools/report/view.h"
 
 namespace raycheck::tools {

@@ -33,7 +33,7 @@ bool all_valid(const fast::Rays& rays) {
   for (std::size_t k = 0; k < rays.size(); ++k) {
     const scene::Ray ray = {{rays.origin.x[k], rays.origin.y[k], rays.origin.z[k]},
                             {rays.direction.x[k], rays.direction.y[k], rays.direction.z[k]}};
-    if (!scene::problems(ray).empty()) return false;
+    if (!scene::defects(ray).empty()) return false;
   }
   return true;
 }

@@ -1,6 +1,8 @@
+#include <nlohmann/json.hpp>
+
 #include "tools/check/check_views.h"
 #include "tools/exchange/verify_views.h"
-#include "tools/report/format.h"
+#include "tools/report/json.h"
 
 namespace raycheck::tools {
 

@@ -2,7 +2,7 @@
 
 #include "tools/check/check_views.h"
 #include "tools/exchange/verify_views.h"
-#include "tools/report/format.h"
+#include "tools/report/words.h"
 
 namespace raycheck::tools {
 

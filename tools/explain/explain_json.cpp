@@ -1,7 +1,8 @@
 #include <array>
+#include <nlohmann/json.hpp>
 
 #include "tools/explain/explain_views.h"
-#include "tools/report/format.h"
+#include "tools/report/json.h"
 
 namespace raycheck::tools {
 namespace {

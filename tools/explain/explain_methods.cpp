@@ -134,7 +134,7 @@ MethodReport judge_intersection(const fast::IntersectMethod& method, const scene
   MethodReport report;
   report.name = std::string(method.name);
   report.intersects = true;
-  if (!scene::problems(ray).empty()) {  // over- or underflow on the ray's way: nothing to intersect
+  if (!scene::defects(ray).empty()) {  // over- or underflow on the ray's way: nothing to intersect
     report.class_error = exact.is_hit;
     report.goes_wrong_at = "D";
     return report;

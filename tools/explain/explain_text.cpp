@@ -5,7 +5,7 @@
 
 #include "scene/number.h"
 #include "tools/explain/explain_views.h"
-#include "tools/report/format.h"
+#include "tools/report/words.h"
 
 namespace raycheck::tools {
 namespace {

@@ -7,7 +7,7 @@
 #include "tools/grade/html.h"
 #include "tools/grade/pages.h"
 #include "tools/grade/words.h"
-#include "tools/report/format.h"
+#include "tools/report/words.h"
 
 namespace raycheck::tools {
 namespace {

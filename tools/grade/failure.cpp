@@ -13,7 +13,7 @@
 #include "tools/external/renderer.h"
 #include "tools/external/sandbox/process.h"
 #include "tools/grade/submission.h"
-#include "tools/report/format.h"
+#include "tools/report/words.h"
 
 namespace raycheck::tools {
 namespace {

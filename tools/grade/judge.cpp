@@ -11,7 +11,7 @@
 #include "tools/grade/item_cases.h"
 #include "tools/grade/submission.h"
 #include "tools/methods/methods.h"
-#include "tools/report/format.h"
+#include "tools/report/words.h"
 
 namespace raycheck::tools {
 namespace {

@@ -3,7 +3,6 @@
 #include "tools/grade/html.h"
 #include "tools/grade/pages.h"
 #include "tools/grade/words.h"
-#include "tools/report/format.h"
 
 namespace raycheck::tools {
 namespace {

@@ -19,7 +19,8 @@ namespace {
 using reference::kNoSphere;
 using reference::Visibility;
 
-/// So many pixels of a band pay for what a band costs, and so many are the most held.
+/// A band has about kFewestPixels, so that its fixed cost is small beside theirs, and at most
+/// kMostPixels or one row, which bounds the memory.
 constexpr std::int64_t kFewestPixels = 1 << 16;
 constexpr std::int64_t kMostPixels = 1 << 20;
 
@@ -157,7 +158,7 @@ std::unique_ptr<Painter> painter_for(const ImageOptions& options, const scene::S
 void resize(const scene::Pixel& size, scene::Scene& scene) {
   scene.camera->width = size.i;
   scene.camera->height = size.j;
-  const auto problems = scene::problems(scene);
+  const auto problems = scene::defects(scene);
   if (!problems.empty()) {
     throw std::invalid_argument(fmt::format(
         "size {},{}: {}", size.i, size.j,

@@ -1,6 +1,8 @@
+#include <nlohmann/json.hpp>
+
 #include "tools/image/image_paint.h"
 #include "tools/image/image_views.h"
-#include "tools/report/format.h"
+#include "tools/report/json.h"
 
 namespace raycheck::tools {
 namespace {

@@ -20,7 +20,7 @@ inline constexpr Colour kHitColour = {255, 255, 255};
 inline constexpr Colour kWrongColour = {230, 0, 0};
 inline constexpr Colour kUnjudgedColour = {128, 128, 128};
 
-/// Errors of s up to so many ulp have this colour, unless the step before has them.
+/// Errors of s of at most `at_most` ulp, and of more than the step before, have this colour.
 struct ErrorStep {
   double at_most;
   Colour colour;

@@ -2,8 +2,8 @@
 
 #include "tools/image/image_paint.h"
 #include "tools/image/image_views.h"
-#include "tools/report/format.h"
 #include "tools/report/table.h"
+#include "tools/report/words.h"
 
 namespace raycheck::tools {
 namespace {

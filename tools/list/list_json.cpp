@@ -1,9 +1,17 @@
+#include <nlohmann/json.hpp>
+
 #include "scene/conventions.h"
 #include "tools/list/list_views.h"
-#include "tools/report/format.h"
+#include "tools/report/json.h"
 
 namespace raycheck::tools {
 namespace {
+
+using properties::Quantity;
+
+Json bound_json(Quantity quantity, double bound) {
+  return {{"quantity", info(quantity).name}, {"unit", info(quantity).unit}, {"max", bound}};
+}
 
 Json lengths_json(const fast::Domain& domain) {
   return Json::array({domain.smallest_length, domain.largest_length});
@@ -15,24 +23,29 @@ std::string list_json(const Catalogue& catalogue, const ViewOptions& /*options*/
   Json json = json_header("list");
   json["ray_methods"] = Json::array();
   for (const auto* method : catalogue.ray_methods) {
-    json["ray_methods"].push_back(
-        {{"name", method->name},
-         {"sentence", method->sentence},
-         {"max_point_ulp", method->pixel_points ? Json(method->max_point_ulp) : Json(nullptr)},
-         {"max_direction_ulp", method->max_direction_ulp},
-         {"max_unit_defect_ulp", method->max_unit_defect_ulp},
-         {"lengths", lengths_json(method->domain)},
-         {"not_kept_on", method->not_kept}});
+    Json bounds = Json::array();
+    if (method->pixel_points) {
+      bounds.push_back(bound_json(Quantity::kPixelPoint, method->max_point_ulp));
+    }
+    bounds.push_back(bound_json(Quantity::kDirection, method->max_direction_ulp));
+    bounds.push_back(bound_json(Quantity::kUnitDefect, method->max_unit_defect_ulp));
+    json["ray_methods"].push_back({{"name", method->name},
+                                   {"sentence", method->sentence},
+                                   {"bounds", bounds},
+                                   {"lengths", lengths_json(method->domain)},
+                                   {"not_kept_on", method->not_kept}});
   }
   json["intersection_methods"] = Json::array();
   for (const auto* method : catalogue.intersect_methods) {
-    json["intersection_methods"].push_back({{"name", method->name},
-                                            {"sentence", method->sentence},
-                                            {"max_ulp", method->max_ulp},
-                                            {"max_point_ulp", method->max_point_ulp},
-                                            {"exact_class", method->exact_class},
-                                            {"lengths", lengths_json(method->domain)},
-                                            {"not_kept_on", method->not_kept}});
+    json["intersection_methods"].push_back(
+        {{"name", method->name},
+         {"sentence", method->sentence},
+         {"bounds",
+          {bound_json(Quantity::kParameter, method->max_ulp),
+           bound_json(Quantity::kHitPoint, method->max_point_ulp)}},
+         {"exact_class", method->exact_class},
+         {"lengths", lengths_json(method->domain)},
+         {"not_kept_on", method->not_kept}});
   }
   json["laws"] = Json::array();
   for (const properties::Law& law : catalogue.laws) {

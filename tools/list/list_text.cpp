@@ -2,7 +2,6 @@
 
 #include "scene/conventions.h"
 #include "tools/list/list_views.h"
-#include "tools/report/format.h"
 
 namespace raycheck::tools {
 namespace {

@@ -22,7 +22,7 @@ struct Boost {
 
 }  // namespace
 
-const fast::IntersectMethod kBoost = {
+extern const fast::IntersectMethod kBoost = {
     .name = "boost-math",
     .sentence = "boost::math::tools::quadratic_roots of the textbook's rounded coefficients",
     .intersect = fast::intersect_ray_by_ray<Boost>,

@@ -102,15 +102,19 @@ struct Core {
   scene::Sphere sphere;
 };
 
+/// Of s, kBits rounded once; Q is computed in doubles.
+constexpr double kMaxUlp = 0.5 + 0x1p-30;
+constexpr double kMaxPointUlp = 96;
+
 }  // namespace
 
-const fast::IntersectMethod kCore = {
+extern const fast::IntersectMethod kCore = {
     .name = "core",
     .sentence = "the textbook's formula in CORE::Expr: exact signs, s to 96 bits",
     .intersect = fast::intersect_ray_by_ray<Core>,
     .intersect_one = fast::intersect_one_ray<Core>,
-    .max_ulp = kCoreMaxUlp,
-    .max_point_ulp = kCoreMaxPointUlp,
+    .max_ulp = kMaxUlp,
+    .max_point_ulp = kMaxPointUlp,
     .not_kept = "lengths beyond its domain: it refuses them",
     .domain = kCoreDomain,
 };

@@ -103,15 +103,18 @@ struct Embree {
 /// Squares of radii, over squares of directions, stay in the normal range of single precision.
 constexpr fast::Domain kSingleDomain = {.smallest_length = 0x1p-30, .largest_length = 0x1p30};
 
+/// In the ulp and u of double precision, of arithmetic that has 29 bits less.
+constexpr double kMaxUlp = 96 * 0x1p29;
+
 }  // namespace
 
-const fast::IntersectMethod kEmbree = {
+extern const fast::IntersectMethod kEmbree = {
     .name = "embree",
     .sentence = "rtcIntersect1 on a sphere in a scene of its own; inputs and s in single precision",
     .intersect = fast::intersect_ray_by_ray<Embree>,
     .intersect_one = fast::intersect_one_ray<Embree>,
-    .max_ulp = kEmbreeMaxUlp,
-    .max_point_ulp = kEmbreeMaxUlp,
+    .max_ulp = kMaxUlp,
+    .max_point_ulp = kMaxUlp,
     .not_kept = "far spheres, grazing rays; beyond 1e18 everything is a miss",
     .domain = kSingleDomain,
     .contract = {.root = scene::Root::kNearest, .tangent = scene::Tangent::kHit},

@@ -32,7 +32,7 @@ constexpr double kSmallestLength = 0x1p-20;
 
 }  // namespace
 
-const fast::IntersectMethod kGlm = {
+extern const fast::IntersectMethod kGlm = {
     .name = "glm",
     .sentence = "glm::intersectRaySphere: v = T.D, d^2 = r^2 - (|T|^2 - v^2), s > epsilon",
     .intersect = fast::intersect_ray_by_ray<Glm>,

@@ -26,7 +26,7 @@ struct Gsl {
 
 }  // namespace
 
-const fast::IntersectMethod kGsl = {
+extern const fast::IntersectMethod kGsl = {
     .name = "gsl",
     .sentence = "gsl_poly_solve_quadratic of the textbook's rounded coefficients",
     .intersect = fast::intersect_ray_by_ray<Gsl>,

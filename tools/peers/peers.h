@@ -16,24 +16,11 @@ namespace raycheck::peers {
 /// The bounds hold for spheres that are up to this many radii away; the others' squares cancel.
 inline constexpr double kNearbyRadii = 4;
 
-// The bounds, in ulp of s and u of |Q|: those who take squares of lengths apart share one.
+/// The bound of those who take squares of lengths apart, in ulp of s and u of |Q|.
 inline constexpr double kSquaresMaxUlp = 512;
-/// In the ulp and u of double precision, of arithmetic that has 29 bits less.
-inline constexpr double kEmbreeMaxUlp = 96 * 0x1p29;
-/// 96 bits, rounded once; Q is computed in doubles.
-inline constexpr double kCoreMaxUlp = 0.5 + 0x1p-30;
-inline constexpr double kCoreMaxPointUlp = 96;
 
-/// The methods whose libraries were there when raycheck was built, in the order of reports.
+/// The methods whose libraries were there when raycheck was built, in the order of CMakeLists.txt.
 std::span<const fast::IntersectMethod* const> peers();
-
-// What peers() chooses from; those whose library is missing are not defined.
-extern const fast::IntersectMethod kGlm;
-extern const fast::IntersectMethod kBoost;
-extern const fast::IntersectMethod kGsl;
-extern const fast::IntersectMethod kEmbree;
-extern const fast::IntersectMethod kVecgeom;
-extern const fast::IntersectMethod kCore;
 
 /// s by the `root` convention from the two roots that a solver returns, the smaller first.
 inline std::optional<double> choose(const std::pair<double, double>& roots, scene::Root root) {

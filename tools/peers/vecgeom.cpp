@@ -32,7 +32,7 @@ constexpr double kSmallestLength = 0x1p-10;
 
 }  // namespace
 
-const fast::IntersectMethod kVecgeom = {
+extern const fast::IntersectMethod kVecgeom = {
     .name = "vecgeom",
     .sentence = "VecGeom's UnplacedOrb: DistanceToIn, from inside DistanceToOut",
     .intersect = fast::intersect_ray_by_ray<Vecgeom>,

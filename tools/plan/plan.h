@@ -33,7 +33,7 @@ inline constexpr std::array<PlanItem, 11> kPlanItems = {{
     {"behind", "spheres behind every ray's origin", &scene::PlanItems::behind},
     {"hidden", "spheres hidden by a nearer one", &scene::PlanItems::hidden},
     {"rectangles", "pixels outside a sphere's rectangle", &scene::PlanItems::rectangles},
-    {"constants", "reckoning again what all rays from the eye have in common",
+    {"constants", "computing anew what all rays from the eye have in common",
      &scene::PlanItems::constants},
     {"far-root", "the far root", &scene::PlanItems::far_root},
     {"behind-test", "comparing roots with the origin", &scene::PlanItems::behind_test},
@@ -47,10 +47,10 @@ inline constexpr std::array<PlanItem, 11> kPlanItems = {{
 struct PlanTime {
   double with_plan_ms = 0;
   double without_ms = 0;
-  std::uint64_t pixels = 0;  ///< So many were timed; of the whole image it is said in proportion.
+  std::uint64_t pixels = 0;  ///< How many were timed; the times are scaled to the whole image.
 };
 
-/// What an item leaves out: so many of so many.
+/// What an item leaves out: `left_out` of `of` things that `noun` names.
 struct ItemReport {
   std::uint64_t left_out = 0;
   std::uint64_t of = 0;

@@ -1,5 +1,7 @@
+#include <nlohmann/json.hpp>
+
 #include "tools/plan/plan_views.h"
-#include "tools/report/format.h"
+#include "tools/report/json.h"
 
 namespace raycheck::tools {
 namespace {

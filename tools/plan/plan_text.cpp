@@ -4,8 +4,8 @@
 #include <cmath>
 
 #include "tools/plan/plan_views.h"
-#include "tools/report/format.h"
 #include "tools/report/table.h"
+#include "tools/report/words.h"
 
 namespace raycheck::tools {
 namespace {

@@ -30,10 +30,10 @@ double median(std::vector<double> values) {
   return *middle;
 }
 
-/// What is asked of some rows, and room for the answer.
-class Question {
+/// What a scene's rows are timed on: computing what is wanted of them into arrays of its own.
+class Workload {
  public:
-  Question(const scene::Scene& scene, Wanted wanted, std::int64_t rows)
+  Workload(const scene::Scene& scene, Wanted wanted, std::int64_t rows)
       : width_(static_cast<std::size_t>(scene.camera->width)), wanted_(wanted) {
     const std::size_t pixels = width_ * static_cast<std::size_t>(rows);
     if (wanted == Wanted::kClass) {
@@ -47,7 +47,7 @@ class Question {
     }
   }
 
-  reference::DecidedBy ask(const Visibility& visibility, std::int64_t j_begin, std::int64_t j_end) {
+  reference::DecidedBy run(const Visibility& visibility, std::int64_t j_begin, std::int64_t j_end) {
     const std::size_t pixels = width_ * static_cast<std::size_t>(j_end - j_begin);
     if (wanted_ == Wanted::kClass) {
       reference::DecidedBy decided_by;
@@ -107,12 +107,12 @@ class Parts {
 };
 
 /// Seconds that some rows take, of as many repetitions as a clock needs.
-double time_rows(const Visibility& visibility, Question& question,
+double time_rows(const Visibility& visibility, Workload& workload,
                  const std::pair<std::int64_t, std::int64_t>& rows) {
   const Clock::time_point start = Clock::now();
   int repetitions = 0;
   do {
-    question.ask(visibility, rows.first, rows.second);
+    workload.run(visibility, rows.first, rows.second);
     ++repetitions;
   } while (seconds_since(start) < kLeastSeconds);
   return seconds_since(start) / repetitions;
@@ -125,7 +125,7 @@ struct PartTimes {
   std::vector<double> seconds;
   std::size_t parts = 0;
 };
-PartTimes time_parts(const std::vector<const Visibility*>& all, Question& question,
+PartTimes time_parts(const std::vector<const Visibility*>& all, Workload& workload,
                      const Parts& parts) {
   const Clock::time_point start = Clock::now();
   std::vector<std::vector<std::vector<double>>> passes(all.size());
@@ -135,7 +135,7 @@ PartTimes time_parts(const std::vector<const Visibility*>& all, Question& questi
     if (pass > 0 && seconds_since(start) > kItemSeconds) break;
     for (std::size_t part = 0; part < times.parts; ++part) {
       for (std::size_t k = 0; k < all.size(); ++k) {
-        passes[k][part].push_back(time_rows(*all[k], question, parts[part]));
+        passes[k][part].push_back(time_rows(*all[k], workload, parts[part]));
       }
       // Half of the time for the first pass, so that there is a second one.
       if (pass == 0 && seconds_since(start) > kItemSeconds / 2) times.parts = part + 1;
@@ -202,7 +202,7 @@ void time_plan(PlanReport& report) {
   const auto spheres = static_cast<double>(scene.spheres.size());
   const bool by_rows = width * spheres * Visibility::kBandRows > kMostPairs;
   const Parts parts(scene.camera->height, by_rows ? 1 : Visibility::kBandRows);
-  Question question(scene, plan.wanted, parts.most_rows());
+  Workload workload(scene, plan.wanted, parts.most_rows());
   const Visibility planned(scene, plan);
   const auto whole_image_ms = [&](double seconds, std::size_t timed) {
     return 1e3 * seconds * height / static_cast<double>(parts.rows_of_first(timed));
@@ -210,11 +210,11 @@ void time_plan(PlanReport& report) {
   const auto pixels_of = [&](std::size_t timed) {
     return parts.rows_of_first(timed) * static_cast<std::uint64_t>(scene.camera->width);
   };
-  const PartTimes times = time_parts({&planned}, question, parts);
+  const PartTimes times = time_parts({&planned}, workload, parts);
   report.image_ms = whole_image_ms(times.seconds[0], times.parts);
   report.pixels_timed = pixels_of(times.parts);
   for (std::size_t k = 0; k < times.parts; ++k) {
-    report.decided_by += question.ask(planned, parts[k].first, parts[k].second);
+    report.decided_by += workload.run(planned, parts[k].first, parts[k].second);
   }
   for (std::size_t k = 0; k < kPlanItems.size(); ++k) {
     if (seconds_since(start) > kAllSeconds) return;
@@ -235,7 +235,7 @@ void time_plan(PlanReport& report) {
     const double part_share = static_cast<double>(parts.most_rows()) / height;
     if (pairs_asked(without) * part_share > kMostPairs) continue;
     const Visibility unplanned(scene, without);
-    const PartTimes both = time_parts({&planned, &unplanned}, question, parts);
+    const PartTimes both = time_parts({&planned, &unplanned}, workload, parts);
     item.time = PlanTime{whole_image_ms(both.seconds[0], both.parts),
                          whole_image_ms(both.seconds[1], both.parts), pixels_of(both.parts)};
   }

@@ -4,8 +4,6 @@
 
 #include <stdexcept>
 
-#include "tools/report/format.h"
-
 namespace raycheck::tools {
 namespace {
 

@@ -1,5 +1,7 @@
+#include <nlohmann/json.hpp>
+
 #include "tools/properties/properties_views.h"
-#include "tools/report/format.h"
+#include "tools/report/json.h"
 
 namespace raycheck::tools {
 
@@ -19,6 +21,7 @@ std::string properties_json(const PropertiesReport& report, const ViewOptions& /
     entry["cases"] = result.cases;
     entry["comparisons"] = result.verdict.compared();
     entry["excused"] = result.verdict.excused();
+    entry["quantities"] = tallies_json(result.verdict);
     entry["left_out"] = result.left_out;
     entry["reason_left_out"] = result.reason.empty() ? Json(nullptr) : Json(result.reason);
     if (result.failure) {

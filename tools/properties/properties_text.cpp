@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "tools/properties/properties_views.h"
-#include "tools/report/format.h"
+#include "tools/report/words.h"
 
 namespace raycheck::tools {
 namespace {

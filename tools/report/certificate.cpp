@@ -4,12 +4,14 @@
 #include <cmath>
 #include <cstdint>
 #include <cstdlib>
+#include <nlohmann/json.hpp>
 #include <optional>
 #include <utility>
 
 #include "properties/laws/law.h"
 #include "reference/error_measure.h"
 #include "reference/proof.h"
+#include "tools/report/words.h"
 
 namespace raycheck::tools {
 namespace {
@@ -218,7 +220,7 @@ Json certificate(const scene::Scene& scene, const scene::Conventions& convention
   json["sphere"] = d.place.sphere ? Json(*d.place.sphere) : Json(nullptr);
   json["what"] = d.what;
   json["wrong"] = d.wrong == properties::Wrong::kNot ? Json(nullptr) : Json(name(d.wrong));
-  json["excuse"] = d.excuse == properties::Excuse::kNone ? Json(nullptr) : Json(name(d.excuse));
+  json["excuse"] = excuse_json(d.excuse);
   json["error"] = error_json(d.error);
   json["got"] = json_of(d.got);
   json["exact"] = json_of(d.exact);

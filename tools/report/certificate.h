@@ -7,7 +7,7 @@
 
 #include "properties/verdict.h"
 #include "scene/scene.h"
-#include "tools/report/format.h"
+#include "tools/report/json.h"
 
 namespace raycheck::tools {
 

@@ -117,7 +117,7 @@ ReadPicture parse_picture(std::string_view bytes, std::int64_t most) {
   if (bytes.starts_with("P3") || bytes.starts_with("P6")) return read_ppm(bytes, most);
   if (bytes.starts_with("\x89PNG")) return read_png(bytes, most);
   throw PictureError(bytes.empty() ? "its picture is empty"
-                                   : "its picture is no PPM (P3 or P6) and no PNG");
+                                   : "its picture is neither a PPM (P3 or P6) nor a PNG");
 }
 
 }  // namespace raycheck::tools

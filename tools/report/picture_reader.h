@@ -16,7 +16,7 @@ struct ReadPicture {
   std::vector<Colour> pixels;
 };
 
-/// A picture that is none; what() says why.
+/// What was read is not a picture, or too large a one; what() says why.
 class PictureError : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;

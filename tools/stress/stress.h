@@ -54,7 +54,7 @@ struct StressReport {
   std::uint64_t compared() const;
 };
 
-/// Of a family with more severities only every so manieth is judged, and the last.
+/// A family with more severities is judged at some of them, evenly spaced, and at the last.
 inline constexpr int kMostSeverities = 64;
 
 /// Judges methods on families of cases of growing severity, each stage alone.

@@ -1,3 +1,5 @@
+#include <nlohmann/json.hpp>
+
 #include "tools/report/certificate.h"
 #include "tools/stress/stress_views.h"
 

@@ -1,4 +1,6 @@
-#include "tools/report/format.h"
+#include <nlohmann/json.hpp>
+
+#include "tools/report/json.h"
 #include "tools/stress/stress_views.h"
 
 namespace raycheck::tools {
@@ -28,8 +30,8 @@ std::string stress_json(const StressReport& report, const ViewOptions& /*options
           error_json(curve.worst_ratio() < 0 ? std::nullopt : std::optional(curve.worst_ratio()));
       for (std::size_t k = 0; k < curve.results.size(); ++k) {
         method["severities"].push_back({{"severity", curve.severities[k]},
-                                        {"inside", weighed_json(curve.results[k].inside)},
-                                        {"outside", weighed_json(curve.results[k].outside)}});
+                                        {"inside", tallies_json(curve.results[k].inside)},
+                                        {"outside", tallies_json(curve.results[k].outside)}});
       }
       entry["methods"].push_back(std::move(method));
     }

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "tools/report/format.h"
 #include "tools/report/table.h"
+#include "tools/report/words.h"
 #include "tools/stress/stress_views.h"
 
 namespace raycheck::tools {
@@ -148,12 +148,8 @@ Table summary_table(const StressReport& report) {
       std::uint64_t false_hits = 0;
       for (const auto& [quantity, tally] : all.tallies()) {
         if (quantity != Quantity::kClass) continue;
-        const auto of = [&, &wrong = tally.wrong](properties::Wrong kind) {
-          const auto found = wrong.find(kind);
-          return found == wrong.end() ? std::uint64_t{0} : found->second;
-        };
-        missed = of(properties::Wrong::kMissed);
-        false_hits = of(properties::Wrong::kFalseHit);
+        missed = tally.count(properties::Wrong::kMissed);
+        false_hits = tally.count(properties::Wrong::kFalseHit);
       }
       const std::uint64_t defects = properties::defects(all);
       const auto classes = all.tallies().find(Quantity::kClass);

@@ -1,4 +1,6 @@
-#include "tools/report/format.h"
+#include <nlohmann/json.hpp>
+
+#include "tools/report/json.h"
 #include "tools/tradeoff/tradeoff_views.h"
 
 namespace raycheck::tools {
@@ -19,8 +21,8 @@ Json cost_json(const MethodCost& cost) {
   json["batch"] = duration_json(cost.batch);
   json["note"] = cost.not_timed;
   json["unstable_on"] = cost.unstable_on;
-  json["inside"] = weighed_json(cost.accuracy.inside);
-  json["outside"] = weighed_json(cost.accuracy.outside);
+  json["inside"] = tallies_json(cost.accuracy.inside);
+  json["outside"] = tallies_json(cost.accuracy.outside);
   return json;
 }
 
@@ -44,7 +46,7 @@ std::string tradeoff_json(const TradeoffReport& report, const ViewOptions& /*opt
     json["pixels"].push_back({{"name", cost.name},
                               {"pareto", cost.pareto},
                               {"pixel", duration_json(cost.per_pixel)},
-                              {"verdict", weighed_json(cost.verdict)}});
+                              {"quantities", tallies_json(cost.verdict)}});
   }
   json["left_out"] = report.left_out;
   return json.dump(2) + "\n";

@@ -21,7 +21,7 @@ constexpr int kCross = 2;
 int mark_of(const MethodCost& cost) {
   if (properties::defects(cost.accuracy.inside) > 0) return kCross;
   for (const auto& [quantity, tally] : cost.accuracy.inside.tallies()) {
-    if (tally.class_errors() > 0) return kOpenTriangle;
+    if (tally.wrong_answers() > 0) return kOpenTriangle;
   }
   return kFilledCircle;
 }

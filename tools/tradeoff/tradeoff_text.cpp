@@ -1,7 +1,7 @@
 #include <fmt/core.h>
 
-#include "tools/report/format.h"
 #include "tools/report/table.h"
+#include "tools/report/words.h"
 #include "tools/tradeoff/tradeoff_views.h"
 
 namespace raycheck::tools {
@@ -34,8 +34,7 @@ const Tally* find(const Verdict& verdict, Quantity quantity) {
 std::string per_million(const Verdict& verdict, Wrong wrong) {
   const Tally* const tally = find(verdict, Quantity::kClass);
   if (tally == nullptr || tally->cases == 0) return "-";
-  const auto found = tally->wrong.find(wrong);
-  const double count = found == tally->wrong.end() ? 0 : static_cast<double>(found->second);
+  const auto count = static_cast<double>(tally->count(wrong));
   return error_text(1e6 * count / static_cast<double>(tally->cases));
 }
 
@@ -47,7 +46,7 @@ std::string max_text(const Verdict& verdict, Quantity quantity) {
 /// The largest error over what the bound grows by, as far as it was weighed.
 std::string audited_text(const Verdict& verdict, Quantity quantity) {
   const Tally* const tally = find(verdict, quantity);
-  return error_text(tally == nullptr ? std::nullopt : tally->max_over_growth());
+  return error_text(tally == nullptr ? std::nullopt : tally->max_over_growth);
 }
 
 std::string quantile_text(const Verdict& verdict, Quantity quantity, double share) {

@@ -1,4 +1,6 @@
-#include "tools/report/format.h"
+#include <nlohmann/json.hpp>
+
+#include "tools/report/json.h"
 #include "tools/worst/worst_views.h"
 
 namespace raycheck::tools {

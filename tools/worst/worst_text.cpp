@@ -1,7 +1,7 @@
 #include <fmt/core.h>
 
 #include "scene/number.h"
-#include "tools/report/format.h"
+#include "tools/report/words.h"
 #include "tools/worst/worst_views.h"
 
 namespace raycheck::tools {

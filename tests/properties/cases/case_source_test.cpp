@@ -85,7 +85,7 @@ TEST(CaseSource, MakesValidCasesWithPixelsInTheImage) {
   for_each_severity([](const CaseSource& source, int severity) {
     for (std::uint64_t seed = 0; seed < 200; ++seed) {
       const Case the_case = source.make(severity, seed);
-      ASSERT_TRUE(scene::problems(the_case.scene).empty()) << seed;
+      ASSERT_TRUE(scene::defects(the_case.scene).empty()) << seed;
       ASSERT_EQ(the_case.scene.camera.has_value(), source.has_camera);
       if (!source.has_camera) continue;
       ASSERT_FALSE(the_case.pixels.empty());

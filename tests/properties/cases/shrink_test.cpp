@@ -127,7 +127,7 @@ TEST(Shrink, MakesValidCasesThatAreSimplerInTotal) {
       const Case from = any_case(source, seed);
       for (const Case& offer : simpler(from)) {
         ++offered;
-        ASSERT_TRUE(scene::problems(offer.scene).empty());
+        ASSERT_TRUE(scene::defects(offer.scene).empty());
         ASSERT_LT(total(offer), total(from));
         ASSERT_EQ(offer.scene.camera.has_value(), from.scene.camera.has_value());
         if (!offer.scene.camera) continue;

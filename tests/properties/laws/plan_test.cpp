@@ -61,7 +61,7 @@ std::optional<Case> through_a_camera(const Case& of_rays, std::uint64_t seed) {
   result.scene.camera = camera;
   if (random.one_in(2)) result.scene.conventions.origin = scene::Origin::kFocal;
   result.pixels = {{camera.width / 2, camera.height / 2}, {0, 0}};
-  if (!scene::problems(result.scene).empty()) return std::nullopt;
+  if (!scene::defects(result.scene).empty()) return std::nullopt;
   return result;
 }
 

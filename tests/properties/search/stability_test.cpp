@@ -73,7 +73,7 @@ TEST(Stability, BlamesTheProblemWhereItsConditionNumberIsLarge) {
   const Candidate off = that_answers(parameter + 1e5 * kGap);
   EXPECT_EQ(outcome(height, off), Outcome::kIllConditioned);
   const Verdict verdict = weigh("parameter", at_height(height), off);
-  EXPECT_GT(verdict.tallies().at(Quantity::kParameter).conditions.at(0), 0x1p16);
+  EXPECT_GT(verdict.tallies().at(Quantity::kParameter).worst_condition.value(), 0x1p16);
   EXPECT_LT(verdict.tallies().at(Quantity::kParameter).worst_ratio, kStableRatio);
 }
 
@@ -82,7 +82,7 @@ TEST(Stability, UsesTheBackwardErrorAtATangent) {
   EXPECT_EQ(outcome(1, that_answers(5 - 0x1p-30)), Outcome::kIllConditioned);
   EXPECT_EQ(outcome(1, that_answers(5 - 0x1p-10)), Outcome::kUnstable);
   const Verdict verdict = weigh("parameter", at_height(1), that_answers(5 - 0x1p-30));
-  EXPECT_TRUE(std::isinf(verdict.tallies().at(Quantity::kParameter).conditions.at(0)));
+  EXPECT_TRUE(std::isinf(verdict.tallies().at(Quantity::kParameter).worst_condition.value()));
 }
 
 TEST(Stability, TellsDefectsFromExcusedDecisionsFromThoseOutsideTheDomain) {

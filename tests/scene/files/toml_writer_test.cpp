@@ -94,7 +94,7 @@ TEST(WriteToml, ReadsBackBitIdentically) {
   std::size_t subnormal = 0;
   while (compared < kScenes) {
     const Scene scene = random_scene(random);
-    if (!problems(scene).empty()) continue;
+    if (!defects(scene).empty()) continue;
     const Scene again = read_toml(write_toml(scene, "scene\n[camera] = \"1"), "again").scene;
     ASSERT_EQ(again, scene) << write_toml(scene);
     ASSERT_EQ(patterns(again), patterns(scene)) << write_toml(scene);

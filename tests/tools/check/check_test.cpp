@@ -76,13 +76,13 @@ TEST(Check, reports_documented_json) {
     const json* quantity = find_named(candidate.at("quantities"), name);
     ASSERT_NE(quantity, nullptr) << name;
     EXPECT_GT(quantity->at("cases"), 0) << name;
-    EXPECT_TRUE(quantity->at("class_errors").is_number_integer()) << name;
-    for (const char* key : {"median_ulp", "max_ulp", "worst_pixel"}) {
+    EXPECT_TRUE(quantity->at("wrong").is_number_integer()) << name;
+    for (const char* key : {"median", "max", "worst_at"}) {
       EXPECT_TRUE(quantity->contains(key)) << name << key;
     }
   }
   EXPECT_EQ(find_named(candidate["quantities"], "class")->at("cases"), 2560);
-  EXPECT_GT(find_named(candidate["quantities"], "parameter")->at("max_ulp"), 0);
+  EXPECT_GT(find_named(candidate["quantities"], "parameter")->at("max"), 0);
 }
 
 TEST(Check, catches_the_textbook_on_a_far_sphere) {
@@ -92,7 +92,7 @@ TEST(Check, catches_the_textbook_on_a_far_sphere) {
   const json report = json::parse(textbook.out);
   const json* parameter = find_named(report["candidates"][0]["quantities"], "parameter");
   ASSERT_NE(parameter, nullptr);
-  EXPECT_GT(parameter->at("max_ulp"), 64);
+  EXPECT_GT(parameter->at("max"), 64);
   EXPECT_GT(report["candidates"][0]["discrepancies"],
             report["candidates"][0]["discrepancies_excused"]);
   EXPECT_EQ(run("check " + path + " --intersect cross").exit_code, 0);
@@ -183,7 +183,7 @@ TEST(Check, judges_what_overflows_instead_of_refusing_it) {
   EXPECT_EQ(result.exit_code, 1) << result.err;
   const json report = json::parse(result.out);
   const json& quantities = report["candidates"][0]["quantities"];
-  EXPECT_EQ(find_named(quantities, "direction")->at("max_ulp"), "infinity");
+  EXPECT_EQ(find_named(quantities, "direction")->at("max"), "infinity");
   EXPECT_EQ(find_named(quantities, "class")->at("cases"), 256);
   const Outcome explained = run("explain " + path + " --pixel 0,0 --format json");
   EXPECT_EQ(explained.exit_code, 1) << explained.err;

@@ -7,7 +7,9 @@
 #include <algorithm>
 #include <cmath>
 #include <set>
+#include <stdexcept>
 #include <string>
+#include <string_view>
 
 #include "properties/cases/random.h"
 #include "properties/quantity.h"
@@ -147,22 +149,31 @@ TEST(Peers, HaveNamesOfTheirOwn) {
   EXPECT_TRUE(names.contains("core"));
 }
 
+const fast::IntersectMethod& peer(std::string_view name) {
+  for (const auto* method : peers()) {
+    if (method->name == name) return *method;
+  }
+  throw std::invalid_argument("no such peer: " + std::string(name));
+}
+
 TEST(Core, RefusesLengthsBeyondItsDomain) {
-  const double large = 2 * kCore.domain.largest_length;
-  const double small = kCore.domain.smallest_length / 2;
+  const fast::IntersectMethod& core = peer("core");
+  const double large = 2 * core.domain.largest_length;
+  const double small = core.domain.smallest_length / 2;
   const Ray good = {{-5, 0, 0}, {1, 0, 0}};
   const auto expect_named = [](const std::string& refusal, const std::string& field) {
     EXPECT_NE(refusal.find(field), std::string::npos) << field << ": '" << refusal << "'";
   };
-  expect_named(refusal_of(kCore, {good}, {{0, 0, 0}, large}), "sphere.radius");
-  expect_named(refusal_of(kCore, {good}, {{0, 0, 0}, small}), "sphere.radius");
-  expect_named(refusal_of(kCore, {good}, {{large, 0, 0}, 1}), "sphere.centre");
-  expect_named(refusal_of(kCore, {{{0, large, 0}, {1, 0, 0}}}, kUnitSphere), "ray.origin");
-  expect_named(refusal_of(kCore, {{{0, 0, 0}, {0, 0, small}}}, kUnitSphere), "ray.direction");
-  EXPECT_EQ(refusal_of(kCore, {good}, {{0, 0, 0}, 0}), "");
+  expect_named(refusal_of(core, {good}, {{0, 0, 0}, large}), "sphere.radius");
+  expect_named(refusal_of(core, {good}, {{0, 0, 0}, small}), "sphere.radius");
+  expect_named(refusal_of(core, {good}, {{large, 0, 0}, 1}), "sphere.centre");
+  expect_named(refusal_of(core, {{{0, large, 0}, {1, 0, 0}}}, kUnitSphere), "ray.origin");
+  expect_named(refusal_of(core, {{{0, 0, 0}, {0, 0, small}}}, kUnitSphere), "ray.direction");
+  EXPECT_EQ(refusal_of(core, {good}, {{0, 0, 0}, 0}), "");
 }
 
 TEST(Core, IsRightToTheEndsOfItsDomain) {
+  const fast::IntersectMethod& core = peer("core");
   Random random(3);
   int hits = 0;
   int misses = 0;
@@ -177,11 +188,11 @@ TEST(Core, IsRightToTheEndsOfItsDomain) {
               scale * sphere.radius};
     const ExactRay exact(ray);
     const Intersection at = exact.intersect(sphere);
-    const auto answer = kCore.intersect_one(ray, sphere, Root::kNearest, Tangent::kHit);
+    const auto answer = core.intersect_one(ray, sphere, Root::kNearest, Tangent::kHit);
     ASSERT_EQ(answer.has_value(), at.hit_class != HitClass::kMiss) << "case " << k;
     (answer ? hits : misses) += 1;
     if (!answer) continue;
-    EXPECT_LE(reference::ulp_error(answer->parameter, exact.parameter(sphere, at)), kCoreMaxUlp)
+    EXPECT_LE(reference::ulp_error(answer->parameter, exact.parameter(sphere, at)), core.max_ulp)
         << "case " << k;
   }
   EXPECT_GT(hits, 200);

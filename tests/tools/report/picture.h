@@ -17,6 +17,8 @@ struct ReadPicture {
   const std::array<std::uint8_t, 3>& at(std::int64_t column, std::int64_t line) const {
     return pixels.at(static_cast<std::size_t>(line * width + column));
   }
+  /// The same picture, however it is compressed.
+  bool operator==(const ReadPicture&) const = default;
 };
 
 /// Decodes PNG or PPM (P6); empty, with a failure of the test, where it is neither.

@@ -104,6 +104,14 @@ TEST(StressCommand, proves_what_it_found) {
   std::filesystem::remove(path);
 }
 
+/// How many answers of a quantity were compared.
+std::uint64_t cases_of(const json& tallies, const std::string& quantity) {
+  for (const json& tally : tallies) {
+    if (tally["name"] == quantity) return tally["cases"];
+  }
+  return 0;
+}
+
 TEST(TradeoffCommand, reports_error_and_time_of_each_method) {
   const Outcome result = run("tradeoff --methods quadratic,cross,direct --cases 300 --format json");
   EXPECT_EQ(result.exit_code, 0) << result.err;
@@ -113,9 +121,9 @@ TEST(TradeoffCommand, reports_error_and_time_of_each_method) {
   for (const json& method : report["intersections"]) {
     EXPECT_GT(method["call"]["median_ns"].get<double>(), 0);
     EXPECT_GT(method["batch"]["median_ns"].get<double>(), 0);
-    EXPECT_GE(method["inside"]["class"]["cases"].get<int>(), 300);
-    EXPECT_GE(method["inside"]["parameter"]["cases"].get<int>(), 50);
-    EXPECT_GE(method["inside"]["backward error"]["cases"].get<int>(), 50);
+    EXPECT_GE(cases_of(method["inside"], "class"), 300u);
+    EXPECT_GE(cases_of(method["inside"], "parameter"), 50u);
+    EXPECT_GE(cases_of(method["inside"], "backward error"), 50u);
   }
   // Something is on the front.
   EXPECT_TRUE(report["intersections"][0]["pareto"].get<bool>() ||

@@ -1,0 +1,130 @@
+#include "tools/report/json.h"
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "scene/number.h"
+#include "tools/report/version.h"
+#include "tools/report/words.h"
+
+namespace raycheck::tools {
+
+using properties::Discrepancy;
+using properties::Excuse;
+using properties::ExcuseKind;
+using properties::Tally;
+
+Json json_header(std::string_view command) {
+  return {{"program", "raycheck"},
+          {"version", kVersion},
+          {"schema_version", kSchemaVersion},
+          {"command", command}};
+}
+
+Json error_json(std::optional<double> error) {
+  if (!error) return nullptr;
+  if (std::isinf(*error)) return "infinity";
+  return *error;
+}
+
+Json hexfloats(const std::vector<double>& numbers) {
+  Json list = Json::array();
+  for (const double x : numbers) list.push_back(scene::hexfloat(x));
+  return list;
+}
+
+Json hexfloat_or_null(std::optional<double> number) {
+  return number ? Json(scene::hexfloat(*number)) : Json(nullptr);
+}
+
+Json conventions_json(const scene::Conventions& conventions) {
+  return {{"rows", name(conventions.rows)},
+          {"samples", name(conventions.samples)},
+          {"origin", name(conventions.origin)},
+          {"root", name(conventions.root)},
+          {"tangent", name(conventions.tangent)}};
+}
+
+Json place_json(const properties::Place& place) {
+  return {{"pixel", place.pixel ? Json{place.pixel->i, place.pixel->j} : Json(nullptr)},
+          {"ray", place.ray},
+          {"sphere", place.sphere ? Json(*place.sphere) : Json(nullptr)}};
+}
+
+Json excuse_json(const Excuse& excuse) {
+  if (!excuse) return nullptr;
+  const bool has_amount = excuse.kind != ExcuseKind::kOutsideDomain;
+  return {{"kind", name(excuse.kind)},
+          {"amount", has_amount ? error_json(excuse.amount) : Json(nullptr)},
+          {"sentence", excuse_text(excuse)}};
+}
+
+Json discrepancy_json(const Discrepancy& d) {
+  Json json;
+  json["law"] = d.law;
+  json["quantity"] = info(d.quantity).name;
+  json.update(place_json(d.place));
+  json["what"] = d.what;
+  json["wrong"] = d.wrong == properties::Wrong::kNot ? Json(nullptr) : Json(name(d.wrong));
+  json["got"] = hexfloats(d.got);
+  json["exact"] = hexfloats(d.exact);
+  json["error"] = error_json(d.error);
+  json["unit"] = info(d.quantity).unit;
+  json["condition"] = error_json(d.condition);
+  json["excuse"] = excuse_json(d.excuse);
+  return json;
+}
+
+Json tally_json(properties::Quantity quantity, const Tally& tally, std::optional<double> bound) {
+  const bool measured = !tally.errors.empty();
+  const bool weighed = measured && tally.is_weighed();
+  const bool has_worst = tally.worst > 0 && has_place(quantity);
+  Json json;
+  json["name"] = info(quantity).name;
+  json["unit"] = info(quantity).unit;
+  json["cases"] = tally.cases;
+  json["right"] = tally.right;
+  json["wrong"] = tally.wrong_answers();
+  for (std::size_t k = 1; k < properties::kWrongCount; ++k) {
+    const auto kind = static_cast<properties::Wrong>(k);
+    json["wrong_by_kind"][std::string(name(kind))] = tally.count(kind);
+  }
+  json["wrong_excused"] = tally.wrong_excused;
+  json["measured"] = tally.errors.count();
+  json["median"] = error_json(tally.median());
+  json["p999"] = error_json(tally.quantile(0.999));
+  json["max"] = error_json(tally.max());
+  json["bound"] = measured ? error_json(bound) : Json(nullptr);
+  json["ill_conditioned"] = tally.ill_conditioned;
+  json["worst_at"] = has_worst ? place_json(tally.worst_place) : Json(nullptr);
+  json["median_condition"] = error_json(tally.condition_quantile(0.5));
+  json["max_over_growth"] = error_json(tally.max_over_growth);
+  json["max_ratio"] =
+      error_json(tally.worst_ratio < 0 ? std::nullopt : std::optional(tally.worst_ratio));
+  json["outcomes"] = nullptr;
+  if (measured && !weighed) return json;
+  for (std::size_t k = 0; k < properties::kOutcomeCount; ++k) {
+    json["outcomes"][std::string(properties::kOutcomeNames[k])] = tally.outcomes[k];
+  }
+  return json;
+}
+
+Json tallies_json(const properties::Verdict& verdict, const std::vector<double>& bounds) {
+  Json list = Json::array();
+  for (const auto& [quantity, tally] : verdict.tallies()) {
+    const auto index = static_cast<std::size_t>(quantity);
+    list.push_back(tally_json(quantity, tally,
+                              bounds.empty() ? std::nullopt : std::optional(bounds.at(index))));
+  }
+  return list;
+}
+
+Json decided_by_json(const reference::DecidedBy& decided_by) {
+  return {{"filter", decided_by.filter},
+          {"intervals", decided_by.rungs[0]},
+          {"double_doubles", decided_by.rungs[1]},
+          {"balls", decided_by.rungs[2]},
+          {"field", decided_by.rungs[3]}};
+}
+
+}  // namespace raycheck::tools

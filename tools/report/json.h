@@ -1,0 +1,50 @@
+#ifndef RAYCHECK_TOOLS_REPORT_JSON_H_
+#define RAYCHECK_TOOLS_REPORT_JSON_H_
+
+#include <nlohmann/json_fwd.hpp>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "properties/verdict.h"
+#include "reference/visibility/visibility.h"
+#include "scene/conventions.h"
+
+namespace raycheck::tools {
+
+/// Complete in <nlohmann/json.hpp>, which only those include who make or read one.
+using Json = nlohmann::ordered_json;
+
+/// Of the reports that docs/json.md describes: one more with every change that can break a reader
+/// (a key or value that goes, or means something else), not with what is added.
+inline constexpr int kSchemaVersion = 2;
+
+/// What every command's report begins with.
+Json json_header(std::string_view command);
+
+/// An error: a number, null where there is none, the string "infinity".
+Json error_json(std::optional<double> error);
+
+/// Doubles as hexfloat strings, so that no reader rounds them.
+Json hexfloats(const std::vector<double>& numbers);
+Json hexfloat_or_null(std::optional<double> number);
+
+Json conventions_json(const scene::Conventions& conventions);
+Json place_json(const properties::Place& place);
+/// Null where there is none.
+Json excuse_json(const properties::Excuse& excuse);
+Json discrepancy_json(const properties::Discrepancy& discrepancy);
+
+/// What was compared for one quantity: the same object in every report. `bound` is what the errors
+/// were held to; empty where they were held to none, or not all to the same.
+Json tally_json(properties::Quantity quantity, const properties::Tally& tally,
+                std::optional<double> bound);
+/// All that a verdict compared; `bounds` by quantity, or empty.
+Json tallies_json(const properties::Verdict& verdict, const std::vector<double>& bounds = {});
+
+Json decided_by_json(const reference::DecidedBy& decided_by);
+
+}  // namespace raycheck::tools
+
+#endif  // RAYCHECK_TOOLS_REPORT_JSON_H_

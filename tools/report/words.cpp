@@ -1,0 +1,132 @@
+#include "tools/report/words.h"
+
+#include <fmt/color.h>
+#include <fmt/core.h>
+
+#include <array>
+#include <cmath>
+
+#include "scene/number.h"
+
+namespace raycheck::tools {
+namespace {
+
+using properties::Discrepancy;
+using properties::Excuse;
+using properties::ExcuseKind;
+
+/// Errors are upper bounds from enclosures 70 bits wide or better; below this an error may well be
+/// 0.
+constexpr double kSmallestShown = 1e-9;
+
+/// Changes of the inputs are counted in u up to so many.
+constexpr double kMostRoundoffs = 1e6;
+
+constexpr std::array<std::string_view, 4> kRungNames = {"intervals", "double-doubles", "balls",
+                                                        "the field"};
+
+}  // namespace
+
+std::string red(std::string_view text, bool colours) {
+  return colours ? fmt::format(fmt::fg(fmt::terminal_color::red), "{}", text) : std::string(text);
+}
+
+std::string error_text(std::optional<double> error) {
+  if (!error) return "-";
+  if (*error == 0) return "0";
+  if (*error < kSmallestShown) return fmt::format("<{:.0e}", kSmallestShown);
+  return fmt::format("{:.3g}", *error);
+}
+
+std::string numbers_text(const std::vector<double>& numbers) {
+  if (numbers.empty()) return "miss";
+  std::string text;
+  for (const double x : numbers) {
+    if (!text.empty()) text += ", ";
+    text += scene::digits_and_hexfloat(x);
+  }
+  return text;
+}
+
+bool has_place(properties::Quantity quantity) {
+  return quantity != properties::Quantity::kFrame &&
+         quantity != properties::Quantity::kOrthonormality &&
+         quantity != properties::Quantity::kRefusal;
+}
+
+std::string place_text(const properties::Place& place) {
+  std::string text = place.pixel ? fmt::format("pixel ({}, {})", place.pixel->i, place.pixel->j)
+                                 : fmt::format("ray {}", place.ray);
+  if (place.sphere) text += fmt::format(", sphere {}", *place.sphere);
+  return text;
+}
+
+std::string conventions_text(const scene::Conventions& conventions) {
+  return fmt::format("rows {}, samples {}, origin {}, root {}, tangent {}", name(conventions.rows),
+                     name(conventions.samples), name(conventions.origin), name(conventions.root),
+                     name(conventions.tangent));
+}
+
+std::string change_text(double relative_change) {
+  const double in_roundoffs = relative_change / properties::kDoubleRoundoff;
+  return in_roundoffs <= kMostRoundoffs ? fmt::format("{:.3g} u", in_roundoffs)
+                                        : fmt::format("{:.3g}", relative_change);
+}
+
+std::string excuse_text(const Excuse& excuse) {
+  switch (excuse.kind) {
+    case ExcuseKind::kSmallChange:
+      return fmt::format("a relative change of the inputs by {} may flip it",
+                         change_text(excuse.amount));
+    case ExcuseKind::kThreshold:
+      return fmt::format("the exact s is at most the threshold {:g}", excuse.amount);
+    case ExcuseKind::kIllConditioned:
+      return fmt::format("ill-conditioned: the condition number {} allows the error",
+                         error_text(excuse.amount));
+    case ExcuseKind::kOutsideDomain:
+      return "outside the method's stated domain";
+    default:
+      return {};
+  }
+}
+
+std::string discrepancy_text(const Discrepancy& d, std::string_view indent, bool colours) {
+  const properties::QuantityInfo& quantity = info(d.quantity);
+  std::string head(quantity.name);
+  if (has_place(d.quantity)) head += ", " + place_text(d.place);
+  if (!d.what.empty()) head += fmt::format(", {}", d.what);
+  if (d.wrong != properties::Wrong::kNot) {
+    head += fmt::format(": {}", name(d.wrong));
+  } else {
+    head += fmt::format(": off by {} {}", error_text(d.error), quantity.unit);
+  }
+  std::string text = fmt::format("{}{}\n", indent, d.excuse ? head : red(head, colours));
+  if (d.quantity != properties::Quantity::kRefusal) {
+    text += fmt::format("{}  got   {}\n", indent, numbers_text(d.got));
+    if (!d.exact.empty() || d.wrong != properties::Wrong::kNot) {
+      text += fmt::format("{}  exact {}\n", indent, numbers_text(d.exact));
+    }
+  }
+  if (d.condition) {
+    text += fmt::format("{}  condition number about {}\n", indent, error_text(d.condition));
+  }
+  if (d.excuse) text += fmt::format("{}  excused: {}\n", indent, excuse_text(d.excuse));
+  return text;
+}
+
+std::string decided_by_text(const reference::DecidedBy& decided_by) {
+  std::string rungs;
+  for (std::size_t k = 0; k < kRungNames.size(); ++k) {
+    if (decided_by.rungs[k] == 0) continue;
+    rungs +=
+        fmt::format("{}{} by {}", rungs.empty() ? "" : ", ", decided_by.rungs[k], kRungNames[k]);
+  }
+  return fmt::format("{} by the filter, {} exactly{}", decided_by.filter, decided_by.fallback(),
+                     rungs.empty() ? "" : " (" + rungs + ")");
+}
+
+std::string count_text(std::uint64_t count, std::string_view noun) {
+  return fmt::format("{} {}{}", count, noun, count == 1 ? "" : "s");
+}
+
+}  // namespace raycheck::tools
