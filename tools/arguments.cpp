@@ -121,7 +121,7 @@ std::vector<Contestant> find_contestants(const ExternalArguments& arguments,
   options.excused_image_change = arguments.image_change;
   options.image_threshold = arguments.threshold;
   for (const std::string& what : arguments.candidates) {
-    found.emplace_back(find_external(what, options));
+    found.emplace_back(find_external(parse_candidate(what), options));
   }
   return found;
 }

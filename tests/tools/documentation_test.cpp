@@ -102,7 +102,7 @@ std::string without_times(std::string line) {
       {std::regex(R"(^[-0-9.e]+ ms to plan, [-0-9.e]+ ms the image)"),
        "T ms to plan, T ms the image"},
       {std::regex(R"( +[-0-9.e]+ +~?[-0-9.e]+ +-?[0-9]+%  )"), " T  "},  // an item of a plan
-      {std::regex("kept by .*$"), "kept"},
+      {std::regex("isolated by: .*$"), "isolated"},
       {std::regex(R"(in [-0-9.e]+ s by [0-9]+ threads?$)"), "in T s"}};
   for (const auto& [time, stands_for] : kTimes) line = std::regex_replace(line, time, stands_for);
   return line;

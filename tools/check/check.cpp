@@ -1,6 +1,6 @@
 #include "tools/check/check.h"
 
-#include <fmt/core.h>
+#include <fmt/format.h>
 #include <tbb/enumerable_thread_specific.h>
 
 #include <algorithm>
@@ -124,19 +124,20 @@ std::vector<std::string> left_out_lines(const CheckReport& report) {
                                        [](const Law& law) { return !law.judges_values; });
   lines.push_back(fmt::format("{} laws that relate several answers: raycheck properties tries them",
                               relations));
-  // Laws by whose reason it is and which; the order is that of the laws.
-  std::vector<std::pair<std::string, std::string>> grouped;
+  /// The laws that were left out for one reason, of all candidates or of one, in their order.
+  struct Group {
+    std::string whose, reason;
+    std::vector<std::string> laws;
+  };
+  std::vector<Group> groups;
   const auto add = [&](const std::string& whose, const LeftOut& entry) {
-    const std::string key = whose + "\n" + entry.reason;
-    for (auto& [known, laws] : grouped) {
-      if (known == key) {
-        if ((", " + laws + ",").find(", " + entry.law + ",") == std::string::npos) {
-          laws += ", " + entry.law;
-        }
-        return;
-      }
+    auto group = std::find_if(groups.begin(), groups.end(), [&](const Group& known) {
+      return known.whose == whose && known.reason == entry.reason;
+    });
+    if (group == groups.end()) group = groups.insert(group, {whose, entry.reason, {}});
+    if (std::find(group->laws.begin(), group->laws.end(), entry.law) == group->laws.end()) {
+      group->laws.push_back(entry.law);
     }
-    grouped.emplace_back(key, entry.law);
   };
   for (const CandidateReport& candidate : report.candidates) {
     for (const LeftOut& entry : candidate.left_out) {
@@ -148,9 +149,8 @@ std::vector<std::string> left_out_lines(const CheckReport& report) {
       add(all ? "" : candidate.name + ", ", entry);
     }
   }
-  for (const auto& [key, laws] : grouped) {
-    const std::size_t split = key.find('\n');
-    lines.push_back(key.substr(0, split) + laws + ": " + key.substr(split + 1));
+  for (const auto& [whose, reason, laws] : groups) {
+    lines.push_back(fmt::format("{}{}: {}", whose, fmt::join(laws, ", "), reason));
   }
   return lines;
 }

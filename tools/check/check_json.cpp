@@ -12,7 +12,7 @@ Json candidate_json(const CandidateReport& candidate, std::size_t top) {
   json["rays"] = methods != nullptr ? Json(methods->rays->name) : Json(nullptr);
   json["intersect"] = methods != nullptr ? Json(methods->intersect->name) : Json(nullptr);
   const External* const external = external_of(candidate.contestant);
-  json["kept_by"] = external != nullptr ? Json(external->program.layers.text()) : Json(nullptr);
+  json["isolated_by"] = external != nullptr ? Json(external->program.layers.text()) : Json(nullptr);
   json["conventions"] = conventions_json(candidate.conventions);
   json["ns_per_ray"] = {{"make", error_json(candidate.timing.make)},
                         {"intersect", error_json(candidate.timing.intersect)}};

@@ -105,7 +105,7 @@ std::string check_text(const CheckReport& report, const ViewOptions& options) {
     text +=
         fmt::format("\n{}  {}\n", candidate.name,
                     external == nullptr ? timing_text(candidate.timing, report.scene.spheres.size())
-                                        : "kept by " + external->program.layers.text());
+                                        : "isolated by: " + external->program.layers.text());
     if (!(candidate.conventions == report.scene.conventions)) {
       text += fmt::format("  judged under its own conventions: {}\n",
                           conventions_text(candidate.conventions));

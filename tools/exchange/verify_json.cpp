@@ -12,7 +12,7 @@ std::string verify_json(const VerifyReport& report, const ViewOptions& /*options
   json["cases"] = report.cases;
   json["cases_asked"] = report.cases_asked > 0 ? Json(report.cases_asked) : Json(nullptr);
   json.update(candidate_json(report.candidate, report.top));
-  for (const char* key : {"rays", "intersect", "kept_by", "ns_per_ray", "explanations"}) {
+  for (const char* key : {"rays", "intersect", "isolated_by", "ns_per_ray", "explanations"}) {
     json.erase(key);  // of methods, of processes and of renderers
   }
   for (Json& one : json["worst"]) one["id"] = report.ids.at(one["ray"].get<std::size_t>());

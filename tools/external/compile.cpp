@@ -3,7 +3,6 @@
 #include <fmt/core.h>
 
 #include <algorithm>
-#include <stdexcept>
 #include <vector>
 
 #include "tools/report/version.h"
@@ -32,7 +31,7 @@ std::vector<fs::path> files_in(const fs::path& folder, std::string_view extensio
 /// What a confined program made, unless it is a link to what that may not read.
 fs::path copied(const fs::path& made, const fs::path& to) {
   if (!fs::is_regular_file(fs::symlink_status(made))) {
-    throw std::invalid_argument(fmt::format("{} is no file", made.filename().string()));
+    throw CandidateError(fmt::format("{} is no file", made.filename().string()));
   }
   fs::copy_file(made, to / made.filename());
   return to / made.filename();
@@ -46,11 +45,11 @@ std::string printable(std::string text) {
   return text;
 }
 
-/// A program that is to succeed, which errors call `what`; its folder, where it leaves what it
+/// A program that is to succeed, which errors call `name`; its folder, where it leaves what it
 /// makes, lasts as long.
 class Step {
  public:
-  Step(const std::string& what, const Confined& confined) : process_(confined) {
+  Step(const std::string& name, const Confined& confined) : process_(confined) {
     std::string failure;
     try {
       const int code = process_.finish();
@@ -59,8 +58,7 @@ class Step {
       failure = error.what();
     }
     if (!failure.empty()) {
-      throw std::invalid_argument(
-          fmt::format("{} {}\n{}", what, failure, printable(process_.said())));
+      throw CandidateError(fmt::format("{} {}", name, failure), printable(process_.said()));
     }
   }
   const fs::path& folder() const { return process_.folder(); }
@@ -87,8 +85,7 @@ fs::path include_folder() {
                          : fs::path(kSourceFolder) / "tools/external/sdk");
 }
 
-fs::path compile(const std::string& what, const fs::path& source, const fs::path& to,
-                 const RunOptions& options) {
+fs::path compile(const fs::path& source, const fs::path& to, const RunOptions& options) {
   const fs::path include = include_folder();
   Confined confined = compiler(options);
   confined.readable = {include};
@@ -105,12 +102,11 @@ fs::path compile(const std::string& what, const fs::path& source, const fs::path
                           "sh",
                           folder,
                           include};
-    const Step step(fmt::format("--candidate {}: cmake", what), confined);
+    const Step step("cmake", confined);
     const auto libraries = files_in(step.folder(), ".so");
     if (libraries.size() != 1) {
-      throw std::invalid_argument(
-          fmt::format("--candidate {}: its CMakeLists.txt makes {} shared libraries, not one", what,
-                      libraries.size()));
+      throw CandidateError(
+          fmt::format("its CMakeLists.txt makes {} shared libraries, not one", libraries.size()));
     }
     return copied(libraries.front(), to);
   }
@@ -119,13 +115,13 @@ fs::path compile(const std::string& what, const fs::path& source, const fs::path
   if (is_folder) {
     const auto files = files_in(source, ".cpp");
     if (files.empty()) {
-      throw std::invalid_argument(fmt::format("--candidate {}: no .cpp file lies in it", what));
+      throw CandidateError("no .cpp file lies in it");
     }
     for (const fs::path& file : files) confined.arguments.push_back(file);
   } else {
     confined.arguments.push_back(source);
   }
-  const Step step(fmt::format("--candidate {}: g++", what), confined);
+  const Step step("g++", confined);
   return copied(step.folder() / "candidate.so", to);
 }
 
@@ -140,7 +136,7 @@ void build(const fs::path& folder, const std::string& words, const fs::path& to,
   for (const auto& entry : fs::recursive_directory_iterator(step.folder())) {
     if (!fs::is_regular_file(entry.symlink_status())) continue;
     bytes += entry.file_size();
-    if (bytes > kMostBuilt) throw std::invalid_argument(words + ": it makes too large files");
+    if (bytes > kMostBuilt) throw CandidateError(words + ": it makes too large files");
     const fs::path copy = to / fs::relative(entry.path(), step.folder());
     fs::create_directories(copy.parent_path());
     fs::copy_file(entry.path(), copy);

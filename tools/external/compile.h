@@ -14,13 +14,13 @@ std::filesystem::path include_folder();
 /// Compiles a C++ file, the .cpp files of a folder, or what a CMakeLists.txt describes, to a shared
 /// library in the folder `to`, kept like a candidate; the library's path. <raycheck/candidate.h>
 /// and Eigen, where it is installed, are found.
-/// Errors: std::invalid_argument with what the compiler said.
-std::filesystem::path compile(const std::string& what, const std::filesystem::path& source,
-                              const std::filesystem::path& to, const RunOptions& options);
+/// Errors: CandidateError with what the compiler said.
+std::filesystem::path compile(const std::filesystem::path& source, const std::filesystem::path& to,
+                              const RunOptions& options);
 
 /// Runs shell words in a copy of a folder, kept like a candidate, and copies what lies there
 /// afterwards to the folder `to`: files, no links. The Java adapter lies there too.
-/// Errors: std::invalid_argument with what the words said.
+/// Errors: CandidateError with what the words said.
 void build(const std::filesystem::path& folder, const std::string& words,
            const std::filesystem::path& to, const RunOptions& options);
 

@@ -8,43 +8,69 @@
 #include <stdexcept>
 #include <utility>
 
+#include "tools/external/candidate_spec.h"
 #include "tools/methods/methods.h"
 
 namespace raycheck::tools {
+
+namespace {
+
+/// How a candidate failed to answer.
+struct Failure {
+  std::string words;
+  FailureKind kind = FailureKind::kBadReply;
+
+  [[noreturn]] void raise(const LastFailure& last) const {
+    if (last) *last = kind;
+    throw std::runtime_error(words);
+  }
+};
+
+}  // namespace
 
 /// Pictures of the last scene, for all threads; a failure is kept like a picture.
 class Pictures {
  public:
   explicit Pictures(Renderer renderer) : renderer_(std::move(renderer)) {}
 
-  properties::ImageAnswer of(const scene::Scene& scene, scene::Rows rows) {
+  properties::ImageAnswer of(const scene::Scene& scene, scene::Rows rows, const LastFailure& last) {
     const std::lock_guard lock(mutex_);
     if (!scene_ || !(*scene_ == scene) || rows_ != rows) {
       scene_ = scene;
       rows_ = rows;
-      failure_.clear();
-      if (silences_ >= kMostSilences) {
-        failure_ = fmt::format("not started, after {} times without an end", silences_);
-        throw std::runtime_error("image: " + failure_);
-      }
-      try {
-        picture_ = render(renderer_, scene, rows);
-      } catch (const std::exception& error) {
-        failure_ = error.what();
-        silences_ += failure_.find(kEndless) != std::string::npos ? 1 : 0;
-      }
+      draw(scene, rows);
     }
-    if (!failure_.empty()) throw std::runtime_error("image: " + failure_);
+    if (failure_) failure_->raise(last);
     return picture_;
   }
 
  private:
+  void draw(const scene::Scene& scene, scene::Rows rows) {
+    failure_.reset();
+    const auto fail = [this](const std::string& words, FailureKind kind) {
+      failure_ = Failure{"image: " + words, kind};
+      silences_ += kind == FailureKind::kTimeUp ? 1 : 0;
+    };
+    if (silences_ >= kMostSilences) {
+      fail(fmt::format("not started, after {} times without an end", silences_),
+           FailureKind::kEnded);
+      return;
+    }
+    try {
+      picture_ = render(renderer_, scene, rows);
+    } catch (const ProcessFailure& failure) {
+      fail(failure.what(), failure.kind());
+    } catch (const std::exception& error) {
+      fail(error.what(), FailureKind::kBadReply);
+    }
+  }
+
   Renderer renderer_;
   std::mutex mutex_;
   std::optional<scene::Scene> scene_;
   scene::Rows rows_ = {};
   properties::ImageAnswer picture_;
-  std::string failure_;
+  std::optional<Failure> failure_;
   int silences_ = 0;
 };
 
@@ -55,7 +81,8 @@ using properties::Candidate;
 /// A conversation with a process, which is replaced when it fails.
 class Conversation {
  public:
-  explicit Conversation(External external) : external_(std::move(external)) {}
+  explicit Conversation(External external, LastFailure last = nullptr)
+      : external_(std::move(external)), last_(std::move(last)) {}
 
   /// The reply to a question, read by `read`.
   template <class Read>
@@ -64,18 +91,20 @@ class Conversation {
     Request request(next_id(), function, conventions);
     fill(request);
     if (silences_ >= kMostSilences) {
-      throw std::runtime_error(
-          fmt::format("{}: not asked, after {} questions without a reply", function, silences_));
+      Failure{fmt::format("{}: not asked, after {} questions without a reply", function, silences_),
+              FailureKind::kEnded}
+          .raise(last_);
     }
-    if (failed_question_ == request.question()) throw std::runtime_error(failure_);
+    if (failed_question_ == request.question()) failure_.raise(last_);
     try {
       const std::string text = exchange(request, lines);
       return read(Reply(text, request.id()));
     } catch (const ProcessFailure& failure) {
-      silences_ += std::string_view(failure.what()).starts_with(kSilent) ? 1 : 0;
-      fail(request, fmt::format("{}: it {}{}", function, failure.what(), last_line_text(said())));
+      silences_ += failure.kind() == FailureKind::kTimeUp ? 1 : 0;
+      fail(request, {fmt::format("{}: it {}{}", function, failure.what(), last_line_text(said())),
+                     failure.kind()});
     } catch (const ProtocolError& error) {
-      fail(request, fmt::format("{}: {}", function, error.what()));
+      fail(request, {fmt::format("{}: {}", function, error.what()), FailureKind::kBadReply});
     }
   }
 
@@ -103,30 +132,32 @@ class Conversation {
         most_bytes(lines));
   }
 
-  [[noreturn]] void fail(const Request& request, const std::string& what) {
+  [[noreturn]] void fail(const Request& request, Failure failure) {
     process_.reset();
     failed_question_ = request.question();
-    failure_ = what;
-    throw std::runtime_error(what);
+    failure_ = std::move(failure);
+    failure_.raise(last_);
   }
 
   External external_;
+  LastFailure last_;
   std::optional<Process> process_;
   Introduction introduction_;
-  std::string failed_question_, failure_;
+  std::string failed_question_;
+  Failure failure_;
   int silences_ = 0;
   std::mt19937_64 ids_{std::random_device{}()};
 };
 
-Candidate rendering_candidate(const External& external) {
+Candidate rendering_candidate(const External& external, const LastFailure& last) {
   Candidate candidate;
   candidate.name = external.name;
   candidate.refuses = false;
   candidate.excused_image_change = external.renderer->excused_change;
   candidate.image_threshold = external.renderer->threshold;
-  candidate.image = [pictures = external.pictures](const scene::Scene& scene,
-                                                   const scene::Conventions& conventions) {
-    return pictures->of(scene, conventions.rows);
+  candidate.image = [pictures = external.pictures, last](const scene::Scene& scene,
+                                                         const scene::Conventions& conventions) {
+    return pictures->of(scene, conventions.rows, last);
   };
   return candidate;
 }
@@ -141,14 +172,13 @@ External introduced(std::string name, const Confined& program,
   try {
     external.introduction = conversation.introduce();
   } catch (const ProcessFailure& failure) {
-    throw std::invalid_argument(fmt::format("--candidate {}: it {}{}", external.name,
-                                            failure.what(), last_line_text(conversation.said())));
+    throw CandidateError(
+        fmt::format("it {}{}", failure.what(), last_line_text(conversation.said())));
   } catch (const ProtocolError& error) {
-    throw std::invalid_argument(fmt::format("--candidate {}: {}", external.name, error.what()));
+    throw CandidateError(error.what());
   }
   if (external.introduction.functions.empty()) {
-    throw std::invalid_argument(
-        fmt::format("--candidate {}: it offers no function", external.name));
+    throw CandidateError("it offers no function");
   }
   return external;
 }
@@ -162,9 +192,9 @@ External rendering(std::string name, Renderer renderer) {
   return external;
 }
 
-Candidate external_candidate(const External& external) {
-  if (external.renderer) return rendering_candidate(external);
-  const auto talk = std::make_shared<Conversation>(external);
+Candidate external_candidate(const External& external, const LastFailure& last) {
+  if (external.renderer) return rendering_candidate(external, last);
+  const auto talk = std::make_shared<Conversation>(external, last);
   const auto offers = [&](const char* function) {
     return external.introduction.functions.contains(function);
   };

@@ -29,18 +29,24 @@ struct External {
 };
 
 /// Starts the program once to hear its introduction.
-/// Errors: std::invalid_argument naming the candidate where it has none.
+/// Errors: CandidateError where it has none.
 External introduced(std::string name, const Confined& program,
                     std::shared_ptr<const PrivateFolder> folder = nullptr);
 
 External rendering(std::string name, Renderer renderer);
 
+/// How a candidate failed when it last did.
+using LastFailure = std::shared_ptr<std::optional<FailureKind>>;
+
 /// A candidate with a process of its own, which is never sent an answer. Its errors are held to the
 /// bounds of kDefaultMethods, which are plain and stable. What a process fails at
 /// (its end, its silence, a reply that is none) the functions throw as std::runtime_error with the
-/// name of the function; the next question goes to a fresh process. The same question is not asked
-/// again after it failed, and none after kMostSilences that were answered by silence.
-properties::Candidate external_candidate(const External& external);
+/// name of the function; the next question goes to a fresh
+/// process. The same question is not asked again after it failed, and none after kMostSilences that
+/// were answered by silence.
+/// `last` is set by every failure.
+properties::Candidate external_candidate(const External& external,
+                                         const LastFailure& last = nullptr);
 inline constexpr int kMostSilences = 3;
 /// Of smaller lengths what comes out may be subnormal, of too few digits for any bound in units of
 /// its size.

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <boost/tokenizer.hpp>
 #include <map>
-#include <stdexcept>
 #include <system_error>
 #include <utility>
 
@@ -16,21 +15,15 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::string_view kWays =
-    "library:PATH.so, source:PATH, command:'WORDS' or "
-    "renderer:'WORDS with {scene} and {image}'";
-
-fs::path existing(const std::string& what, const std::string& path, const RunOptions& options) {
+fs::path existing(const std::string& path, const RunOptions& options) {
   std::error_code error;
   fs::path found = fs::canonical(options.folder / path, error);
-  if (error) {
-    throw std::invalid_argument(fmt::format("--candidate {}: {}: {}", what, path, error.message()));
-  }
+  if (error) throw CandidateError(fmt::format("{}: {}", path, error.message()));
   return found;
 }
 
 /// The library in a folder that whoever the candidate runs as may read.
-External library(const std::string& what, const fs::path& path, const RunOptions& options) {
+External library(const std::string& name, const fs::path& path, const RunOptions& options) {
   auto folder = std::make_shared<PrivateFolder>();
   const fs::path copy = folder->path() / path.filename();
   fs::copy_file(path, copy);
@@ -38,20 +31,18 @@ External library(const std::string& what, const fs::path& path, const RunOptions
   const std::string worker = helper("raycheck-worker");
   const Confined program{
       {worker, copy.string()}, {worker, folder->path()}, options.layers, options.limits};
-  return introduced(what, program, std::move(folder));
+  return introduced(name, program, std::move(folder));
 }
 
 /// What is copied at most of a folder that is closed to others.
 constexpr std::uintmax_t kMostCopied = std::uintmax_t{64} << 20;
 
 /// Copies a folder for a user that may not read it.
-void copy_opened(const std::string& what, const fs::path& from, const fs::path& to) {
+void copy_opened(const fs::path& from, const fs::path& to) {
   std::uintmax_t copied = 0;
   if (!fs::relative(to, from).string().starts_with("..")) {
-    throw std::invalid_argument(
-        fmt::format("--candidate {}: {} is closed to other users; give the program a folder of its "
-                    "own",
-                    what, from.string()));
+    throw CandidateError(fmt::format(
+        "{} is closed to other users; give the program a folder of its own", from.string()));
   }
   for (const auto& entry : fs::recursive_directory_iterator(from)) {
     const fs::path target = to / fs::relative(entry.path(), from);
@@ -64,10 +55,10 @@ void copy_opened(const std::string& what, const fs::path& from, const fs::path& 
     }
     copied += entry.file_size();
     if (copied > kMostCopied) {
-      throw std::invalid_argument(fmt::format(
-          "--candidate {}: {} is closed to other users and too large to be copied; give "
-          "the program a folder of its own, or --sandbox none",
-          what, from.string()));
+      throw CandidateError(
+          fmt::format("{} is closed to other users and too large to be copied; give the program a "
+                      "folder of its own, or --sandbox none",
+                      from.string()));
     }
     fs::copy_file(entry.path(), target);
   }
@@ -78,13 +69,11 @@ void copy_opened(const std::string& what, const fs::path& from, const fs::path& 
 /// copied, once each.
 class Opened {
  public:
-  Opened(std::string what, const Layers& layers)
-      : what_(std::move(what)), other_user_(layers.other_user) {}
-
+  explicit Opened(const Layers& layers) : own_user_(layers.own_user) {}
   /// The path of a file or folder, or of its copy.
   fs::path operator()(const fs::path& path) {
     const fs::path folder = folder_of(path);
-    if (!other_user_ || others_may_read(folder)) return path;
+    if (!own_user_ || others_may_read(folder)) return path;
     if (!copies_) {
       copies_ = std::make_shared<PrivateFolder>();
       open_to_others(copies_->path());
@@ -93,7 +82,7 @@ class Opened {
         known_.try_emplace(folder, copies_->path() / std::to_string(known_.size()));
     if (is_new) {
       fs::create_directory(copy->second);
-      copy_opened(what_, folder, copy->second);
+      copy_opened(folder, copy->second);
     }
     if (folder == path) return copy->second;
     const fs::path file = copy->second / path.filename();
@@ -110,8 +99,7 @@ class Opened {
   std::shared_ptr<const PrivateFolder> copies() const { return copies_; }
 
  private:
-  std::string what_;
-  bool other_user_;
+  bool own_user_;
   std::shared_ptr<PrivateFolder> copies_;
   std::map<fs::path, fs::path> known_;
 };
@@ -127,8 +115,7 @@ std::vector<std::string> split(const std::string& text) {
 }
 
 /// A program by its words. Those that name files are made absolute.
-Confined program_of(const std::string& what, const std::string& words, const RunOptions& options,
-                    Opened& opened) {
+Confined program_of(const std::string& words, const RunOptions& options, Opened& opened) {
   Confined program;
   program.layers = options.layers;
   program.limits = options.limits;
@@ -152,48 +139,54 @@ Confined program_of(const std::string& what, const std::string& words, const Run
     }
   }
   if (program.arguments.empty()) {
-    throw std::invalid_argument(fmt::format("--candidate {}: it names no program", what));
+    throw CandidateError("it names no program");
   }
   return program;
 }
 
-External renderer(const std::string& what, const std::string& words, const RunOptions& options) {
+External renderer(const CandidateSpec& spec, const RunOptions& options) {
   for (const char* mark : {"{scene}", "{image}"}) {
-    if (words.find(mark) == std::string::npos) {
-      throw std::invalid_argument(fmt::format("--candidate {}: {} is missing", what, mark));
+    if (spec.what.find(mark) == std::string::npos) {
+      throw CandidateError(fmt::format("{} is missing", mark));
     }
   }
-  Opened opened(what, options.layers);
-  const Confined program = program_of(what, words, options, opened);
-  External external = rendering(
-      what, {program, options.dialect, options.excused_image_change, options.image_threshold});
+  Opened opened(options.layers);
+  const Confined program = program_of(spec.what, options, opened);
+  External external =
+      rendering(spec.text(),
+                {program, options.dialect, options.excused_image_change, options.image_threshold});
   external.folder = opened.copies();
   return external;
 }
 
+External find(const CandidateSpec& spec, const RunOptions& options) {
+  Opened opened(options.layers);
+  switch (spec.kind) {
+    case CandidateKind::kLibrary:
+      return library(spec.text(), existing(spec.what, options), options);
+    case CandidateKind::kSource: {
+      const PrivateFolder built;
+      const fs::path source = opened(existing(spec.what, options));
+      return library(spec.text(), compile(source, built.path(), options), options);
+    }
+    case CandidateKind::kCommand: {
+      const Confined program = program_of(spec.what, options, opened);
+      return introduced(spec.text(), program, opened.copies());
+    }
+    case CandidateKind::kRenderer:
+      break;
+  }
+  return renderer(spec, options);
+}
+
 }  // namespace
 
-External find_external(const std::string& what, const RunOptions& options) {
-  const std::size_t colon = what.find(':');
-  const std::string way = what.substr(0, colon);
-  const std::string rest = colon == std::string::npos ? "" : what.substr(colon + 1);
-  if (rest.empty()) {
-    throw std::invalid_argument(fmt::format("--candidate {}: give {}", what, kWays));
+External find_external(const CandidateSpec& spec, const RunOptions& options) {
+  try {
+    return find(spec, options);
+  } catch (const CandidateError& error) {
+    throw CandidateError(error.why(), error.said(), spec.text());
   }
-  Opened opened(what, options.layers);
-  if (way == "library") return library(what, existing(what, rest, options), options);
-  if (way == "source") {
-    const PrivateFolder built;
-    return library(
-        what, compile(what, opened(existing(what, rest, options)), built.path(), options), options);
-  }
-  if (way == "command") {
-    const Confined program = program_of(what, rest, options, opened);
-    return introduced(what, program, opened.copies());
-  }
-  if (way == "renderer") return renderer(what, rest, options);
-  throw std::invalid_argument(
-      fmt::format("--candidate {}: there is no {}:; give {}", what, way, kWays));
 }
 
 }  // namespace raycheck::tools

@@ -2,8 +2,8 @@
 #define RAYCHECK_TOOLS_EXTERNAL_LOCATE_H_
 
 #include <filesystem>
-#include <string>
 
+#include "tools/external/candidate_spec.h"
 #include "tools/external/external_candidate.h"
 
 namespace raycheck::tools {
@@ -21,14 +21,10 @@ struct RunOptions {
   double build_seconds = 120;  ///< To compile it.
 };
 
-/// Someone else's implementation by what `--candidate` calls it:
-///   library:PATH.so   functions of <raycheck/candidate.h>
-///   source:PATH       a C++ file, a folder of them or with a CMakeLists.txt, to be compiled to one
-///   command:'WORDS'   a program that speaks the protocol; words that name files are made absolute
-///   renderer:'WORDS'  a finished renderer, started for every scene; {scene} and {image} stand for
-///                     files
-/// Errors: std::invalid_argument naming what is wrong; a compiler's message is part of it.
-External find_external(const std::string& what, const RunOptions& options);
+/// Someone else's implementation, compiled where it is a source, and started once. Of words, those
+/// that name files are made absolute.
+/// Errors: CandidateError naming the candidate.
+External find_external(const CandidateSpec& spec, const RunOptions& options);
 
 }  // namespace raycheck::tools
 

@@ -140,10 +140,10 @@ properties::ImageAnswer render(const Renderer& renderer, const scene::Scene& sce
   Process process(program);
   try {
     const int code = process.finish();
-    if (code != 0) throw ProcessFailure(fmt::format("exited with {}", code));
+    if (code != 0) throw ProcessFailure(FailureKind::kEnded, fmt::format("exited with {}", code));
   } catch (const ProcessFailure& failure) {
-    throw std::runtime_error(
-        fmt::format("it {}{}", failure.what(), last_line_text(process.said())));
+    throw ProcessFailure(failure.kind(),
+                         fmt::format("it {}{}", failure.what(), last_line_text(process.said())));
   }
   const ReadPicture picture = parse_picture(read_made(process.folder() / kImageFile),
                                             scene.camera->width * scene.camera->height * 64);

@@ -34,7 +34,7 @@ properties::ImageAnswer image_answer(const ReadPicture& picture, const scene::Ca
                                      scene::Rows rows, std::size_t spheres);
 
 /// Runs the program once for a scene.
-/// Errors: std::runtime_error with what went wrong.
+/// Errors: ProcessFailure, and std::runtime_error with what is wrong with the picture.
 properties::ImageAnswer render(const Renderer& renderer, const scene::Scene& scene,
                                scene::Rows rows);
 

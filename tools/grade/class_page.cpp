@@ -5,8 +5,8 @@
 #include <map>
 
 #include "tools/grade/html.h"
-#include "tools/grade/pages.h"
-#include "tools/grade/words.h"
+#include "tools/grade/views.h"
+#include "tools/grade/wording.h"
 #include "tools/report/words.h"
 
 namespace raycheck::tools {
@@ -55,10 +55,11 @@ std::string failing_items(const ClassGrade& graded) {
     Row row{&graded.rubric.items[k]};
     for (const SubmissionGrade& grade : graded.submissions) {
       const ItemGrade& item = grade.items[k];
-      if (item.state == kNotAsked || !grade.refused.empty()) continue;
+      if (item.state == ItemState::kNotAsked || grade.refused) continue;
       ++row.asked;
-      row.failing += item.state == kFails ? 1 : 0;
-      row.left_out += item.state == kLeftOut || item.state == kNotJudged ? 1 : 0;
+      row.failing += item.state == ItemState::kFails ? 1 : 0;
+      row.left_out +=
+          item.state == ItemState::kLeftOut || item.state == ItemState::kNotJudged ? 1 : 0;
     }
     rows.push_back(row);
   }
@@ -97,13 +98,18 @@ struct Alike {
   std::vector<std::pair<std::string, std::string>> wrong;  ///< Items, and what is wrong.
 };
 
+std::string first_wrong_text(const FirstWrongAnswer& first) {
+  const std::string text = origin_text(first.origin) + ": " + answer_text(first.answer);
+  return first.answer.got.empty() ? text : text + ", " + numbers_text(first.answer.got);
+}
+
 std::vector<Alike> find_alike(const ClassGrade& graded) {
   std::vector<Alike> found;
   for (std::size_t k = 0; k < graded.rubric.items.size(); ++k) {
     std::map<std::string, Members> by_answer;
     for (const SubmissionGrade& grade : graded.submissions) {
-      const std::string& wrong = grade.items[k].first_wrong;
-      if (!wrong.empty()) by_answer[wrong].push_back(&grade);
+      const auto& wrong = grade.items[k].first_wrong;
+      if (wrong) by_answer[first_wrong_text(*wrong)].push_back(&grade);
     }
     for (const auto& [wrong, members] : by_answer) {
       if (members.size() < 2) continue;
@@ -162,13 +168,13 @@ std::string everyone(const ClassGrade& graded) {
   for (const SubmissionGrade& grade : graded.submissions) {
     html += fmt::format("<tr><td>{}</td><td class=\"number\">{} of {}</td>", link(grade),
                         points_text(grade.score), points_text(grade.points));
-    if (!grade.refused.empty()) {
+    if (grade.refused) {
       html += fmt::format("<td colspan=\"{}\">{}</td>", graded.rubric.items.size(),
-                          escaped(grade.refused.substr(0, grade.refused.find('\n'))));
+                          escaped(grade.refused->why));
     } else {
       for (const ItemGrade& item : grade.items) {
         html += fmt::format("<td class=\"number\">{}</td>",
-                            item.state == kNotAsked ? "-" : points_text(item.score));
+                            item.state == ItemState::kNotAsked ? "-" : points_text(item.score));
       }
     }
     html += "</tr>\n";
@@ -193,6 +199,8 @@ std::string summary(const ClassGrade& graded) {
 
 }  // namespace
 
+/// A self-contained page for instructors: the scores, the items that fail most, the submissions
+/// that fail on the same case in the same way.
 std::string class_page(const ClassGrade& graded) {
   return page(graded.rubric.title, summary(graded) + distribution(graded) + failing_items(graded) +
                                        alike(graded) + everyone(graded));

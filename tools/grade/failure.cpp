@@ -1,7 +1,5 @@
 #include "tools/grade/failure.h"
 
-#include <fmt/core.h>
-
 #include <algorithm>
 #include <stdexcept>
 #include <utility>
@@ -10,10 +8,7 @@
 #include "properties/mistakes/answer_explanation.h"
 #include "properties/mistakes/image_explanation.h"
 #include "properties/search/campaign.h"
-#include "tools/external/renderer.h"
-#include "tools/external/sandbox/process.h"
 #include "tools/grade/submission.h"
-#include "tools/report/words.h"
 
 namespace raycheck::tools {
 namespace {
@@ -61,57 +56,39 @@ bool is_alike(const scene::Scene& now, const scene::Scene& before) {
          (a.bottom < a.top) == (b.bottom < b.top);
 }
 
-/// The first wrong step: laws of single values are in the order of steps.
-std::string step_of(const Case& the_case, const Asking& asking) {
-  Trial trial(the_case, asking.candidate, asking.options());
+std::optional<std::string> first_wrong_step(const Case& the_case, const Examinee& examinee) {
+  Trial trial(the_case, examinee.candidate, examinee.options());
   for (const Law& law : properties::laws()) {
     if (!law.judges_values || law.per == Per::kImage) continue;
     if (!apply(law, trial).holds()) return step_that_gives(law.quantity);
   }
-  return "";
-}
-
-/// What was answered, or should have been.
-std::string answer_text(const Discrepancy& d, const std::vector<double>& answer) {
-  if (d.quantity == properties::Quantity::kRefusal) return "";
-  if (d.quantity != properties::Quantity::kNearestSphere) return numbers_text(answer);
-  if (!answer.empty()) return fmt::format("sphere {}", answer.front());
-  const bool is_untold = &answer == &d.got && d.wrong == Wrong::kFalseHit;
-  return is_untold ? "a sphere" : "no sphere";
+  return {};
 }
 
 }  // namespace
 
-std::string head(const Discrepancy& d) {
-  if (d.wrong == Wrong::kFailed || d.wrong == Wrong::kRefused) return d.what;
-  std::string text(info(d.quantity).name);
-  if (has_place(d.quantity)) text += ", " + place_text(d.place);
-  if (!d.what.empty()) text += ", " + d.what;
-  return text + ": " +
-         (d.wrong != Wrong::kNot
-              ? std::string(name(d.wrong))
-              : fmt::format("off by {} {}", error_text(d.error), info(d.quantity).unit));
+WrongAnswer wrong_answer(const Discrepancy& d) {
+  WrongAnswer answer{d.quantity, d.place, plain_text(d.what), d.wrong, d.got,
+                     d.exact,    {},      d.condition};
+  if (d.wrong == Wrong::kNot) answer.error = d.error;
+  return answer;
 }
 
-Case simplest(const Case& from, const Law& law, const Discrepancy& first, const Asking& asking,
+Case simplest(const Case& from, const Law& law, const Discrepancy& first, const Examinee& examinee,
               const std::function<bool()>& is_late) {
   const bool failed = first.wrong == Wrong::kFailed;
-  // A silence costs as much as it lasts.
-  for (const std::string_view late : {kSilent, kEndless}) {
-    if (failed && first.what.find(late) != std::string::npos) return from;
-  }
-  const int tries = failed ? kTriesOfFailures : asking.pictures ? kTriesOfPictures : kTries;
+  const int tries = failed ? kTriesOfFailures : examinee.pictures ? kTriesOfPictures : kTries;
   // A picture is judged in every pixel.
   const auto whole = [&](Case the_case) {
-    if (asking.pictures) the_case.pixels = properties::all_pixels(*the_case.scene.camera);
+    if (examinee.pictures) the_case.pixels = properties::all_pixels(*the_case.scene.camera);
     return the_case;
   };
   Case start = from;
-  if (asking.pictures) start.pixels.clear();
+  if (examinee.pictures) start.pixels.clear();
   return whole(properties::smallest(std::move(start), tries, [&](const Case& next) {
     if (is_late() || !is_alike(next.scene, from.scene)) return false;
     const Case judged = whole(next);
-    Trial trial(judged, asking.candidate, asking.options());
+    Trial trial(judged, examinee.candidate, examinee.options());
     const Verdict verdict = apply(law, trial);
     if (verdict.holds()) return false;
     const Discrepancy now = verdict.worst(1).front();
@@ -119,25 +96,21 @@ Case simplest(const Case& from, const Law& law, const Discrepancy& first, const 
   }));
 }
 
-std::optional<FailingCase> failing_case(const Case& the_case, const std::string& origin,
+std::optional<FailingCase> failing_case(const Case& the_case, const CaseOrigin& origin,
                                         const Law& law, const Discrepancy& first,
-                                        const Asking& asking) {
-  Trial trial(the_case, asking.candidate, asking.options());
+                                        const Examinee& examinee) {
+  Trial trial(the_case, examinee.candidate, examinee.options());
   const Verdict verdict = apply(law, trial);
   if (verdict.holds()) return {};
   // Asked again, a program that failed may not be asked at all.
   const Discrepancy d = first.wrong == Wrong::kFailed ? first : verdict.worst(1).front();
-  FailingCase failing;
-  failing.law = law.sentence;
-  failing.origin = origin;
-  failing.what = plain_text(head(d));
-  failing.actual = answer_text(d, d.got);
-  failing.expected = answer_text(d, d.exact);
-  Case told = the_case;
-  told.scene.conventions = trial.conventions();
-  failing.scene = asking.pictures ? scene::write_toml(told.scene) : properties::text(told);
-  if (told.scene.camera) failing.driver = driver_text(told.scene, asking.dialect);
-  if (!asking.pictures && d.wrong != Wrong::kFailed) failing.step = step_of(the_case, asking);
+  FailingCase failing{std::string(law.name), origin, {}, wrong_answer(d), the_case};
+  failing.the_case.scene.conventions = trial.conventions();
+  if (examinee.pictures) {
+    failing.the_case.pixels.clear();
+  } else if (d.wrong != Wrong::kFailed) {
+    failing.step = first_wrong_step(the_case, examinee);
+  }
   return failing;
 }
 
@@ -178,8 +151,8 @@ std::vector<Explanation> explained_pictures(const std::vector<Case>& cases,
 
 }  // namespace
 
-std::vector<std::string> mistake_sentences(const std::vector<Case>& cases,
-                                           const Candidate& candidate, bool pictures) {
+std::vector<ExplainingMistake> explaining_mistakes(const std::vector<Case>& cases,
+                                                   const Candidate& candidate, bool pictures) {
   std::vector<Explanation> found;
   try {
     found = pictures ? explained_pictures(cases, candidate)
@@ -187,11 +160,10 @@ std::vector<std::string> mistake_sentences(const std::vector<Case>& cases,
   } catch (const std::runtime_error&) {
     return {};  // it fails, as the verdict says
   }
-  std::vector<std::string> result;
+  std::vector<ExplainingMistake> result;
   for (const Explanation& one : found) {
     if (one.errors < kFewestErrors) continue;
-    result.push_back(fmt::format("{}: {} of {} wrong {} are right that way", one.sentence,
-                                 one.explained, one.errors, pictures ? "pixels" : "answers"));
+    result.push_back({one.sentence, one.errors, one.explained});
   }
   return result;
 }

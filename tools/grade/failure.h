@@ -11,41 +11,45 @@
 
 #include "properties/laws/law.h"
 #include "properties/trial.h"
+#include "tools/external/external_candidate.h"
 #include "tools/grade/result.h"
 #include "tools/grade/rubric.h"
 
 namespace raycheck::tools {
 
-/// Who is asked what, how strictly.
-struct Asking {
+/// Who is judged, and how strictly.
+struct Examinee {
   const properties::Candidate& candidate;
   const Tolerance& tolerance;
   bool pictures = false;
   bool masks_only = false;
-  scene::Dialect dialect = scene::Dialect::kB;
+  LastFailure last_failure = nullptr;  ///< Of someone else's candidate.
 
   properties::TrialOptions options(std::shared_ptr<properties::Truth> truth = nullptr) const {
     return {.max_error = tolerance.ulp, .truth = std::move(truth)};
   }
 };
 
-/// "class, pixel (3, 4), sphere 0: missed"
-std::string head(const properties::Discrepancy& discrepancy);
+/// The numbers of a discrepancy, apart from its law.
+WrongAnswer wrong_answer(const properties::Discrepancy& discrepancy);
 
-/// A failing case that is simpler and breaks the law in the same way as `first`.
+/// A failing case that is simpler and breaks the law in the same way as `first`, which is not one
+/// of a candidate that gave no answer in time: to try others would cost as much each.
 properties::Case simplest(const properties::Case& from, const properties::Law& law,
-                          const properties::Discrepancy& first, const Asking& asking,
+                          const properties::Discrepancy& first, const Examinee& examinee,
                           const std::function<bool()>& is_late);
 
-/// A case in words, `first` being how it was found to fail; empty where it does not break the law
-/// any more.
-std::optional<FailingCase> failing_case(const properties::Case& the_case, const std::string& origin,
+/// What there is to say of a case, `first` being how it was found to fail; empty where it does not
+/// break the law any more.
+std::optional<FailingCase> failing_case(const properties::Case& the_case, const CaseOrigin& origin,
                                         const properties::Law& law,
-                                        const properties::Discrepancy& first, const Asking& asking);
+                                        const properties::Discrepancy& first,
+                                        const Examinee& examinee);
 
 /// The mistakes that explain what is wrong on these cases.
-std::vector<std::string> mistake_sentences(const std::vector<properties::Case>& cases,
-                                           const properties::Candidate& candidate, bool pictures);
+std::vector<ExplainingMistake> explaining_mistakes(const std::vector<properties::Case>& cases,
+                                                   const properties::Candidate& candidate,
+                                                   bool pictures);
 
 }  // namespace raycheck::tools
 

@@ -5,13 +5,16 @@
 #include <algorithm>
 #include <filesystem>
 #include <fstream>
+#include <iterator>
 #include <stdexcept>
 
 #include "properties/mistakes/image_explanation.h"
 #include "tools/grade/digest.h"
 #include "tools/grade/judge.h"
-#include "tools/grade/pages.h"
-#include "tools/grade/words.h"
+#include "tools/grade/record.h"
+#include "tools/grade/redaction.h"
+#include "tools/grade/submission.h"
+#include "tools/grade/wording.h"
 #include "tools/methods/methods.h"
 #include "tools/report/output_file.h"
 #include "tools/report/version.h"
@@ -22,13 +25,13 @@ namespace {
 
 namespace fs = std::filesystem;
 using properties::RunControl;
-using RecordJson = nlohmann::json;
 
 constexpr const char* kRecord = "result.json";
 
 void judge_all(const Rubric& rubric, const properties::Candidate& candidate, bool pictures,
-               const RunControl& control, SubmissionGrade& grade) {
-  Judge judge(rubric, candidate, pictures, grade.seed, control);
+               const RunControl& control, SubmissionGrade& grade,
+               LastFailure last_failure = nullptr) {
+  Judge judge(rubric, candidate, pictures, grade.seed, control, std::move(last_failure));
   for (std::size_t k = 0; k < rubric.items.size(); ++k) {
     grade.items.push_back(judge.item(k, grade.items));
     const ItemGrade& item = grade.items.back();
@@ -38,19 +41,19 @@ void judge_all(const Rubric& rubric, const properties::Candidate& candidate, boo
   grade.finished = !control.interrupted();
 }
 
-bool is_renderer(const std::string& form) { return form.starts_with("renderer:"); }
-
 /// Nothing could be asked of it: every item of its form has its points, and none is given.
-void refuse(const Rubric& rubric, const std::string& why, SubmissionGrade& grade) {
-  grade.refused = plain_text(why);
+void refuse(const Rubric& rubric, const Refusal& refusal, SubmissionGrade& grade) {
+  grade.refused = {plain_text(refusal.why), plain_text(refusal.said)};
+  const bool pictures = grade.program && grade.program->kind == CandidateKind::kRenderer;
   for (const Item& item : rubric.items) {
     ItemGrade none;
     none.name = item.name;
     none.bonus = item.bonus;
-    const bool is_asked = (is_renderer(grade.form) ? item.pictures : item.functions).has_value();
+    none.pictures = pictures;
+    const bool is_asked = (pictures ? item.pictures : item.functions).has_value();
     none.points = is_asked ? item.points : 0;
-    none.state = is_asked ? kNotJudged : kNotAsked;
-    none.reason = "nothing could be asked";
+    none.state = is_asked ? ItemState::kNotJudged : ItemState::kNotAsked;
+    none.reason.kind = ItemReason::Kind::kNothingRuns;
     if (!item.bonus) grade.points += none.points;
     grade.items.push_back(std::move(none));
   }
@@ -74,15 +77,15 @@ class Class {
 
   ClassGrade grade(const RunControl& control) {
     ClassGrade result;
-    struct Graded {
+    struct MaybeReused {
       SubmissionGrade grade;
       bool reused = false;
     };
-    in_order<Graded>(
+    in_order<MaybeReused>(
         static_cast<std::int64_t>(submissions_.size()), control,
         [&](std::int64_t k) {
           const Submission& submission = submissions_[static_cast<std::size_t>(k)];
-          Graded graded;
+          MaybeReused graded;
           graded.grade = new_grade(submission);
           if (std::optional<SubmissionGrade> known = record_of(submission, graded.grade.key)) {
             graded = {std::move(*known), true};
@@ -92,7 +95,7 @@ class Class {
           write(submission, graded.grade);
           return graded;
         },
-        [&](Graded& graded) {
+        [&](MaybeReused& graded) {
           result.reused += graded.reused ? 1 : 0;
           result.submissions.push_back(std::move(graded.grade));
           control.progress(
@@ -102,8 +105,9 @@ class Class {
     result.out = options_.out;
     result.interrupted = control.interrupted();
     const fs::path out(options_.out);
-    OutputFile("--out", out / kClassTable).write(class_csv(result));
-    OutputFile("--out", out / kClassPage).write(class_page(result));
+    for (const ClassView& file : class_files()) {
+      OutputFile("--out", out / file.name).write(file.render(result));
+    }
     return result;
   }
 
@@ -116,28 +120,29 @@ class Class {
     SubmissionGrade grade;
     grade.name = submission.name;
     grade.seed = options_.secret ? secret_seed(*options_.secret, submission.name) : options_.seed;
-    grade.key = digest({std::string(kVersion), rubric_.digest, digest(submission),
-                        std::to_string(grade.seed), layers_.text()});
-    grade.kept_by = layers_.text();
+    grade.key = digest({std::string(kVersion), std::string(kRecordShape), rubric_.digest,
+                        digest(submission), std::to_string(grade.seed), layers_.text()});
+    grade.isolation = layers_;
     return grade;
   }
 
   void grade_one(const Submission& submission, const RunControl& control,
                  SubmissionGrade& grade) const {
     try {
-      const Prepared prepared = prepare(submission, rubric_, layers_);
-      grade.form = prepared.form;
-      judge_all(rubric_, external_candidate(prepared.external), is_renderer(grade.form), control,
-                grade);
-    } catch (const Refused& refused) {
-      grade.form = refused.form();
-      refuse(rubric_, refused.what(), grade);
+      const RunnableSubmission runnable = prepare(submission, rubric_, layers_);
+      grade.program = runnable.program;
+      const auto last_failure = std::make_shared<std::optional<FailureKind>>();
+      judge_all(rubric_, external_candidate(runnable.external, last_failure),
+                runnable.program.kind == CandidateKind::kRenderer, control, grade, last_failure);
+    } catch (const SubmissionError& error) {
+      grade.program = error.program();
+      refuse(rubric_, error.refusal(), grade);
       grade.finished = !control.interrupted();
     } catch (const std::exception& error) {
       // Of this machine, not of the submission: it is graded again by the next run.
       grade.items.clear();
       grade.score = grade.points = 0;
-      refuse(rubric_, fmt::format("raycheck could not grade it: {}", error.what()), grade);
+      refuse(rubric_, {fmt::format("raycheck could not grade it: {}", error.what()), ""}, grade);
     }
   }
 
@@ -146,11 +151,13 @@ class Class {
                                            const std::string& key) const {
     std::ifstream file(folder_of(submission) / kRecord, std::ios::binary);
     if (!file) return {};
+    const std::string text{std::istreambuf_iterator<char>(file), {}};
     try {
-      auto grade = RecordJson::parse(file).get<SubmissionGrade>();
+      SubmissionGrade grade = read_record(text);
       grade.name = submission.name;
+      grade.isolation = layers_;  // the key says so
       if (grade.finished && grade.key == key) return grade;
-    } catch (const RecordJson::exception&) {
+    } catch (const std::exception&) {
       // no record, then
     }
     return {};
@@ -168,23 +175,20 @@ class Class {
           ending == ".toml" || ending == ".txt" || entry.path().filename() == "results.json";
       if (is_old) fs::remove(entry.path());
     }
-    for (std::size_t k = 0; k < grade.items.size(); ++k) {
-      const Item& item = rubric_.items[k];
-      if (item.visibility != Visibility::kVisible) continue;
-      for (const FailingCase& failing : thinned(rubric_, item, grade.items[k]).failing) {
-        put(file_name(item.name) + ".toml", failing.scene);
-        if (!failing.driver.empty()) put(file_name(item.name) + ".txt", failing.driver);
-      }
+    const StudentGrade shown = student_grade(rubric_, grade, HiddenBy::kUs);
+    for (std::size_t k = 0; k < shown.items.size(); ++k) {
+      const auto& failing = shown.submission.items[k].failing;
+      if (!failing) continue;
+      const std::string name = file_name(shown.items[k]->name);
+      put(name + ".toml", scene_text(*failing));
+      const std::string driver = driver_file_text(*failing, rubric_.dialect);
+      if (!driver.empty()) put(name + ".txt", driver);
     }
-    put("report.html", student_page(rubric_, grade));
-    if (options_.results_for == ResultsFor::kGradescope) {
-      put("results.json", gradescope_results(rubric_, grade));
-    } else if (options_.results_for == ResultsFor::kPrairieLearn) {
-      put("results.json", prairielearn_results(rubric_, grade));
+    put("report.html", student_page(shown));
+    if (const ResultsFormat* results = options_.results) {
+      put("results.json", results->render(student_grade(rubric_, grade, results->hidden_by)));
     }
-    // Names of files and folders may be no UTF-8.
-    put(kRecord,
-        RecordJson(grade).dump(2, ' ', false, RecordJson::error_handler_t::replace) + "\n");
+    put(kRecord, record_text(grade));
   }
 
   const GradeOptions& options_;
@@ -201,9 +205,9 @@ ClassGrade grade(const GradeOptions& options, const RunControl& control) {
 
 std::vector<SubmissionGrade> try_rubric(const Rubric& rubric, std::uint64_t seed,
                                         const RunControl& control) {
-  const auto asks = [&](const auto& questions) {
+  const auto asks = [&](const auto& task) {
     return std::any_of(rubric.items.begin(), rubric.items.end(),
-                       [&](const Item& item) { return (item.*questions).has_value(); });
+                       [&](const Item& item) { return (item.*task).has_value(); });
   };
   std::vector<SubmissionGrade> grades;
   const auto try_on = [&](const char* name, const properties::Candidate& candidate, bool pictures) {

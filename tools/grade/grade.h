@@ -7,14 +7,10 @@
 #include <vector>
 
 #include "properties/run_control.h"
-#include "tools/grade/result.h"
-#include "tools/grade/rubric.h"
-#include "tools/grade/submission.h"
+#include "tools/grade/class_grade.h"
+#include "tools/grade/views.h"
 
 namespace raycheck::tools {
-
-/// What is written of each submission for a course's system, besides what always is.
-enum class ResultsFor { kNone, kGradescope, kPrairieLearn };
 
 struct GradeOptions {
   std::string rubric;
@@ -23,22 +19,16 @@ struct GradeOptions {
   std::uint64_t seed = 1;
   std::optional<std::string> secret;  ///< Seeds follow from it and the submissions' names.
   Sandbox sandbox = Sandbox::kAuto;
-  ResultsFor results_for = ResultsFor::kNone;
+  /// What is written of each submission for a course's system, besides what always is; null:
+  /// nothing.
+  const ResultsFormat* results = nullptr;
 };
 
-/// A class, graded: what the pages and tables about it are made of.
-struct ClassGrade {
-  Rubric rubric;
-  std::string out;                           ///< Where the results are; empty: nowhere.
-  std::vector<SubmissionGrade> submissions;  ///< In the order given; those that were reached.
-  std::uint64_t reused = 0;                  ///< Of those, graded by an earlier run.
-  bool interrupted = false;
-};
-
-/// Grades every submission: OUT/NAME/ has its result.json and report.html as soon as it is done,
-/// OUT the pages of the class at the end. What an earlier run into the same folder finished, of the
-/// same files by the same rubric and seed, is not graded again.
-/// Errors: what load_rubric(), find_submissions() and chosen_layers() throw.
+/// Grades every submission: OUT/NAME/ has its report.html and the failing scenes for the student,
+/// and result.json for instructors, as soon as it is done; OUT has the pages of the class at the
+/// end. What an earlier run into the same folder finished, of the same files by the same rubric and
+/// seed, is not graded again. Errors: what load_rubric(), find_submissions() and chosen_layers()
+/// throw.
 ClassGrade grade(const GradeOptions& options, const properties::RunControl& control = {});
 
 /// The rubric tried on raycheck's own methods, as a library and as a renderer: what a right

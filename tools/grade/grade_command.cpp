@@ -10,7 +10,8 @@
 #include "tools/commands.h"
 #include "tools/grade/grade.h"
 #include "tools/grade/package.h"
-#include "tools/grade/pages.h"
+#include "tools/grade/views.h"
+#include "tools/grade/wording.h"
 #include "tools/terminal.h"
 
 namespace raycheck::tools {
@@ -33,24 +34,30 @@ std::string secret_of(const std::string& path) {
   return secret;
 }
 
+/// Where results are written in the format, the first view.
+std::string printed(const ClassGrade& graded, const std::string& format) {
+  for (const ClassView& view : printed_views()) {
+    if (view.name == format) return view.render(graded);
+  }
+  return printed_views().front().render(graded);
+}
+
 /// Without submissions the rubric itself is tried.
 int try_command(const Arguments& arguments) {
   ClassGrade tried;
   tried.rubric = load_rubric(arguments.options.rubric);
   tried.submissions = try_rubric(tried.rubric, arguments.options.seed, run_control("rubric"));
-  print_report(arguments.format == "json"  ? class_json(tried)
-               : arguments.format == "csv" ? class_csv(tried)
-                                           : class_text(tried));
+  print_report(printed(tried, arguments.format));
   bool is_full = true;
   for (const SubmissionGrade& grade : tried.submissions) {
     for (const ItemGrade& item : grade.items) {
-      const bool is_given = item.state == kNotAsked || item.score >= item.points;
+      const bool is_given = item.state == ItemState::kNotAsked || item.score >= item.points;
       is_full = is_full && is_given;
       if (is_given) continue;
-      print_error(
-          item.name + ": " +
-          (item.reason.empty() ? "raycheck's own answer is not given all points" : item.reason) +
-          "\n");
+      const std::string reason = reason_text(item.reason);
+      print_error(item.name + ": " +
+                  (reason.empty() ? "raycheck's own answer is not given all points" : reason) +
+                  "\n");
     }
   }
   return exit_code(interrupted(), !is_full, true);
@@ -74,13 +81,11 @@ int run_grade(const Arguments& arguments) {
   if (options.out.empty()) throw std::invalid_argument("--out: give a folder for the results");
   if (!arguments.secret_file.empty()) options.secret = secret_of(arguments.secret_file);
   options.sandbox = sandbox_of(arguments.sandbox);
-  options.results_for = arguments.format == "gradescope"     ? ResultsFor::kGradescope
-                        : arguments.format == "prairielearn" ? ResultsFor::kPrairieLearn
-                                                             : ResultsFor::kNone;
+  for (const ResultsFormat& format : results_formats()) {
+    if (format.name == arguments.format) options.results = &format;
+  }
   const ClassGrade graded = grade(options, run_control("submissions", arguments.jobs));
-  print_report(arguments.format == "json"  ? class_json(graded)
-               : arguments.format == "csv" ? class_csv(graded)
-                                           : class_text(graded));
+  print_report(printed(graded, arguments.format));
   return exit_code(graded.interrupted, false, true);
 }
 
@@ -105,7 +110,10 @@ Command add_grade(CLI::App& program) {
   add_sandbox(command, arguments.sandbox);
   command.add_option("--package", arguments.package,
                      "write the zip file that Gradescope takes as an autograder");
-  add_format(command, arguments.format, {"text", "json", "csv", "gradescope", "prairielearn"});
+  std::vector<std::string> formats;
+  for (const ClassView& view : printed_views()) formats.emplace_back(view.name);
+  for (const ResultsFormat& format : results_formats()) formats.emplace_back(format.name);
+  add_format(command, arguments.format, formats);
   return {&command, [given] { return run_grade(*given); }};
 }
 

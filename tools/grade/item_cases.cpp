@@ -1,7 +1,5 @@
 #include "tools/grade/item_cases.h"
 
-#include <fmt/core.h>
-
 #include <cmath>
 #include <utility>
 
@@ -13,24 +11,24 @@
 
 namespace raycheck::tools {
 
-ItemCases::ItemCases(const Questions& questions, bool pictures, std::uint64_t seed,
+ItemCases::ItemCases(const ItemTask& task, bool pictures, std::uint64_t seed,
                      const properties::DeclaredConventions& declared)
-    : questions_(questions), pictures_(pictures), declared_(declared) {
+    : task_(task), pictures_(pictures), declared_(declared) {
   properties::Random random(seed);
   scene_seed_ = random.bits();
-  for (int k = 0; k < questions.cases; ++k) seeds_.push_back(random.bits());
+  for (int k = 0; k < task.cases; ++k) seeds_.push_back(random.bits());
 }
 
-std::optional<Asked> ItemCases::operator[](std::size_t k) const {
-  const std::size_t scenes = questions_.scenes.size();
-  std::optional<Asked> asked = k < scenes ? of_scene(questions_.scenes[k]) : of_source(k - scenes);
-  if (!asked || !questions_.given_rays) return asked;
-  asked->the_case.scene.conventions = declared_.over(asked->the_case.scene.conventions);
-  auto alone = properties::alone(asked->the_case, properties::Stage::kIntersection,
+std::optional<ItemCase> ItemCases::operator[](std::size_t k) const {
+  const std::size_t scenes = task_.scenes.size();
+  std::optional<ItemCase> found = k < scenes ? of_scene(task_.scenes[k]) : of_source(k - scenes);
+  if (!found || !task_.given_rays) return found;
+  found->the_case.scene.conventions = declared_.over(found->the_case.scene.conventions);
+  auto alone = properties::alone(found->the_case, properties::Stage::kIntersection,
                                  candidate_of(kDefaultMethods));
   if (!alone) return {};
-  asked->the_case = std::move(*alone);
-  return asked;
+  found->the_case = std::move(*alone);
+  return found;
 }
 
 namespace {
@@ -53,23 +51,23 @@ scene::Scene varied(scene::Scene scene, std::uint64_t seed) {
 
 }  // namespace
 
-Asked ItemCases::of_scene(const RubricScene& scene) const {
+ItemCase ItemCases::of_scene(const RubricScene& scene) const {
   const std::optional<std::uint64_t> at_most =
       pictures_ ? std::nullopt : std::optional(kMostGradedRays);
   const SceneCases cases(pictures_ ? varied(scene.scene, scene_seed_) : scene.scene, at_most);
-  return {cases.from(0, cases.rays_judged()), "scene " + scene.name};
+  return {cases.from(0, cases.rays_judged()), {.scene = scene.name}};
 }
 
 /// A submission that heeds no conventions is right under the default ones.
-std::optional<Asked> ItemCases::of_source(std::size_t k) const {
-  const properties::ChosenSource& source = properties::chosen_by(questions_.sources, seeds_[k]);
-  Asked asked{source.make(seeds_[k]), fmt::format("{}, random case {}", source.name(), k + 1)};
-  asked.the_case.scene.conventions = {};
-  if (!pictures_) return asked;
-  const auto& camera = asked.the_case.scene.camera;
+std::optional<ItemCase> ItemCases::of_source(std::size_t k) const {
+  const properties::ChosenSource& source = properties::chosen_by(task_.sources, seeds_[k]);
+  ItemCase found{source.make(seeds_[k]), {.source = std::string(source.name()), .number = k + 1}};
+  found.the_case.scene.conventions = {};
+  if (!pictures_) return found;
+  const auto& camera = found.the_case.scene.camera;
   if (!camera || camera->width > kMostGradedPixels / camera->height) return {};
-  asked.the_case.pixels = properties::all_pixels(*camera);
-  return asked;
+  found.the_case.pixels = properties::all_pixels(*camera);
+  return found;
 }
 
 }  // namespace raycheck::tools

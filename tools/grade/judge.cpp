@@ -1,8 +1,7 @@
 #include "tools/grade/judge.h"
 
-#include <fmt/core.h>
-
 #include <algorithm>
+#include <functional>
 #include <memory>
 #include <utility>
 
@@ -11,7 +10,6 @@
 #include "tools/grade/item_cases.h"
 #include "tools/grade/submission.h"
 #include "tools/methods/methods.h"
-#include "tools/report/words.h"
 
 namespace raycheck::tools {
 namespace {
@@ -70,14 +68,16 @@ Candidate masked(Candidate candidate) {
   return candidate;
 }
 
-/// What a case shows of a candidate.
-struct Shown {
+/// What became of a case.
+struct CaseOutcome {
   bool answers = false;  ///< There was something to ask.
   std::uint64_t compared = 0;
-  std::string unanswered;  ///< Why less was answered than asked.
+  ItemReason unanswered;  ///< Why less was answered than asked.
   const Law* broken = nullptr;
   std::optional<Discrepancy> discrepancy;
-  bool holds() const { return broken == nullptr && unanswered.empty(); }
+  bool timed_out = false;  ///< No answer came in time.
+  bool is_answered() const { return unanswered.kind == ItemReason::Kind::kNone; }
+  bool holds() const { return broken == nullptr && is_answered(); }
 };
 
 /// Whether an answer may be missing: decisions about the case are excused, and where one goes the
@@ -90,37 +90,95 @@ bool may_miss_answers(Trial& trial) {
   return false;
 }
 
-Shown show(const std::vector<const Law*>& laws, const Case& the_case, const Asking& asking) {
+CaseOutcome try_case(const std::vector<const Law*>& laws, const Case& the_case,
+                     const Examinee& examinee) {
   Candidate own = candidate_of(kDefaultMethods);
-  own.declared = asking.candidate.declared;
+  own.declared = examinee.candidate.declared;
   const auto truth =
       std::make_shared<Truth>(the_case, own.declared.over(the_case.scene.conventions));
-  Trial trial(the_case, asking.candidate, asking.options(truth));
-  Trial own_trial(the_case, own, asking.options(truth));
-  Shown shown;
+  Trial trial(the_case, examinee.candidate, examinee.options(truth));
+  Trial own_trial(the_case, own, examinee.options(truth));
+  CaseOutcome outcome;
   for (const Law* law : laws) {
     const Verdict verdict = apply(*law, trial);
     // raycheck's own methods draw no pictures, of which every pixel is compared.
-    const std::uint64_t expected = asking.pictures ? 0 : apply(*law, own_trial).compared();
-    shown.compared += verdict.compared();
-    shown.answers = shown.answers || verdict.compared() > 0 || expected > 0;
+    const std::uint64_t expected = examinee.pictures ? 0 : apply(*law, own_trial).compared();
+    outcome.compared += verdict.compared();
+    outcome.answers = outcome.answers || verdict.compared() > 0 || expected > 0;
     // Who shows colours of its own does not tell which sphere it sees.
     const bool is_untold =
-        asking.pictures && !asking.masks_only && the_case.scene.spheres.size() > 1;
+        examinee.pictures && !examinee.masks_only && the_case.scene.spheres.size() > 1;
     if (!verdict.holds()) {
-      if (shown.broken != nullptr) continue;
-      shown.broken = law;
-      shown.discrepancy = verdict.worst(1).front();
+      if (outcome.broken != nullptr) continue;
+      outcome.broken = law;
+      outcome.discrepancy = verdict.worst(1).front();
+      outcome.timed_out = outcome.discrepancy->wrong == properties::Wrong::kFailed &&
+                          examinee.last_failure && *examinee.last_failure == FailureKind::kTimeUp;
     } else if (is_untold && !verdict.reason_left_out().empty()) {
-      shown.unanswered = "its colours are not those of the driver file";
-    } else if (verdict.compared() < expected && shown.unanswered.empty() &&
-               !may_miss_answers(trial)) {
-      const std::string& reason = verdict.reason_left_out();
-      shown.unanswered =
-          fmt::format("{}: {}", law->name, reason.empty() ? "answers are missing" : reason);
+      outcome.unanswered = {.kind = ItemReason::Kind::kOtherColours};
+    } else if (verdict.compared() < expected && outcome.is_answered() && !may_miss_answers(trial)) {
+      outcome.unanswered = {.kind = ItemReason::Kind::kUnanswered,
+                            .law = std::string(law->name),
+                            .said = verdict.reason_left_out()};
     }
   }
-  return shown;
+  return outcome;
+}
+
+/// A case that broke a law.
+struct Failure {
+  ItemCase item_case;
+  const Law* broken;
+  Discrepancy discrepancy;
+  bool timed_out;
+};
+
+/// The first failure of an item, and the first cases that failed.
+struct Failures {
+  std::optional<Failure> first;
+  std::vector<Case> cases;
+};
+
+using ReasonToStop = std::function<ItemReason()>;
+
+/// Tries the cases of an item, until there is a reason to stop.
+Failures try_cases(const std::vector<const Law*>& laws, const ItemCases& cases,
+                   const Examinee& examinee, const ReasonToStop& reason_to_stop, ItemGrade& grade) {
+  Failures failures;
+  int failed_altogether = 0;
+  for (std::size_t k = 0; k < cases.size(); ++k) {
+    if (ItemReason reason = reason_to_stop(); reason.kind != ItemReason::Kind::kNone) {
+      grade.state = ItemState::kNotJudged;
+      grade.reason = std::move(reason);
+      return {};
+    }
+    std::optional<ItemCase> item_case = cases[k];
+    if (!item_case) continue;
+    const CaseOutcome outcome = try_case(laws, item_case->the_case, examinee);
+    if (!outcome.answers) continue;
+    ++grade.cases;
+    grade.comparisons += outcome.compared;
+    if (outcome.holds()) {
+      ++grade.held;
+      continue;
+    }
+    if (grade.reason.kind == ItemReason::Kind::kNone) grade.reason = outcome.unanswered;
+    if (outcome.broken == nullptr) continue;
+    if (failures.cases.size() < kKeptCases) failures.cases.push_back(item_case->the_case);
+    if (!failures.first) {
+      failures.first =
+          Failure{std::move(*item_case), outcome.broken, *outcome.discrepancy, outcome.timed_out};
+    }
+    if (outcome.discrepancy->wrong == properties::Wrong::kFailed &&
+        ++failed_altogether == kMostFailures) {
+      grade.cases += cases.size() - k - 1;
+      break;
+    }
+  }
+  if (grade.cases == 0) grade.reason = {.kind = ItemReason::Kind::kNothingToCompare};
+  grade.state =
+      grade.cases > 0 && grade.held == grade.cases ? ItemState::kHolds : ItemState::kFails;
+  return failures;
 }
 
 }  // namespace
@@ -138,10 +196,11 @@ double score_of(const Item& item, std::uint64_t held, std::uint64_t cases) {
 }
 
 Judge::Judge(const Rubric& rubric, Candidate candidate, bool is_renderer, std::uint64_t seed,
-             const properties::RunControl& control)
+             const properties::RunControl& control, LastFailure last_failure)
     : rubric_(rubric),
       candidate_(std::move(candidate)),
       control_(control),
+      last_failure_(std::move(last_failure)),
       is_renderer_(is_renderer),
       seed_(seed),
       end_(Clock::now() + std::chrono::duration_cast<Clock::duration>(
@@ -149,86 +208,55 @@ Judge::Judge(const Rubric& rubric, Candidate candidate, bool is_renderer, std::u
   candidate_.declared = over(rubric.conventions, candidate_.declared);
 }
 
+ItemReason Judge::reason_to_stop() const {
+  if (control_.interrupted()) return {.kind = ItemReason::Kind::kInterrupted};
+  if (Clock::now() <= end_) return {};
+  return {.kind = ItemReason::Kind::kTimeUp, .seconds = rubric_.seconds};
+}
+
 ItemGrade Judge::item(std::size_t index, const std::vector<ItemGrade>& before) {
+  using Kind = ItemReason::Kind;
   const Item& item = rubric_.items[index];
   ItemGrade grade;
   grade.name = item.name;
   grade.bonus = item.bonus;
-  const auto& questions = is_renderer_ ? item.pictures : item.functions;
-  if (!questions) {
-    grade.state = kNotAsked;
-    grade.reason = is_renderer_ ? "a picture does not show it" : "it is asked of renderers only";
+  grade.pictures = is_renderer_;
+  const auto& task = is_renderer_ ? item.pictures : item.functions;
+  if (!task) {
+    grade.state = ItemState::kNotAsked;
+    grade.reason.kind = is_renderer_ ? Kind::kNotInPictures : Kind::kOfRenderers;
     return grade;
   }
   grade.points = item.points;
   for (const std::string& needed : item.needs) {
     const auto found = std::find_if(before.begin(), before.end(),
                                     [&](const ItemGrade& other) { return other.name == needed; });
-    if (found->state == kNotAsked || found->score >= found->points) continue;
-    grade.state = kLeftOut;
-    grade.reason = fmt::format("it needs '{}', which {}", needed,
-                               found->state == kFails ? "fails" : "is " + found->state);
+    if (found->state == ItemState::kNotAsked || found->score >= found->points) continue;
+    grade.state = ItemState::kLeftOut;
+    grade.reason = {.kind = Kind::kNeeds, .item = needed, .state = found->state};
     return grade;
   }
-  const auto is_late = [this] { return Clock::now() > end_ || control_.interrupted(); };
   // Which sphere is shown tells more about a mistake than whether there is one.
   Candidate telling = tolerated(candidate_, item.tolerance);
-  telling.excused_image_change = questions->image_change.value_or(telling.excused_image_change);
-  const Candidate candidate = questions->masks_only ? masked(telling) : telling;
-  const Asking asking{candidate, item.tolerance, is_renderer_, questions->masks_only,
-                      rubric_.dialect};
+  telling.excused_image_change = task->image_change.value_or(telling.excused_image_change);
+  const Candidate candidate = task->masks_only ? masked(telling) : telling;
+  const Examinee examinee{candidate, item.tolerance, is_renderer_, task->masks_only, last_failure_};
   properties::Random seeds(seed_);
   for (std::size_t k = 0; k < index; ++k) seeds.bits();
-  const ItemCases cases(*questions, is_renderer_, seeds.bits(), candidate.declared);
-  std::vector<Case> wrong;
-  int failures = 0;
-  std::optional<std::pair<Asked, Shown>> first;
-  for (std::size_t k = 0; k < cases.size(); ++k) {
-    if (is_late()) {
-      grade.state = kNotJudged;
-      grade.reason = control_.interrupted() ? "interrupted"
-                                            : fmt::format(
-                                                  "time is up: a submission has {} s for all that "
-                                                  "it is asked",
-                                                  rubric_.seconds);
-      return grade;
-    }
-    std::optional<Asked> asked = cases[k];
-    if (!asked) continue;
-    Shown shown = show(questions->laws, asked->the_case, asking);
-    if (!shown.answers) continue;
-    ++grade.cases;
-    grade.comparisons += shown.compared;
-    if (shown.holds()) {
-      ++grade.held;
-      continue;
-    }
-    if (!shown.unanswered.empty() && grade.reason.empty()) grade.reason = shown.unanswered;
-    if (shown.broken == nullptr) continue;
-    if (wrong.size() < kKeptCases) wrong.push_back(asked->the_case);
-    const bool failed = shown.discrepancy->wrong == properties::Wrong::kFailed;
-    if (!first) first.emplace(std::move(*asked), std::move(shown));
-    if (failed && ++failures == kMostFailures) {
-      grade.cases += cases.size() - k - 1;
-      break;
-    }
-  }
-  if (grade.cases == 0) grade.reason = "there was nothing to compare";
+  const ItemCases cases(*task, is_renderer_, seeds.bits(), candidate.declared);
+  const auto stop = [this] { return reason_to_stop(); };
+  const Failures failures = try_cases(task->laws, cases, examinee, stop, grade);
+  if (grade.state == ItemState::kNotJudged) return grade;
   grade.score = score_of(item, grade.held, grade.cases);
-  grade.state = grade.cases > 0 && grade.held == grade.cases ? kHolds : kFails;
-  if (!first) return grade;
-  const auto& [asked, shown] = *first;
-  grade.first_wrong = plain_text(asked.origin + ": " + head(*shown.discrepancy));
-  if (!shown.discrepancy->got.empty()) {
-    grade.first_wrong += ", " + numbers_text(shown.discrepancy->got);
-  }
-  grade.sentences = mistake_sentences(wrong, telling, is_renderer_);
-  const Case smallest =
-      simplest(asked.the_case, *shown.broken, *shown.discrepancy, asking, is_late);
-  if (auto failing =
-          failing_case(smallest, asked.origin, *shown.broken, *shown.discrepancy, asking)) {
-    grade.failing.push_back(std::move(*failing));
-  }
+  if (!failures.first) return grade;
+  const auto& [item_case, broken, discrepancy, timed_out] = *failures.first;
+  grade.first_wrong = {item_case.origin, wrong_answer(discrepancy)};
+  grade.mistakes = explaining_mistakes(failures.cases, telling, is_renderer_);
+  const auto is_late = [this] { return reason_to_stop().kind != ItemReason::Kind::kNone; };
+  const Case smallest = timed_out
+                            ? item_case.the_case
+                            : simplest(item_case.the_case, *broken, discrepancy, examinee, is_late);
+  grade.failing = failing_case(smallest, item_case.origin, *broken, discrepancy, examinee);
   return grade;
 }
 

@@ -5,6 +5,7 @@
 #include <cstdint>
 
 #include "properties/run_control.h"
+#include "tools/external/external_candidate.h"
 #include "tools/grade/result.h"
 #include "tools/grade/rubric.h"
 
@@ -15,9 +16,10 @@ namespace raycheck::tools {
 /// laws hold and the candidate answers all that raycheck's own methods answer.
 class Judge {
  public:
-  /// `is_renderer`: it is asked for pictures, otherwise for functions.
+  /// `is_renderer`: it is asked for pictures, otherwise for functions. `last_failure` is set where
+  /// the candidate fails.
   Judge(const Rubric& rubric, properties::Candidate candidate, bool is_renderer, std::uint64_t seed,
-        const properties::RunControl& control);
+        const properties::RunControl& control, LastFailure last_failure = nullptr);
 
   /// Domain: items in the order of the rubric, `before` what became of those before it.
   ItemGrade item(std::size_t index, const std::vector<ItemGrade>& before);
@@ -25,9 +27,13 @@ class Judge {
  private:
   using Clock = std::chrono::steady_clock;
 
+  /// Why no more is to be asked, if so.
+  ItemReason reason_to_stop() const;
+
   const Rubric& rubric_;
   properties::Candidate candidate_;
   const properties::RunControl& control_;
+  LastFailure last_failure_;
   bool is_renderer_;
   std::uint64_t seed_;
   Clock::time_point end_;

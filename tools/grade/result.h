@@ -1,67 +1,143 @@
 #ifndef RAYCHECK_TOOLS_GRADE_RESULT_H_
 #define RAYCHECK_TOOLS_GRADE_RESULT_H_
 
+// What grading finds out, as data; views (views.h) make words of it.
+
+#include <array>
 #include <cstdint>
-#include <nlohmann/json.hpp>
+#include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
+
+#include "properties/truth.h"
+#include "properties/verdict.h"
+#include "tools/external/candidate_spec.h"
+#include "tools/external/sandbox/process.h"
 
 namespace raycheck::tools {
 
-/// The smallest case found that an item fails on, all of it in words: what students are shown.
+/// Where a case comes from: a scene of the rubric, or a source of random cases.
+struct CaseOrigin {
+  std::string scene = {};    ///< As the rubric calls it; empty: a random case.
+  std::string source = {};   ///< "course", "distance@3"
+  std::uint64_t number = 0;  ///< Of a random case, from 1.
+};
+
+/// An answer that breaks a law.
+struct WrongAnswer {
+  properties::Quantity quantity = properties::Quantity::kFrame;
+  properties::Place place;
+  std::string part;  ///< "U", "scaled by 2^40"; of a failure what the candidate said.
+  properties::Wrong wrong = properties::Wrong::kNot;
+  std::vector<double> got;                   ///< Empty: a miss, or no number.
+  std::optional<std::vector<double>> exact;  ///< As for got; absent: withheld.
+  /// In the quantity's unit, of a number that is off; absent: withheld, or right or wrong.
+  std::optional<double> error;
+  std::optional<double> condition;  ///< The condition number, where it was worked out.
+};
+
+/// The smallest case found that an item fails on.
 struct FailingCase {
-  std::string law;     ///< Its sentence.
-  std::string origin;  ///< "scene frame.toml", "course, random case 7"
-  std::string step;    ///< The first step that goes wrong: "direction"; empty: not to be told.
-  std::string what;    ///< "class, pixel (3, 4), sphere 0: missed"
-  std::string actual;  ///< Numbers, or "miss"; empty: none.
-  std::string expected;
-  std::string scene;   ///< The case as a TOML scene.
-  std::string driver;  ///< As a driver file; empty where it has no camera.
+  std::string law;  ///< Its name.
+  CaseOrigin origin;
+  std::optional<std::string> step;  ///< The first step that goes wrong: "direction".
+  WrongAnswer answer;
+  properties::Case the_case;  ///< No pixels: of a picture, all of them.
+};
+
+/// The first wrong answer, before the case was made smaller: the same for submissions that go wrong
+/// alike.
+struct FirstWrongAnswer {
+  CaseOrigin origin;
+  WrongAnswer answer;
+};
+
+/// A mistake that makes right so many of an item's wrong answers, or pixels.
+struct ExplainingMistake {
+  std::string sentence;
+  std::uint64_t wrong = 0, explained = 0;
 };
 
 /// What became of an item.
-inline constexpr const char* kHolds = "holds";
-inline constexpr const char* kFails = "fails";
-inline constexpr const char* kLeftOut = "left out";      ///< A prerequisite failed.
-inline constexpr const char* kNotAsked = "not asked";    ///< Not of this form of submission.
-inline constexpr const char* kNotJudged = "not judged";  ///< Time was up, or it was interrupted.
+enum class ItemState {
+  kHolds,
+  kFails,
+  kLeftOut,   ///< A prerequisite failed.
+  kNotAsked,  ///< Not of this form of submission.
+  kNotJudged  ///< Time was up, or it was interrupted.
+};
+inline constexpr std::array<std::string_view, 5> kItemStateNames = {"holds", "fails", "left out",
+                                                                    "not asked", "not judged"};
+constexpr std::string_view name(ItemState state) {
+  return kItemStateNames[static_cast<std::size_t>(state)];
+}
+
+/// Why an item is left out, not asked, not judged, or fails without a case.
+struct ItemReason {
+  enum class Kind {
+    kNone,
+    kNotInPictures,     ///< A picture does not show it.
+    kOfRenderers,       ///< It is asked of renderers only.
+    kNeeds,             ///< Another item, which has not all points.
+    kTimeUp,            ///< For all that the submission is asked.
+    kInterrupted,       ///< The run was.
+    kOtherColours,      ///< A picture's colours are not those of the driver file.
+    kUnanswered,        ///< Less is answered than a law asks.
+    kNothingToCompare,  ///< There were no cases.
+    kNothingRuns        ///< Nothing of the submission could be run.
+  };
+  Kind kind = Kind::kNone;
+  std::string item = {};                ///< The one that it needs; empty: withheld.
+  ItemState state = ItemState::kFails;  ///< What became of that.
+  double seconds = 0;                   ///< That it had.
+  std::string law = {}, said = {};      ///< Which law was not answered, and why.
+};
+inline constexpr std::array<std::string_view, 10> kReasonNames = {"",
+                                                                  "not in pictures",
+                                                                  "of renderers",
+                                                                  "needs",
+                                                                  "time is up",
+                                                                  "interrupted",
+                                                                  "other colours",
+                                                                  "unanswered",
+                                                                  "nothing to compare",
+                                                                  "nothing runs"};
 
 struct ItemGrade {
   std::string name;
-  std::string state;
-  std::string reason;  ///< Why it is left out, not asked, not judged, or fails without a case.
-  double points = 0;   ///< To be had; 0 where it is not asked.
+  ItemState state = ItemState::kNotJudged;
+  ItemReason reason;
+  double points = 0;  ///< To be had; 0 where it is not asked.
   double score = 0;
   bool bonus = false;
+  bool pictures = false;    ///< It was asked for pictures, otherwise for functions.
   std::uint64_t cases = 0;  ///< Of which something was asked.
   std::uint64_t held = 0;
   std::uint64_t comparisons = 0;
-  std::vector<std::string> sentences;  ///< The mistake that explains what is wrong.
-  std::vector<FailingCase> failing;    ///< One, or none.
-  std::string first_wrong;  ///< The first failing case before it was shrunk and its wrong answer,
-                            ///< the same for submissions that go wrong alike.
+  std::vector<ExplainingMistake> mistakes;
+  std::optional<FailingCase> failing;
+  std::optional<FirstWrongAnswer> first_wrong;
+};
+
+/// Why nothing of a submission could be run.
+struct Refusal {
+  std::string why;   ///< One line.
+  std::string said;  ///< What a compiler said of it, or empty.
 };
 
 struct SubmissionGrade {
   std::string name;
-  std::string key;      ///< Of all that the grade depends on.
-  std::string form;     ///< The candidate as it was run; empty where none was found.
-  std::string kept_by;  ///< The layers of isolation.
-  std::string refused;  ///< Why nothing could be asked: a compiler's message, a missing file.
+  std::string key;                       ///< Of all that the grade depends on.
+  std::optional<CandidateSpec> program;  ///< As it was run; absent where none was found.
+  Layers isolation;
+  std::optional<Refusal> refused;
   std::uint64_t seed = 0;
   bool finished = false;
   double points = 0;  ///< Of items that are asked, bonus aside.
   double score = 0;
   std::vector<ItemGrade> items;
 };
-
-NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(FailingCase, law, origin, step, what, actual, expected, scene,
-                                   driver)
-NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(ItemGrade, name, state, reason, points, score, bonus, cases,
-                                   held, comparisons, sentences, failing, first_wrong)
-NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(SubmissionGrade, name, key, form, kept_by, refused, seed,
-                                   finished, points, score, items)
 
 }  // namespace raycheck::tools
 

@@ -1,6 +1,7 @@
 #include "tools/grade/rubric.h"
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
 #include <fstream>
 #include <iterator>
@@ -10,7 +11,6 @@
 #include "scene/files/toml_fields.h"
 #include "tools/external/sandbox/process.h"
 #include "tools/grade/digest.h"
-#include "tools/grade/words.h"
 #include "tools/report/version.h"
 
 namespace raycheck::tools {
@@ -27,6 +27,8 @@ constexpr std::array<std::string_view, 2> kRaysNames = {"own", "given"};
 constexpr double kMostSeconds = 86400;
 constexpr double kLargest = std::numeric_limits<double>::max();
 constexpr std::int64_t kMostCases = 1000000;
+/// File systems take 255 bytes at most.
+constexpr std::size_t kLongestName = 80;
 
 std::string read_file(const fs::path& path, const std::string& name) {
   std::ifstream file(path, std::ios::binary);
@@ -114,12 +116,21 @@ class RubricReader {
 
   Form form(const Table& from) {
     fields_.require_known(from, {"has", "build", "candidate"});
+    const Field candidate = fields_.required(from, "candidate");
     Form result{fields_.text(fields_.required(from, "has")), given_text(from, "build", ""),
-                fields_.text(fields_.required(from, "candidate"))};
+                program(candidate)};
     if (result.has.find('/') != std::string::npos) {
       fields_.fail(fields_.required(from, "has"), "names a file of the submission's own folder");
     }
     return result;
+  }
+
+  CandidateSpec program(const Field& field) const {
+    try {
+      return parse_candidate(fields_.text(field));
+    } catch (const CandidateError& error) {
+      fields_.fail(field, error.why());
+    }
   }
 
   void read_steps(const Table& from, Item& item) {
@@ -171,10 +182,10 @@ class RubricReader {
     fields_.choose(from, "visibility", kVisibilityNames, result.visibility);
     fields_.choose(from, "detail", kDetailNames, result.detail);
     if (const auto field = fields_.optional(from, "functions")) {
-      result.functions = questions(*field, false);
+      result.functions = task(*field, false);
     }
     if (const auto field = fields_.optional(from, "pictures")) {
-      result.pictures = questions(*field, true);
+      result.pictures = task(*field, true);
     }
     if (!result.functions && !result.pictures) {
       fields_.located().fail(from.line, from.prefix + "functions",
@@ -183,14 +194,14 @@ class RubricReader {
     return result;
   }
 
-  Questions questions(const Field& field, bool pictures) {
+  ItemTask task(const Field& field, bool pictures) {
     const Table from = fields_.table(field);
     if (pictures) {
       fields_.require_known(from, {"judge", "image_change", "scenes", "sources", "cases"});
     } else {
       fields_.require_known(from, {"laws", "scenes", "sources", "cases", "rays"});
     }
-    Questions result;
+    ItemTask result;
     if (pictures) {
       result.laws = properties::laws_that(
           [](const properties::Law& law) { return law.per == properties::Per::kImage; });
@@ -222,7 +233,7 @@ class RubricReader {
     return result;
   }
 
-  void read_sources(const Table& from, bool pictures, Questions& result) {
+  void read_sources(const Table& from, bool pictures, ItemTask& result) {
     if (const auto sources = fields_.optional(from, "sources")) {
       for (const Field& name : fields_.list(*sources)) {
         try {
@@ -273,6 +284,21 @@ class RubricReader {
 };
 
 }  // namespace
+
+std::string file_name(std::string_view item) {
+  std::string name;
+  for (const char c : item) {
+    const bool is_plain = std::isalnum(static_cast<unsigned char>(c)) != 0;
+    if (is_plain) {
+      name += static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+    } else if (!name.empty() && name.back() != '-') {
+      name += '-';
+    }
+  }
+  name.resize(std::min(name.size(), kLongestName));
+  while (!name.empty() && name.back() == '-') name.pop_back();
+  return name.empty() ? "item" : name;
+}
 
 Rubric load_rubric(const fs::path& path) {
   if (!fs::exists(path) && !path.has_parent_path()) {

@@ -12,6 +12,7 @@
 #include "properties/cases/case_source.h"
 #include "properties/laws/law.h"
 #include "scene/files/scene_file.h"
+#include "tools/external/candidate_spec.h"
 
 namespace raycheck::tools {
 
@@ -59,8 +60,8 @@ inline constexpr std::int64_t kMostGradedPixels = std::int64_t{1} << 16;
 /// Functions are asked about at most so many rays of a scene, spread evenly.
 inline constexpr std::uint64_t kMostGradedRays = 512;
 
-/// The cases of an item, and the laws that are asked of each.
-struct Questions {
+/// What an item asks: the laws, and the cases that each is tried on.
+struct ItemTask {
   std::vector<const properties::Law*> laws;
   std::vector<RubricScene> scenes;  ///< Every pixel or given ray.
   std::vector<properties::ChosenSource> sources;
@@ -82,15 +83,18 @@ struct Item {
   Tolerance tolerance;
   Visibility visibility = Visibility::kVisible;
   Detail detail = Detail::kFull;
-  std::optional<Questions> functions;  ///< Of libraries and programs; empty: not asked of them.
-  std::optional<Questions> pictures;   ///< Of renderers.
+  std::optional<ItemTask> functions;  ///< Of libraries and programs; empty: not asked of them.
+  std::optional<ItemTask> pictures;   ///< Of renderers.
 };
+
+/// A name of letters, digits and hyphens for the files of an item.
+std::string file_name(std::string_view item);
 
 /// A form of submission: a folder in which a file of that name lies.
 struct Form {
   std::string has;        ///< A name with * and ?.
   std::string build;      ///< Shell words, run in a copy of the folder; empty: nothing to build.
-  std::string candidate;  ///< As for --candidate; {file} is the file found.
+  CandidateSpec program;  ///< {file} is the file found.
 };
 
 struct Rubric {

@@ -14,6 +14,7 @@
 
 #include "tools/external/compile.h"
 #include "tools/grade/digest.h"
+#include "tools/grade/views.h"
 
 namespace raycheck::tools {
 namespace {
@@ -22,6 +23,8 @@ namespace fs = std::filesystem;
 
 constexpr std::uintmax_t kMostBytes = std::uintmax_t{64} << 20;
 constexpr std::size_t kMostFiles = 10000;
+
+[[noreturn]] void refuse(const std::string& why) { throw SubmissionError({why, ""}, {}); }
 
 /// The regular files of a submission, by their paths in it, in order. Links are not followed: they
 /// may lead to what is not the submission's.
@@ -32,10 +35,8 @@ std::map<std::string, fs::path> files_of(const fs::path& path) {
     return {{path.filename().string(), path}};
   }
   if (!fs::is_directory(status)) {
-    throw Refused(fs::is_regular_file(status)
-                      ? fmt::format("it has more than {} MiB", kMostBytes >> 20)
-                      : "it is neither a file nor a folder",
-                  "");
+    refuse(fs::is_regular_file(status) ? fmt::format("it has more than {} MiB", kMostBytes >> 20)
+                                       : "it is neither a file nor a folder");
   }
   std::uintmax_t bytes = 0;
   for (const auto& entry : fs::recursive_directory_iterator(path)) {
@@ -43,8 +44,7 @@ std::map<std::string, fs::path> files_of(const fs::path& path) {
     files.emplace(fs::relative(entry.path(), path).string(), entry.path());
     bytes += entry.file_size();
     if (files.size() > kMostFiles || bytes > kMostBytes) {
-      throw Refused(
-          fmt::format("it has more than {} files or {} MiB", kMostFiles, kMostBytes >> 20), "");
+      refuse(fmt::format("it has more than {} files or {} MiB", kMostFiles, kMostBytes >> 20));
     }
   }
   return files;
@@ -98,10 +98,8 @@ std::pair<const Form*, std::string> form_of(const fs::path& folder, const Rubric
   }
   std::string asked;
   for (const Form& form : rubric.forms) asked += (asked.empty() ? "" : ", ") + form.has;
-  throw Refused(asked.empty()
-                    ? "the rubric has no [[form]] of submissions"
-                    : fmt::format("it has none of the files that are asked for: {}", asked),
-                "");
+  refuse(asked.empty() ? "the rubric has no [[form]] of submissions"
+                       : fmt::format("it has none of the files that are asked for: {}", asked));
 }
 
 }  // namespace
@@ -119,7 +117,9 @@ std::vector<Submission> find_submissions(const std::vector<std::string>& paths) 
     }
     const bool is_file = fs::is_regular_file(fs::symlink_status(path));
     const std::string name = is_file ? path.stem().string() : path.filename().string();
-    if (name == kClassPage || name == kClassTable) {
+    const auto files = class_files();
+    if (std::any_of(files.begin(), files.end(),
+                    [&](const ClassView& file) { return file.name == name; })) {
       throw std::invalid_argument(
           fmt::format("{}: rename it; the results of the class are called so", given));
     }
@@ -149,7 +149,8 @@ std::string digest(const Submission& submission) {
   return digest(texts);
 }
 
-Prepared prepare(const Submission& submission, const Rubric& rubric, const Layers& layers) try {
+RunnableSubmission prepare(const Submission& submission, const Rubric& rubric,
+                           const Layers& layers) try {
   auto folder = std::make_shared<PrivateFolder>();
   for (const auto& [name, path] : files_of(innermost(submission.path))) {
     const fs::path to = folder->path() / name;
@@ -157,9 +158,8 @@ Prepared prepare(const Submission& submission, const Rubric& rubric, const Layer
     fs::copy_file(path, to);
   }
   const auto [form, file] = form_of(folder->path(), rubric);
-  const bool has_words =
-      form->candidate.starts_with("command:") || form->candidate.starts_with("renderer:");
-  const std::string what = with_file(form->candidate, has_words ? candidate_word(file) : file);
+  CandidateSpec program = form->program;
+  program.what = with_file(program.what, program.is_words() ? candidate_word(file) : file);
   RunOptions options;
   options.layers = layers;
   options.limits.seconds = rubric.reply_seconds;
@@ -176,18 +176,15 @@ Prepared prepare(const Submission& submission, const Rubric& rubric, const Layer
       open_to_others(folder->path());
     }
     options.folder = folder->path();
-    Prepared prepared{find_external(what, options), what};
+    RunnableSubmission runnable{find_external(program, options), program};
     // The program's folder lasts as long as it; a library has one of its own.
-    if (!prepared.external.folder) prepared.external.folder = std::move(folder);
-    return prepared;
-  } catch (const std::invalid_argument& error) {
-    std::string why = error.what();
-    const std::string option = "--candidate " + what + ": ";
-    if (why.starts_with(option)) why.erase(0, option.size());
-    throw Refused(why, what);
+    if (!runnable.external.folder) runnable.external.folder = std::move(folder);
+    return runnable;
+  } catch (const CandidateError& error) {
+    throw SubmissionError({error.why(), error.said()}, program);
   }
 } catch (const fs::filesystem_error& error) {
-  throw Refused("its files: " + error.code().message(), "");
+  refuse("its files: " + error.code().message());
 }
 
 std::string plain_text(std::string text) {

@@ -126,7 +126,7 @@ TEST(Candidate, lies_in_a_folder_that_is_closed_to_others) {
   expect_right(kRays, "source:" + folder + "/right.cpp");
   // What runs there is still not root, where raycheck is.
   const json open = judged(kRays, "command:python3 tests/candidates/right.py");
-  EXPECT_EQ(judged(kRays, "command:python3 " + folder + "/right.py")["kept_by"], open["kept_by"]);
+  EXPECT_EQ(judged(kRays, "command:python3 " + folder + "/right.py")["isolated_by"], open["isolated_by"]);
   std::filesystem::remove_all(folder);
 }
 
@@ -142,7 +142,7 @@ TEST(Candidate, is_judged_beside_methods) {
   const json report = json::parse(both.out);
   ASSERT_EQ(report["candidates"].size(), 2u);
   EXPECT_EQ(report["candidates"][0]["name"], "direct/robust");
-  EXPECT_TRUE(report["candidates"][0]["kept_by"].is_null());
+  EXPECT_TRUE(report["candidates"][0]["isolated_by"].is_null());
   EXPECT_TRUE(report["candidates"][1]["rays"].is_null());
 }
 
@@ -165,8 +165,8 @@ TEST_P(EachHostile, GainsNothing) {
       kRays, "command:python3 tests/candidates/hostile.py " + std::string(how) + " " + secret,
       "--timeout 3");
   EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::seconds(30));
-  const bool is_kept = report["kept_by"].get<std::string>().find(layer) != std::string::npos;
-  if (!is_kept) GTEST_SKIP() << "here works only: " << report["kept_by"];
+  const bool is_kept = report["isolated_by"].get<std::string>().find(layer) != std::string::npos;
+  if (!is_kept) GTEST_SKIP() << "here works only: " << report["isolated_by"];
   EXPECT_GT(report["discrepancies"], 0);
   EXPECT_NE(report["worst"].dump().find(what), std::string::npos) << how << "\n"
                                                                   << report["worst"].dump(2);
@@ -181,10 +181,10 @@ INSTANTIATE_TEST_SUITE_P(Ways, EachHostile,
                                          Hostile{"sleep", "it gave no reply within 3 s", ""},
                                          Hostile{"output", "it replied with more than", ""},
                                          Hostile{"memory", "refused: ", ""},
-                                         Hostile{"fork", "refused: BlockingIOError", "other user"},
-                                         Hostile{"write", "refused: ", "other user"},
-                                         Hostile{"read", "refused: ", "other user"},
-                                         Hostile{"preload", "refused: ", "other user"},
+                                         Hostile{"fork", "refused: BlockingIOError", "own user"},
+                                         Hostile{"write", "refused: ", "own user"},
+                                         Hostile{"read", "refused: ", "own user"},
+                                         Hostile{"preload", "refused: ", "own user"},
                                          Hostile{"socket", "refused: PermissionError", "seccomp"},
                                          Hostile{"parent", "refused: ", "bubblewrap"},
                                          Hostile{"score", "its reply begins with 'score 100'", ""},
@@ -290,12 +290,12 @@ TEST(Renderer, keeps_the_law_of_images_on_random_scenes) {
 
 TEST(Candidate, is_kept_as_asked) {
   const std::string right = "command:python3 tests/candidates/right.py";
-  EXPECT_EQ(judged(kRays, right, "--sandbox none")["kept_by"], "limits only");
+  EXPECT_EQ(judged(kRays, right, "--sandbox none")["isolated_by"], "limits only");
   const Outcome required = check(kRays, right, "--sandbox require");
   if (required.exit_code == 2) {
     EXPECT_NE(required.err.find("--sandbox require: here works"), std::string::npos);
   } else {
-    const std::string kept = json::parse(required.out)["candidates"][0]["kept_by"];
+    const std::string kept = json::parse(required.out)["candidates"][0]["isolated_by"];
     EXPECT_NE(kept.find("seccomp, bubblewrap"), std::string::npos) << kept;
   }
   EXPECT_EQ(check(kRays, right, "--sandbox perhaps").exit_code, 2);

@@ -45,6 +45,8 @@ const std::vector<Wrong> kWrong = {
     {"has =", "hass =", "3: form[0].hass = \"rays.py\": unknown key; form knows has, "},
     {"rays.py", "a/rays.py", "3: form[0].has = \"a/rays.py\": names a file of the submission's"},
     {"candidate = \"command:python3 {file}\"\n", "", "2: form[0].candidate: is missing"},
+    {"command:python3", "run:python3",
+     "4: form[0].candidate = \"run:python3 {file}\": there is no run:; give library:PATH.so, "},
     {"name = \"one\"\n", "", "item[0].name: is missing"},
     {"\"one\"", "\"\"", "6: item[0].name = \"\": is empty"},
     {"points = 4\n", "", "item[0].points: is missing"},
@@ -179,9 +181,9 @@ TEST(GradeCommand, grades_the_others_when_a_submission_has_no_form) {
   for (const char* name : {"other", "nothing"}) {
     const auto result = grading.result(name);
     EXPECT_EQ(result["score"], 0);
-    EXPECT_EQ(result["form"], "");
+    EXPECT_TRUE(result["program"].is_null());
     EXPECT_TRUE(
-        contains(result["refused"], "it has none of the files that are asked for: rays.cpp"))
+        contains(result["refused"]["why"], "it has none of the files that are asked for: rays.cpp"))
         << result["refused"];
   }
   EXPECT_EQ(grading.result("mine")["score"], 110);

@@ -4,7 +4,6 @@
 #include <fcntl.h>
 #include <fmt/core.h>
 #include <poll.h>
-#include <spawn.h>
 #include <sys/prctl.h>
 #include <sys/stat.h>
 #include <sys/wait.h>
@@ -12,7 +11,6 @@
 
 #include <algorithm>
 #include <array>
-#include <atomic>
 #include <cerrno>
 #include <charconv>
 #include <chrono>
@@ -22,8 +20,6 @@
 #include <system_error>
 #include <utility>
 
-#include "tools/report/version.h"
-
 namespace raycheck::tools {
 namespace {
 
@@ -32,18 +28,6 @@ using Clock = std::chrono::steady_clock;
 
 /// How much of what a candidate says on the standard error is kept.
 constexpr std::size_t kSaid = 4096;
-
-/// A user for each process, which no account has: of this process and a number where such large ids
-/// exist, else one of 16 bits.
-std::atomic<bool> has_large_users = true;
-std::uint64_t next_user() {
-  static std::atomic<std::uint64_t> next = 0;
-  const auto process = static_cast<std::uint64_t>(getpid());
-  const std::uint64_t number = next++;
-  if (has_large_users) return std::uint64_t{1} << 30 | process % (1 << 22) << 8 | number % 256;
-  constexpr std::uint64_t kFirst = 61184, kCount = 4336;
-  return kFirst + (process * 61 + number) % kCount;
-}
 
 /// Both ends of a pipe, closed in other programs.
 struct Pipe {
@@ -61,99 +45,6 @@ struct Pipe {
 void close_once(int& descriptor) {
   if (descriptor >= 0) close(descriptor);
   descriptor = -1;
-}
-
-/// Java would take more addresses than there are for one process.
-constexpr const char* kJava =
-    "JAVA_TOOL_OPTIONS=-Xmx512m -XX:+UseSerialGC -XX:ReservedCodeCacheSize=64m";
-
-/// Of the system what programs need: of /etc the loader's and Java's files, and no others.
-std::vector<std::string> system_paths() {
-  std::vector<std::string> paths = {"/usr",
-                                    "/bin",
-                                    "/lib",
-                                    "/lib64",
-                                    "/etc/alternatives",
-                                    "/etc/ld.so.cache",
-                                    "/etc/ld.so.conf",
-                                    "/etc/ld.so.conf.d"};
-  std::error_code ignored;
-  for (const auto& entry : fs::directory_iterator("/etc", ignored)) {
-    if (entry.path().filename().string().starts_with("java")) paths.push_back(entry.path());
-  }
-  return paths;
-}
-
-std::vector<std::string> jailed(const Confined& confined, const fs::path& folder,
-                                std::uint64_t user) {
-  const std::string jail = helper("raycheck-jail");
-  const Limits& limits = confined.limits;
-  std::vector<std::string> arguments = {jail,
-                                        fmt::format("cpu={}", limits.cpu_seconds),
-                                        fmt::format("memory={}", limits.memory),
-                                        fmt::format("file={}", limits.file),
-                                        fmt::format("files={}", limits.files),
-                                        fmt::format("processes={}", limits.processes)};
-  const auto add = [&](std::initializer_list<std::string> more) {
-    arguments.insert(arguments.end(), more);
-  };
-  if (user != 0) add({fmt::format("user={}", user)});
-  if (confined.layers.bubblewrap) {
-    add({"--", "bwrap", "--unshare-all", "--die-with-parent", "--new-session", "--dev", "/dev",
-         "--proc", "/proc", "--tmpfs", "/tmp"});
-    for (const std::string& system : system_paths()) add({"--ro-bind-try", system, system});
-    add({"--ro-bind", jail, jail});
-    add({"--ro-bind-try", adapters(), adapters()});
-    for (const fs::path& path : confined.readable) add({"--ro-bind", path, path});
-    add({"--bind", folder, folder, "--remount-ro", "/", "--chdir", folder});
-    add({"--", jail});
-  }
-  if (confined.layers.seccomp) add({"seccomp=1"});
-  add({"--"});
-  arguments.insert(arguments.end(), confined.arguments.begin(), confined.arguments.end());
-  return arguments;
-}
-
-/// Starts a program with these streams, in this folder, with next to no environment.
-pid_t spawn(const std::vector<std::string>& arguments, const fs::path& folder, int input,
-            int output, int error) {
-  std::vector<std::string> environment = {"PATH=/usr/local/bin:/usr/bin:/bin",
-                                          "HOME=" + folder.string(),
-                                          "TMPDIR=" + folder.string(),
-                                          "LANG=C.UTF-8",
-                                          kJava,
-                                          "PYTHONPATH=" + adapters().string()};
-  std::vector<char*> argv, envp;
-  for (const std::string& argument : arguments) argv.push_back(const_cast<char*>(argument.c_str()));
-  for (std::string& entry : environment) envp.push_back(entry.data());
-  argv.push_back(nullptr);
-  envp.push_back(nullptr);
-  posix_spawn_file_actions_t actions;
-  posix_spawn_file_actions_init(&actions);
-  posix_spawn_file_actions_adddup2(&actions, input, STDIN_FILENO);
-  posix_spawn_file_actions_adddup2(&actions, output, STDOUT_FILENO);
-  posix_spawn_file_actions_adddup2(&actions, error, STDERR_FILENO);
-  posix_spawn_file_actions_addchdir_np(&actions, folder.c_str());
-  // A group of its own from the start, and none of the signals that raycheck ignores or blocks.
-  posix_spawnattr_t attributes;
-  posix_spawnattr_init(&attributes);
-  sigset_t none, all;
-  sigemptyset(&none);
-  sigfillset(&all);
-  posix_spawnattr_setflags(&attributes,
-                           POSIX_SPAWN_SETPGROUP | POSIX_SPAWN_SETSIGMASK | POSIX_SPAWN_SETSIGDEF);
-  posix_spawnattr_setpgroup(&attributes, 0);
-  posix_spawnattr_setsigmask(&attributes, &none);
-  posix_spawnattr_setsigdefault(&attributes, &all);
-  pid_t pid = -1;
-  const int failed = posix_spawn(&pid, argv[0], &actions, &attributes, argv.data(), envp.data());
-  posix_spawnattr_destroy(&attributes);
-  posix_spawn_file_actions_destroy(&actions);
-  if (failed != 0) {
-    throw ProcessFailure(
-        fmt::format("{} cannot be started: {}", arguments[0], std::strerror(failed)));
-  }
-  return pid;
 }
 
 /// Whether a process is dead and only waits to be asked about, or is gone.
@@ -203,68 +94,7 @@ std::string reason_ended(int status) {
   return fmt::format("was killed by signal {} ({})", signal, strsignal(signal));
 }
 
-/// Whether `true` runs in these layers.
-bool works(const Layers& layers) {
-  try {
-    Process process({{"/bin/true"}, {}, layers, {}});
-    return process.finish() == 0;
-  } catch (const ProcessFailure&) {
-    return false;
-  }
-}
-
-Layers found_by_trying() {
-  Layers layers;
-  if (geteuid() == 0) {
-    layers.other_user = true;
-    if (!works(layers)) has_large_users = false;
-    if (!works(layers)) layers.other_user = false;
-  }
-  layers.seccomp = true;
-  if (!works(layers)) layers.seccomp = false;
-  layers.bubblewrap = true;
-  if (!works(layers)) layers.bubblewrap = false;
-  return layers;
-}
-
 }  // namespace
-
-std::string Layers::text() const {
-  std::string text;
-  for (const auto& [has, name] :
-       {std::pair(other_user, "other user"), std::pair(seccomp, "seccomp"),
-        std::pair(bubblewrap, "bubblewrap")}) {
-    if (has) text += (text.empty() ? "" : ", ") + std::string(name);
-  }
-  return text.empty() ? "limits only" : text;
-}
-
-const Layers& layers_that_work() {
-  static const Layers layers = found_by_trying();
-  return layers;
-}
-
-Layers chosen_layers(Sandbox sandbox) {
-  if (sandbox == Sandbox::kNone) return {};
-  const Layers& layers = layers_that_work();
-  if (sandbox == Sandbox::kRequire && !(layers.seccomp && layers.bubblewrap)) {
-    throw std::invalid_argument(
-        fmt::format("--sandbox require: here works {} of other user, seccomp and bubblewrap (its "
-                    "Debian package is bubblewrap)",
-                    layers.text()));
-  }
-  return layers;
-}
-
-fs::path helper(const std::string& name) { return opened_copy(program_folder() / name); }
-
-fs::path program_folder() { return fs::read_symlink("/proc/self/exe").parent_path(); }
-
-fs::path adapters() {
-  const fs::path installed = program_folder().parent_path() / "share" / "raycheck";
-  return opened_copy(
-      fs::exists(installed) ? installed : fs::path(kSourceFolder) / "tools/external/sdk/adapters");
-}
 
 std::string last_line_text(const std::string& said) {
   std::string text = said;
@@ -281,23 +111,23 @@ Process::Process(const Confined& confined) : confined_(confined) {
   // What a candidate that runs as the same user could otherwise look into.
   prctl(PR_SET_DUMPABLE, 0);
   signal(SIGPIPE, SIG_IGN);
-  if (confined.layers.other_user) {
+  if (confined.layers.own_user) {
     user_ = next_user();
     const auto id = static_cast<uid_t>(user_);
-    if (chown(folder_.path().c_str(), id, id) != 0) throw ProcessFailure("chown of its folder");
+    if (chown(folder_.path().c_str(), id, id) != 0)
+      throw ProcessFailure(FailureKind::kSystem, "chown of its folder");
   }
   for (const auto& [name, content] : confined.files) {
     const fs::path path = folder_.path() / name;
     std::ofstream(path, std::ios::binary) << content;
     if (user_ != 0 &&
         chown(path.c_str(), static_cast<uid_t>(user_), static_cast<gid_t>(user_)) != 0) {
-      throw ProcessFailure("chown of its files");
+      throw ProcessFailure(FailureKind::kSystem, "chown of its files");
     }
   }
   Pipe in, out, err;
   try {
-    pid_ = spawn(jailed(confined, folder_.path(), user_), folder_.path(), in.read, out.write,
-                 err.write);
+    pid_ = launch(confined, folder_.path(), user_, {in.read, out.write, err.write});
   } catch (...) {
     for (int end : {in.read, in.write, out.read, out.write, err.read, err.write}) close(end);
     throw;
@@ -339,9 +169,9 @@ void Process::kill_all() {
   close_once(error_);
 }
 
-void Process::fail(const std::string& what) {
+void Process::fail(FailureKind kind, const std::string& words) {
   kill_all();
-  throw ProcessFailure(what);
+  throw ProcessFailure(kind, words);
 }
 
 void Process::fail_ended() {
@@ -349,10 +179,10 @@ void Process::fail_ended() {
   const auto deadline = Clock::now() + std::chrono::seconds(1);
   int status = 0;
   while (!has_ended(status)) {
-    if (Clock::now() > deadline) fail("closed its output");
+    if (Clock::now() > deadline) fail(FailureKind::kEnded, "closed its output");
     usleep(1000);
   }
-  fail(reason_ended(status));
+  fail(FailureKind::kEnded, reason_ended(status));
 }
 
 /// Takes what there is on the standard error.
@@ -371,7 +201,7 @@ void Process::listen() {
 std::string Process::exchange(std::string_view request,
                               const std::function<bool(std::string_view line)>& is_last,
                               std::size_t most_bytes) {
-  if (pid_ < 0) throw ProcessFailure("has ended");
+  if (pid_ < 0) throw ProcessFailure(FailureKind::kEnded, "has ended");
   const auto limit = std::chrono::duration_cast<Clock::duration>(
       std::chrono::duration<double>(confined_.limits.seconds));
   const auto deadline = Clock::now() + limit;
@@ -381,11 +211,14 @@ std::string Process::exchange(std::string_view request,
   for (;;) {
     const auto left =
         std::chrono::duration_cast<std::chrono::milliseconds>(deadline - Clock::now()).count();
-    if (left <= 0) fail(fmt::format("{} {} s", kSilent, confined_.limits.seconds));
+    if (left <= 0) {
+      fail(FailureKind::kTimeUp,
+           fmt::format("gave no reply within {} s", confined_.limits.seconds));
+    }
     std::array<pollfd, 3> streams = {
         {{output_, POLLIN, 0}, {error_, POLLIN, 0}, {request.empty() ? -1 : input_, POLLOUT, 0}}};
     if (poll(streams.data(), streams.size(), static_cast<int>(left)) < 0 && errno != EINTR) {
-      fail(std::strerror(errno));
+      fail(FailureKind::kSystem, std::strerror(errno));
     }
     if (streams[1].revents != 0) listen();
     if (streams[2].revents != 0) {
@@ -402,12 +235,13 @@ std::string Process::exchange(std::string_view request,
       const std::string_view line = std::string_view(answer).substr(line_begin, end - line_begin);
       line_begin = searched = end + 1;
       if (!is_last(line)) continue;
-      if (line_begin != answer.size()) fail("said more than it was asked");
+      if (line_begin != answer.size()) fail(FailureKind::kSaidMore, "said more than it was asked");
       return answer;
     }
     searched = answer.size();
-    if (answer.size() > most_bytes)
-      fail(fmt::format("replied with more than {} bytes", most_bytes));
+    if (answer.size() > most_bytes) {
+      fail(FailureKind::kSaidMore, fmt::format("replied with more than {} bytes", most_bytes));
+    }
   }
 }
 
@@ -423,11 +257,11 @@ int Process::finish() {
     }
     if (has_ended(status)) {
       const bool signalled = WIFSIGNALED(status) || WEXITSTATUS(status) > kSignalled;
-      if (signalled) fail(reason_ended(status));
+      if (signalled) fail(FailureKind::kEnded, reason_ended(status));
       return WEXITSTATUS(status);
     }
     if (Clock::now() > deadline) {
-      fail(fmt::format("{} {} s", kEndless, confined_.limits.seconds));
+      fail(FailureKind::kTimeUp, fmt::format("did not end within {} s", confined_.limits.seconds));
     }
     usleep(500);
   }

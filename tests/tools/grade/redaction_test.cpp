@@ -1,0 +1,248 @@
+// What is withheld from students is in none of their files, in whatever words: every number there
+// is compared with every number that they are not to know.
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <filesystem>
+#include <regex>
+#include <string>
+#include <vector>
+
+#include "tests/tools/grade/grading.h"
+
+namespace raycheck::tests {
+namespace {
+
+namespace fs = std::filesystem;
+using nlohmann::json;
+
+/// A number as it is written somewhere, and by how much what it stands for may differ.
+struct Written {
+  std::string text;
+  double value = 0;
+  double half_a_digit = 0;
+};
+
+/// Fewer digits than these are counts, points and places.
+constexpr int kFewestDigits = 3;
+constexpr int kFewestDigitsOfIntegers = 5;
+
+Written written(const std::string& text) {
+  const double value = std::strtod(text.c_str(), nullptr);
+  if (text.starts_with("0x")) return {text, value, 0};
+  const std::string mantissa = text.substr(0, text.find('e'));
+  const double power =
+      mantissa.size() == text.size() ? 0 : std::strtod(text.c_str() + mantissa.size() + 1, nullptr);
+  const std::size_t point = mantissa.find('.');
+  const auto places = point == std::string::npos ? 0 : mantissa.size() - point - 1;
+  return {text, value, 0.5 * std::pow(10, power - static_cast<double>(places))};
+}
+
+int digits_of(const std::string& text) {
+  int digits = 0;
+  for (const char c : text.substr(0, text.find('e'))) {
+    digits += c != '.' && (c != '0' || digits > 0) ? 1 : 0;
+  }
+  return digits;
+}
+
+/// The numbers of a text, without their signs, that have digits enough to tell something.
+std::vector<Written> numbers_in(const std::string& text) {
+  static const std::regex number(
+      R"(0x[0-9a-f]+(\.[0-9a-f]*)?(p[-+]?[0-9]+)?|[0-9]+\.?[0-9]*(e[-+]?[0-9]+)?)",
+      std::regex::icase);
+  std::vector<Written> found;
+  for (std::sregex_iterator at(text.begin(), text.end(), number), end; at != end; ++at) {
+    const std::string one = at->str();
+    const bool is_integer = one.find_first_not_of("0123456789") == std::string::npos;
+    const int fewest = is_integer ? kFewestDigitsOfIntegers : kFewestDigits;
+    if (one.starts_with("0x") || digits_of(one) >= fewest) found.push_back(written(one));
+  }
+  return found;
+}
+
+std::string without_percents(const std::string& text) {
+  std::string result;
+  for (std::size_t k = 0; k < text.size(); ++k) {
+    const bool is_code = text[k] == '%' && k + 2 < text.size() && std::isxdigit(text[k + 1]) != 0 &&
+                         std::isxdigit(text[k + 2]) != 0;
+    result += is_code ? static_cast<char>(std::stoi(text.substr(k + 1, 2), nullptr, 16)) : text[k];
+    k += is_code ? 2 : 0;
+  }
+  return result;
+}
+
+/// All that a student is given: every file of the submission's folder but the record.
+std::string given_to_student(const Grading& grading, const std::string& name) {
+  std::string all;
+  int files = 0;
+  for (const auto& entry : fs::directory_iterator(grading.path("out/" + name))) {
+    if (entry.path().filename() == "result.json") continue;
+    ++files;
+    std::string text = contents(entry.path().string());
+    const std::size_t style = text.find("<style>");
+    if (style != std::string::npos) text.erase(style, text.find("</style>") - style);
+    all += without_percents(text) + "\n";
+  }
+  EXPECT_GE(files, 2) << "the page and results.json";
+  return all;
+}
+
+void add_numbers(const json& list, std::vector<double>& numbers) {
+  if (list.is_string()) return;  // "infinity"
+  if (list.is_number()) numbers.push_back(std::abs(list.get<double>()));
+  if (!list.is_array()) return;
+  for (const json& hex : list) {
+    numbers.push_back(std::abs(std::strtod(hex.get<std::string>().c_str(), nullptr)));
+  }
+}
+
+/// The numbers of a record that its student is not to know, and those that tell nothing: what is
+/// asked, and what the submission answered.
+struct Numbers {
+  std::vector<double> secret, open;
+};
+
+/// `parts` of an item's record, and `keys` of their answers.
+Numbers numbers_of(const json& record, const std::vector<std::string>& parts,
+                   const std::vector<std::string>& keys) {
+  Numbers numbers;
+  std::vector<double> all;
+  for (const json& item : record["items"]) {
+    for (const std::string& part : parts) {
+      if (item[part].is_null()) continue;
+      const json& answer = item[part]["answer"];
+      for (const std::string& key : keys) add_numbers(answer[key], all);
+      add_numbers(answer["got"], numbers.open);
+    }
+    if (item["failing"].is_null()) continue;
+    for (const Written& one : numbers_in(item["failing"]["scene"].get<std::string>())) {
+      numbers.open.push_back(one.value);
+    }
+  }
+  for (const double number : all) {
+    const bool is_open =
+        std::find(numbers.open.begin(), numbers.open.end(), number) != numbers.open.end();
+    // Numbers of a few binary digits are those of any scene.
+    if (!is_open && std::isfinite(number) && std::fmod(number * 64, 1) != 0) {
+      numbers.secret.push_back(number);
+    }
+  }
+  return numbers;
+}
+
+/// The secrets that some number of the text tells, to its digits.
+std::vector<std::string> told(const Numbers& numbers, const std::string& text) {
+  std::vector<std::string> found;
+  const std::vector<Written> all = numbers_in(text);
+  for (const double secret : numbers.secret) {
+    for (const Written& one : all) {
+      if (std::find(numbers.open.begin(), numbers.open.end(), one.value) != numbers.open.end()) {
+        continue;
+      }
+      if (one.value == secret || std::abs(one.value - secret) < one.half_a_digit) {
+        found.push_back(one.text + " for " + std::to_string(secret));
+        break;
+      }
+    }
+  }
+  return found;
+}
+
+/// What is asked of the submissions that make a mistake, and fail by it.
+struct Subject {
+  const char* mistake;
+  std::vector<const char*> laws;
+};
+
+const std::vector<Subject> kSubjects = {{"u_and_w_flipped", {"frame", "direction"}},
+                                        {"normalize_discarded", {"direction", "unit-direction"}},
+                                        {"far_root", {"parameter", "hit-point", "nearest-root"}},
+                                        {"float_directions", {"direction", "pixel-point"}},
+                                        {"top_from_right", {"pixel-point", "ray-origin"}}};
+
+/// How items are shown: their visibility and detail.
+using Shown = std::vector<std::pair<const char*, const char*>>;
+
+struct Told {
+  std::size_t secrets = 0;
+  std::vector<std::string> told;
+};
+
+Told told_to_students(const std::string& format, const Shown& shown,
+                      const std::vector<std::string>& parts, const std::vector<std::string>& keys) {
+  Told all;
+  for (const Subject& subject : kSubjects) {
+    const Grading grading;
+    std::string rubric =
+        "title = \"A rubric\"\n[conventions]\nsamples = \"edges\"\norigin = \"pixel\"\n"
+        "[[form]]\nhas = \"rays.py\"\ncandidate = \"command:python3 {file}\"\n";
+    for (const char* law : subject.laws) {
+      for (const auto& [visibility, detail] : shown) {
+        rubric += std::string("[[item]]\nname = \"") + law + " " + visibility + " " + detail +
+                  "\"\npoints = 1\nvisibility = \"" + visibility + "\"\ndetail = \"" + detail +
+                  "\"\n[item.functions]\nlaws = [\"" + law +
+                  "\"]\nsources = [\"cameras\"]\ncases = 4\n";
+      }
+    }
+    const Outcome outcome =
+        grading.grade(grading.write("rubric.toml", rubric),
+                      {grading.submit("mine", "rays.py", mistake_line("rays.py", subject.mistake))},
+                      "out", "--format " + format);
+    EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+    const Numbers numbers = numbers_of(grading.result("mine"), parts, keys);
+    const auto found = told(numbers, given_to_student(grading, "mine"));
+    all.secrets += numbers.secret.size();
+    all.told.insert(all.told.end(), found.begin(), found.end());
+  }
+  return all;
+}
+
+class EachResultsFormat : public testing::TestWithParam<const char*> {};
+
+TEST_P(EachResultsFormat, TellsNoNumberThatIsWithheld) {
+  Shown shown = {
+      {"visible", "actual-only"},       {"visible", "nothing"}, {"hidden", "full"},
+      {"hidden", "actual-only"},        {"hidden", "nothing"},  {"after_published", "nothing"},
+      {"after_due_date", "actual-only"}};
+  // Gradescope itself keeps items until they are due.
+  if (GetParam() != std::string("gradescope")) shown.emplace_back("after_due_date", "full");
+  const Told all = told_to_students(GetParam(), shown, {"failing", "first_wrong"},
+                                    {"exact", "error", "condition"});
+  EXPECT_GT(all.secrets, 150u);
+  EXPECT_TRUE(all.told.empty()) << all.told.size() << " of " << all.secrets
+                                << " are told, the first: " << all.told.front();
+}
+
+TEST_P(EachResultsFormat, TellsWhatIsNotWithheldSoThatItWouldBeFound) {
+  const Told all = told_to_students(GetParam(), {{"visible", "full"}}, {"failing"}, {"exact"});
+  EXPECT_GE(all.secrets, 5u);
+  EXPECT_EQ(all.told.size(), all.secrets);
+}
+
+INSTANTIATE_TEST_SUITE_P(Formats, EachResultsFormat, testing::Values("gradescope", "prairielearn"),
+                         [](const auto& the_test) { return std::string(the_test.param); });
+
+TEST(Redaction, names_no_item_that_is_hidden) {
+  const Grading grading;
+  const std::string functions =
+      "[item.functions]\nlaws = [\"frame\"]\nsources = [\"course\"]\ncases = 4\n";
+  const std::string rubric = grading.write(
+      "rubric.toml",
+      "[[form]]\nhas = \"rays.py\"\ncandidate = \"command:python3 {file}\"\n"
+      "[[item]]\nname = \"covert\"\nvisibility = \"hidden\"\npoints = 1\n" +
+          functions + "[[item]]\nname = \"open\"\npoints = 1\nrequires = [\"covert\"]\n" +
+          functions);
+  const std::string folder = grading.submit("mine", "rays.py", "MISTAKE = \"u_flipped\"");
+  EXPECT_EQ(grading.grade(rubric, {folder}, "out", "--format prairielearn").exit_code, 0);
+  EXPECT_EQ(item(grading.result("mine"), "open")["reason"]["item"], "covert");
+  const std::string text = given_to_student(grading, "mine");
+  EXPECT_FALSE(contains(text, "covert"));
+  EXPECT_TRUE(contains(text, "left out: it needs other items"));
+}
+
+}  // namespace
+}  // namespace raycheck::tests

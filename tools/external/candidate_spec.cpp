@@ -1,0 +1,41 @@
+#include "tools/external/candidate_spec.h"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <utility>
+
+namespace raycheck::tools {
+namespace {
+
+constexpr std::string_view kKinds =
+    "library:PATH.so, source:PATH, command:'WORDS' or "
+    "renderer:'WORDS with {scene} and {image}'";
+
+std::string sentence(const std::string& why, const std::string& said, std::string_view whose) {
+  return (whose.empty() ? why : fmt::format("--candidate {}: {}", whose, why)) +
+         (said.empty() ? "" : "\n" + said);
+}
+
+}  // namespace
+
+std::string CandidateSpec::text() const {
+  return fmt::format("{}:{}", kCandidateKindNames[static_cast<std::size_t>(kind)], what);
+}
+
+CandidateError::CandidateError(const std::string& why, std::string said, std::string_view whose)
+    : std::invalid_argument(sentence(why, said, whose)), why_(why), said_(std::move(said)) {}
+
+CandidateSpec parse_candidate(const std::string& text) {
+  const std::size_t colon = text.find(':');
+  const std::string name = text.substr(0, colon);
+  const std::string what = colon == std::string::npos ? "" : text.substr(colon + 1);
+  if (what.empty()) throw CandidateError(fmt::format("give {}", kKinds), {}, text);
+  const auto* const found = std::find(kCandidateKindNames.begin(), kCandidateKindNames.end(), name);
+  if (found == kCandidateKindNames.end()) {
+    throw CandidateError(fmt::format("there is no {}:; give {}", name, kKinds), {}, text);
+  }
+  return {static_cast<CandidateKind>(found - kCandidateKindNames.begin()), what};
+}
+
+}  // namespace raycheck::tools
