@@ -57,11 +57,11 @@ std::string ChosenSource::name() const {
   return std::string(source->name) + (severity ? "@" + std::to_string(*severity) : "");
 }
 
-const ChosenSource& chosen_by(std::span<const ChosenSource> sources, std::uint64_t seed) {
+const ChosenSource& chosen_by(std::span<const ChosenSource> sources, std::uint64_t number) {
   const ChosenSource* chosen = nullptr;
   std::uint64_t heaviest = 0;
   for (const ChosenSource& source : sources) {
-    const std::uint64_t weight = Random(seed ^ hash(source.name())).bits();
+    const std::uint64_t weight = Random(number ^ hash(source.name())).bits();
     if (chosen == nullptr || weight > heaviest) {
       chosen = &source;
       heaviest = weight;

@@ -48,11 +48,11 @@ struct ChosenSource {
   std::string name() const;  ///< "SOURCE" or "SOURCE@SEVERITY"
 };
 
-/// The one of several sources that a case's seed chooses, each as likely as the others (by
-/// rendezvous hashing of seed and name; Thaler and Ravishankar 1998). A source more takes over its
-/// share of the seeds, and leaves every other seed the source that it had.
+/// The one of several sources that a random number chooses, each as likely as the others (by
+/// rendezvous hashing of number and name; Thaler and Ravishankar 1998). A source more takes over
+/// its share of the numbers, and leaves every other number the source that it had.
 /// Domain: at least one source.
-const ChosenSource& chosen_by(std::span<const ChosenSource> sources, std::uint64_t seed);
+const ChosenSource& chosen_by(std::span<const ChosenSource> sources, std::uint64_t number);
 
 /// Reads a ChosenSource's name. Throws std::invalid_argument saying which part of it is wrong, and
 /// which severities there are.

@@ -115,21 +115,22 @@ std::optional<Answers> try_to_ask(Step step, const Question& question, const Can
 
 /// What a candidate answered to a question at a step, what is right, and what other right formulas
 /// make of it.
-struct Given {
+struct Comparison {
   const Question* question;
   Answers answers, right;
   std::vector<Answers> also_right;
 };
 
 /// The answers that differ from those expected, but for those that are right in another way.
-std::uint64_t count_different(const Given& given, const Answers& expected, double tolerance) {
+std::uint64_t count_different(const Comparison& comparison, const Answers& expected,
+                              double tolerance) {
   std::uint64_t count = 0;
-  for (std::size_t k = 0; k < given.answers.size(); ++k) {
-    const Answer& answer = given.answers[k];
+  for (std::size_t k = 0; k < comparison.answers.size(); ++k) {
+    const Answer& answer = comparison.answers[k];
     const auto is_like = [&](const Answers& other) { return agree(answer, other[k], tolerance); };
     if (is_like(expected)) continue;
-    if (!is_like(given.right) &&
-        std::any_of(given.also_right.begin(), given.also_right.end(), is_like)) {
+    if (!is_like(comparison.right) &&
+        std::any_of(comparison.also_right.begin(), comparison.also_right.end(), is_like)) {
       continue;
     }
     ++count;
@@ -169,25 +170,27 @@ class Examination {
     }
   }
 
-  const std::vector<Given>& at(Step step) {
-    auto& known = given_[static_cast<std::size_t>(step)];
+  const std::vector<Comparison>& at(Step step) {
+    auto& known = comparisons_[static_cast<std::size_t>(step)];
     if (known) return *known;
     known.emplace();
     for (const Question& question : questions_) {
       std::optional<Answers> answers = try_to_ask(step, question, candidate_);
       if (!answers) continue;
-      Given given = {&question, std::move(*answers), ask(step, question, right_).value(), {}};
-      if (count_different(given, given.right, kAnswerTolerances.front()) > 0) {
-        given.also_right = ask_others(step, question);
+      Comparison comparison = {
+          &question, std::move(*answers), ask(step, question, right_).value(), {}};
+      if (count_different(comparison, comparison.right, kAnswerTolerances.front()) > 0) {
+        comparison.also_right = ask_others(step, question);
       }
-      known->push_back(std::move(given));
+      known->push_back(std::move(comparison));
     }
     return *known;
   }
 
   std::uint64_t errors(Step step, double tolerance) {
     std::uint64_t count = 0;
-    for (const Given& given : at(step)) count += count_different(given, given.right, tolerance);
+    for (const Comparison& comparison : at(step))
+      count += count_different(comparison, comparison.right, tolerance);
     return count;
   }
 
@@ -197,10 +200,11 @@ class Examination {
                              std::uint64_t most) {
     std::uint64_t count = 0;
     for (auto step = static_cast<int>(last); step >= static_cast<int>(first); --step) {
-      for (const Given& given : at(static_cast<Step>(step))) {
+      for (const Comparison& comparison : at(static_cast<Step>(step))) {
         if (count > most) return count;
-        const auto made = try_to_ask(static_cast<Step>(step), *given.question, mistake.candidate);
-        count += count_different(given, made ? *made : given.right, tolerance);
+        const auto made =
+            try_to_ask(static_cast<Step>(step), *comparison.question, mistake.candidate);
+        count += count_different(comparison, made ? *made : comparison.right, tolerance);
       }
     }
     return count;
@@ -226,7 +230,7 @@ class Examination {
   const Candidate right_ = right_candidate();
   const std::vector<Candidate> others_;
   std::vector<Question> questions_;
-  std::array<std::optional<std::vector<Given>>, kStepCount> given_;
+  std::array<std::optional<std::vector<Comparison>>, kStepCount> comparisons_;
 };
 
 std::vector<Explanation> explain(Examination& examination, Step step, std::uint64_t errors,

@@ -13,7 +13,7 @@ using scene::Origin;
 using scene::Pixel;
 
 /// What a candidate is asked about a camera's pixels.
-struct Asked {
+struct Input {
   Camera camera;
   Conventions conventions;
   std::vector<Pixel> pixels;
@@ -26,13 +26,13 @@ Candidate with_question(const ChangeCamera& camera, const ChangeConventions& con
   Candidate candidate = right;
   const auto changed = [=](const Camera& its_camera, const Conventions& its_conventions,
                            Candidate::Pixels its_pixels) {
-    Asked asked = {its_camera, its_conventions, {its_pixels.begin(), its_pixels.end()}};
-    if (camera) camera(asked.camera, its_conventions);
-    if (conventions) conventions(asked.conventions);
+    Input input = {its_camera, its_conventions, {its_pixels.begin(), its_pixels.end()}};
+    if (camera) camera(input.camera, its_conventions);
+    if (conventions) conventions(input.conventions);
     if (pixel) {
-      for (Pixel& one : asked.pixels) one = pixel(its_camera, one);
+      for (Pixel& one : input.pixels) one = pixel(its_camera, one);
     }
-    return asked;
+    return input;
   };
   candidate.frame = [right, changed](const Camera& its_camera) {
     return right.frame(changed(its_camera, {}, {}).camera);
@@ -40,17 +40,17 @@ Candidate with_question(const ChangeCamera& camera, const ChangeConventions& con
   candidate.pixel_points = [right, changed](const Camera& its_camera,
                                             const Conventions& its_conventions,
                                             Candidate::Pixels its_pixels) {
-    const Asked asked = changed(its_camera, its_conventions, its_pixels);
-    return right.pixel_points(asked.camera, asked.conventions, asked.pixels);
+    const Input input = changed(its_camera, its_conventions, its_pixels);
+    return right.pixel_points(input.camera, input.conventions, input.pixels);
   };
   const auto rays_from = [&](Origin origin) {
     return [right, changed, origin](const Camera& its_camera, Conventions its_conventions,
                                     Candidate::Pixels its_pixels) {
       its_conventions.origin = origin;
-      const Asked asked = changed(its_camera, its_conventions, its_pixels);
+      const Input input = changed(its_camera, its_conventions, its_pixels);
       const auto& rays =
-          asked.conventions.origin == Origin::kPixel ? right.pixel_rays : right.focal_rays;
-      return rays(asked.camera, asked.conventions, asked.pixels);
+          input.conventions.origin == Origin::kPixel ? right.pixel_rays : right.focal_rays;
+      return rays(input.camera, input.conventions, input.pixels);
     };
   };
   candidate.pixel_rays = rays_from(Origin::kPixel);

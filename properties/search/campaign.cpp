@@ -100,8 +100,8 @@ CampaignResult run_campaign(const Law& law, const Candidate& candidate,
     return none;
   }
   return run(law, candidate, options, control, [sources](rc::Random& random) {
-    const std::uint64_t seed = random.next();
-    return Provenance{chosen_by(sources, seed), seed};
+    const ChosenSource& source = chosen_by(sources, random.next());
+    return Provenance{source, random.next()};
   });
 }
 

@@ -13,7 +13,7 @@ namespace {
 void keep_first_of_each(StressResult& result, const Case& the_case, const Verdict& verdict) {
   for (Discrepancy& discrepancy : verdict.worst(kKeptDiscrepancies)) {
     const bool known =
-        std::any_of(result.found.begin(), result.found.end(), [&](const Found& other) {
+        std::any_of(result.found.begin(), result.found.end(), [&](const Example& other) {
           return other.discrepancy.law == discrepancy.law &&
                  other.discrepancy.quantity == discrepancy.quantity &&
                  other.discrepancy.wrong == discrepancy.wrong &&

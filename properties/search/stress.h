@@ -21,7 +21,7 @@ std::vector<const Law*> laws_of(Stage stage);
 std::optional<Case> alone(const Case& the_case, Stage stage, const Candidate& rays);
 
 /// A discrepancy and the case that shows it.
-struct Found {
+struct Example {
   Case the_case;
   Discrepancy discrepancy;
 };
@@ -30,7 +30,7 @@ struct Found {
 struct StressResult {
   Verdict inside;
   Verdict outside;
-  std::vector<Found> found;  ///< The first of each law and kind of error.
+  std::vector<Example> found;  ///< The first of each law and kind of error.
 
   void merge(StressResult other);
 };

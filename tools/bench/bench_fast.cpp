@@ -12,17 +12,14 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
-#include <optional>
 #include <string>
-#include <string_view>
 #include <utility>
 #include <vector>
 
 #include "fast/intersect.h"
 #include "fast/pixel_ray.h"
-#include "properties/candidates/fast_candidate.h"
-#include "properties/cases/random.h"
-#include "properties/laws/law.h"
+#include "properties/trial.h"
+#include "tools/bench/bench_scenes.h"
 #include "tools/bench/bench_target.h"
 #ifdef RAYCHECK_HAS_VECGEOM_SIMD
 #include "tools/peers/vecgeom_simd.h"
@@ -31,85 +28,10 @@
 namespace {
 
 using namespace raycheck;
-
-scene::Scene scene_in_view() {
-  scene::Scene scene;
-  scene.camera = scene::Camera{{1.3, 2.7, 9.1},
-                               {0.2, 0.1, -3},
-                               {0.1, 1, 0.3},
-                               -1,
-                               std::nullopt,
-                               -0.8,
-                               0.8,
-                               -0.8,
-                               0.8,
-                               64,
-                               64};
-  scene.spheres = {{{0.1, 0.3, 0.2}, 2.5}};
-  return scene;
-}
-
-/// Rays from anywhere, as good as unrelated, aimed about a sphere so that a third miss it.
-scene::Scene unrelated_rays() {
-  // Not a multiple of 512: loads of one array would wait for stores to another, whose addresses
-  // are the same modulo 4096.
-  constexpr int kRays = 4000;
-  scene::Scene scene;
-  scene.spheres = {{{0.1, 0.3, 0.2}, 2.5}};
-  const scene::Sphere& sphere = scene.spheres.front();
-  properties::Random random(1);
-  const auto around_sphere = [&](double distance) {
-    const scene::Vector3 v = random.direction();
-    const scene::Point3& c = sphere.centre;
-    return scene::Point3{c.x + distance * v.x, c.y + distance * v.y, c.z + distance * v.z};
-  };
-  for (int k = 0; k < kRays; ++k) {
-    const double distance = sphere.radius * random.between(1.5, 5);
-    const double off = sphere.radius * random.between(0, 2.2);
-    const scene::Point3 origin = around_sphere(distance);
-    const scene::Point3 target = around_sphere(off);
-    scene.rays.push_back({origin, target - origin});
-  }
-  return scene;
-}
-
-/// Why the pair must not be timed; empty when its answers are right.
-std::string wrong_answers(const fast::PixelRayMethod& rays, const fast::IntersectMethod& intersect,
-                          const scene::Scene& scene) {
-  properties::Case the_case{scene, {}};
-  if (scene.camera) the_case.pixels = properties::all_pixels(*scene.camera);
-  const properties::Candidate candidate = properties::fast_candidate(rays, intersect);
-  properties::Trial trial(the_case, candidate);
-  for (const properties::Law& law : properties::laws()) {
-    if (!law.judges_values || !law.tells_stability) continue;
-    // Among many rays some graze: there the less stable methods keep no bound.
-    if (law.quantity == properties::Quantity::kParameter && !intersect.not_kept.empty()) continue;
-    if (!apply(law, trial).holds()) {
-      return candidate.name + " breaks the law " + std::string(law.name);
-    }
-  }
-  return {};
-}
-
-fast::Rays rays_of(const scene::Scene& scene) {
-  fast::Rays rays;
-  if (scene.camera) {
-    fast::kDirectRays.pixel_rays(*scene.camera, scene.conventions,
-                                 properties::all_pixels(*scene.camera), rays);
-    return rays;
-  }
-  rays.resize(scene.rays.size());
-  for (std::size_t k = 0; k < scene.rays.size(); ++k) {
-    const auto& [origin, direction] = scene.rays[k];
-    rays.origin.x[k] = origin.x;
-    rays.origin.y[k] = origin.y;
-    rays.origin.z[k] = origin.z;
-    rays.direction.x[k] = direction.x;
-    rays.direction.y[k] = direction.y;
-    rays.direction.z[k] = direction.z;
-  }
-  return rays;
-}
+using tools::rays_of;
+using tools::scene_in_view;
+using tools::unrelated_rays;
+using tools::wrong_answers;
 
 void intersect(benchmark::State& state, const fast::IntersectMethod& method,
                const scene::Scene& scene) {

@@ -3,36 +3,23 @@
 
 #include <benchmark/benchmark.h>
 
-#include <cstdint>
 #include <vector>
 
 #include "reference/condition.h"
 #include "reference/error_measure.h"
 #include "reference/exact_ray.h"
+#include "tools/bench/bench_scenes.h"
 
 namespace {
 
 using namespace raycheck;
+using tools::hitting_cases;
 
 constexpr int kSide = 512;
+constexpr scene::Sphere kSphere = tools::kBenchSphere;
 
-scene::Camera camera() {
-  return {{1.3, 2.7, 9.1}, {0.2, 0.1, -3}, {0.1, 1, 0.3}, -1, std::nullopt, -0.8, 0.8, -0.8, 0.8,
-          kSide,           kSide};
-}
-const scene::Sphere kSphere = {{0.1, 0.3, 0.2}, 2.5};
-
-/// Pixels all over the image, in an order that no predictor learns.
-std::vector<scene::Pixel> pixels() {
-  std::vector<scene::Pixel> result;
-  std::uint64_t state = 1;
-  for (int k = 0; k < 1 << 14; ++k) {
-    state = state * 6364136223846793005u + 1442695040888963407u;
-    result.push_back({static_cast<std::int64_t>((state >> 33) % kSide),
-                      static_cast<std::int64_t>((state >> 45) % kSide)});
-  }
-  return result;
-}
+scene::Camera camera() { return *tools::camera_of(kSide, kSide).camera; }
+std::vector<scene::Pixel> pixels() { return tools::scattered_pixels(kSide); }
 
 void exact_decisions(benchmark::State& state, reference::Engine engine) {
   const reference::ExactCamera exact(camera(), {});
@@ -78,41 +65,6 @@ void rounded_values(benchmark::State& state) {
     benchmark::DoNotOptimize(ray.rounded_parameter(kSphere, ray.intersect(kSphere)));
   }
   state.SetItemsProcessed(state.iterations());
-}
-
-/// A given ray that hits, and an answer that is off by a few ulps.
-struct GivenCase {
-  scene::Ray ray;
-  scene::Sphere sphere;
-  double answer;
-};
-
-double between(std::uint64_t& state, double low, double high) {
-  state = state * 6364136223846793005u + 1442695040888963407u;
-  return low + static_cast<double>(state >> 11) * 0x1p-53 * (high - low);
-}
-
-std::vector<GivenCase> hitting_cases() {
-  std::vector<GivenCase> result;
-  std::uint64_t state = 7;
-  const auto triple = [&state](double size) {
-    const double x = between(state, -size, size);
-    const double y = between(state, -size, size);
-    return scene::Point3{x, y, between(state, -size, size)};
-  };
-  while (result.size() < 1 << 14) {
-    const auto origin = triple(9);
-    const auto direction = triple(1);
-    const auto centre = triple(12);
-    const scene::Ray ray{origin, {direction.x, direction.y, direction.z}};
-    const scene::Sphere sphere{centre, between(state, 0, 12)};
-    const reference::ExactRay exact(ray);
-    const auto at = exact.intersect(sphere);
-    if (at.hit_class != reference::HitClass::kHit) continue;
-    const double noise = between(state, -8, 8) * 0x1p-52;
-    result.push_back({ray, sphere, exact.rounded_parameter(sphere, at) * (1 + noise)});
-  }
-  return result;
 }
 
 /// Class, narrow enclosure and certified error in ulp of one s.

@@ -17,10 +17,9 @@
 #include <string>
 #include <vector>
 
-#include "fast/camera_frame.h"
-#include "properties/cases/random.h"
 #include "reference/visibility/visibility.h"
 #include "scene/files/scene_file.h"
+#include "tools/bench/bench_scenes.h"
 #include "tools/bench/bench_target.h"
 #ifdef RAYCHECK_HAS_EMBREE
 #include <embree3/rtcore.h>
@@ -31,35 +30,11 @@ namespace {
 using namespace raycheck;
 using reference::DecidedBy;
 using reference::Visibility;
+using tools::camera_of;
+using tools::in_view;
 
 double seconds_now() {
   return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
-}
-
-scene::Scene camera_of(std::int64_t width, std::int64_t height) {
-  scene::Scene scene;
-  scene.camera = scene::Camera{
-      {1.3, 2.7, 9.1}, {0.2, 0.1, -3}, {0.1, 1, 0.3}, -1, std::nullopt, -0.8, 0.8, -0.8, 0.8,
-      width,           height};
-  return scene;
-}
-
-/// Spheres of radius 0.2 to 1, 5 to 60 from the eye, centres in view.
-scene::Scene in_view(std::int64_t spheres, std::int64_t size = 1024) {
-  scene::Scene scene = camera_of(size, size);
-  const auto [U, V, W] = fast::camera_frame(*scene.camera);
-  const scene::Point3& E = scene.camera->eye;
-  properties::Random random(static_cast<std::uint64_t>(spheres) + 1);
-  for (std::int64_t k = 0; k < spheres; ++k) {
-    const double depth = random.between(5, 60);
-    const double u = 0.8 * depth * random.between(-1, 1);
-    const double v = 0.8 * depth * random.between(-1, 1);
-    scene.spheres.push_back(
-        {{E.x - depth * W.x + u * U.x + v * V.x, E.y - depth * W.y + u * U.y + v * V.y,
-          E.z - depth * W.z + u * U.z + v * V.z},
-         random.between(0.2, 1)});
-  }
-  return scene;
 }
 
 struct Shipped {

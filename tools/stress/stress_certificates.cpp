@@ -11,7 +11,7 @@ std::string stress_certificates(const StressReport& report) {
     for (const StressCurve& curve : family.curves) {
       const properties::Candidate candidate = candidate_of(curve.method);
       for (const properties::StressResult& result : curve.results) {
-        for (const properties::Found& found : result.found) {
+        for (const properties::Example& found : result.found) {
           const scene::Scene& scene = found.the_case.scene;
           certificates.push_back(certificate(scene, candidate.declared.over(scene.conventions),
                                              found.discrepancy, curve.method.name()));

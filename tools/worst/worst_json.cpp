@@ -1,5 +1,6 @@
 #include <nlohmann/json.hpp>
 
+#include "properties/search/campaign.h"
 #include "tools/report/json.h"
 #include "tools/worst/worst_views.h"
 

@@ -1,5 +1,6 @@
 #include <fmt/core.h>
 
+#include "properties/search/campaign.h"
 #include "scene/number.h"
 #include "tools/report/words.h"
 #include "tools/worst/worst_views.h"

@@ -27,8 +27,9 @@ constexpr const char* kOrdinaryRays = "rays";
 constexpr const char* kFar = "distance";
 constexpr const char* kGrazing = "tangency";
 
-/// What a law must compare in kCases cases of direct/cross, at the least: about two thirds of what
-/// it does compare.
+/// What a law must compare in kCases cases of direct/cross, at the least: any law, and those of
+/// which more is known about two thirds of what they do compare.
+constexpr std::uint64_t kLeastOfAny = 60;
 const std::map<std::string_view, std::uint64_t> kLeastCompared = {
     {"frame", 2400},          {"pixel-point", 1700},
     {"bounds", 2500},         {"image-plane", 4500},
@@ -115,8 +116,8 @@ TEST_P(EachLaw, HoldsForDirectCross) {
   const CampaignResult result = campaign(law.name, drawing_candidate());
   EXPECT_FALSE(result.failure.has_value()) << text(result.failure->shrunk);
   EXPECT_EQ(result.cases, kCases);
-  ASSERT_TRUE(kLeastCompared.contains(law.name));
-  EXPECT_GE(result.verdict.compared(), kLeastCompared.at(law.name));
+  const auto least = kLeastCompared.find(law.name);
+  EXPECT_GE(result.verdict.compared(), least == kLeastCompared.end() ? kLeastOfAny : least->second);
   // Excuses are for the few: a law that excuses most of what it compares says nothing.
   std::uint64_t excused = result.verdict.excused();
   for (const auto& [quantity, tally] : result.verdict.tallies()) excused += tally.ill_conditioned;

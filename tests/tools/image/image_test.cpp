@@ -319,7 +319,7 @@ TEST(Image, fails_with_2_and_says_why_and_leaves_no_file) {
   expect_fails(scene + " --threads 0", "--threads");
   expect_fails(scene + " --rays direct", "--rays direct: only --what error");
   expect_fails(scene + " --intersect cross", "--intersect cross: only --what error");
-  expect_fails(scene + " --what error --intersect best", "--intersect best");
+  expect_fails(scene + " --what error --intersect best", "intersect best: no such method");
   expect_fails(scene + " --size 5", "--size 5");
   expect_fails(scene + " --size 5,0", "--size");
   expect_fails(scene + " --size 1,5", "camera.width");

@@ -1,0 +1,147 @@
+#include "tools/bench/bench_scenes.h"
+
+#include <cstddef>
+#include <optional>
+
+#include "fast/camera_frame.h"
+#include "properties/candidates/fast_candidate.h"
+#include "properties/cases/random.h"
+#include "properties/laws/law.h"
+#include "reference/exact_ray.h"
+
+namespace raycheck::tools {
+namespace {
+
+double between(std::uint64_t& state, double low, double high) {
+  state = state * 6364136223846793005u + 1442695040888963407u;
+  return low + static_cast<double>(state >> 11) * 0x1p-53 * (high - low);
+}
+
+}  // namespace
+
+scene::Scene camera_of(std::int64_t width, std::int64_t height) {
+  scene::Scene scene;
+  scene.camera = scene::Camera{
+      {1.3, 2.7, 9.1}, {0.2, 0.1, -3}, {0.1, 1, 0.3}, -1, std::nullopt, -0.8, 0.8, -0.8, 0.8,
+      width,           height};
+  return scene;
+}
+
+scene::Scene scene_in_view() {
+  scene::Scene scene = camera_of(64, 64);
+  scene.spheres = {kBenchSphere};
+  return scene;
+}
+
+scene::Scene in_view(std::int64_t spheres, std::int64_t size) {
+  scene::Scene scene = camera_of(size, size);
+  const auto [U, V, W] = fast::camera_frame(*scene.camera);
+  const scene::Point3& E = scene.camera->eye;
+  properties::Random random(static_cast<std::uint64_t>(spheres) + 1);
+  for (std::int64_t k = 0; k < spheres; ++k) {
+    const double depth = random.between(5, 60);
+    const double u = 0.8 * depth * random.between(-1, 1);
+    const double v = 0.8 * depth * random.between(-1, 1);
+    scene.spheres.push_back(
+        {{E.x - depth * W.x + u * U.x + v * V.x, E.y - depth * W.y + u * U.y + v * V.y,
+          E.z - depth * W.z + u * U.z + v * V.z},
+         random.between(0.2, 1)});
+  }
+  return scene;
+}
+
+scene::Scene unrelated_rays() {
+  // Not a multiple of 512: loads of one array would wait for stores to another, whose addresses
+  // are the same modulo 4096.
+  constexpr int kRays = 4000;
+  scene::Scene scene;
+  scene.spheres = {kBenchSphere};
+  const scene::Sphere& sphere = scene.spheres.front();
+  properties::Random random(1);
+  const auto around_sphere = [&](double distance) {
+    const scene::Vector3 v = random.direction();
+    const scene::Point3& c = sphere.centre;
+    return scene::Point3{c.x + distance * v.x, c.y + distance * v.y, c.z + distance * v.z};
+  };
+  for (int k = 0; k < kRays; ++k) {
+    const double distance = sphere.radius * random.between(1.5, 5);
+    const double off = sphere.radius * random.between(0, 2.2);
+    const scene::Point3 origin = around_sphere(distance);
+    const scene::Point3 target = around_sphere(off);
+    scene.rays.push_back({origin, target - origin});
+  }
+  return scene;
+}
+
+fast::Rays rays_of(const scene::Scene& scene) {
+  fast::Rays rays;
+  if (scene.camera) {
+    fast::kDirectRays.pixel_rays(*scene.camera, scene.conventions,
+                                 properties::all_pixels(*scene.camera), rays);
+    return rays;
+  }
+  rays.resize(scene.rays.size());
+  for (std::size_t k = 0; k < scene.rays.size(); ++k) {
+    const auto& [origin, direction] = scene.rays[k];
+    rays.origin.x[k] = origin.x;
+    rays.origin.y[k] = origin.y;
+    rays.origin.z[k] = origin.z;
+    rays.direction.x[k] = direction.x;
+    rays.direction.y[k] = direction.y;
+    rays.direction.z[k] = direction.z;
+  }
+  return rays;
+}
+
+std::vector<scene::Pixel> scattered_pixels(std::int64_t side) {
+  std::vector<scene::Pixel> result;
+  std::uint64_t state = 1;
+  for (int k = 0; k < 1 << 14; ++k) {
+    state = state * 6364136223846793005u + 1442695040888963407u;
+    result.push_back({static_cast<std::int64_t>(state >> 33) % side,
+                      static_cast<std::int64_t>(state >> 45) % side});
+  }
+  return result;
+}
+
+std::vector<GivenCase> hitting_cases() {
+  std::vector<GivenCase> result;
+  std::uint64_t state = 7;
+  const auto triple = [&state](double size) {
+    const double x = between(state, -size, size);
+    const double y = between(state, -size, size);
+    return scene::Point3{x, y, between(state, -size, size)};
+  };
+  while (result.size() < 1 << 14) {
+    const auto origin = triple(9);
+    const auto direction = triple(1);
+    const auto centre = triple(12);
+    const scene::Ray ray{origin, {direction.x, direction.y, direction.z}};
+    const scene::Sphere sphere{centre, between(state, 0, 12)};
+    const reference::ExactRay exact(ray);
+    const auto at = exact.intersect(sphere);
+    if (at.hit_class != reference::HitClass::kHit) continue;
+    const double noise = between(state, -8, 8) * 0x1p-52;
+    result.push_back({ray, sphere, exact.rounded_parameter(sphere, at) * (1 + noise)});
+  }
+  return result;
+}
+
+std::string wrong_answers(const fast::PixelRayMethod& rays, const fast::IntersectMethod& intersect,
+                          const scene::Scene& scene) {
+  properties::Case the_case{scene, {}};
+  if (scene.camera) the_case.pixels = properties::all_pixels(*scene.camera);
+  const properties::Candidate candidate = properties::fast_candidate(rays, intersect);
+  properties::Trial trial(the_case, candidate);
+  for (const properties::Law& law : properties::laws()) {
+    if (!law.judges_values || !law.tells_stability) continue;
+    // Among many rays some graze: there the less stable methods keep no bound.
+    if (law.quantity == properties::Quantity::kParameter && !intersect.not_kept.empty()) continue;
+    if (!apply(law, trial).holds()) {
+      return candidate.name + " breaks the law " + std::string(law.name);
+    }
+  }
+  return {};
+}
+
+}  // namespace raycheck::tools

@@ -1,0 +1,49 @@
+#ifndef RAYCHECK_TOOLS_BENCH_BENCH_SCENES_H_
+#define RAYCHECK_TOOLS_BENCH_BENCH_SCENES_H_
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "fast/intersect.h"
+#include "fast/pixel_ray.h"
+#include "scene/camera.h"
+#include "scene/geometry.h"
+#include "scene/scene.h"
+
+// What the benchmarks and the counts of instructions ask; the same at every run.
+
+namespace raycheck::tools {
+
+/// A sphere that about a tenth of the image of camera_of() sees.
+inline constexpr scene::Sphere kBenchSphere = {{0.1, 0.3, 0.2}, 2.5};
+
+/// The camera, alone in its scene.
+scene::Scene camera_of(std::int64_t width, std::int64_t height);
+/// The camera, 64 x 64 pixels, and kBenchSphere.
+scene::Scene scene_in_view();
+/// Spheres of radius 0.2 to 1, 5 to 60 from the eye, centres in view.
+scene::Scene in_view(std::int64_t spheres, std::int64_t size = 1024);
+/// Rays from anywhere, as good as unrelated, aimed about a sphere so that a third miss it.
+scene::Scene unrelated_rays();
+/// The rays of a scene: of every pixel of its camera (by `direct`), or its own.
+fast::Rays rays_of(const scene::Scene& scene);
+
+/// Pixels all over an image, in an order that no predictor learns.
+std::vector<scene::Pixel> scattered_pixels(std::int64_t side);
+
+/// A given ray that hits, and an answer that is off by a few ulps.
+struct GivenCase {
+  scene::Ray ray;
+  scene::Sphere sphere;
+  double answer;
+};
+std::vector<GivenCase> hitting_cases();
+
+/// Why the pair must be neither timed nor counted; empty when its answers are right.
+std::string wrong_answers(const fast::PixelRayMethod& rays, const fast::IntersectMethod& intersect,
+                          const scene::Scene& scene);
+
+}  // namespace raycheck::tools
+
+#endif  // RAYCHECK_TOOLS_BENCH_BENCH_SCENES_H_
