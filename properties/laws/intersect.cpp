@@ -209,11 +209,11 @@ void describe_origins(Discrepancy& d, const BothOrigins& both, const scene::Sphe
              both.pixel_ray.rounded_parameter(sphere, at)};
 }
 
-/// Whether either answer is at the other root than the exact one, which both rays share. Then the
-/// two are no l apart, however accurate both are: a ray that starts within a rounding of the
-/// surface has its near root before or behind it as that rounding falls. That is a wrong choice,
-/// judged as the class and root laws judge one: right only where a small change of the inputs takes
-/// that origin across the surface.
+/// Judges a choice of the other root than the exact one, which both rays share, and says whether
+/// either answer is one. The two parameters are then a chord apart, not l, however accurate both
+/// are: a ray that starts within a rounding of the surface has its near root before or behind its
+/// origin as that rounding falls. As in the laws of class and root it is excused only where a small
+/// change of the inputs takes that origin across the surface.
 bool judge_other_root(Trial& trial, Verdict& verdict, const Place& place, const BothOrigins& both,
                       const Intersection& at) {
   const scene::Sphere& sphere = trial.scene().spheres[*place.sphere];
