@@ -10,6 +10,7 @@
 #include <string>
 
 #include "properties/cases/case_source.h"
+#include "properties/domain.h"
 #include "properties/quantity.h"
 #include "reference/condition.h"
 #include "reference/error_measure.h"

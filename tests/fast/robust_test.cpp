@@ -15,6 +15,7 @@
 #include "properties/cases/case_source.h"
 #include "properties/cases/random.h"
 #include "reference/error_measure.h"
+#include "reference/exact_ray.h"
 #include "scene/validate.h"
 
 namespace raycheck::fast {

@@ -150,8 +150,10 @@ std::vector<Mutant> plane_mutants() {
        with_inputs("single-step",
                    [](Camera& c, Conventions&) {
                      const double steps = static_cast<double>(c.width) - 1;
-                     const auto step = static_cast<float>((c.right - c.left) / steps);
-                     c.right = c.left + static_cast<double>(step) * steps;
+                     int exponent = 0;  // which a double keeps: the digits are what is lost
+                     const double step = std::frexp((c.right - c.left) / steps, &exponent);
+                     const auto kept = static_cast<double>(static_cast<float>(step));
+                     c.right = c.left + std::ldexp(kept, exponent) * steps;
                    })},
       {"the first pixel is one ulp off, where the formula promises its bits",
        {"bounds"},

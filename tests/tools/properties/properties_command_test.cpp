@@ -57,9 +57,9 @@ TEST(PropertiesCommand, fails_with_2_and_says_why) {
     EXPECT_EQ(result.exit_code, 2) << arguments;
     EXPECT_NE(result.err.find(why), std::string::npos) << arguments << "\n" << result.err;
   };
-  fails("--filter nothing", "--filter nothing");
+  fails("--filter nothing", "filter nothing: no law");
   fails("--cases 0", "--cases");
-  fails("--source moon", "--source moon");
+  fails("--source moon", "source moon: no source");
   fails("--source distance@16", "--source distance@16: severities of 'distance' are 0 to 15");
   fails("--replay class:direct/cross:distance", "LAW:");
   fails("--replay klass:direct/cross:distance:1", "klass");

@@ -45,10 +45,10 @@ const std::vector<Reports>& all_reports() {
         "properties --filter class --source distance "
         "--intersect quadratic --cases 100"}},
       {"explain",
-       {"explain" + scene("ten-spheres") + " --pixel 20,20",
+       {"explain" + scene("ten-spheres") + " --pixel 8,8",
         "explain --ray 1,1,3,4,3,0 --sphere 5,5,5,3"}},
       {"stress",
-       {"stress --family distance,grazing --method quadratic,rays/lecture --cases 20 "
+       {"stress --family distance,tangency --method quadratic,rays/lecture --cases 20 "
         "--severity 0..6"}},
       {"tradeoff",
        {"tradeoff --methods quadratic,direct --cases 50",
