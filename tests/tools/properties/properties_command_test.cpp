@@ -60,7 +60,7 @@ TEST(PropertiesCommand, fails_with_2_and_says_why) {
   fails("--filter nothing", "filter nothing: no law");
   fails("--cases 0", "--cases");
   fails("--source moon", "source moon: no source");
-  fails("--source distance@16", "--source distance@16: severities of 'distance' are 0 to 15");
+  fails("--source distance@16", "source distance@16: severities of 'distance' are 0 to 15");
   fails("--replay class:direct/cross:distance", "LAW:");
   fails("--replay klass:direct/cross:distance:1", "klass");
   fails("--replay class:direct/none:distance:1", "direct/none");
