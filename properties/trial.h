@@ -27,9 +27,10 @@ struct TrialOptions {
 };
 
 /// A case, the truth about it and a candidate's answers to it, each worked out when a law first
-/// asks and kept for the next law. The truth never sees the candidate. Domain: a valid scene
-/// (scene/validate.h), pixels inside its image; otherwise the constructor
-///         throws std::invalid_argument. What a candidate throws passes through.
+/// asks and kept for the next law. The truth never sees the candidate. What a candidate throws
+/// passes through.
+/// Domain: a valid scene (scene/validate.h), pixels inside its image; otherwise the constructor
+///         throws std::invalid_argument.
 class Trial {
  public:
   Trial(const Case& the_case, const Candidate& candidate, TrialOptions options = {});
@@ -100,8 +101,9 @@ class Trial {
     measure(verdict, quantity, place, error, bound(quantity), condition, describe);
   }
   /// Counts a right or wrong answer, and adds a discrepancy when it is wrong. `may_flip` says
-  /// whether a change of the inputs within excused_change() may make it right, or it is the Excuse
-  /// itself where another one holds; a candidate that promises the exact class is not asked.
+  /// whether a change of the inputs within excused_change() may make it right, or gives the Excuse
+  /// itself where there are others; it is called only where neither the stated domain nor a promise
+  /// of the exact class settles that.
   template <class MayFlip, class Describe>
   void judge(Verdict& verdict, Quantity quantity, const Place& place, Wrong wrong,
              const MayFlip& may_flip, const Describe& describe) const {

@@ -34,7 +34,7 @@ struct Meeting {
 /// The truth about a case under some conventions, each part worked out when first asked for and
 /// kept. It never sees a candidate; candidates judged under the same conventions share it. With a
 /// plan of the case's scene under these conventions it asks about the pixels of a sphere's
-/// rectangle only; whether plans are right is for laws that ask without one.
+/// rectangle only; the laws that judge plans ask without one.
 class Truth {
  public:
   Truth(const Case& the_case, const scene::Conventions& conventions,

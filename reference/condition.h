@@ -18,8 +18,7 @@ namespace raycheck::reference {
 //         doubles; 0 where q and all of them are 0 (a change of the inputs leaves q at 0).
 // Error:  an upper bound, too large by at most kConditionWidth relatively or kNegligibleCondition.
 // Source: derivatives by forward-mode automatic differentiation of reference/internal/formulas.h,
-// enclosed
-//         by intervals first, then by balls of growing precision.
+//         enclosed by intervals first, then by balls of growing precision.
 inline constexpr double kConditionWidth = 0x1p-10;
 inline constexpr double kNegligibleCondition = 0x1p-30;
 

@@ -33,11 +33,11 @@ constexpr bool counts_as_hit(HitClass hit_class, scene::Tangent tangent) {
          (hit_class == HitClass::kTangent && tangent != scene::Tangent::kMiss);
 }
 
-/// Which arithmetic decides: intervals, then balls, then the exact field; or the field alone, which
-/// is how tests hold the filter to account.
+/// Which arithmetic decides: the rungs one after the other, or the exact field alone, which is how
+/// tests hold the rungs before it to account.
 enum class Engine { kFiltered, kFieldOnly };
 
-/// The steps of the filtered ladder; a decision takes the first that is certain.
+/// The rungs of Engine::kFiltered, the cheapest first; a decision takes the first that is certain.
 enum class Rung { kIntervals, kDoubleDoubles, kBalls, kField };
 
 /// The sphere that a ray meets first.
@@ -75,8 +75,7 @@ class EnclosedRay {
 ///         (to nearest, ties to even; overflow to infinity as IEEE-754; every zero is +0).
 /// Thread safety: const functions may be called from several threads; the rounding mode is left as
 ///         it was found.
-/// Source: SPEC of this project (docs/problem.md); the filter ladder as in CGAL's
-/// Filtered_predicate.
+/// Source: docs/problem.md; filters before exact arithmetic as in CGAL's Filtered_predicate.
 class ExactRay {
  public:
   ExactRay(const ExactCamera& camera, const scene::Pixel& pixel);
@@ -136,7 +135,8 @@ class ExactRay {
   /// Values at one working precision, when every input is known to within a relative change.
   EnclosedRay enclose(int bits, double relative_change = 0) const;
 
-  /// What the filter tells apart from a true value: 70 bits leave 5 digits of an ulp error.
+  /// The width of values where no other is asked for, 2^-70 of their size: 17 bits below u, which
+  /// leaves 5 digits of an error of 1 ulp.
   static constexpr int kValueBits = 70;
 
  private:

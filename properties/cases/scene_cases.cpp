@@ -4,7 +4,7 @@
 #include <cmath>
 #include <utility>
 
-namespace raycheck::tools {
+namespace raycheck::properties {
 namespace {
 
 /// N pixels of an image, spread evenly: the middles of the cells of a grid as near to square as N
@@ -50,8 +50,8 @@ std::uint64_t SceneCases::rays_in_scene() const {
          static_cast<std::uint64_t>(scene_.camera->height);
 }
 
-properties::Case SceneCases::from(std::uint64_t first, std::uint64_t end) const {
-  properties::Case chunk;
+Case SceneCases::from(std::uint64_t first, std::uint64_t end) const {
+  Case chunk;
   chunk.scene = scene_;
   if (scene_.camera) {
     const PixelGrid grid(*scene_.camera, judged_);
@@ -63,4 +63,4 @@ properties::Case SceneCases::from(std::uint64_t first, std::uint64_t end) const 
   return chunk;
 }
 
-}  // namespace raycheck::tools
+}  // namespace raycheck::properties

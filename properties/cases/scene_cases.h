@@ -6,7 +6,7 @@
 
 #include "properties/case.h"
 
-namespace raycheck::tools {
+namespace raycheck::properties {
 
 /// The rays of a scene as cases for the laws: all of them, or, of a camera's, at most so many,
 /// spread evenly over the image.
@@ -18,13 +18,13 @@ class SceneCases {
   std::uint64_t rays_in_scene() const;
   std::uint64_t rays_judged() const { return judged_; }
   /// Rays first..end of those judged, as a case.
-  properties::Case from(std::uint64_t first, std::uint64_t end) const;
+  Case from(std::uint64_t first, std::uint64_t end) const;
 
  private:
   scene::Scene scene_;
   std::uint64_t judged_;
 };
 
-}  // namespace raycheck::tools
+}  // namespace raycheck::properties
 
 #endif  // RAYCHECK_PROPERTIES_CASES_SCENE_CASES_H_

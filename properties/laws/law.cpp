@@ -31,7 +31,8 @@ const Law* find_law(std::string_view name) {
 
 namespace {
 
-Verdict verdict_of(const Law& law, const Trial& trial, Wrong wrong, const char* message) {
+/// A law's verdict on a candidate that gave no answer, `message` being what it threw.
+Verdict verdict_on_failure(const Law& law, const Trial& trial, Wrong wrong, const char* message) {
   Verdict verdict(law.name);
   trial.judge(
       verdict, Quantity::kRefusal, Place{}, wrong, [] { return false; },
@@ -52,9 +53,9 @@ Verdict apply(const Law& law, Trial& trial) {
     }
     return verdict;
   } catch (const std::invalid_argument& error) {
-    return verdict_of(law, trial, Wrong::kRefused, error.what());
+    return verdict_on_failure(law, trial, Wrong::kRefused, error.what());
   } catch (const std::exception& error) {
-    return verdict_of(law, trial, Wrong::kFailed, error.what());
+    return verdict_on_failure(law, trial, Wrong::kFailed, error.what());
   }
 }
 

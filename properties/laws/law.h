@@ -14,7 +14,8 @@
 
 namespace raycheck::properties {
 
-/// What a law's answer is one of.
+/// For each of which a law gives an answer of its own: a scene, a ray, a ray with a sphere, or an
+/// image.
 enum class Per { kScene, kRay, kPair, kImage };
 
 /// One law: a function from (case, candidate, truth), bundled as a Trial, to a verdict: it holds,

@@ -166,7 +166,7 @@ class DriverReader {
     if (whole && d > 0) located_.fail(entry.line, "d", value, "dialect C needs d < 0");
     const Dialect decided = whole ? Dialect::kC : d > 0 ? Dialect::kA : Dialect::kB;
     if (!asked || *asked == decided) return decided;
-    const std::string named = std::string(name(*asked)) + " (--dialect) ";
+    const std::string named = std::string(name(*asked)) + " (asked for) ";
     if (whole) {
       located_.fail(entry.line, "camera", joined(entry),
                     named + "has no camera line; this file is dialect C");
@@ -188,7 +188,7 @@ class DriverReader {
       located_.fail(entry.line, "bounds", joined(entry),
                     std::string("has no area in ") + name(dialect) + "'s order (" +
                         bounds_order(dialect) + "), but has in " + name(other) + "'s (" +
-                        bounds_order(other) + "): reorder the numbers; --dialect " +
+                        bounds_order(other) + "): reorder the numbers; dialect " +
                         (other == Dialect::kA ? "A needs d > 0" : "B needs d < 0"));
     }
     if (bounds.is_mirrored() && !bounds_of(numbers, other).is_mirrored()) {

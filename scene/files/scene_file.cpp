@@ -37,7 +37,7 @@ LoadedScene load_scene(const std::filesystem::path& path, std::optional<Dialect>
   LoadedScene loaded = read_toml(text, path.string());
   if (dialect) {
     loaded.warnings.push_back(path.string() +
-                              ": --dialect is for driver files; a TOML file has none");
+                              ": a dialect was asked for, but only driver files have one");
   }
   return loaded;
 }

@@ -26,18 +26,20 @@ using properties::Case;
 using properties::Law;
 using properties::Per;
 using properties::RunControl;
+using properties::SceneCases;
 using properties::Trial;
 using properties::Truth;
 using properties::Verdict;
 
-/// Rays judged before progress is shown and an interrupt is heeded.
+/// Rays judged at a time: between chunks progress is shown and an interrupt is heeded. Methods are
+/// timed, and mistakes looked for, on the first chunk.
 constexpr std::size_t kChunk = 512;
 
 /// Reasons by law.
 using ReasonsLeftOut = std::map<std::string_view, std::string>;
 
 /// A candidate's report in the making.
-struct Judged {
+struct Draft {
   CandidateReport report;
   ReasonsLeftOut left_out;
 };
@@ -48,19 +50,19 @@ struct ChunkVerdict {
   ReasonsLeftOut left_out;
 };
 
-Judged prepare(const Contestant& contestant, const scene::Scene& scene,
-               const CheckOptions& options) {
+Draft prepare(const Contestant& contestant, const scene::Scene& scene,
+              const CheckOptions& options) {
   const Candidate candidate = candidate_of(contestant);
-  Judged judged;
-  judged.report.contestant = contestant;
-  judged.report.name = candidate.name;
-  judged.report.conventions = candidate.declared.over(scene.conventions);
+  Draft draft;
+  draft.report.contestant = contestant;
+  draft.report.name = candidate.name;
+  draft.report.conventions = candidate.declared.over(scene.conventions);
   for (std::size_t k = 0; k < properties::kQuantityCount; ++k) {
-    judged.report.bounds.push_back(bound_on(static_cast<properties::Quantity>(k), candidate,
-                                            judged.report.conventions, scene.camera.has_value(),
-                                            options.max_error));
+    draft.report.bounds.push_back(bound_on(static_cast<properties::Quantity>(k), candidate,
+                                           draft.report.conventions, scene.camera.has_value(),
+                                           options.max_error));
   }
-  return judged;
+  return draft;
 }
 
 ChunkVerdict judge_chunk(const Case& chunk, std::uint64_t first, std::shared_ptr<Truth> truth,
@@ -98,18 +100,18 @@ std::vector<properties::Explanation> explained(const CandidateReport& report,
   }
 }
 
-CandidateReport finish(Judged judged, const scene::Scene& scene) {
-  judged.report.explanations = explained(judged.report, scene);
+CandidateReport finish(Draft draft, const scene::Scene& scene) {
+  draft.report.explanations = explained(draft.report, scene);
   for (const Law& law : properties::laws()) {
-    const auto found = judged.left_out.find(law.name);
-    if (found != judged.left_out.end()) {
-      judged.report.left_out.push_back({std::string(law.name), found->second});
+    const auto found = draft.left_out.find(law.name);
+    if (found != draft.left_out.end()) {
+      draft.report.left_out.push_back({std::string(law.name), found->second});
     }
   }
-  return std::move(judged.report);
+  return std::move(draft.report);
 }
 
-/// What was left out, one line a reason, with the candidate's name where not all left it out.
+/// What was left out, a line for each reason, with the candidate's name where not all left it out.
 std::vector<std::string> left_out_lines(const CheckReport& report) {
   std::vector<std::string> lines;
   if (report.rays_judged < report.rays_in_scene && !report.interrupted) {
@@ -171,10 +173,11 @@ std::uint64_t CheckReport::compared() const {
 
 namespace {
 
-/// Those that differ in something that the scene asks of them: without a camera the ray methods do
-/// nothing, without spheres the intersection methods.
-std::vector<Contestant> useful(const std::vector<Contestant>& contestants,
-                               const scene::Scene& scene) {
+/// The contestants without those that would do the same as an earlier one on this scene: pairs that
+/// differ in the ray method alone where it has no camera, in the intersection method alone where it
+/// has no spheres.
+std::vector<Contestant> without_equals(const std::vector<Contestant>& contestants,
+                                       const scene::Scene& scene) {
   if (contestants.size() == 1) return contestants;
   std::vector<Contestant> result;
   std::vector<MethodPair> pairs;
@@ -198,11 +201,11 @@ std::vector<Contestant> useful(const std::vector<Contestant>& contestants,
 /// the plans, and their verdicts are merged in the order of the rays.
 class Judgement {
  public:
-  Judgement(const CheckOptions& options, const SceneCases& cases, std::vector<Judged>& all)
-      : options_(options), cases_(cases), all_(all) {
+  Judgement(const CheckOptions& options, const SceneCases& cases, std::vector<Draft>& drafts)
+      : options_(options), cases_(cases), drafts_(drafts) {
     if (!cases.scene().camera) return;
-    for (const Judged& one : all) {
-      const scene::Conventions& conventions = one.report.conventions;
+    for (const Draft& draft : drafts) {
+      const scene::Conventions& conventions = draft.report.conventions;
       const bool is_planned = std::any_of(
           plans_.begin(), plans_.end(),
           [&](const scene::ScenePlan& plan) { return plan.conventions == conventions; });
@@ -221,9 +224,11 @@ class Judgement {
         chunks, control,
         [&](std::int64_t k) { return judge(static_cast<std::uint64_t>(k) * kChunk); },
         [&](Found& found) {
-          for (std::size_t k = 0; k < all_.size(); ++k) {
-            all_[k].report.verdict.merge(std::move(found[k].verdict));
-            for (auto& [law, reason] : found[k].left_out) all_[k].left_out[law] = std::move(reason);
+          for (std::size_t k = 0; k < drafts_.size(); ++k) {
+            drafts_[k].report.verdict.merge(std::move(found[k].verdict));
+            for (auto& [law, reason] : found[k].left_out) {
+              drafts_[k].left_out[law] = std::move(reason);
+            }
           }
           rays_judged = std::min(rays_judged + kChunk, cases_.rays_judged());
           tell();
@@ -234,13 +239,15 @@ class Judgement {
   std::vector<ChunkVerdict> judge(std::uint64_t first) {
     std::vector<Candidate>& candidates = candidates_.local();
     if (candidates.empty()) {
-      for (const Judged& one : all_) candidates.push_back(candidate_of(one.report.contestant));
+      for (const Draft& draft : drafts_) {
+        candidates.push_back(candidate_of(draft.report.contestant));
+      }
     }
     const Case chunk = cases_.from(first, std::min(first + kChunk, cases_.rays_judged()));
     properties::SharedTruths truths(chunk, plans_);
     std::vector<ChunkVerdict> found;
-    for (std::size_t k = 0; k < all_.size(); ++k) {
-      found.push_back(judge_chunk(chunk, first, truths.under(all_[k].report.conventions),
+    for (std::size_t k = 0; k < drafts_.size(); ++k) {
+      found.push_back(judge_chunk(chunk, first, truths.under(drafts_[k].report.conventions),
                                   options_.max_error, candidates[k]));
     }
     return found;
@@ -248,18 +255,19 @@ class Judgement {
 
   const CheckOptions& options_;
   const SceneCases& cases_;
-  std::vector<Judged>& all_;
+  std::vector<Draft>& drafts_;
   std::vector<scene::ScenePlan> plans_;
   tbb::enumerable_thread_specific<std::vector<Candidate>> candidates_;
 };
 
 /// Times every candidate on the first rays, before any other thread runs.
-void time_all(const SceneCases& cases, std::vector<Judged>& all) {
+void time_all(const SceneCases& cases, std::vector<Draft>& drafts) {
   const Case chunk = cases.from(0, std::min<std::uint64_t>(kChunk, cases.rays_judged()));
-  for (Judged& one : all) {
-    const MethodPair* const methods = methods_of(one.report.contestant);
+  for (Draft& draft : drafts) {
+    const MethodPair* const methods = methods_of(draft.report.contestant);
     if (methods == nullptr) continue;
-    one.report.timing = time_methods(*methods, cases.scene(), one.report.conventions, chunk.pixels);
+    draft.report.timing =
+        time_methods(*methods, cases.scene(), draft.report.conventions, chunk.pixels);
   }
 }
 
@@ -278,15 +286,15 @@ CheckReport check(const CheckOptions& options, const RunControl& control) {
   }
   const SceneCases cases(report.scene, options.pixels);
   report.rays_in_scene = cases.rays_in_scene();
-  std::vector<Judged> all;
-  for (const Contestant& contestant : useful(options.contestants, report.scene)) {
-    all.push_back(prepare(contestant, report.scene, options));
+  std::vector<Draft> drafts;
+  for (const Contestant& contestant : without_equals(options.contestants, report.scene)) {
+    drafts.push_back(prepare(contestant, report.scene, options));
   }
-  time_all(cases, all);
-  Judgement(options, cases, all).run(control, report.rays_judged, [&] {
+  time_all(cases, drafts);
+  Judgement(options, cases, drafts).run(control, report.rays_judged, [&] {
     control.progress(fmt::format("{} of {} rays judged", report.rays_judged, cases.rays_judged()));
   });
-  for (Judged& one : all) report.candidates.push_back(finish(std::move(one), report.scene));
+  for (Draft& draft : drafts) report.candidates.push_back(finish(std::move(draft), report.scene));
   report.interrupted = control.interrupted();
   report.left_out = left_out_lines(report);
   return report;

@@ -19,8 +19,8 @@ struct CheckOptions {
   std::optional<scene::Dialect> dialect;
   std::vector<Contestant> contestants;
   std::optional<std::int64_t> pixels;  ///< How many, spread evenly; empty: all.
-  std::size_t top = 10;
-  std::optional<double> max_error;
+  std::size_t top = 10;                ///< How many of the worst discrepancies are shown.
+  std::optional<double> max_error;     ///< A bound in place of the documented ones.
 };
 
 /// Nanoseconds per ray, the best of several repetitions on batches of the scene's rays.

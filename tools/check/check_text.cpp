@@ -1,9 +1,9 @@
 #include <fmt/core.h>
 
 #include <algorithm>
-#include <array>
 
 #include "tools/check/check_views.h"
+#include "tools/report/table.h"
 #include "tools/report/words.h"
 
 namespace raycheck::tools {
@@ -60,33 +60,24 @@ std::string worst_text(const Tally& tally, Quantity quantity) {
 }  // namespace
 
 std::string quantities_table(const CandidateReport& candidate) {
-  std::string text;
-  using Row = std::array<std::string, 8>;
-  std::vector<Row> rows = {
-      {"quantity", "cases", "class errors", "median", "max", "bound", "unit", "worst at"}};
+  using enum Table::Align;
+  Table table({{"quantity"},
+               {"cases", kRight},
+               {"class errors"},
+               {"median", kRight},
+               {"max", kRight},
+               {"bound", kRight},
+               {"unit"},
+               {"worst at"}});
   for (const auto& [quantity, tally] : candidate.verdict.tallies()) {
     const bool measured = !tally.errors.empty();
     const double bound = candidate.bounds[static_cast<std::size_t>(quantity)];
-    rows.push_back({std::string(info(quantity).name), std::to_string(tally.cases),
-                    measured ? "" : class_error_text(tally), error_text(tally.median()),
-                    error_text(tally.max()), measured ? error_text(bound) : "-",
-                    std::string(info(quantity).unit), worst_text(tally, quantity)});
+    table.add({std::string(info(quantity).name), std::to_string(tally.cases),
+               measured ? "" : class_error_text(tally), error_text(tally.median()),
+               error_text(tally.max()), measured ? error_text(bound) : "-",
+               std::string(info(quantity).unit), worst_text(tally, quantity)});
   }
-  std::array<std::size_t, 8> widths{};
-  for (const Row& row : rows) {
-    for (std::size_t k = 0; k < row.size(); ++k) widths[k] = std::max(widths[k], row[k].size());
-  }
-  for (const Row& row : rows) {
-    std::string line = "  ";
-    for (std::size_t k = 0; k < row.size(); ++k) {
-      const bool number = k == 1 || (k >= 3 && k <= 5);
-      line += number ? fmt::format("{:>{}}  ", row[k], widths[k])
-                     : fmt::format("{:<{}}  ", row[k], widths[k]);
-    }
-    line.erase(line.find_last_not_of(' ') + 1);
-    text += line + "\n";
-  }
-  return text;
+  return table.text();
 }
 
 std::string check_text(const CheckReport& report, const ViewOptions& options) {

@@ -1,7 +1,7 @@
 #ifndef RAYCHECK_TOOLS_EXPLAIN_EXPLAIN_METHODS_H_
 #define RAYCHECK_TOOLS_EXPLAIN_EXPLAIN_METHODS_H_
 
-// The methods' side of `explain`. Internal to tools/explain*.cpp.
+// The methods' side of `explain`. Internal to tools/explain/.
 
 #include <vector>
 

@@ -13,7 +13,7 @@ constexpr std::string_view kKinds =
     "renderer:'WORDS with {scene} and {image}'";
 
 std::string sentence(const std::string& why, const std::string& said, std::string_view whose) {
-  return (whose.empty() ? why : fmt::format("--candidate {}: {}", whose, why)) +
+  return (whose.empty() ? why : fmt::format("candidate {}: {}", whose, why)) +
          (said.empty() ? "" : "\n" + said);
 }
 

@@ -39,12 +39,10 @@ External rendering(std::string name, Renderer renderer);
 using LastFailure = std::shared_ptr<std::optional<FailureKind>>;
 
 /// A candidate with a process of its own, which is never sent an answer. Its errors are held to the
-/// bounds of kDefaultMethods, which are plain and stable. What a process fails at
-/// (its end, its silence, a reply that is none) the functions throw as std::runtime_error with the
-/// name of the function; the next question goes to a fresh
-/// process. The same question is not asked again after it failed, and none after kMostSilences that
-/// were answered by silence.
-/// `last` is set by every failure.
+/// bounds of kDefaultMethods, which are plain and stable. Where a process fails (ends, stays
+/// silent, or replies what is no reply) the functions throw std::runtime_error with the name of the
+/// function; the next question goes to a fresh process. A question that failed is not sent again,
+/// and none is sent after kMostSilences that were answered by silence. Every failure sets `last`.
 properties::Candidate external_candidate(const External& external,
                                          const LastFailure& last = nullptr);
 inline constexpr int kMostSilences = 3;

@@ -57,7 +57,7 @@ void copy_opened(const fs::path& from, const fs::path& to) {
     if (copied > kMostCopied) {
       throw CandidateError(
           fmt::format("{} is closed to other users and too large to be copied; give the program a "
-                      "folder of its own, or --sandbox none",
+                      "folder of its own, or use no sandbox",
                       from.string()));
     }
     fs::copy_file(entry.path(), target);

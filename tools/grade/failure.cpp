@@ -7,7 +7,6 @@
 #include "properties/cases/shrink.h"
 #include "properties/mistakes/answer_explanation.h"
 #include "properties/mistakes/image_explanation.h"
-#include "properties/search/campaign.h"
 #include "tools/grade/submission.h"
 
 namespace raycheck::tools {

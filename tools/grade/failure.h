@@ -33,8 +33,8 @@ struct Examinee {
 /// The numbers of a discrepancy, apart from its law.
 WrongAnswer wrong_answer(const properties::Discrepancy& discrepancy);
 
-/// A failing case that is simpler and breaks the law in the same way as `first`, which is not one
-/// of a candidate that gave no answer in time: to try others would cost as much each.
+/// The simplest case found that breaks the law in the same way as `from` does by `first`.
+/// Domain: not a candidate that gave no answer in time, since every case tried might cost as long.
 properties::Case simplest(const properties::Case& from, const properties::Law& law,
                           const properties::Discrepancy& first, const Examinee& examinee,
                           const std::function<bool()>& is_late);

@@ -59,9 +59,10 @@ void refuse(const Rubric& rubric, const Refusal& refusal, SubmissionGrade& grade
   }
 }
 
-class Class {
+/// One run over a class, into its folder of results.
+class ClassRun {
  public:
-  explicit Class(const GradeOptions& options)
+  explicit ClassRun(const GradeOptions& options)
       : options_(options),
         rubric_(load_rubric(options.rubric)),
         layers_(chosen_layers(options.sandbox)),
@@ -70,7 +71,7 @@ class Class {
       std::error_code error;
       fs::create_directories(folder_of(submission), error);
       if (error) {
-        throw std::invalid_argument(fmt::format("--out {}: {}", options.out, error.message()));
+        throw std::invalid_argument(fmt::format("out {}: {}", options.out, error.message()));
       }
     }
   }
@@ -106,7 +107,7 @@ class Class {
     result.interrupted = control.interrupted();
     const fs::path out(options_.out);
     for (const ClassView& file : class_files()) {
-      OutputFile("--out", out / file.name).write(file.render(result));
+      OutputFile("out", out / file.name).write(file.render(result));
     }
     return result;
   }
@@ -146,7 +147,7 @@ class Class {
     }
   }
 
-  /// What an earlier run finished.
+  /// The grade that an earlier run finished, where it depended on the same as `key`.
   std::optional<SubmissionGrade> record_of(const Submission& submission,
                                            const std::string& key) const {
     std::ifstream file(folder_of(submission) / kRecord, std::ios::binary);
@@ -166,7 +167,7 @@ class Class {
   void write(const Submission& submission, const SubmissionGrade& grade) const {
     const fs::path folder = folder_of(submission);
     const auto put = [&](const std::string& name, const std::string& text) {
-      OutputFile("--out", folder / name).write(text);
+      OutputFile("out", folder / name).write(text);
     };
     // Those of an earlier grade.
     for (const auto& entry : fs::directory_iterator(folder)) {
@@ -200,7 +201,7 @@ class Class {
 }  // namespace
 
 ClassGrade grade(const GradeOptions& options, const RunControl& control) {
-  return Class(options).grade(control);
+  return ClassRun(options).grade(control);
 }
 
 std::vector<SubmissionGrade> try_rubric(const Rubric& rubric, std::uint64_t seed,

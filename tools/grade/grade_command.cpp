@@ -34,7 +34,7 @@ std::string secret_of(const std::string& path) {
   return secret;
 }
 
-/// Where results are written in the format, the first view.
+/// The class in a format. One that is of results.json alone has no such view: then it is the first.
 std::string printed(const ClassGrade& graded, const std::string& format) {
   for (const ClassView& view : printed_views()) {
     if (view.name == format) return view.render(graded);
@@ -42,8 +42,8 @@ std::string printed(const ClassGrade& graded, const std::string& format) {
   return printed_views().front().render(graded);
 }
 
-/// Without submissions the rubric itself is tried.
-int try_command(const Arguments& arguments) {
+/// Without submissions the rubric itself is tried, on raycheck's own methods.
+int try_own_methods(const Arguments& arguments) {
   ClassGrade tried;
   tried.rubric = load_rubric(arguments.options.rubric);
   tried.submissions = try_rubric(tried.rubric, arguments.options.seed, run_control("rubric"));
@@ -77,7 +77,7 @@ int run_grade(const Arguments& arguments) {
     print_report("wrote " + arguments.package + "\n");
     return kExitNothingFound;
   }
-  if (options.submissions.empty()) return try_command(arguments);
+  if (options.submissions.empty()) return try_own_methods(arguments);
   if (options.out.empty()) throw std::invalid_argument("--out: give a folder for the results");
   if (!arguments.secret_file.empty()) options.secret = secret_of(arguments.secret_file);
   options.sandbox = sandbox_of(arguments.sandbox);

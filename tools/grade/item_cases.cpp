@@ -54,7 +54,8 @@ scene::Scene varied(scene::Scene scene, std::uint64_t seed) {
 ItemCase ItemCases::of_scene(const RubricScene& scene) const {
   const std::optional<std::uint64_t> at_most =
       pictures_ ? std::nullopt : std::optional(kMostGradedRays);
-  const SceneCases cases(pictures_ ? varied(scene.scene, scene_seed_) : scene.scene, at_most);
+  const properties::SceneCases cases(pictures_ ? varied(scene.scene, scene_seed_) : scene.scene,
+                                     at_most);
   return {cases.from(0, cases.rays_judged()), {.scene = scene.name}};
 }
 

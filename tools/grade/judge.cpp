@@ -55,7 +55,8 @@ Candidate tolerated(Candidate candidate, const Tolerance& tolerance) {
   return candidate;
 }
 
-/// The candidate of whose pictures only the mask counts.
+/// The candidate, of whose pictures only the mask counts: whether a pixel shows a sphere, not
+/// which.
 Candidate masked(Candidate candidate) {
   candidate.image = [image = candidate.image](const scene::Scene& scene,
                                               const scene::Conventions& conventions) {
@@ -236,10 +237,11 @@ ItemGrade Judge::item(std::size_t index, const std::vector<ItemGrade>& before) {
     grade.reason = {.kind = Kind::kNeeds, .item = needed, .state = found->state};
     return grade;
   }
-  // Which sphere is shown tells more about a mistake than whether there is one.
-  Candidate telling = tolerated(candidate_, item.tolerance);
-  telling.excused_image_change = task->image_change.value_or(telling.excused_image_change);
-  const Candidate candidate = task->masks_only ? masked(telling) : telling;
+  // A mistake is looked for in the pictures themselves: which sphere a pixel shows tells more of it
+  // than whether it shows one.
+  Candidate unmasked = tolerated(candidate_, item.tolerance);
+  unmasked.excused_image_change = task->image_change.value_or(unmasked.excused_image_change);
+  const Candidate candidate = task->masks_only ? masked(unmasked) : unmasked;
   const Examinee examinee{candidate, item.tolerance, is_renderer_, task->masks_only, last_failure_};
   properties::Random seeds(seed_);
   for (std::size_t k = 0; k < index; ++k) seeds.bits();
@@ -251,7 +253,7 @@ ItemGrade Judge::item(std::size_t index, const std::vector<ItemGrade>& before) {
   if (!failures.first) return grade;
   const auto& [item_case, broken, discrepancy, timed_out] = *failures.first;
   grade.first_wrong = {item_case.origin, wrong_answer(discrepancy)};
-  grade.mistakes = explaining_mistakes(failures.cases, telling, is_renderer_);
+  grade.mistakes = explaining_mistakes(failures.cases, unmasked, is_renderer_);
   const auto is_late = [this] { return reason_to_stop().kind != ItemReason::Kind::kNone; };
   const Case smallest = timed_out
                             ? item_case.the_case

@@ -67,7 +67,7 @@ bool is_of_the_system(const std::string& name) {
 std::map<std::string, fs::path> libraries_of(const fs::path& program) {
   const std::unique_ptr<FILE, int (*)(FILE*)> pipe(
       popen(fmt::format("ldd '{}'", program.string()).c_str(), "r"), pclose);
-  if (!pipe) throw std::runtime_error("--package: ldd does not run");
+  if (!pipe) throw std::runtime_error("package: ldd does not run");
   std::string text;
   std::array<char, 4096> buffer{};
   while (const std::size_t count = std::fread(buffer.data(), 1, buffer.size(), pipe.get())) {
@@ -89,7 +89,7 @@ std::map<std::string, fs::path> libraries_of(const fs::path& program) {
 std::string read(const fs::path& path) {
   std::ifstream file(path, std::ios::binary);
   std::string bytes{std::istreambuf_iterator<char>(file), {}};
-  if (!file) throw std::runtime_error(fmt::format("--package: {} cannot be read", path.string()));
+  if (!file) throw std::runtime_error(fmt::format("package: {} cannot be read", path.string()));
   return bytes;
 }
 
@@ -116,7 +116,7 @@ std::string zipped(const Parts& parts) {
   const std::unique_ptr<archive, int (*)(archive*)> zip(archive_write_new(), archive_write_free);
   const auto require = [&](int result) {
     if (result != ARCHIVE_OK) {
-      throw std::runtime_error(fmt::format("--package: {}", archive_error_string(zip.get())));
+      throw std::runtime_error(fmt::format("package: {}", archive_error_string(zip.get())));
     }
   };
   require(archive_write_set_format_zip(zip.get()));
@@ -141,7 +141,7 @@ std::string zipped(const Parts& parts) {
 }  // namespace
 
 void write_package(const Rubric& rubric, std::uint64_t seed, const std::string& path) {
-  OutputFile file("--package", path);
+  OutputFile file("package", path);
   const fs::path rubric_path(rubric.path);
   const std::string rubric_name = rubric_path.filename().string();
   Parts parts;

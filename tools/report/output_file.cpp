@@ -14,10 +14,10 @@ namespace raycheck::tools {
 
 namespace fs = std::filesystem;
 
-OutputFile::OutputFile(std::string option, std::string path)
-    : option_(std::move(option)), path_(std::move(path)) {
+OutputFile::OutputFile(std::string named_by, std::string path)
+    : named_by_(std::move(named_by)), path_(std::move(path)) {
   const auto refuse = [&](const std::string& why) {
-    throw std::invalid_argument(fmt::format("{} {}: cannot be written: {}", option_, path_, why));
+    throw std::invalid_argument(fmt::format("{} {}: cannot be written: {}", named_by_, path_, why));
   };
   if (path_.empty()) refuse("it names no file");
   std::error_code ignored;
@@ -60,7 +60,7 @@ void OutputFile::require_written() {
 }
 
 void OutputFile::fail(const std::string& why) const {
-  throw std::runtime_error(fmt::format("{} {}: could not be written: {}", option_, path_, why));
+  throw std::runtime_error(fmt::format("{} {}: could not be written: {}", named_by_, path_, why));
 }
 
 }  // namespace raycheck::tools

@@ -7,13 +7,14 @@
 
 namespace raycheck::tools {
 
-/// A file that an option names, which appears whole or not at all: it is written beside its place
-/// and then moved there. Making the object already opens it, so that hours of work do not end in a
-/// file that cannot be written.
+/// A file that an option or a field names, which appears whole or not at all: it is written beside
+/// its place and then moved there. Making the object already opens it, so that hours of work do not
+/// end in a file that cannot be written.
 class OutputFile {
  public:
-  /// Throws std::invalid_argument naming the option, the path and what is wrong with it.
-  OutputFile(std::string option, std::string path);
+  /// `named_by` is what errors call it: "--out" where flags are read, "out" elsewhere.
+  /// Throws std::invalid_argument naming that, the path and what is wrong with it.
+  OutputFile(std::string named_by, std::string path);
   OutputFile(const OutputFile&) = delete;
   OutputFile& operator=(const OutputFile&) = delete;
   /// Leaves no trace unless the file is in its place.
@@ -23,7 +24,7 @@ class OutputFile {
   void append(std::string_view bytes);
   /// Moves what was appended to its place; the last call. Throws as append().
   void place();
-  /// Throws std::runtime_error that names the option, the path and why it was not written.
+  /// Throws std::runtime_error that names `named_by`, the path and why it was not written.
   [[noreturn]] void fail(const std::string& why) const;
   /// The whole file at once.
   void write(std::string_view text) {
@@ -34,7 +35,7 @@ class OutputFile {
  private:
   void require_written();
 
-  std::string option_;
+  std::string named_by_;
   std::string path_;
   std::string beside_;  ///< Where it is written first; empty once it was moved.
   std::ofstream file_;

@@ -15,8 +15,7 @@ using properties::Discrepancy;
 using properties::Excuse;
 using properties::ExcuseKind;
 
-/// Errors are upper bounds from enclosures 70 bits wide or better; below this an error may well be
-/// 0.
+/// Errors are upper bounds: one below this says no more than that, and the true error may be 0.
 constexpr double kSmallestShown = 1e-9;
 
 /// Changes of the inputs are counted in u up to so many.

@@ -195,7 +195,8 @@ void run_on_scene(const TradeoffOptions& options, const std::vector<StagedMethod
   scene::LoadedScene loaded = scene::load_scene(options.scene, options.dialect);
   report.warnings = std::move(loaded.warnings);
   report.subject = options.scene;
-  const SceneCases chunks(std::move(loaded.scene), static_cast<std::uint64_t>(options.cases));
+  const properties::SceneCases chunks(std::move(loaded.scene),
+                                      static_cast<std::uint64_t>(options.cases));
   if (chunks.rays_judged() < chunks.rays_in_scene()) {
     report.left_out.push_back(fmt::format("{} of {} rays: only {} were asked for",
                                           chunks.rays_in_scene() - chunks.rays_judged(),

@@ -1,7 +1,7 @@
 #ifndef RAYCHECK_TOOLS_TRADEOFF_TRADEOFF_TIMING_H_
 #define RAYCHECK_TOOLS_TRADEOFF_TRADEOFF_TIMING_H_
 
-// The stopwatch of `tradeoff`. Internal to tools/tradeoff*.cpp.
+// The stopwatch of `tradeoff`. Internal to tools/tradeoff/.
 
 #include <vector>
 

@@ -80,17 +80,17 @@ TEST(ReadDriverFile, WarnsOnceOfEachOddity) {
 
 TEST(ReadDriverFile, RefusesADialectThatTheFileContradicts) {
   EXPECT_EQ(error_of(kB, Dialect::kA),
-            "f.txt:4: d = -2: dialect A (--dialect) needs d > 0; this file is dialect B");
+            "f.txt:4: d = -2: dialect A (asked for) needs d > 0; this file is dialect B");
   EXPECT_EQ(error_of(kA, Dialect::kB),
-            "f.txt:4: d = 2: dialect B (--dialect) needs d < 0; this file is dialect A");
+            "f.txt:4: d = 2: dialect B (asked for) needs d < 0; this file is dialect A");
   EXPECT_EQ(error_of(kA, Dialect::kC),
-            "f.txt:4: d = 2: dialect C (--dialect) needs a camera line instead; this file is "
+            "f.txt:4: d = 2: dialect C (asked for) needs a camera line instead; this file is "
             "dialect A");
   for (const Dialect dialect : {Dialect::kA, Dialect::kB}) {
     EXPECT_EQ(error_of(kC, dialect),
               std::string("f.txt:1: camera = 0 0 4 0 0 0 0 1 0 -2: dialect ") +
                   (dialect == Dialect::kA ? "A" : "B") +
-                  " (--dialect) has no camera line; this file is dialect C");
+                  " (asked for) has no camera line; this file is dialect C");
   }
 }
 
@@ -110,11 +110,11 @@ TEST(ReadDriverFile, SaysWhenTheOtherBoundsOrderWouldHaveAnArea) {
   EXPECT_EQ(error_of(kView + "d -2\nbounds -1 -1 1 1\nres 2 2\n"),
             "f.txt:5: bounds = -1 -1 1 1: has no area in dialect B's order (left right bottom "
             "top), but has in dialect A's (left bottom right top): reorder the numbers; "
-            "--dialect A needs d > 0");
+            "dialect A needs d > 0");
   EXPECT_EQ(error_of(kView + "d 2\nbounds -1 1 -1 1\nres 2 2\n"),
             "f.txt:5: bounds = -1 1 -1 1: has no area in dialect A's order (left bottom right "
             "top), but has in dialect B's (left right bottom top): reorder the numbers; "
-            "--dialect B needs d < 0");
+            "dialect B needs d < 0");
   EXPECT_EQ(error_of(kView + "d 2\nbounds 1 1 1 1\nres 2 2\n"),
             "f.txt:5: camera.right = 1: equals left, so the image has no width\n"
             "f.txt:5: camera.top = 1: equals bottom, so the image has no height");

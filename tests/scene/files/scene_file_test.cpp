@@ -35,8 +35,8 @@ TEST(LoadScene, WarnsThatADialectDoesNotConcernToml) {
   std::ofstream(path) << "[[ray]]\norigin = [0, 0, 0]\ndirection = [1, 0, 0]\n";
   EXPECT_TRUE(load_scene(path).warnings.empty());
   EXPECT_EQ(load_scene(path, Dialect::kA).warnings,
-            (std::vector<std::string>{path.string() +
-                                      ": --dialect is for driver files; a TOML file has none"}));
+            (std::vector<std::string>{
+                path.string() + ": a dialect was asked for, but only driver files have one"}));
   std::filesystem::remove(path);
 }
 

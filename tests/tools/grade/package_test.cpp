@@ -147,7 +147,7 @@ TEST_F(Package, is_the_same_bytes_each_time_and_holds_the_seed) {
 TEST(PackageCommand, fails_with_2_where_it_cannot_write) {
   const Outcome outcome = run("grade " + std::string(kLecture7) + " --package nowhere/a.zip");
   EXPECT_EQ(outcome.exit_code, 2);
-  EXPECT_TRUE(contains(outcome.err, "--package nowhere/a.zip: ")) << outcome.err;
+  EXPECT_TRUE(contains(outcome.err, "package nowhere/a.zip: ")) << outcome.err;
 }
 
 }  // namespace

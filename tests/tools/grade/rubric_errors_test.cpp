@@ -165,7 +165,7 @@ TEST(GradeCommand, fails_with_2_and_grades_nothing) {
   fails(rubric + " " + mine + out + " --jobs 0", "--jobs");
   fails(rubric + " " + mine + out + " --format xml", "--format");
   fails(rubric + " " + mine + out + " --sandbox perhaps", "--sandbox");
-  fails(rubric + " " + mine + " --out '" + taken + "'", "--out " + taken + ": ");
+  fails(rubric + " " + mine + " --out '" + taken + "'", "out " + taken + ": ");
   EXPECT_FALSE(std::filesystem::exists(grading.path("package.zip")));
   EXPECT_EQ(contents(taken), "a file");
 }

@@ -56,8 +56,8 @@ Layers chosen_layers(Sandbox sandbox) {
   const Layers& layers = layers_that_work();
   if (sandbox == Sandbox::kRequire && !(layers.seccomp && layers.bubblewrap)) {
     throw std::invalid_argument(
-        fmt::format("--sandbox require: here works {} of own user, seccomp and bubblewrap (its "
-                    "Debian package is bubblewrap)",
+        fmt::format("sandbox require: what works here is {}; seccomp and bubblewrap (the Debian "
+                    "package of that name) are required",
                     layers.text()));
   }
   return layers;

@@ -24,9 +24,10 @@ bool others_may_read(const std::filesystem::path& path);
 /// Lets every user read a file, or a folder and all in it.
 void open_to_others(const std::filesystem::path& path);
 
-/// raycheck's own files as any user may read them: where they are closed to others, a copy. Files
-/// of candidates have Opened (find.cpp).
+/// raycheck's own files as any user may read them: where they are closed to others, a copy. Of
+/// candidates' files tools/external/locate.cpp makes the copies.
 std::filesystem::path opened_copy(const std::filesystem::path& path);
+
 }  // namespace raycheck::tools
 
 #endif  // RAYCHECK_TOOLS_EXTERNAL_SANDBOX_PRIVATE_FOLDER_H_
