@@ -1,4 +1,5 @@
 #include <nlohmann/json.hpp>
+
 #include "tools/grade/record.h"
 #include "tools/grade/views.h"
 #include "tools/report/json.h"

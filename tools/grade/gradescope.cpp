@@ -1,6 +1,7 @@
 #include <fmt/core.h>
 
 #include <nlohmann/json.hpp>
+
 #include "tools/grade/views.h"
 #include "tools/grade/wording.h"
 #include "tools/report/json.h"

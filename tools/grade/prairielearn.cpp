@@ -1,8 +1,8 @@
 #include <fmt/core.h>
 
 #include <algorithm>
-
 #include <nlohmann/json.hpp>
+
 #include "tools/grade/views.h"
 #include "tools/grade/wording.h"
 #include "tools/report/json.h"

@@ -1,8 +1,8 @@
-#include <nlohmann/json.hpp>
 #include "tools/grade/record.h"
 
 #include <algorithm>
 #include <limits>
+#include <nlohmann/json.hpp>
 #include <stdexcept>
 
 #include "properties/laws/law.h"

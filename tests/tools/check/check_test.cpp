@@ -158,7 +158,8 @@ TEST(Check, fails_with_2_and_says_why_on_bad_input) {
   fails("check", "SCENE");
   fails("check nowhere.toml", "nowhere.toml");
   fails("check scene/examples/optical-axis.toml --rays fast", "rays fast: no such method");
-  fails("check scene/examples/optical-axis.toml --intersect best", "intersect best: no such method");
+  fails("check scene/examples/optical-axis.toml --intersect best",
+        "intersect best: no such method");
   fails("check scene/examples/optical-axis.toml --pixels 0", "--pixels 0");
   fails("check scene/examples/optical-axis.toml --pixels some", "--pixels some");
   fails("check scene/examples/optical-axis.toml --threads 0", "--threads");

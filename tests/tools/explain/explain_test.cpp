@@ -141,7 +141,8 @@ TEST(Explain, fails_with_2_and_says_why) {
   fails("--ray 0,0,0,1,0,0 --sphere 0,0,0,-1", "radius");
   fails("--ray 0,0,0,1,0,inf --sphere 0,0,0,1", "direction");
   fails("scene/examples/optical-axis.toml --pixel 3,0", "pixel (3, 0)");
-  fails("scene/examples/optical-axis.toml --pixel 0,0 --sphere 9", "sphere 9: the scene's spheres are numbered 0 to 0");
+  fails("scene/examples/optical-axis.toml --pixel 0,0 --sphere 9",
+        "sphere 9: the scene's spheres are numbered 0 to 0");
   fails("scene/examples/lecture-examples.toml --pixel 0,0", "no camera");
 }
 
