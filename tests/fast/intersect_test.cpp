@@ -241,7 +241,7 @@ TEST(IntersectBounds, HoldOnEveryGivenRayForTheMethodsThatKeepThem) {
     }
     expect_within_bounds(*method, found, 3500);
   }
-  EXPECT_EQ(methods, 7);
+  EXPECT_GE(methods, 7);
 }
 
 TEST(IntersectBounds, OfTheOthersHoldNextToTheSurface) {
