@@ -17,6 +17,7 @@
 #include <string>
 #include <vector>
 
+#include "fast/camera_frame.h"
 #include "reference/visibility/visibility.h"
 #include "scene/files/scene_file.h"
 #include "tools/bench/bench_scenes.h"
