@@ -79,8 +79,12 @@ TEST(List, names_every_method_law_and_convention) {
   EXPECT_EQ(report["laws"].size(), properties::laws().size());
   ASSERT_EQ(report["sources"].size(), properties::case_sources().size());
   for (const json& source : report["sources"]) {
-    if (source["name"] == "cameras") EXPECT_TRUE(source["dial"].is_null());
-    if (source["name"] == "distance") EXPECT_EQ(source["dial"]["highest"], 15);
+    if (source["name"] == "cameras") {
+      EXPECT_TRUE(source["dial"].is_null());
+    }
+    if (source["name"] == "distance") {
+      EXPECT_EQ(source["dial"]["highest"], 15);
+    }
   }
 }
 
