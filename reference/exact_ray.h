@@ -6,6 +6,7 @@
 #include <memory>
 #include <optional>
 #include <span>
+#include <string_view>
 #include <vector>
 
 #include "reference/enclosure.h"
@@ -18,6 +19,10 @@
 namespace raycheck::reference {
 
 enum class HitClass { kMiss, kHit, kTangent };
+inline constexpr std::array<std::string_view, 3> kHitClassNames = {"miss", "hit", "tangent"};
+constexpr std::string_view name(HitClass hit_class) {
+  return kHitClassNames[static_cast<std::size_t>(hit_class)];
+}
 enum class WhichRoot { kSmaller, kLarger };  ///< v - d, v + d
 
 /// How a ray meets a sphere; `root` speaks only of hits and tangents.

@@ -107,9 +107,8 @@ Case far_camera(int severity, std::uint64_t seed) {
   });
 }
 
-/// 2^1074 times the smallest double is 1; ordinary cameras and spheres in view stay below 2^7.
-constexpr int kMostBinades = 1074;
-constexpr int kMostUpOfLengths = 1016;
+/// Ordinary cameras and spheres in view stay below 2^7.
+constexpr int kMostUpOfCameraLengths = 1016;
 constexpr int kMostUpOfUp = 1022;
 
 /// The image plane is behind the eye now and then. `up` has a scale of its own.
@@ -122,7 +121,7 @@ Case camera_scale(int severity, std::uint64_t seed) {
     const int up_exponent = up <= kMostUpOfUp ? up : -up;
     for (double* x : {&camera.up.x, &camera.up.y, &camera.up.z}) *x = std::ldexp(*x, up_exponent);
     finish(random, camera, 1, result);
-    const bool is_up = severity <= kMostUpOfLengths && random.one_in(2);
+    const bool is_up = severity <= kMostUpOfCameraLengths && random.one_in(2);
     scale_lengths(result.scene, is_up ? severity : -severity);
   });
 }
@@ -140,7 +139,7 @@ Case up(int severity, std::uint64_t seed) {
   });
 }
 
-constexpr CaseSource kSources[] = {
+constexpr CaseSource kCameraSourceTable[] = {
     {"cameras", "ordinary cameras and spheres in view", true, {}, cameras},
     {"plain-cameras", "axis-aligned cameras of small integers, with ties", true, {}, plain_cameras},
     {"crowds", "ordinary cameras and spheres that hide one another", true, {}, crowds},
@@ -153,6 +152,6 @@ constexpr CaseSource kSources[] = {
 
 }  // namespace
 
-constinit const std::span<const CaseSource> kCameraSources = kSources;
+constinit const std::span<const CaseSource> kCameraSources = kCameraSourceTable;
 
 }  // namespace raycheck::properties

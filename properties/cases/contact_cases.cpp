@@ -165,7 +165,7 @@ Case horizon(int severity, std::uint64_t seed) {
   return result;
 }
 
-constexpr CaseSource kSources[] = {
+constexpr CaseSource kContactSourceTable[] = {
     {"tangency", "impact parameters r (1 +- 10^-k)", false,
      Dial{"log10 of the radius over the impact parameter's distance from it", 10, 16}, tangency},
     {"tangent-ulps", "impact parameters 2^(52-k) ulps off r; at the highest, exactly tangent",
@@ -182,6 +182,6 @@ constexpr CaseSource kSources[] = {
 
 }  // namespace
 
-constinit const std::span<const CaseSource> kContactSources = kSources;
+constinit const std::span<const CaseSource> kContactSources = kContactSourceTable;
 
 }  // namespace raycheck::properties

@@ -23,8 +23,6 @@ double quarters(Random& random, std::int64_t low, std::int64_t high) {
   return kGrain * static_cast<double>(random.integer(low, high));
 }
 
-double dot(const Vector3& a, const Vector3& b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
-
 Camera course_camera(Random& random) {
   Camera camera;
   for (double* x : {&camera.eye.x, &camera.eye.y, &camera.eye.z}) *x = quarters(random, -32, 32);
@@ -159,7 +157,7 @@ Case course_scene(std::uint64_t seed, bool with_behind) {
 Case course(int, std::uint64_t seed) { return course_scene(seed, false); }
 Case course_behind(int, std::uint64_t seed) { return course_scene(seed, true); }
 
-constexpr CaseSource kSources[] = {
+constexpr CaseSource kCourseSourceTable[] = {
     {"course",
      "cameras and spheres of few digits, the spheres beyond the image plane",
      true,
@@ -173,6 +171,6 @@ constexpr CaseSource kSources[] = {
 
 }  // namespace
 
-constinit const std::span<const CaseSource> kCourseSources = kSources;
+constinit const std::span<const CaseSource> kCourseSources = kCourseSourceTable;
 
 }  // namespace raycheck::properties

@@ -35,8 +35,6 @@ double difference_of_products(double x, double y, double z, double w) {
   return std::fma(x, y, -product) + error;
 }
 
-double dot(const Vector3& a, const Vector3& b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
-
 /// A sphere about where the camera looks.
 Sphere sphere_in_view(Random& random, const Camera& camera) {
   const Vector3 view = camera.look_at - camera.eye;
@@ -65,6 +63,8 @@ double signed_share_of(Random& random, int k) {
   const double side = random.sign();
   return side * share_of(random, k);
 }
+
+double dot(const Vector3& a, const Vector3& b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
 
 double length(const Vector3& v) { return std::sqrt(dot(v, v)); }
 

@@ -19,6 +19,7 @@ double about_ten_to(Random& random, int k);
 double share_of(Random& random, int k);
 double signed_share_of(Random& random, int k);
 
+double dot(const scene::Vector3& a, const scene::Vector3& b);
 double length(const scene::Vector3& v);
 scene::Point3 along(const scene::Point3& origin, double t, const scene::Vector3& direction);
 scene::Vector3 times(double factor, const scene::Vector3& v);
@@ -32,6 +33,9 @@ double distance_between(const scene::Point3& from, const scene::Point3& to);  //
 double impact_parameter(const scene::Ray& ray, const scene::Point3& centre);  ///< |T x d|/|d|
 /// T.d/|d|, as good relative to |T|.
 double axial_distance(const scene::Ray& ray, const scene::Point3& centre);
+
+/// 2^1074 times the smallest double is 1.
+inline constexpr int kMostBinades = 1074;
 
 scene::Conventions any_conventions(Random& random);
 

@@ -141,7 +141,7 @@ Case near_plane(int severity, std::uint64_t seed) {
   });
 }
 
-constexpr CaseSource kSources[] = {
+constexpr CaseSource kPixelSourceTable[] = {
     {"field-of-view", "bounds of 10^k or 10^-k times near", true,
      Dial{"log10 of the bounds over near, up or down", 10, 15}, field_of_view},
     {"image-size", "images 2^k pixels across, 2^31 - 1 at most", true,
@@ -151,6 +151,6 @@ constexpr CaseSource kSources[] = {
 
 }  // namespace
 
-constinit const std::span<const CaseSource> kPixelSources = kSources;
+constinit const std::span<const CaseSource> kPixelSources = kPixelSourceTable;
 
 }  // namespace raycheck::properties

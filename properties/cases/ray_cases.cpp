@@ -110,9 +110,6 @@ Case far_world(int severity, std::uint64_t seed) {
   return ray_case(random, origin, ordinary_sphere);
 }
 
-/// 2^1074 times the smallest double is 1.
-constexpr int kMostBinades = 1074;
-
 /// The larger of the two keeps lengths of ordinary rays finite, the smaller their directions.
 constexpr int kMostUpOfLengths = 1018;
 constexpr int kMostUpOfDirections = 1022;
@@ -148,7 +145,7 @@ Case direction_length(int severity, std::uint64_t seed) {
   return result;
 }
 
-constexpr CaseSource kSources[] = {
+constexpr CaseSource kRaySourceTable[] = {
     {"rays", "ordinary rays and spheres", false, {}, rays},
     {"ties", "exact tangents and equal spheres, and their neighbours in ulps", false, {}, ties},
     {"distance", "spheres 10^k radii away", false,
@@ -164,6 +161,6 @@ constexpr CaseSource kSources[] = {
 
 }  // namespace
 
-constinit const std::span<const CaseSource> kRaySources = kSources;
+constinit const std::span<const CaseSource> kRaySources = kRaySourceTable;
 
 }  // namespace raycheck::properties

@@ -49,7 +49,7 @@ void judge_frame(Trial& trial, Verdict& verdict) {
                 });
 }
 
-constexpr Law kLaws[] = {
+constexpr Law kFrameLawTable[] = {
     {.name = "frame",
      .sentence = "the frame is orthonormal, right-handed, and the camera's",
      .per = Per::kScene,
@@ -61,6 +61,6 @@ constexpr Law kLaws[] = {
 
 }  // namespace
 
-constinit const std::span<const Law> kFrameLaws = kLaws;
+constinit const std::span<const Law> kFrameLaws = kFrameLawTable;
 
 }  // namespace raycheck::properties

@@ -56,7 +56,7 @@ void judge_image(Trial& trial, Verdict& verdict) {
   }
 }
 
-constexpr Law kLaws[] = {
+constexpr Law kImageLawTable[] = {
     {.name = "image",
      .sentence = "every pixel of an image shows the sphere that its ray meets first",
      .per = Per::kImage,
@@ -68,6 +68,6 @@ constexpr Law kLaws[] = {
 
 }  // namespace
 
-constinit const std::span<const Law> kImageLaws = kLaws;
+constinit const std::span<const Law> kImageLaws = kImageLawTable;
 
 }  // namespace raycheck::properties

@@ -291,7 +291,7 @@ void judge_focal_and_pixel(Trial& trial, Verdict& verdict) {
   }
 }
 
-constexpr Law kLaws[] = {
+constexpr Law kIntersectLawTable[] = {
     {.name = "class",
      .sentence = "hit or miss as the exact class says",
      .per = Per::kPair,
@@ -345,6 +345,6 @@ constexpr Law kLaws[] = {
 
 }  // namespace
 
-constinit const std::span<const Law> kIntersectLaws = kLaws;
+constinit const std::span<const Law> kIntersectLaws = kIntersectLawTable;
 
 }  // namespace raycheck::properties

@@ -295,7 +295,7 @@ void judge_growing_radius(Trial& trial, Verdict& verdict) {
   if (verdict.compared() == 0) return verdict.leave_out("the candidate finds no hit to begin with");
 }
 
-constexpr Law kLaws[] = {
+constexpr Law kMetamorphicLawTable[] = {
     {.name = "scaling",
      .sentence = "scaling every length by 2^k scales every answer",
      .per = Per::kRay,
@@ -331,6 +331,6 @@ constexpr Law kLaws[] = {
 
 }  // namespace
 
-constinit const std::span<const Law> kMetamorphicLaws = kLaws;
+constinit const std::span<const Law> kMetamorphicLaws = kMetamorphicLawTable;
 
 }  // namespace raycheck::properties

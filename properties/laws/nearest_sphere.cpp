@@ -114,7 +114,7 @@ void judge_visible_sphere(Trial& trial, Verdict& verdict) {
   }
 }
 
-constexpr Law kLaws[] = {
+constexpr Law kNearestSphereLawTable[] = {
     {.name = "nearest-sphere",
      .sentence = "the nearest sphere wins, whatever the order in the file",
      .per = Per::kRay,
@@ -134,6 +134,6 @@ constexpr Law kLaws[] = {
 
 }  // namespace
 
-constinit const std::span<const Law> kNearestSphereLaws = kLaws;
+constinit const std::span<const Law> kNearestSphereLaws = kNearestSphereLawTable;
 
 }  // namespace raycheck::properties

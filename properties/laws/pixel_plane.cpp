@@ -19,7 +19,7 @@ using reference::ExactRay;
 using scene::Pixel;
 using scene::Point3;
 
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
+constexpr double kInfiniteError = std::numeric_limits<double>::infinity();
 constexpr int kBits = 256;
 
 std::string name(const Pixel& pixel) {
@@ -65,7 +65,7 @@ class PlaneAnswers {
 /// |error| / size in units of u; an exact 0 error is right whatever the size.
 double relative(const Enclosure& error, const Enclosure& size) {
   if (error.certain_sign() == 0) return 0;
-  return size.contains_zero() ? kInfinity : reference::in_units_of_u(error / size);
+  return size.contains_zero() ? kInfiniteError : reference::in_units_of_u(error / size);
 }
 
 /// A relation is no better determined than the points that it relates.
@@ -228,8 +228,8 @@ void judge_pixel_zero_zero(Trial& trial, Verdict& verdict) {
     return (abs(b) - abs(a)).certain_sign().value_or(0) > 0;
   };
   const bool right = is_nearer(own.x, opposite.x) && is_nearer(own.y, opposite.y);
-  measure_at(trial, verdict, answers, 0, right ? 0 : kInfinity, trial.bound(Quantity::kPixelPoint),
-             "corner of pixel (0, 0)");
+  measure_at(trial, verdict, answers, 0, right ? 0 : kInfiniteError,
+             trial.bound(Quantity::kPixelPoint), "corner of pixel (0, 0)");
 }
 
 void judge_density(Trial& trial, Verdict& verdict) {
@@ -277,7 +277,7 @@ void judge_square_pixels(Trial& trial, Verdict& verdict) {
   const Enclosure got_down = step(2);
   const double error =
       got_down.contains_zero()
-          ? kInfinity
+          ? kInfiniteError
           : reference::in_units_of_u(step(1) * down / (got_down * across) - Enclosure(1));
   Place place;
   place.pixel = Pixel{0, 0};
@@ -296,7 +296,7 @@ void judge_square_pixels(Trial& trial, Verdict& verdict) {
       });
 }
 
-constexpr Law kLaws[] = {
+constexpr Law kPixelPlaneLawTable[] = {
     {.name = "pixel-point",
      .sentence = "pixel points are E + nW + alpha U + beta V",
      .per = Per::kRay,
@@ -346,6 +346,6 @@ constexpr Law kLaws[] = {
 
 }  // namespace
 
-constinit const std::span<const Law> kPixelPlaneLaws = kLaws;
+constinit const std::span<const Law> kPixelPlaneLaws = kPixelPlaneLawTable;
 
 }  // namespace raycheck::properties

@@ -53,7 +53,7 @@ void judge_ray_origin(Trial& trial, Verdict& verdict) {
   }
 }
 
-constexpr Law kLaws[] = {
+constexpr Law kPixelRayLawTable[] = {
     {.name = "unit-direction",
      .sentence = "directions are unit",
      .per = Per::kRay,
@@ -83,6 +83,6 @@ constexpr Law kLaws[] = {
 
 }  // namespace
 
-constinit const std::span<const Law> kPixelRayLaws = kLaws;
+constinit const std::span<const Law> kPixelRayLaws = kPixelRayLawTable;
 
 }  // namespace raycheck::properties

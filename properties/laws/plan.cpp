@@ -163,7 +163,7 @@ void judge_roots(Trial& trial, Verdict& verdict) {
   if (verdict.compared() == 0) return verdict.leave_out("any ray may start inside, or past it");
 }
 
-constexpr Law kLaws[] = {
+constexpr Law kPlanLawTable[] = {
     {.name = "plan-left-out",
      .sentence = "no ray sees a sphere that the plan leaves out",
      .per = Per::kPair,
@@ -186,6 +186,6 @@ constexpr Law kLaws[] = {
 
 }  // namespace
 
-constinit const std::span<const Law> kPlanLaws = kLaws;
+constinit const std::span<const Law> kPlanLaws = kPlanLawTable;
 
 }  // namespace raycheck::properties

@@ -133,7 +133,7 @@ void judge_refusal(Trial& trial, Verdict& verdict) {
   }
 }
 
-constexpr Law kLaws[] = {
+constexpr Law kRefusalLawTable[] = {
     {.name = "refusal",
      .sentence = "non-finite and degenerate input is refused, not answered",
      .per = Per::kScene,
@@ -144,6 +144,6 @@ constexpr Law kLaws[] = {
 
 }  // namespace
 
-constinit const std::span<const Law> kRefusalLaws = kLaws;
+constinit const std::span<const Law> kRefusalLaws = kRefusalLawTable;
 
 }  // namespace raycheck::properties

@@ -18,17 +18,17 @@ namespace {
 using scene::Camera;
 using scene::UnitVector3;
 
-const Camera kLecture = {{8, 8, 100}, {8, 8, 54}, {0, 1, 0}, -30, {}, -30, 30, -20, 20, 2, 2};
+const Camera kLectureCamera = {{8, 8, 100}, {8, 8, 54}, {0, 1, 0}, -30, {}, -30, 30, -20, 20, 2, 2};
 
 TEST(CameraFrame, OfTheLectureIsTheWorldsAxes) {
-  const CameraFrame frame = camera_frame(kLecture);
+  const CameraFrame frame = camera_frame(kLectureCamera);
   EXPECT_EQ(frame.U, (UnitVector3{1, 0, 0}));
   EXPECT_EQ(frame.V, (UnitVector3{0, 1, 0}));
   EXPECT_EQ(frame.W, (UnitVector3{0, 0, 1}));
 }
 
 TEST(CameraFrame, IsUnmovedByTheLengthOfUpAndOfTheView) {
-  Camera camera = kLecture;
+  Camera camera = kLectureCamera;
   camera.up = {0, 1024, 512};
   camera.look_at.z = -3;
   const CameraFrame frame = camera_frame(camera);
@@ -91,15 +91,15 @@ std::string refusal(const Camera& camera) {
 }
 
 TEST(CameraFrame, RefusesByTheNameOfTheField) {
-  Camera camera = kLecture;
+  Camera camera = kLectureCamera;
   camera.up = {0, 0, -3};
   EXPECT_NE(refusal(camera).find("camera.up"), std::string::npos) << refusal(camera);
   camera.up = {};
   EXPECT_NE(refusal(camera).find("camera.up"), std::string::npos) << refusal(camera);
-  camera = kLecture;
+  camera = kLectureCamera;
   camera.look_at = camera.eye;
   EXPECT_NE(refusal(camera).find("camera.look_at"), std::string::npos) << refusal(camera);
-  camera = kLecture;
+  camera = kLectureCamera;
   camera.eye.y = std::numeric_limits<double>::quiet_NaN();
   EXPECT_NE(refusal(camera).find("camera.eye"), std::string::npos) << refusal(camera);
 }

@@ -17,6 +17,7 @@
 #include "reference/error_measure.h"
 #include "reference/exact_ray.h"
 #include "scene/validate.h"
+#include "tests/numbers.h"
 
 namespace raycheck::fast {
 namespace {
@@ -28,10 +29,8 @@ using scene::Root;
 using scene::Sphere;
 using scene::Tangent;
 
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
-
 /// What was compared, so that no test passes for want of cases.
-struct Audit {
+struct RobustAudit {
   int pairs = 0;
   int hits = 0;
   int tangents = 0;
@@ -53,7 +52,7 @@ std::string text(const Ray& ray, const Sphere& sphere) {
 using Answer = std::optional<Hit> (*)(const Ray&, const Sphere&, Root, Tangent);
 
 void compare(Answer answer, const Ray& ray, const Sphere& sphere, Root root, Tangent tangent,
-             Audit& audit) {
+             RobustAudit& audit) {
   if (!scene::defects(ray).empty() || !scene::defects(sphere).empty()) return;
   const reference::ExactRay exact(ray);
   const reference::Intersection at = exact.intersect(sphere, root);
@@ -82,13 +81,13 @@ void compare(Answer answer, const Ray& ray, const Sphere& sphere, Root root, Tan
 }
 
 /// Under every convention that can make a difference.
-void compare_all(Answer answer, const Ray& ray, const Sphere& sphere, Audit& audit) {
+void compare_all(Answer answer, const Ray& ray, const Sphere& sphere, RobustAudit& audit) {
   compare(answer, ray, sphere, Root::kNearest, Tangent::kHit, audit);
   compare(answer, ray, sphere, Root::kNearest, Tangent::kMiss, audit);
   compare(answer, ray, sphere, Root::kSmaller, Tangent::kHit, audit);
 }
 
-void expect_kept(const Audit& audit, int least_pairs, int least_hits) {
+void expect_kept(const RobustAudit& audit, int least_pairs, int least_hits) {
   EXPECT_EQ(audit.wrong_classes, 0) << audit.worst;
   EXPECT_LE(audit.worst_s, kRobust.max_ulp) << audit.worst;
   EXPECT_GE(audit.pairs, least_pairs);
@@ -136,7 +135,7 @@ std::uint64_t cases_of_each_source() {
 }
 
 TEST(Robust, IsRightOnEverySourceOfGivenRays) {
-  Audit audit;
+  RobustAudit audit;
   const std::uint64_t cases = cases_of_each_source();
   for (const properties::CaseSource& source : properties::case_sources()) {
     if (source.has_camera) continue;
@@ -191,7 +190,7 @@ void pythagorean(Random& random, Ray& ray, Sphere& sphere) {
 
 TEST(Robust, IsRightOnTangentsAndSurfacesAndTheirNeighbours) {
   Random random(1);
-  Audit audit;
+  RobustAudit audit;
   for (int k = 0; k < 30000; ++k) {
     Ray ray;
     Sphere sphere;
@@ -221,7 +220,7 @@ double any_double(Random& random, std::int64_t middle, std::int64_t spread) {
 
 TEST(Robust, IsRightOnComponentsOfAnyExponents) {
   Random random(2);
-  Audit audit;
+  RobustAudit audit;
   for (int k = 0; k < 40000; ++k) {
     const std::int64_t spreads[] = {0, 3, 30, 60, 300, 1000};
     const std::int64_t spread = spreads[random.integer(0, 5)];
@@ -249,7 +248,7 @@ TEST(Robust, IsRightOnComponentsOfAnyExponents) {
 /// tangency to the last bit that doubles can express.
 TEST(Robust, IsRightBesideTangentsThatAreNoRoundNumbers) {
   Random random(3);
-  Audit audit;
+  RobustAudit audit;
   for (int k = 0; k < 30000; ++k) {
     const double radius = random.power_of_ten(-3, 3);
     const double farthest = random.one_in(2) ? 3 : 18;
@@ -272,7 +271,7 @@ TEST(Robust, IsRightBesideTangentsThatAreNoRoundNumbers) {
 }
 
 TEST(Robust, IsRightOnWhatPeopleReported) {
-  Audit audit;
+  RobustAudit audit;
   const Sphere unit = {{0, 0, 0}, 1};
   const double below = std::nextafter(1.0, 0.0);
   const double above = std::nextafter(1.0, 2.0);
@@ -311,8 +310,8 @@ TEST(Robust, IsRightInEachOfItsSteps) {
     ++proven;
     return chosen->hit ? std::optional(chosen->at) : std::nullopt;
   };
-  Audit by_integers;
-  Audit by_pairs;
+  RobustAudit by_integers;
+  RobustAudit by_pairs;
   for (const properties::CaseSource& source : properties::case_sources()) {
     if (source.has_camera) continue;
     for (std::uint64_t seed = 0; seed < 4000; ++seed) {

@@ -11,13 +11,13 @@
 #include <utility>
 #include <vector>
 
+#include "tests/numbers.h"
+
 namespace raycheck::properties {
 namespace {
 
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr double kLargest = std::numeric_limits<double>::max();
 constexpr double kSmallestNormal = std::numeric_limits<double>::min();
-constexpr double kSmallest = std::numeric_limits<double>::denorm_min();
 
 QuantileSketch sketch_of(const std::vector<double>& numbers) {
   QuantileSketch sketch;

@@ -4,19 +4,19 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <random>
 #include <set>
 #include <string>
 #include <utility>
 #include <vector>
 
+#include "tests/numbers.h"
+
 namespace raycheck::properties {
 namespace {
 
 constexpr Excuse kFlips = {ExcuseKind::kSmallChange, kExcusedChange};
 constexpr Excuse kIllConditioned = {ExcuseKind::kIllConditioned, 1e6};
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 Place at_ray(std::size_t ray) {
   Place place;

@@ -5,15 +5,14 @@
 #include <limits>
 #include <vector>
 
+#include "tests/numbers.h"
 #include "tests/reference/big_float.h"
 #include "tests/reference/random_cases.h"
 
 namespace raycheck::reference {
 namespace {
 
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr double kLargest = std::numeric_limits<double>::max();
-constexpr double kSmallest = std::numeric_limits<double>::denorm_min();
 constexpr double kSmallestNormal = std::numeric_limits<double>::min();
 
 /// x exactly, at a precision that holds all of it.

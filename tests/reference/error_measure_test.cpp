@@ -6,16 +6,15 @@
 #include <limits>
 #include <utility>
 
+#include "tests/numbers.h"
 #include "tests/reference/big_float.h"
 #include "tests/reference/random_cases.h"
 
 namespace raycheck::reference {
 namespace {
 
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 constexpr double kLargest = std::numeric_limits<double>::max();
-constexpr double kSmallest = std::numeric_limits<double>::denorm_min();
 constexpr double kSmallestNormal = std::numeric_limits<double>::min();
 
 Enclosure real(double x) { return Enclosure(x, 192); }

@@ -8,6 +8,7 @@
 #include <stdexcept>
 
 #include "reference/exact_ray.h"
+#include "tests/numbers.h"
 #include "tests/reference/random_cases.h"
 
 namespace raycheck::reference {
@@ -18,10 +19,8 @@ using scene::Ray;
 using scene::Root;
 using scene::Sphere;
 
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 constexpr double kLargest = std::numeric_limits<double>::max();
-constexpr double kSmallest = std::numeric_limits<double>::denorm_min();
 const Intersection kSmallerHit{HitClass::kHit, WhichRoot::kSmaller};
 const Intersection kLargerHit{HitClass::kHit, WhichRoot::kLarger};
 const Intersection kTangent{HitClass::kTangent, WhichRoot::kSmaller};

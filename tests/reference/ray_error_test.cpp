@@ -6,12 +6,12 @@
 #include <limits>
 
 #include "reference/error_measure.h"
+#include "tests/numbers.h"
 #include "tests/reference/random_cases.h"
 
 namespace raycheck::reference {
 namespace {
 
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 /// Balls so narrow that what they leave open of an error does not count.
 constexpr int kBits = 400;
 

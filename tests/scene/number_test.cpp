@@ -11,11 +11,11 @@
 #include <string>
 #include <vector>
 
+#include "tests/numbers.h"
+
 namespace raycheck::scene {
 namespace {
 
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
-constexpr double kSmallest = std::numeric_limits<double>::denorm_min();
 constexpr double kLargest = std::numeric_limits<double>::max();
 
 std::uint64_t bits(double value) { return std::bit_cast<std::uint64_t>(value); }

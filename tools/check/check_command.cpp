@@ -12,7 +12,7 @@
 namespace raycheck::tools {
 namespace {
 
-struct Arguments {
+struct CheckArguments {
   std::string scene;
   std::string dialect;
   std::string rays;
@@ -27,7 +27,7 @@ struct Arguments {
   std::string format;
 };
 
-int run_check(const Arguments& arguments) {
+int run_check(const CheckArguments& arguments) {
   CheckOptions options;
   options.path = arguments.scene;
   options.dialect = parse_dialect(arguments.dialect);
@@ -59,8 +59,8 @@ int run_check(const Arguments& arguments) {
 }  // namespace
 
 Command add_check(CLI::App& program) {
-  const auto given = std::make_shared<Arguments>();
-  Arguments& arguments = *given;
+  const auto given = std::make_shared<CheckArguments>();
+  CheckArguments& arguments = *given;
   CLI::App& command = *program.add_subcommand("check", "Judge methods on every pixel of a scene");
   command.add_option("SCENE", arguments.scene, "a TOML scene, or a driver file of the course")
       ->required();

@@ -9,13 +9,13 @@
 namespace raycheck::tools {
 namespace {
 
-struct Arguments {
+struct GenerateArguments {
   std::string family;
   int cases = 100;
   std::uint64_t seed = 1;
 };
 
-int run(const Arguments& arguments) {
+int run_generate(const GenerateArguments& arguments) {
   const properties::ChosenSource source = source_of_questions(arguments.family);
   catch_interrupts();
   for (int k = 0; k < arguments.cases && !interrupted(); ++k) {
@@ -27,7 +27,7 @@ int run(const Arguments& arguments) {
 }  // namespace
 
 Command add_generate(CLI::App& program) {
-  const auto given = std::make_shared<Arguments>();
+  const auto given = std::make_shared<GenerateArguments>();
   CLI::App& command =
       *program.add_subcommand("generate", "Print questions, one a line, for a program to answer");
   command.add_option("--family", given->family, "where rays come from: FAMILY or FAMILY@SEVERITY")
@@ -36,7 +36,7 @@ Command add_generate(CLI::App& program) {
       ->check(CLI::Range(1, 1000000000))
       ->capture_default_str();
   add_seed(command, given->seed);
-  return {&command, [given] { return run(*given); }};
+  return {&command, [given] { return run_generate(*given); }};
 }
 
 }  // namespace raycheck::tools

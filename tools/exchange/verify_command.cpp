@@ -8,12 +8,12 @@
 namespace raycheck::tools {
 namespace {
 
-struct Arguments {
+struct VerifyArguments {
   VerifyOptions options;
   std::string format;
 };
 
-int run(const Arguments& arguments) {
+int run_verify(const VerifyArguments& arguments) {
   const VerifyReport report = verify(std::cin, arguments.options);
   print_view(kVerifyViews, arguments.format, report);
   return exit_code(false, !report.candidate.verdict.holds() || report.is_short(),
@@ -23,7 +23,7 @@ int run(const Arguments& arguments) {
 }  // namespace
 
 Command add_verify(CLI::App& program) {
-  const auto given = std::make_shared<Arguments>();
+  const auto given = std::make_shared<VerifyArguments>();
   VerifyOptions& options = given->options;
   CLI::App& command = *program.add_subcommand(
       "verify", "Judge a program's answers to the questions of generate, from standard input");
@@ -37,7 +37,7 @@ Command add_verify(CLI::App& program) {
                   "errors above are discrepancies (default: the bounds of direct/cross)")
       ->check(kBound);
   add_format(command, given->format, kVerifyViews);
-  return {&command, [given] { return run(*given); }};
+  return {&command, [given] { return run_verify(*given); }};
 }
 
 }  // namespace raycheck::tools

@@ -11,7 +11,7 @@
 namespace raycheck::tools {
 namespace {
 
-struct Arguments {
+struct ExplainArguments {
   std::string scene;
   std::string dialect;
   std::string pixel;
@@ -21,7 +21,7 @@ struct Arguments {
   std::string format;
 };
 
-ExplainOptions explain_given_ray(const Arguments& arguments) {
+ExplainOptions explain_given_ray(const ExplainArguments& arguments) {
   if (!(arguments.scene.empty() && arguments.pixel.empty() && arguments.rays.empty() &&
         arguments.dialect.empty())) {
     throw std::invalid_argument(
@@ -38,7 +38,7 @@ ExplainOptions explain_given_ray(const Arguments& arguments) {
   return options;
 }
 
-ExplainOptions explain_pixel(const Arguments& arguments) {
+ExplainOptions explain_pixel(const ExplainArguments& arguments) {
   if (arguments.scene.empty() || arguments.pixel.empty()) {
     throw std::invalid_argument(
         "explain: give a scene and --pixel I,J, or --ray ox,oy,oz,dx,dy,dz and --sphere "
@@ -63,7 +63,7 @@ ExplainOptions explain_pixel(const Arguments& arguments) {
   return options;
 }
 
-int run_explain(const Arguments& arguments) {
+int run_explain(const ExplainArguments& arguments) {
   const ExplainReport report =
       explain(arguments.ray.empty() ? explain_pixel(arguments) : explain_given_ray(arguments));
   print_view(kExplainViews, arguments.format, report);
@@ -73,8 +73,8 @@ int run_explain(const Arguments& arguments) {
 }  // namespace
 
 Command add_explain(CLI::App& program) {
-  const auto given = std::make_shared<Arguments>();
-  Arguments& arguments = *given;
+  const auto given = std::make_shared<ExplainArguments>();
+  ExplainArguments& arguments = *given;
   CLI::App& command = *program.add_subcommand(
       "explain", "Derive one ray step by step, exactly and by every method");
   command.add_option("SCENE", arguments.scene, "a scene with a camera");

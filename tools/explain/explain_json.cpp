@@ -1,4 +1,3 @@
-#include <array>
 #include <nlohmann/json.hpp>
 
 #include "tools/explain/explain_views.h"
@@ -7,12 +6,6 @@
 namespace raycheck::tools {
 namespace {
 
-constexpr std::array<std::string_view, 3> kClassNames = {"miss", "hit", "tangent"};
-
-std::string_view class_name(const SphereReport& sphere) {
-  return kClassNames[static_cast<std::size_t>(sphere.intersection.hit_class)];
-}
-
 Json text_or_null(const std::optional<std::string>& text) {
   return text ? Json(*text) : Json(nullptr);
 }
@@ -20,7 +13,7 @@ Json text_or_null(const std::optional<std::string>& text) {
 Json sphere_json(const SphereReport& sphere) {
   const bool miss = !sphere.parameter;
   Json json;
-  json["class"] = class_name(sphere);
+  json["class"] = name(sphere.intersection.hit_class);
   json["root"] = miss ? Json(nullptr)
                       : Json(sphere.intersection.root == reference::WhichRoot::kSmaller ? "smaller"
                                                                                         : "larger");
@@ -85,7 +78,7 @@ Json exact_pixel_json(const ExplainReport& report) {
 Json exact_ray_json(const ExplainReport& report) {
   const SphereReport& sphere = report.spheres.front();
   Json json;
-  json["class"] = class_name(sphere);
+  json["class"] = name(sphere.intersection.hit_class);
   json["s"] = hexfloat_or_null(sphere.parameter);
   json["closed_form"] = text_or_null(sphere.closed_form_parameter);
   json["point"] = sphere.parameter ? hexfloats(sphere.point) : Json(nullptr);

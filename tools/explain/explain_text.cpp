@@ -34,17 +34,6 @@ std::string decimals(const std::vector<double>& values) {
   return listed(parts);
 }
 
-std::string class_name(const SphereReport& sphere) {
-  switch (sphere.intersection.hit_class) {
-    case reference::HitClass::kMiss:
-      return "miss";
-    case reference::HitClass::kHit:
-      return "hit";
-    default:
-      return "tangent";
-  }
-}
-
 void append_steps(const ExplainReport& report, std::string& text) {
   std::size_t width = 0;
   for (const Step& step : report.steps) width = std::max(width, step.symbol.size());
@@ -121,7 +110,7 @@ std::string explain_text(const ExplainReport& report, const ViewOptions& options
   if (!report.spheres.empty()) text += "\nexact:\n";
   for (std::size_t k = 0; k < report.spheres.size(); ++k) {
     const SphereReport& sphere = report.spheres[k];
-    text += fmt::format("  sphere {}: {}", k, class_name(sphere));
+    text += fmt::format("  sphere {}: {}", k, name(sphere.intersection.hit_class));
     if (sphere.parameter) {
       text += fmt::format(", s = {}", scene::digits_and_hexfloat(*sphere.parameter));
     }

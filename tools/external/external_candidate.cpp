@@ -13,10 +13,8 @@
 
 namespace raycheck::tools {
 
-namespace {
-
 /// How a candidate failed to answer.
-struct Failure {
+struct AnswerFailure {
   std::string words;
   FailureKind kind = FailureKind::kBadReply;
 
@@ -25,8 +23,6 @@ struct Failure {
     throw std::runtime_error(words);
   }
 };
-
-}  // namespace
 
 /// Pictures of the last scene, for all threads; a failure is kept like a picture.
 class Pictures {
@@ -48,7 +44,7 @@ class Pictures {
   void draw(const scene::Scene& scene, scene::Rows rows) {
     failure_.reset();
     const auto fail = [this](const std::string& words, FailureKind kind) {
-      failure_ = Failure{"image: " + words, kind};
+      failure_ = AnswerFailure{"image: " + words, kind};
       silences_ += kind == FailureKind::kTimeUp ? 1 : 0;
     };
     if (silences_ >= kMostSilences) {
@@ -70,7 +66,7 @@ class Pictures {
   std::optional<scene::Scene> scene_;
   scene::Rows rows_ = {};
   properties::ImageAnswer picture_;
-  std::optional<Failure> failure_;
+  std::optional<AnswerFailure> failure_;
   int silences_ = 0;
 };
 
@@ -91,8 +87,9 @@ class Conversation {
     Request request(next_id(), function, conventions);
     fill(request);
     if (silences_ >= kMostSilences) {
-      Failure{fmt::format("{}: not asked, after {} questions without a reply", function, silences_),
-              FailureKind::kEnded}
+      AnswerFailure{
+          fmt::format("{}: not asked, after {} questions without a reply", function, silences_),
+          FailureKind::kEnded}
           .raise(last_);
     }
     if (failed_question_ == request.question()) failure_.raise(last_);
@@ -132,7 +129,7 @@ class Conversation {
         most_bytes(lines));
   }
 
-  [[noreturn]] void fail(const Request& request, Failure failure) {
+  [[noreturn]] void fail(const Request& request, AnswerFailure failure) {
     process_.reset();
     failed_question_ = request.question();
     failure_ = std::move(failure);
@@ -144,7 +141,7 @@ class Conversation {
   std::optional<Process> process_;
   Introduction introduction_;
   std::string failed_question_;
-  Failure failure_;
+  AnswerFailure failure_;
   int silences_ = 0;
   std::mt19937_64 ids_{std::random_device{}()};
 };

@@ -17,7 +17,7 @@
 namespace raycheck::tools {
 namespace {
 
-struct Arguments {
+struct GradeArguments {
   GradeOptions options;
   int jobs = tbb::info::default_concurrency();  ///< Submissions graded at a time.
   std::string secret_file;
@@ -43,7 +43,7 @@ std::string printed(const ClassGrade& graded, const std::string& format) {
 }
 
 /// Without submissions the rubric itself is tried, on raycheck's own methods.
-int try_own_methods(const Arguments& arguments) {
+int try_own_methods(const GradeArguments& arguments) {
   ClassGrade tried;
   tried.rubric = load_rubric(arguments.options.rubric);
   tried.submissions = try_rubric(tried.rubric, arguments.options.seed, run_control("rubric"));
@@ -63,7 +63,7 @@ int try_own_methods(const Arguments& arguments) {
   return exit_code(interrupted(), !is_full, true);
 }
 
-int run_grade(const Arguments& arguments) {
+int run_grade(const GradeArguments& arguments) {
   GradeOptions options = arguments.options;
   if (!arguments.package.empty()) {
     if (!options.submissions.empty()) {
@@ -92,8 +92,8 @@ int run_grade(const Arguments& arguments) {
 }  // namespace
 
 Command add_grade(CLI::App& program) {
-  const auto given = std::make_shared<Arguments>();
-  Arguments& arguments = *given;
+  const auto given = std::make_shared<GradeArguments>();
+  GradeArguments& arguments = *given;
   CLI::App& command = *program.add_subcommand(
       "grade", "Grade submissions by a rubric; without any, try the rubric");
   command

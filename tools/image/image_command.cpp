@@ -15,7 +15,7 @@
 namespace raycheck::tools {
 namespace {
 
-struct Arguments {
+struct ImageArguments {
   std::string scene;
   std::string out;
   std::string what = "sphere";
@@ -47,7 +47,7 @@ scene::Pixel parse_size(const std::string& text) {
           parse_index("--size", scene::shortest(sides[1]), 1)};
 }
 
-int run(const Arguments& arguments) {
+int run_image(const ImageArguments& arguments) {
   ImageOptions options;
   options.path = arguments.scene;
   options.dialect = parse_dialect(arguments.dialect);
@@ -78,8 +78,8 @@ int run(const Arguments& arguments) {
 }  // namespace
 
 Command add_image(CLI::App& program) {
-  const auto given = std::make_shared<Arguments>();
-  Arguments& arguments = *given;
+  const auto given = std::make_shared<ImageArguments>();
+  ImageArguments& arguments = *given;
   CLI::App& command = *program.add_subcommand(
       "image", "Write the picture of a scene, every pixel of it decided exactly");
   command.add_option("SCENE", arguments.scene, "a scene with a camera")->required();
@@ -104,7 +104,7 @@ Command add_image(CLI::App& program) {
   command.add_option("--dialect", arguments.dialect, "of a driver file: A, B or C");
   add_format(command, arguments.format, kImageViews);
   command.footer(legend());
-  return {&command, [given] { return run(*given); }};
+  return {&command, [given] { return run_image(*given); }};
 }
 
 }  // namespace raycheck::tools

@@ -10,14 +10,14 @@
 namespace raycheck::tools {
 namespace {
 
-struct Arguments {
+struct PlanArguments {
   PlanOptions options;
   std::string dialect;
   std::string wanted = "nearest";
   std::string format;
 };
 
-int run(Arguments& arguments) {
+int run_plan(PlanArguments& arguments) {
   arguments.options.dialect = parse_dialect(arguments.dialect);
   arguments.options.wanted = static_cast<scene::Wanted>(
       std::find(scene::kWantedNames.begin(), scene::kWantedNames.end(), arguments.wanted) -
@@ -31,8 +31,8 @@ int run(Arguments& arguments) {
 }  // namespace
 
 Command add_plan(CLI::App& program) {
-  const auto given = std::make_shared<Arguments>();
-  Arguments& arguments = *given;
+  const auto given = std::make_shared<PlanArguments>();
+  PlanArguments& arguments = *given;
   CLI::App& command = *program.add_subcommand(
       "plan", "Show what a scene needs and what can be left out, and measure what that saves");
   command.add_option("SCENE", arguments.options.path, "a scene with a camera")->required();
@@ -48,7 +48,7 @@ Command add_plan(CLI::App& program) {
       ->capture_default_str();
   command.add_option("--dialect", arguments.dialect, "of a driver file: A, B or C");
   add_format(command, arguments.format, kPlanViews);
-  return {&command, [given] { return run(*given); }};
+  return {&command, [given] { return run_plan(*given); }};
 }
 
 }  // namespace raycheck::tools

@@ -9,7 +9,7 @@
 namespace raycheck::tools {
 namespace {
 
-struct Arguments {
+struct PropertiesArguments {
   std::string filter;
   int cases = 100;
   std::uint64_t seed = 1;
@@ -22,7 +22,7 @@ struct Arguments {
   std::string format;
 };
 
-int run_properties_command(const Arguments& arguments) {
+int run_properties_command(const PropertiesArguments& arguments) {
   if (!arguments.replay.empty() && !(arguments.filter.empty() && arguments.sources.empty() &&
                                      arguments.rays.empty() && arguments.intersect.empty())) {
     throw std::invalid_argument(
@@ -49,8 +49,8 @@ int run_properties_command(const Arguments& arguments) {
 }  // namespace
 
 Command add_properties(CLI::App& program) {
-  const auto given = std::make_shared<Arguments>();
-  Arguments& arguments = *given;
+  const auto given = std::make_shared<PropertiesArguments>();
+  PropertiesArguments& arguments = *given;
   CLI::App& command = *program.add_subcommand(
       "properties", "Try the laws on random cases, shrinking what breaks them");
   command.add_option("--filter", arguments.filter, "laws whose name contains this");

@@ -13,7 +13,7 @@
 namespace raycheck::tools {
 namespace {
 
-struct Arguments {
+struct StressArguments {
   StressOptions options;
   std::string severity;
   std::string plot;
@@ -35,7 +35,7 @@ std::pair<int, int> parse_range(const std::string& text) {
   return range;
 }
 
-int run(Arguments& arguments) {
+int run_stress(StressArguments& arguments) {
   if (!arguments.severity.empty()) arguments.options.severities = parse_range(arguments.severity);
   if (!arguments.plot.empty()) require_plottable(arguments.plot);
   std::optional<OutputFile> certificates;
@@ -50,7 +50,7 @@ int run(Arguments& arguments) {
 }  // namespace
 
 Command add_stress(CLI::App& program) {
-  const auto given = std::make_shared<Arguments>();
+  const auto given = std::make_shared<StressArguments>();
   StressOptions& options = given->options;
   CLI::App& command = *program.add_subcommand(
       "stress", "Judge methods, each stage alone, on families of cases of growing severity");
@@ -72,7 +72,7 @@ Command add_stress(CLI::App& program) {
                      "draw error against severity to a file, .svg, .png or .pdf");
   add_certificates(command, given->certificates);
   add_format(command, given->format, kStressViews);
-  return {&command, [given] { return run(*given); }};
+  return {&command, [given] { return run_stress(*given); }};
 }
 
 }  // namespace raycheck::tools

@@ -9,14 +9,14 @@
 namespace raycheck::tools {
 namespace {
 
-struct Arguments {
+struct TradeoffArguments {
   TradeoffOptions options;
   std::string dialect;
   std::string plot;
   std::string format;
 };
 
-int run(Arguments& arguments) {
+int run_tradeoff(TradeoffArguments& arguments) {
   TradeoffOptions& options = arguments.options;
   const int subjects = (options.scene.empty() ? 0 : 1) + (options.sources.empty() ? 0 : 1) +
                        (options.all_families ? 1 : 0);
@@ -35,7 +35,7 @@ int run(Arguments& arguments) {
 }  // namespace
 
 Command add_tradeoff(CLI::App& program) {
-  const auto given = std::make_shared<Arguments>();
+  const auto given = std::make_shared<TradeoffArguments>();
   TradeoffOptions& options = given->options;
   CLI::App& command = *program.add_subcommand(
       "tradeoff", "Compare methods by certified error and measured time on the same inputs");
@@ -60,7 +60,7 @@ Command add_tradeoff(CLI::App& program) {
   command.add_option("--plot", given->plot,
                      "draw error against time to a file, .svg, .png or .pdf");
   add_format(command, given->format, kTradeoffViews);
-  return {&command, [given] { return run(*given); }};
+  return {&command, [given] { return run_tradeoff(*given); }};
 }
 
 }  // namespace raycheck::tools

@@ -10,13 +10,13 @@
 namespace raycheck::tools {
 namespace {
 
-struct Arguments {
+struct WorstArguments {
   WorstOptions options;
   std::optional<std::string> save;
   std::string format;
 };
 
-int run(const Arguments& arguments) {
+int run_worst(const WorstArguments& arguments) {
   std::optional<OutputFile> scene;
   if (arguments.save) scene.emplace("--save", *arguments.save);
   const WorstReport report = find_worst(arguments.options, run_control("worst"));
@@ -28,7 +28,7 @@ int run(const Arguments& arguments) {
 }  // namespace
 
 Command add_worst(CLI::App& program) {
-  const auto given = std::make_shared<Arguments>();
+  const auto given = std::make_shared<WorstArguments>();
   WorstOptions& options = given->options;
   CLI::App& command = *program.add_subcommand(
       "worst", "Search for the input on which a method's certified error is worst");
@@ -56,7 +56,7 @@ Command add_worst(CLI::App& program) {
   add_seed(command, options.seed);
   command.add_option("--save", given->save, "write the input to a TOML scene");
   add_format(command, given->format, kWorstViews);
-  return {&command, [given] { return run(*given); }};
+  return {&command, [given] { return run_worst(*given); }};
 }
 
 }  // namespace raycheck::tools

@@ -97,15 +97,16 @@ TEST_P(EachExactMethod, AnswersOneRayAsItDoesABatch) {
 
 TEST_P(EachExactMethod, RefusesByTheNameOfTheField) { expect_refusals(*GetParam()); }
 
-struct Counts {
+struct Mistaken {
   int hits = 0;
   int misses = 0;
   int wrong = 0;
   int parameters = 0;
 };
+
 /// Holds a method against its bound on s; wrong classes are counted.
-Counts audit(const fast::IntersectMethod& method, Sizes sizes, int cases) {
-  Counts counts;
+Mistaken audit(const fast::IntersectMethod& method, Sizes sizes, int cases) {
+  Mistaken counts;
   Random random(2);
   for (int k = 0; k < cases; ++k) {
     const Ray ray = reference::random_ray(random, sizes);
@@ -130,7 +131,7 @@ Counts audit(const fast::IntersectMethod& method, Sizes sizes, int cases) {
 
 TEST(ExactMethods, KeepTheirBoundsOnOrdinaryRays) {
   for (const auto* method : exact_methods()) {
-    const Counts counts = audit(*method, Sizes::kOrdinary, 2000);
+    const Mistaken counts = audit(*method, Sizes::kOrdinary, 2000);
     EXPECT_EQ(counts.wrong, 0) << method->name;
     EXPECT_GT(counts.hits, 300) << method->name;
     EXPECT_GT(counts.misses, 300) << method->name;
@@ -140,7 +141,7 @@ TEST(ExactMethods, KeepTheirBoundsOnOrdinaryRays) {
 
 TEST(ExactMethods, KeepTheClassOfSmallIntegersTiesIncluded) {
   for (const auto* method : exact_methods()) {
-    const Counts counts = audit(*method, Sizes::kSmallIntegers, 2000);
+    const Mistaken counts = audit(*method, Sizes::kSmallIntegers, 2000);
     EXPECT_EQ(counts.wrong, 0) << method->name;
     EXPECT_GT(counts.hits, 300) << method->name;
   }

@@ -55,18 +55,18 @@ std::vector<Measured> image_size(const Case& the_case) {
 }
 
 /// |C - P| and r of each sphere, P the exact point of the first pixel.
-struct Meeting {
+struct PixelMeeting {
   Enclosure to_centre;
   Enclosure axial;
   Enclosure radius;
   double noise;  ///< The generator's P is off by some roundings of |E| and |P - E|.
 };
-std::vector<Meeting> meetings(const Case& the_case) {
+std::vector<PixelMeeting> meetings(const Case& the_case) {
   const reference::ExactCamera camera(camera_of(the_case), the_case.scene.conventions);
   const ExactRay ray(camera, the_case.pixels.front());
   const Enclosure3 P = ray.pixel_point(200);
   const Enclosure3 E = lift(camera_of(the_case).eye);
-  std::vector<Meeting> result;
+  std::vector<PixelMeeting> result;
   for (const Sphere& sphere : the_case.scene.spheres) {
     const Enclosure3 T = lift(sphere.centre) - P;
     const Enclosure radius = lift(sphere.radius);
@@ -78,13 +78,13 @@ std::vector<Meeting> meetings(const Case& the_case) {
 
 std::vector<Measured> near_plane(const Case& the_case) {
   std::vector<Measured> result;
-  for (const Meeting& m : meetings(the_case)) {
+  for (const PixelMeeting& m : meetings(the_case)) {
     result.push_back({abs(m.to_centre / m.radius - Enclosure(1)), m.noise});
   }
   return result;
 }
 
-const DialRow kRows[] = {
+const DialRow kCameraRows[] = {
     {"far-camera", Sets::kPower, 0.5 * kBelow, 2 * kAbove, 15, far_camera},
     {"camera-scale", Sets::kEither, 0x1p-3, 0x1p6, 1074, camera_scale},
     // An angle whose tangent is at most 0.9 has a sine of 0.66.
@@ -97,7 +97,7 @@ const DialRow kRows[] = {
 class CameraFamily : public testing::TestWithParam<DialRow> {};
 TEST_P(CameraFamily, SetsWhatItsDialSays) { expect_dial(GetParam()); }
 
-INSTANTIATE_TEST_SUITE_P(Families, CameraFamily, testing::ValuesIn(kRows), test_name);
+INSTANTIATE_TEST_SUITE_P(Families, CameraFamily, testing::ValuesIn(kCameraRows), test_name);
 
 TEST(CameraFamily, OfImageSizesReachesTheMostPixelsAndEveryCorner) {
   const CaseSource& source = *find_case_source("image-size");
@@ -127,7 +127,7 @@ TEST(CameraFamily, OfNearPlanesStartsOnEverySideOfTheSurface) {
     for (std::uint64_t seed = 0; seed < 200; ++seed) {
       const Case the_case = source.make(severity, seed);
       ASSERT_EQ(the_case.scene.conventions.origin, scene::Origin::kPixel);
-      for (const Meeting& m : meetings(the_case)) {
+      for (const PixelMeeting& m : meetings(the_case)) {
         const bool outside = (m.to_centre - m.radius).certain_sign() == 1;
         const bool entering = m.axial.certain_sign() == 1;
         ++count[(outside ? 2u : 0u) + (entering ? 1u : 0u)];

@@ -32,15 +32,15 @@ void for_each_severity(Visit visit) {
 }
 
 /// How many pairs of a ray and a sphere there are, by their exact class.
-struct Counts {
+struct Mixture {
   int pairs = 0;
   int hits = 0;
   int misses = 0;
   int tangents = 0;
 };
 
-Counts count(const CaseSource& source, int severity, std::uint64_t seeds) {
-  Counts counts;
+Mixture count(const CaseSource& source, int severity, std::uint64_t seeds) {
+  Mixture counts;
   const Candidate nobody;
   for (std::uint64_t seed = 0; seed < seeds; ++seed) {
     const Case the_case = source.make(severity, seed);
@@ -113,7 +113,7 @@ TEST(CaseSource, MakesTheSameCaseFromTheSameSeverityAndSeed) {
 
 TEST(CaseSource, KeepsMakingBothHitsAndMisses) {
   for_each_severity([](const CaseSource& source, int severity) {
-    const Counts counts = count(source, severity, 120);
+    const Mixture counts = count(source, severity, 120);
     EXPECT_GE(counts.pairs, 120);
     EXPECT_GT(20 * (counts.hits + counts.tangents), counts.pairs);
     // Nothing but tangents is what tangent-ulps is for at its highest.
@@ -124,7 +124,7 @@ TEST(CaseSource, KeepsMakingBothHitsAndMisses) {
 
 TEST(CaseSource, OfTiesHasTangentsAndTies) {
   const CaseSource& source = *find_case_source("ties");
-  const Counts counts = count(source, 0, 2000);
+  const Mixture counts = count(source, 0, 2000);
   EXPECT_GT(10 * counts.tangents, counts.pairs);
   EXPECT_GT(count_ties(source, 2000), 100);
   EXPECT_GT(count_ties(*find_case_source("plain-cameras"), 2000), 40);

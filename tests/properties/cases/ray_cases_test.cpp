@@ -18,7 +18,7 @@ using Sets = DialRow::Sets;
 const scene::Ray& ray_of(const Case& the_case) { return the_case.scene.rays.front(); }
 
 /// A ray and a sphere, as enclosures.
-struct Meeting {
+struct RayMeeting {
   Enclosure3 T;          ///< C - L
   Enclosure distance;    ///< |T|
   Enclosure axial;       ///< T.d/|d|
@@ -26,8 +26,8 @@ struct Meeting {
   Enclosure half_chord;  ///< sqrt(r^2 - impact^2), of lines that meet the sphere
   Enclosure radius;
 };
-Meeting meeting(const scene::Ray& ray, const Sphere& sphere) {
-  Meeting m;
+RayMeeting meeting(const scene::Ray& ray, const Sphere& sphere) {
+  RayMeeting m;
   const Enclosure3 d = lift(ray.direction);
   m.T = lift(sphere.centre) - lift(ray.origin);
   m.radius = lift(sphere.radius);
@@ -53,34 +53,34 @@ Enclosure share_off(const Enclosure& value, const Enclosure& whole) {
 }
 
 std::vector<Measured> distance(const Case& the_case) {
-  return of_each_sphere(the_case, 0, [](const Meeting& m) { return m.distance / m.radius; });
+  return of_each_sphere(the_case, 0, [](const RayMeeting& m) { return m.distance / m.radius; });
 }
 
 std::vector<Measured> tangency(const Case& the_case) {
   return of_each_sphere(the_case, 8 * kUnitRoundoff,
-                        [](const Meeting& m) { return share_off(m.impact, m.radius); });
+                        [](const RayMeeting& m) { return share_off(m.impact, m.radius); });
 }
 
 /// Over the power of two below the radius.
 std::vector<Measured> tangent_ulps(const Case& the_case) {
-  return of_each_sphere(the_case, 0, [](const Meeting& m) {
+  return of_each_sphere(the_case, 0, [](const RayMeeting& m) {
     return abs(m.impact - m.radius) / lift(std::ldexp(1.0, std::ilogb(m.radius.lower())));
   });
 }
 
 std::vector<Measured> surface(const Case& the_case) {
   return of_each_sphere(the_case, 64 * kUnitRoundoff,
-                        [](const Meeting& m) { return share_off(abs(m.axial), m.half_chord); });
+                        [](const RayMeeting& m) { return share_off(abs(m.axial), m.half_chord); });
 }
 
 std::vector<Measured> inside(const Case& the_case) {
-  const Meeting m = meeting(ray_of(the_case), the_case.scene.spheres.front());
+  const RayMeeting m = meeting(ray_of(the_case), the_case.scene.spheres.front());
   return {{m.distance / m.radius}};
 }
 
 std::vector<Measured> horizon(const Case& the_case) {
   return of_each_sphere(the_case, 8 * kUnitRoundoff,
-                        [](const Meeting& m) { return m.distance / m.radius - Enclosure(1); });
+                        [](const RayMeeting& m) { return m.distance / m.radius - Enclosure(1); });
 }
 
 /// The parts of the differences of centres that lie along the ray.
@@ -120,7 +120,7 @@ std::vector<Measured> direction_length(const Case& the_case) {
 }
 
 /// A share of 10^-k is between 0.4 and 0.9 of it.
-const DialRow kRows[] = {
+const DialRow kRayRows[] = {
     {"distance", Sets::kPower, 0.5 * kBelow, 2 * kAbove, 15, distance},
     {"tangency", Sets::kInverse, 0.4, 0.9, 16, tangency},
     {"tangent-ulps", Sets::kInverse, kBelow, kAbove, 52, tangent_ulps},
@@ -136,7 +136,7 @@ const DialRow kRows[] = {
 class RayFamily : public testing::TestWithParam<DialRow> {};
 TEST_P(RayFamily, SetsWhatItsDialSays) { expect_dial(GetParam()); }
 
-INSTANTIATE_TEST_SUITE_P(Families, RayFamily, testing::ValuesIn(kRows), test_name);
+INSTANTIATE_TEST_SUITE_P(Families, RayFamily, testing::ValuesIn(kRayRows), test_name);
 
 /// Calls visit(case, spheres as met) for many seeds of a family's highest severity.
 template <class Visit>
@@ -164,7 +164,7 @@ TEST(RayFamilyHighest, OfSurfaceStartsExactlyOnIt) {
   int full_width = 0;
   for_each_at_highest("surface", [&](const Case& the_case) {
     for (const Sphere& sphere : the_case.scene.spheres) {
-      const Meeting m = meeting(ray_of(the_case), sphere);
+      const RayMeeting m = meeting(ray_of(the_case), sphere);
       EXPECT_EQ((dot(m.T, m.T) - m.radius * m.radius).certain_sign(), 0);
       ++(m.axial.certain_sign() == 1 ? entering : leaving);
       // r^2 does not fit a double: those who square it round.
@@ -199,7 +199,7 @@ TEST(RayFamily, OfSurfaceStartsOnEverySideOfIt) {
     for (std::uint64_t seed = 0; seed < 200; ++seed) {
       const Case the_case = source.make(severity, seed);
       for (const Sphere& sphere : the_case.scene.spheres) {
-        const Meeting m = meeting(ray_of(the_case), sphere);
+        const RayMeeting m = meeting(ray_of(the_case), sphere);
         const bool outside = (m.distance - m.radius).certain_sign() == 1;
         const bool entering = m.axial.certain_sign() == 1;
         ++count[(outside ? 2u : 0u) + (entering ? 1u : 0u)];

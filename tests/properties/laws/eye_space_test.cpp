@@ -12,6 +12,7 @@
 #include "reference/error_measure.h"
 #include "reference/exact_camera.h"
 #include "scene/plan/plan.h"
+#include "tests/numbers.h"
 
 namespace raycheck::properties {
 namespace {
@@ -21,14 +22,12 @@ using reference::Enclosure3;
 using scene::Bounds;
 using scene::EyeSpace;
 
-constexpr int kBits = 2600;  ///< Sums of doubles of any size are exact.
-
 /// Bounds times 2^exponent against the exact value, which an enclosure of 256 bits stands for: it
 /// may lie across an end by its own width.
 void expect_holds(const Bounds& bounds, int exponent, const Enclosure& exact) {
   ASSERT_LE(bounds.low, bounds.high);
   const auto at = [exponent](double end) {
-    return Enclosure(end, kBits) * Enclosure(std::ldexp(1.0, exponent), kBits);
+    return Enclosure(end, kBitsOfAnySum) * Enclosure(std::ldexp(1.0, exponent), kBitsOfAnySum);
   };
   if (std::isfinite(bounds.low)) {
     EXPECT_GE((exact - at(bounds.low)).certain_sign().value_or(0), 0) << bounds.low;
@@ -65,16 +64,17 @@ Known compare(const CaseSource& source, std::uint64_t cases, bool as_planned) {
     for (const scene::Sphere& sphere : the_case.scene.spheres) {
       const scene::EyeSphere seen = eye.sphere(sphere);
       const Enclosure3 f =
-          Enclosure3{Enclosure(sphere.centre.x, kBits), Enclosure(sphere.centre.y, kBits),
-                     Enclosure(sphere.centre.z, kBits)} -
-          Enclosure3{Enclosure(camera.eye.x, kBits), Enclosure(camera.eye.y, kBits),
-                     Enclosure(camera.eye.z, kBits)};
-      const Enclosure r(sphere.radius, kBits);
+          Enclosure3{Enclosure(sphere.centre.x, kBitsOfAnySum),
+                     Enclosure(sphere.centre.y, kBitsOfAnySum),
+                     Enclosure(sphere.centre.z, kBitsOfAnySum)} -
+          Enclosure3{Enclosure(camera.eye.x, kBitsOfAnySum), Enclosure(camera.eye.y, kBitsOfAnySum),
+                     Enclosure(camera.eye.z, kBitsOfAnySum)};
+      const Enclosure r(sphere.radius, kBitsOfAnySum);
       expect_holds(seen.u, lengths, dot(f, axes.U));
       expect_holds(seen.v, lengths, dot(f, axes.V));
       expect_holds(seen.w, lengths, dot(f, axes.W));
       expect_holds(seen.radius, lengths, r);
-      const Enclosure scale(std::ldexp(1.0, lengths), kBits);
+      const Enclosure scale(std::ldexp(1.0, lengths), kBitsOfAnySum);
       expect_holds(seen.distance_sq, lengths, dot(f, f) / scale);
       expect_holds(seen.power, lengths, (dot(f, f) - r * r) / scale);
       known.count(seen.distance_sq);

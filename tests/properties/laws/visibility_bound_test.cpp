@@ -15,6 +15,7 @@
 #include "reference/error_measure.h"
 #include "reference/exact_camera.h"
 #include "scene/plan/plan.h"
+#include "tests/numbers.h"
 
 namespace raycheck::properties {
 namespace {
@@ -22,9 +23,7 @@ namespace {
 using reference::Enclosure;
 using reference::Enclosure3;
 
-constexpr int kBits = 2600;  ///< Sums of doubles of any size are exact.
-
-Enclosure exactly(double x) { return Enclosure(x, kBits); }
+Enclosure exactly(double x) { return Enclosure(x, kBitsOfAnySum); }
 /// In two factors, as the power itself may be out of the range of doubles.
 Enclosure power_of_two(int exponent) {
   return exactly(std::ldexp(1.0, exponent / 2)) * exactly(std::ldexp(1.0, exponent - exponent / 2));

@@ -136,7 +136,7 @@ TEST(Replay, FindsTheFailureAgain) {
   EXPECT_FALSE(run_replay(replay, kGood).failure);
 }
 
-std::string error_of(std::string_view replay) {
+std::string error_of_replay(std::string_view replay) {
   try {
     parse_replay(replay);
   } catch (const std::invalid_argument& error) {
@@ -148,15 +148,15 @@ std::string error_of(std::string_view replay) {
 TEST(Replay, NamesThePartThatIsWrong) {
   EXPECT_EQ(parse_replay("class:a/b:distance:00ff").seed, 255u);
   EXPECT_EQ(parse_replay("class:a/b:distance@3:1").source.severity, 3);
-  EXPECT_NE(error_of("").find("LAW:CANDIDATE:SOURCE:SEED"), std::string::npos);
-  EXPECT_NE(error_of("class:a/b:distance").find("'class:a/b:distance'"), std::string::npos);
+  EXPECT_NE(error_of_replay("").find("LAW:CANDIDATE:SOURCE:SEED"), std::string::npos);
+  EXPECT_NE(error_of_replay("class:a/b:distance").find("'class:a/b:distance'"), std::string::npos);
   EXPECT_EQ(parse_replay("class:source:a.cpp:distance:1").candidate, "source:a.cpp");
-  EXPECT_NE(error_of("clas:a/b:distance:1").find("law is called 'clas'"), std::string::npos);
-  EXPECT_NE(error_of("class:a/b:distance@16:1").find("are 0 to 15"), std::string::npos);
-  EXPECT_NE(error_of("class:a/b:dist:1").find("source of cases is called 'dist'"),
+  EXPECT_NE(error_of_replay("clas:a/b:distance:1").find("law is called 'clas'"), std::string::npos);
+  EXPECT_NE(error_of_replay("class:a/b:distance@16:1").find("are 0 to 15"), std::string::npos);
+  EXPECT_NE(error_of_replay("class:a/b:dist:1").find("source of cases is called 'dist'"),
             std::string::npos);
   for (const char* seed : {"", "x1", "1x", "-1", "0x1", "10000000000000000"}) {
-    EXPECT_NE(error_of("class:a/b:distance:" + std::string(seed)).find("hexadecimal seed"),
+    EXPECT_NE(error_of_replay("class:a/b:distance:" + std::string(seed)).find("hexadecimal seed"),
               std::string::npos)
         << seed;
   }

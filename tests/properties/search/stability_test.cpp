@@ -5,27 +5,25 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <limits>
 
 #include "properties/candidates/fast_candidate.h"
 #include "properties/laws/law.h"
 #include "properties/search/stress.h"
 #include "properties/search/worst_case.h"
+#include "tests/numbers.h"
 
 namespace raycheck::properties {
 namespace {
 
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
-
 /// A ray along x that passes the unit sphere at a height.
-Case at_height(double height) {
+Case at_height_of_unit_sphere(double height) {
   Case result;
   result.scene.rays = {{{-5, height, 0}, {1, 0, 0}}};
   result.scene.spheres = {{{0, 0, 0}, 1}};
   return result;
 }
 
-Candidate that_answers(std::optional<double> parameter) {
+Candidate that_answers_parameter(std::optional<double> parameter) {
   Candidate candidate;
   candidate.name = "constant";
   candidate.intersect = [parameter](Candidate::Rays rays, Candidate::Spheres spheres,
@@ -45,7 +43,7 @@ Verdict weigh(std::string_view law, const Case& the_case, const Candidate& candi
 
 /// The outcome of the parameter of a ray at a height; exactly one answer is weighed.
 Outcome outcome(double height, const Candidate& candidate) {
-  const Verdict verdict = weigh("parameter", at_height(height), candidate);
+  const Verdict verdict = weigh("parameter", at_height_of_unit_sphere(height), candidate);
   const Tally& tally = verdict.tallies().at(Quantity::kParameter);
   EXPECT_EQ(tally.cases, 1u);
   for (std::size_t k = 0; k < kOutcomeCount; ++k) {
@@ -60,28 +58,29 @@ const double kParameter = 5 - std::sqrt(0.75);
 constexpr double kGap = 0x1p-50;
 
 TEST(Stability, TellsExactFromAccurateFromUnstable) {
-  EXPECT_EQ(outcome(0.5, that_answers(kParameter)), Outcome::kExact);
-  EXPECT_EQ(outcome(0.5, that_answers(kParameter + 3 * kGap)), Outcome::kAccurate);
-  EXPECT_EQ(outcome(0.5, that_answers(kParameter + 1000 * kGap)), Outcome::kUnstable);
-  EXPECT_EQ(outcome(0.5, that_answers(kInfinity)), Outcome::kUnstable);
+  EXPECT_EQ(outcome(0.5, that_answers_parameter(kParameter)), Outcome::kExact);
+  EXPECT_EQ(outcome(0.5, that_answers_parameter(kParameter + 3 * kGap)), Outcome::kAccurate);
+  EXPECT_EQ(outcome(0.5, that_answers_parameter(kParameter + 1000 * kGap)), Outcome::kUnstable);
+  EXPECT_EQ(outcome(0.5, that_answers_parameter(kInfinity)), Outcome::kUnstable);
 }
 
 TEST(Stability, BlamesTheProblemWhereItsConditionNumberIsLarge) {
   // At height 1 - 2^-40 d^2 is about 2^-39 and kappa about 2^37: an error of 1e5 ulp is nothing.
   const double height = 1 - 0x1p-40;
   const double parameter = 5 - std::sqrt((1 - height) * (1 + height));
-  const Candidate off = that_answers(parameter + 1e5 * kGap);
+  const Candidate off = that_answers_parameter(parameter + 1e5 * kGap);
   EXPECT_EQ(outcome(height, off), Outcome::kIllConditioned);
-  const Verdict verdict = weigh("parameter", at_height(height), off);
+  const Verdict verdict = weigh("parameter", at_height_of_unit_sphere(height), off);
   EXPECT_GT(verdict.tallies().at(Quantity::kParameter).worst_condition.value(), 0x1p16);
   EXPECT_LT(verdict.tallies().at(Quantity::kParameter).worst_ratio, kStableRatio);
 }
 
 TEST(Stability, UsesTheBackwardErrorAtATangent) {
   // s off by e makes Q off the sphere by e^2 only: a backward error of about 2^-60 is no fault.
-  EXPECT_EQ(outcome(1, that_answers(5 - 0x1p-30)), Outcome::kIllConditioned);
-  EXPECT_EQ(outcome(1, that_answers(5 - 0x1p-10)), Outcome::kUnstable);
-  const Verdict verdict = weigh("parameter", at_height(1), that_answers(5 - 0x1p-30));
+  EXPECT_EQ(outcome(1, that_answers_parameter(5 - 0x1p-30)), Outcome::kIllConditioned);
+  EXPECT_EQ(outcome(1, that_answers_parameter(5 - 0x1p-10)), Outcome::kUnstable);
+  const Verdict verdict =
+      weigh("parameter", at_height_of_unit_sphere(1), that_answers_parameter(5 - 0x1p-30));
   EXPECT_TRUE(std::isinf(verdict.tallies().at(Quantity::kParameter).worst_condition.value()));
 }
 
@@ -89,38 +88,42 @@ TEST(Stability, TellsDefectsFromExcusedDecisionsFromThoseOutsideTheDomain) {
   const auto count = [](const Verdict& verdict, Outcome outcome) {
     return verdict.tallies().at(Quantity::kClass).count(outcome);
   };
-  const Candidate misses = that_answers(std::nullopt);
-  EXPECT_EQ(count(weigh("class", at_height(0.5), misses), Outcome::kWrongDecision), 1u);
-  EXPECT_EQ(count(weigh("class", at_height(1), misses), Outcome::kExcusedDecision), 1u);
-  EXPECT_EQ(count(weigh("class", at_height(2), misses), Outcome::kExact), 1u);
+  const Candidate misses = that_answers_parameter(std::nullopt);
+  EXPECT_EQ(count(weigh("class", at_height_of_unit_sphere(0.5), misses), Outcome::kWrongDecision),
+            1u);
+  EXPECT_EQ(count(weigh("class", at_height_of_unit_sphere(1), misses), Outcome::kExcusedDecision),
+            1u);
+  EXPECT_EQ(count(weigh("class", at_height_of_unit_sphere(2), misses), Outcome::kExact), 1u);
   Candidate narrow = misses;
   narrow.largest_length = 2;
-  EXPECT_EQ(count(weigh("class", at_height(0.5), narrow), Outcome::kOutsideDomain), 1u);
+  EXPECT_EQ(count(weigh("class", at_height_of_unit_sphere(0.5), narrow), Outcome::kOutsideDomain),
+            1u);
 }
 
 TEST(Stability, CountsInTheMethodsOwnRoundoff) {
-  Candidate single = that_answers(kParameter + 1e9 * kGap);
+  Candidate single = that_answers_parameter(kParameter + 1e9 * kGap);
   EXPECT_EQ(outcome(0.5, single), Outcome::kUnstable);
   single.unit_roundoff = 0x1p-24;
   EXPECT_EQ(outcome(0.5, single), Outcome::kAccurate);
 }
 
 TEST(Stability, OfAContractAsksForUnitDirectionsAndOriginsOutside) {
-  Candidate strict = that_answers(kParameter);
+  Candidate strict = that_answers_parameter(kParameter);
   strict.needs_unit_direction = true;
   strict.needs_origin_outside = true;
-  Case the_case = at_height(0.5);
+  Case the_case = at_height_of_unit_sphere(0.5);
   EXPECT_TRUE(is_inside_domain(strict, the_case.scene));
   the_case.scene.rays[0].origin.x = -0.25;
   EXPECT_FALSE(is_inside_domain(strict, the_case.scene));
-  the_case = at_height(0.5);
+  the_case = at_height_of_unit_sphere(0.5);
   the_case.scene.rays[0].direction.x = 2;
   EXPECT_FALSE(is_inside_domain(strict, the_case.scene));
 }
 
 TEST(Backward, ErrorIsALawThatAWrongRootBreaks) {
   const auto holds = [](double parameter) {
-    return weigh("backward-error", at_height(0.5), that_answers(parameter)).holds();
+    return weigh("backward-error", at_height_of_unit_sphere(0.5), that_answers_parameter(parameter))
+        .holds();
   };
   EXPECT_TRUE(holds(kParameter));
   EXPECT_FALSE(holds(kParameter + 1e4 * kGap));

@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "tests/numbers.h"
 #include "tests/reference/big_float.h"
 #include "tests/reference/random_cases.h"
 
@@ -15,7 +16,6 @@ namespace raycheck::reference {
 namespace {
 
 constexpr double kMax = std::numeric_limits<double>::max();
-constexpr double kSmallest = std::numeric_limits<double>::denorm_min();
 
 /// Whether x is known at all, and if so within how much of itself.
 bool is_known(const DoubleDouble& x) {

@@ -24,11 +24,11 @@ constexpr const char* kCamera =
     "width = 3\nheight = 3\n";  // 11, 12
 constexpr const char* kRay = "[[ray]]\norigin = [-5, 1, 0]\ndirection = [1, 0, 0]\n";
 
-Scene read(const std::string& text) { return read_toml(text, "f.toml").scene; }
+Scene read_scene(const std::string& text) { return read_toml(text, "f.toml").scene; }
 
-std::string error_of(const std::string& text) {
+std::string error_of_toml(const std::string& text) {
   try {
-    read(text);
+    read_scene(text);
   } catch (const SceneFileError& error) {
     return error.what();
   }
@@ -43,13 +43,13 @@ std::string camera_with(const std::string& from, const std::string& to) {
 }
 
 double radius_read_from(const std::string& number) {
-  return read(std::string(kRay) + "[[sphere]]\ncentre = [0, 0, 0]\nradius = " + number + "\n")
+  return read_scene(std::string(kRay) + "[[sphere]]\ncentre = [0, 0, 0]\nradius = " + number + "\n")
       .spheres.at(0)
       .radius;
 }
 
 double origin_read_from(const std::string& number) {
-  return read("[[ray]]\norigin = [" + number + ", 0, 0]\ndirection = [1, 0, 0]\n")
+  return read_scene("[[ray]]\norigin = [" + number + ", 0, 0]\ndirection = [1, 0, 0]\n")
       .rays.at(0)
       .origin.x;
 }
@@ -60,18 +60,18 @@ void expect_bits(double value, double expected, const std::string& from) {
 }
 
 TEST(ReadToml, ReadsACamera) {
-  const Scene scene = read(kCamera);
+  const Scene scene = read_scene(kCamera);
   ASSERT_TRUE(scene.camera);
   EXPECT_EQ(*scene.camera,
             (Camera{{8, 8, 100}, {8, 8, 54}, {0, 1, 0}, -30, -75, -20, 20, 20, -20, 3, 3}));
   EXPECT_EQ(scene.conventions, Conventions{});
   EXPECT_TRUE(scene.rays.empty());
   EXPECT_TRUE(scene.spheres.empty());
-  EXPECT_FALSE(read(camera_with("far = -75\n", "")).camera->far);
+  EXPECT_FALSE(read_scene(camera_with("far = -75\n", "")).camera->far);
 }
 
 TEST(ReadToml, ReadsConventionsSpheresAndRays) {
-  const Scene scene = read(
+  const Scene scene = read_scene(
       "[conventions]\nrows = 'top-first'\nsamples = \"centres\"\norigin = \"focal\"\n"
       "root = \"smaller\"\ntangent = \"either\"\n"
       "[[sphere]]\ncentre = [0, 1, 2.5]\nradius = 1\n[[sphere]]\ncentre = [3, 4, 5]\nradius = 0\n" +
@@ -83,13 +83,14 @@ TEST(ReadToml, ReadsConventionsSpheresAndRays) {
 }
 
 TEST(ReadToml, AcceptsEveryLayoutThatTomlAllows) {
-  const Scene expected = read(std::string(kRay) + "[[sphere]]\ncentre = [1, 2, 3]\nradius = 4\n");
-  EXPECT_EQ(
-      read("\xEF\xBB\xBFsphere = [{centre = [1, 2, 3], radius = 4}]\r\n"
-           "ray = [{origin = [ # = [ \" \n -5,\n +1, 0x0, ], \"direction\" = [1, 0b0, 0o0]}]"),
-      expected);
-  EXPECT_EQ(read("[[ray]] # '''\n'origin' = [-5, 1_0e-1, 0]\ndirection=[1.0,0e5,-0x0p+9]\n"
-                 "[[sphere]]\ncentre=[1,2,3]\nradius=4"),
+  const Scene expected =
+      read_scene(std::string(kRay) + "[[sphere]]\ncentre = [1, 2, 3]\nradius = 4\n");
+  EXPECT_EQ(read_scene(
+                "\xEF\xBB\xBFsphere = [{centre = [1, 2, 3], radius = 4}]\r\n"
+                "ray = [{origin = [ # = [ \" \n -5,\n +1, 0x0, ], \"direction\" = [1, 0b0, 0o0]}]"),
+            expected);
+  EXPECT_EQ(read_scene("[[ray]] # '''\n'origin' = [-5, 1_0e-1, 0]\ndirection=[1.0,0e5,-0x0p+9]\n"
+                       "[[sphere]]\ncentre=[1,2,3]\nradius=4"),
             expected);
 }
 
@@ -129,88 +130,93 @@ TEST(ReadToml, ReadsNumbersExactly) {
 }
 
 TEST(ReadToml, RefusesUnknownKeysByNameAndLine) {
-  EXPECT_EQ(error_of(camera_with("near = -30\n", "near = -30\nfov = 60\n")),
+  EXPECT_EQ(error_of_toml(camera_with("near = -30\n", "near = -30\nfov = 60\n")),
             "f.toml:6: camera.fov = 60: unknown key; camera knows eye, look_at, up, near, far, "
             "left, right, bottom, top, width, height");
-  EXPECT_EQ(error_of(std::string(kCamera) + "[[sphere]]\ncenter = [0, 0, 0]\nradius = 1\n"),
+  EXPECT_EQ(error_of_toml(std::string(kCamera) + "[[sphere]]\ncenter = [0, 0, 0]\nradius = 1\n"),
             "f.toml:14: sphere[0].center = [0, 0, 0]: unknown key; sphere knows centre, radius");
-  EXPECT_EQ(error_of(std::string(kRay) + "[[spheres]]\nradius = 1\n"),
+  EXPECT_EQ(error_of_toml(std::string(kRay) + "[[spheres]]\nradius = 1\n"),
             "f.toml:4: spheres = (an array of tables): unknown key; scene knows camera, "
             "conventions, sphere, ray");
-  EXPECT_EQ(error_of(std::string(kRay) + "length = 1979-05-27\n"),
+  EXPECT_EQ(error_of_toml(std::string(kRay) + "length = 1979-05-27\n"),
             "f.toml:4: ray[0].length = (a date or time): unknown key; ray knows origin, direction");
-  EXPECT_EQ(error_of("[conventions]\nroots = \"near\"\n"),
+  EXPECT_EQ(error_of_toml("[conventions]\nroots = \"near\"\n"),
             "f.toml:2: conventions.roots = \"near\": unknown key; conventions knows rows, samples, "
             "origin, root, tangent");
 }
 
 TEST(ReadToml, NamesTheFirstOfSeveralUnknownKeys) {
-  EXPECT_EQ(error_of("zzz = true\naaa = 1\n").substr(0, 23), "f.toml:1: zzz = true: u");
+  EXPECT_EQ(error_of_toml("zzz = true\naaa = 1\n").substr(0, 23), "f.toml:1: zzz = true: u");
 }
 
 TEST(ReadToml, NamesMissingKeysAtTheirTable) {
-  EXPECT_EQ(error_of("\n" + camera_with("near = -30\n", "")), "f.toml:2: camera.near: is missing");
-  EXPECT_EQ(error_of(std::string(kRay) + "\n[[sphere]]\ncentre = [0, 0, 0]\nradius = 1\n"
-                                         "[[sphere]]\ncentre = [0, 0, 0]\n"),
+  EXPECT_EQ(error_of_toml("\n" + camera_with("near = -30\n", "")),
+            "f.toml:2: camera.near: is missing");
+  EXPECT_EQ(error_of_toml(std::string(kRay) + "\n[[sphere]]\ncentre = [0, 0, 0]\nradius = 1\n"
+                                              "[[sphere]]\ncentre = [0, 0, 0]\n"),
             "f.toml:8: sphere[1].radius: is missing");
   for (const char* const key :
        {"eye", "look_at", "up", "near", "left", "right", "bottom", "top", "width", "height"}) {
     std::string text = kCamera;
     const std::size_t at = text.find(std::string("\n") + key) + 1;
     text.erase(at, text.find('\n', at) + 1 - at);
-    EXPECT_EQ(error_of(text), std::string("f.toml:1: camera.") + key + ": is missing");
+    EXPECT_EQ(error_of_toml(text), std::string("f.toml:1: camera.") + key + ": is missing");
   }
 }
 
 TEST(ReadToml, NamesWrongTypes) {
-  EXPECT_EQ(error_of(camera_with("[8, 8, 100]", "8")),
+  EXPECT_EQ(error_of_toml(camera_with("[8, 8, 100]", "8")),
             "f.toml:2: camera.eye = 8: must be 3 numbers, written [x, y, z]");
-  EXPECT_EQ(error_of(camera_with("[8, 8, 100]", "[8, 8]")),
+  EXPECT_EQ(error_of_toml(camera_with("[8, 8, 100]", "[8, 8]")),
             "f.toml:2: camera.eye = [8, 8]: must be 3 numbers, written [x, y, z]");
-  EXPECT_EQ(error_of(camera_with("[8, 8, 100]", "[8, \"x\", 100]")),
+  EXPECT_EQ(error_of_toml(camera_with("[8, 8, 100]", "[8, \"x\", 100]")),
             "f.toml:2: camera.eye[1] = \"x\": must be a number");
-  EXPECT_EQ(error_of(camera_with("near = -30", "near = true")),
+  EXPECT_EQ(error_of_toml(camera_with("near = -30", "near = true")),
             "f.toml:5: camera.near = true: must be a number");
-  EXPECT_EQ(error_of(camera_with("near = -30", "near = \"\\u0001\\n\"")),
+  EXPECT_EQ(error_of_toml(camera_with("near = -30", "near = \"\\u0001\\n\"")),
             "f.toml:5: camera.near = \"??\": must be a number");
-  EXPECT_EQ(error_of("\ncamera = 3\n"), "f.toml:2: camera = 3: must be a table, written [camera]");
-  EXPECT_EQ(error_of("[sphere]\nradius = 3\n"),
+  EXPECT_EQ(error_of_toml("\ncamera = 3\n"),
+            "f.toml:2: camera = 3: must be a table, written [camera]");
+  EXPECT_EQ(error_of_toml("[sphere]\nradius = 3\n"),
             "f.toml:1: sphere = (a table): must be written [[sphere]]");
-  EXPECT_EQ(error_of("ray = [\n{origin = [0, 0, 0], direction = [1, 0, 0]},\n7]\n"),
+  EXPECT_EQ(error_of_toml("ray = [\n{origin = [0, 0, 0], direction = [1, 0, 0]},\n7]\n"),
             "f.toml:3: ray[1] = 7: must be a table, written [[ray]]");
-  EXPECT_EQ(error_of("[conventions]\nrows = \"top\"\n"),
+  EXPECT_EQ(error_of_toml("[conventions]\nrows = \"top\"\n"),
             "f.toml:2: conventions.rows = \"top\": must be one of bottom-first, top-first");
-  EXPECT_EQ(error_of("[conventions]\ntangent = 1\n"),
+  EXPECT_EQ(error_of_toml("[conventions]\ntangent = 1\n"),
             "f.toml:2: conventions.tangent = 1: must be one of hit, miss, either");
 }
 
 TEST(ReadToml, NeedsWholePixels) {
   for (const char* const width : {"3.0", "1e1", "3.5", "\"three\"", "true", "0x1p2", "1e400"}) {
-    const std::string error = error_of(camera_with("width = 3", std::string("width = ") + width));
+    const std::string error =
+        error_of_toml(camera_with("width = 3", std::string("width = ") + width));
     EXPECT_EQ(error, std::string("f.toml:11: camera.width = ") + width +
                          ": must be a whole number of pixels, without a point or exponent");
   }
-  EXPECT_EQ(read(camera_with("width = 3", "width = +1_024")).camera->width, 1024);
-  EXPECT_EQ(read(camera_with("width = 3", "width = 0x10")).camera->width, 16);
+  EXPECT_EQ(read_scene(camera_with("width = 3", "width = +1_024")).camera->width, 1024);
+  EXPECT_EQ(read_scene(camera_with("width = 3", "width = 0x10")).camera->width, 16);
 }
 
 TEST(ReadToml, ReportsEveryValidationProblemWithItsLine) {
-  EXPECT_EQ(error_of("[camera]\neye = [1, 2, 3]\nlook_at = [1, 2, 3]\nup = [1, 0, 0]\nnear = 0\n"
-                     "left = 1\nright = 1.0\nbottom = -1\ntop = 1e400\nwidth = 1\nheight = 0\n"
-                     "[[sphere]]\ncentre = [0, 0, nan]\nradius = -1\n"),
-            "f.toml:3: camera.look_at = [1, 2, 3]: is the same point as eye\n"
-            "f.toml:5: camera.near = 0: is zero, so the image plane passes through the eye\n"
-            "f.toml:7: camera.right = 1: equals left, so the image has no width\n"
-            "f.toml:9: camera.top = inf: is not finite\n"
-            "f.toml:11: camera.height = 0: is below 1 pixel\n"
-            "f.toml:10: camera.width = 1: leaves one sample between two edges; samples = edges "
-            "needs 2 or more\n"
-            "f.toml:13: sphere[0].centre = [0, 0, nan]: is not finite\n"
-            "f.toml:14: sphere[0].radius = -1: is negative");
-  EXPECT_EQ(error_of(std::string(kRay) + "[[ray]]\norigin = [0, 0, 0]\ndirection = [0, 0, 0]\n"),
-            "f.toml:6: ray[1].direction = [0, 0, 0]: is the zero vector");
-  EXPECT_EQ(error_of(""), "f.toml:1: scene = no camera and no rays: needs one of the two");
-  EXPECT_EQ(error_of(std::string(kCamera) + kRay),
+  EXPECT_EQ(
+      error_of_toml("[camera]\neye = [1, 2, 3]\nlook_at = [1, 2, 3]\nup = [1, 0, 0]\nnear = 0\n"
+                    "left = 1\nright = 1.0\nbottom = -1\ntop = 1e400\nwidth = 1\nheight = 0\n"
+                    "[[sphere]]\ncentre = [0, 0, nan]\nradius = -1\n"),
+      "f.toml:3: camera.look_at = [1, 2, 3]: is the same point as eye\n"
+      "f.toml:5: camera.near = 0: is zero, so the image plane passes through the eye\n"
+      "f.toml:7: camera.right = 1: equals left, so the image has no width\n"
+      "f.toml:9: camera.top = inf: is not finite\n"
+      "f.toml:11: camera.height = 0: is below 1 pixel\n"
+      "f.toml:10: camera.width = 1: leaves one sample between two edges; samples = edges "
+      "needs 2 or more\n"
+      "f.toml:13: sphere[0].centre = [0, 0, nan]: is not finite\n"
+      "f.toml:14: sphere[0].radius = -1: is negative");
+  EXPECT_EQ(
+      error_of_toml(std::string(kRay) + "[[ray]]\norigin = [0, 0, 0]\ndirection = [0, 0, 0]\n"),
+      "f.toml:6: ray[1].direction = [0, 0, 0]: is the zero vector");
+  EXPECT_EQ(error_of_toml(""), "f.toml:1: scene = no camera and no rays: needs one of the two");
+  EXPECT_EQ(error_of_toml(std::string(kCamera) + kRay),
             "f.toml:13: scene = a camera and 1 ray: needs one of the two, not both");
 }
 
@@ -219,7 +225,8 @@ TEST(ReadToml, LocatesSyntaxErrors) {
        {"near = ", "near = 1 2", "near = 1e", "near = --1", "near = [1", "near = \"a", "near",
         "near = 1__0", "near = 1_", "near = -1\nnear = -2", "[camera", "near = '\xff'",
         "near = 0x1.8p"}) {
-    const std::string error = error_of(std::string("[camera]\nup = [0, 1, 0]\n") + line + "\n");
+    const std::string error =
+        error_of_toml(std::string("[camera]\nup = [0, 1, 0]\n") + line + "\n");
     EXPECT_EQ(error.substr(0, 7), "f.toml:") << line;
     EXPECT_NE(error.find(": not valid TOML: "), std::string::npos) << line << "\n" << error;
     EXPECT_GE(std::stoi(error.substr(7)), 3) << line << "\n" << error;

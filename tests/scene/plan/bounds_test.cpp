@@ -12,12 +12,13 @@
 #include <limits>
 #include <random>
 
+#include "tests/numbers.h"
+
 namespace raycheck::scene {
 namespace {
 
 using Rational = boost::multiprecision::mpq_rational;
 
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr double kMost = std::numeric_limits<double>::max();
 constexpr double kLeast = std::numeric_limits<double>::denorm_min();
 constexpr int kTries = 20000;

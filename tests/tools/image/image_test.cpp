@@ -293,7 +293,8 @@ TEST(Image, is_the_same_in_bands_as_whole) {
 }
 
 /// Runs a command that must fail, with an older picture in the way, which must be left alone.
-void expect_fails(const std::string& arguments, const std::string& why, int exit_code = 2) {
+void expect_old_picture_kept(const std::string& arguments, const std::string& why,
+                             int exit_code = 2) {
   const std::string path = temporary_file("old.png", "an older picture");
   const Outcome result = run("image " + arguments + " --out " + path);
   EXPECT_EQ(result.exit_code, exit_code) << arguments;
@@ -313,19 +314,20 @@ std::size_t parts_left() {
 
 TEST(Image, fails_with_2_and_says_why_and_leaves_no_file) {
   const std::string scene = example("ten-spheres.toml");
-  expect_fails("nowhere.toml", "nowhere.toml");
-  expect_fails(example("lecture-examples.toml"), "has given rays and no camera");
-  expect_fails(scene + " --what colour", "--what");
-  expect_fails(scene + " --threads 0", "--threads");
-  expect_fails(scene + " --rays direct", "--rays direct: only --what error");
-  expect_fails(scene + " --intersect cross", "--intersect cross: only --what error");
-  expect_fails(scene + " --what error --intersect best", "intersect best: no such method");
-  expect_fails(scene + " --size 5", "--size 5");
-  expect_fails(scene + " --size 5,0", "--size");
-  expect_fails(scene + " --size 1,5", "camera.width");
-  expect_fails(scene + " --size 1000001,5", "camera.width: 1000001 pixels");
-  expect_fails(scene + " --size 5,1000001", "camera.height: 1000001 pixels");
-  expect_fails(scene + " --dialect D", "--dialect D");
+  expect_old_picture_kept("nowhere.toml", "nowhere.toml");
+  expect_old_picture_kept(example("lecture-examples.toml"), "has given rays and no camera");
+  expect_old_picture_kept(scene + " --what colour", "--what");
+  expect_old_picture_kept(scene + " --threads 0", "--threads");
+  expect_old_picture_kept(scene + " --rays direct", "--rays direct: only --what error");
+  expect_old_picture_kept(scene + " --intersect cross", "--intersect cross: only --what error");
+  expect_old_picture_kept(scene + " --what error --intersect best",
+                          "intersect best: no such method");
+  expect_old_picture_kept(scene + " --size 5", "--size 5");
+  expect_old_picture_kept(scene + " --size 5,0", "--size");
+  expect_old_picture_kept(scene + " --size 1,5", "camera.width");
+  expect_old_picture_kept(scene + " --size 1000001,5", "camera.width: 1000001 pixels");
+  expect_old_picture_kept(scene + " --size 5,1000001", "camera.height: 1000001 pixels");
+  expect_old_picture_kept(scene + " --dialect D", "--dialect D");
   const auto fails = [&](const std::string& arguments, const std::string& why) {
     const Outcome result = run("image " + scene + arguments);
     EXPECT_EQ(result.exit_code, 2) << arguments;

@@ -13,7 +13,7 @@ namespace {
 
 using nlohmann::json;
 
-void expect_fails(const std::string& arguments, const std::string& why) {
+void expect_refused(const std::string& arguments, const std::string& why) {
   const Outcome result = run(arguments);
   EXPECT_EQ(result.exit_code, 2) << arguments;
   EXPECT_NE(result.err.find(why), std::string::npos) << arguments << "\n" << result.err;
@@ -64,13 +64,14 @@ TEST(StressCommand, prints_csv_and_markdown_with_as_many_cells_in_every_line) {
 }
 
 TEST(StressCommand, fails_with_2_and_says_why) {
-  expect_fails("stress --family moon", "family moon: no such family; the families are far-camera");
-  expect_fails("stress --method magic", "method magic: no such method");
-  expect_fails("stress --severity 5..2", "--severity 5..2");
-  expect_fails("stress --family distance --severity 99", "the severities of distance are 0..");
-  expect_fails("stress --cases 0", "--cases");
-  expect_fails("stress --plot picture.bmp", "plot picture.bmp");
-  expect_fails("stress --plot nowhere/picture.svg", "there is no folder nowhere");
+  expect_refused("stress --family moon",
+                 "family moon: no such family; the families are far-camera");
+  expect_refused("stress --method magic", "method magic: no such method");
+  expect_refused("stress --severity 5..2", "--severity 5..2");
+  expect_refused("stress --family distance --severity 99", "the severities of distance are 0..");
+  expect_refused("stress --cases 0", "--cases");
+  expect_refused("stress --plot picture.bmp", "plot picture.bmp");
+  expect_refused("stress --plot nowhere/picture.svg", "there is no folder nowhere");
 }
 
 TEST(StressCommand, draws_a_plot_or_says_that_there_is_no_gnuplot) {
@@ -158,10 +159,10 @@ TEST(TradeoffCommand, compares_only_what_a_scene_needs) {
 }
 
 TEST(TradeoffCommand, fails_with_2_and_says_why) {
-  expect_fails("tradeoff nowhere.toml", "nowhere.toml");
-  expect_fails("tradeoff scene/examples/far-sphere.toml --all-families", "one of SCENE");
-  expect_fails("tradeoff --family moon", "family moon");
-  expect_fails("tradeoff --plot picture.txt", "plot picture.txt");
+  expect_refused("tradeoff nowhere.toml", "nowhere.toml");
+  expect_refused("tradeoff scene/examples/far-sphere.toml --all-families", "one of SCENE");
+  expect_refused("tradeoff --family moon", "family moon");
+  expect_refused("tradeoff --plot picture.txt", "plot picture.txt");
 }
 
 TEST(WorstCommand, finds_an_input_that_check_accepts) {
@@ -178,12 +179,12 @@ TEST(WorstCommand, finds_an_input_that_check_accepts) {
 }
 
 TEST(WorstCommand, fails_with_2_and_says_why) {
-  expect_fails("worst --method lecture --family rays", "rays/lecture or intersect/lecture");
-  expect_fails("worst --method direct --family rays", "has no camera");
-  expect_fails("worst --method cross --family rays --quantity colour",
-               "quantity colour: no such quantity");
-  expect_fails("worst --method cross --family distance@77", "0 to 15");
-  expect_fails("worst --method cross", "--family");
+  expect_refused("worst --method lecture --family rays", "rays/lecture or intersect/lecture");
+  expect_refused("worst --method direct --family rays", "has no camera");
+  expect_refused("worst --method cross --family rays --quantity colour",
+                 "quantity colour: no such quantity");
+  expect_refused("worst --method cross --family distance@77", "0 to 15");
+  expect_refused("worst --method cross", "--family");
 }
 
 }  // namespace

@@ -1,0 +1,15 @@
+#ifndef RAYCHECK_TESTS_NUMBERS_H_
+#define RAYCHECK_TESTS_NUMBERS_H_
+
+#include <limits>
+
+namespace raycheck {
+
+inline constexpr double kInfinity = std::numeric_limits<double>::infinity();
+inline constexpr double kSmallest = std::numeric_limits<double>::denorm_min();  ///< 2^-1074
+/// Sums of doubles of any size are exact in so many bits.
+inline constexpr int kBitsOfAnySum = 2600;
+
+}  // namespace raycheck
+
+#endif  // RAYCHECK_TESTS_NUMBERS_H_
