@@ -292,6 +292,7 @@ void judge_square_pixels(Trial& trial, Verdict& verdict) {
       },
       [&](Discrepancy& d) {
         d.what = "spacing across over spacing down";
+        d.symbol.clear();
         d.got = {(step(1) / got_down).upper()};
         d.exact = {(across / down).upper()};
       });
