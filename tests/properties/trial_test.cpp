@@ -177,6 +177,18 @@ TEST(Trial, HoldsAPromiseOfTheExactClassWithoutExcuse) {
   EXPECT_FALSE(judge("class", outside, candidate).holds());
 }
 
+TEST(Trial, HoldsAnUnconditionalPromiseWhateverTheConditionNumberIs) {
+  Case the_case = camera_case();
+  the_case.scene.camera->up = {0, 0x1p-30, 1};
+  Candidate candidate = direct_cross();
+  candidate.frame = [](const scene::Camera&) {
+    return FrameAnswer{{1, 0, 0x1p-40}, {0, 1, 0}, {0, 0, 1}};
+  };
+  EXPECT_FALSE(judge("frame", the_case, candidate).holds());
+  candidate.is_unconditional = {};
+  EXPECT_TRUE(judge("frame", the_case, candidate).holds());
+}
+
 TEST(Trial, TakesTheBoundFromEndToEndWhereThereIsACamera) {
   Candidate candidate = direct_cross();
   candidate.max_error[static_cast<std::size_t>(Quantity::kParameter)] = 0;
