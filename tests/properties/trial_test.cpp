@@ -179,10 +179,15 @@ TEST(Trial, HoldsAPromiseOfTheExactClassWithoutExcuse) {
 
 TEST(Trial, HoldsAnUnconditionalPromiseWhateverTheConditionNumberIs) {
   Case the_case = camera_case();
-  the_case.scene.camera->up = {0, 0x1p-30, 1};
+  the_case.scene.camera->eye = {1, 2, 4};
+  the_case.scene.camera->up = {1, 2, 4 + 0x1p-30};
   Candidate candidate = direct_cross();
-  candidate.frame = [](const scene::Camera&) {
-    return FrameAnswer{{1, 0, 0x1p-40}, {0, 1, 0}, {0, 0, 1}};
+  // U leans towards W.
+  candidate.frame = [base = candidate.frame](const scene::Camera& camera) {
+    FrameAnswer frame = base(camera);
+    frame.U = {frame.U.x + 0x1p-40 * frame.W.x, frame.U.y + 0x1p-40 * frame.W.y,
+               frame.U.z + 0x1p-40 * frame.W.z};
+    return frame;
   };
   EXPECT_FALSE(judge("frame", the_case, candidate).holds());
   candidate.is_unconditional = {};
