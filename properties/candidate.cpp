@@ -2,13 +2,29 @@
 
 namespace raycheck::properties {
 
-scene::Conventions DeclaredConventions::over(scene::Conventions conventions) const {
-  conventions.rows = rows.value_or(conventions.rows);
-  conventions.samples = samples.value_or(conventions.samples);
-  conventions.origin = origin.value_or(conventions.origin);
-  conventions.root = root.value_or(conventions.root);
-  conventions.tangent = tangent.value_or(conventions.tangent);
+namespace {
+
+template <class Conventions>
+Conventions put_over(const DeclaredConventions& declared, Conventions conventions) {
+  const auto put = [](const auto& ours, auto& theirs) {
+    if (ours) theirs = *ours;
+  };
+  put(declared.rows, conventions.rows);
+  put(declared.samples, conventions.samples);
+  put(declared.origin, conventions.origin);
+  put(declared.root, conventions.root);
+  put(declared.tangent, conventions.tangent);
   return conventions;
+}
+
+}  // namespace
+
+scene::Conventions DeclaredConventions::over(scene::Conventions conventions) const {
+  return put_over(*this, conventions);
+}
+
+DeclaredConventions DeclaredConventions::over(DeclaredConventions others) const {
+  return put_over(*this, others);
 }
 
 std::optional<double> documented_bound(const Promises& promises, Quantity quantity,

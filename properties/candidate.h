@@ -61,8 +61,10 @@ struct DeclaredConventions {
   std::optional<scene::Root> root;
   std::optional<scene::Tangent> tangent;
 
-  /// The scene's conventions, with what is declared in their place.
+  /// The scene's conventions, or what someone else declares, with what is declared here in their
+  /// place.
   scene::Conventions over(scene::Conventions conventions) const;
+  DeclaredConventions over(DeclaredConventions others) const;
 };
 
 /// What an implementation can be asked; an empty function: it has no such thing. Functions refuse
@@ -104,6 +106,9 @@ struct Promises {
   /// The same where the rays come from a camera, so that a hit inherits the error of its ray;
   /// empty: max_error.
   std::array<std::optional<double>, kQuantityCount> max_error_end_to_end = {};
+  /// Whether the bound on a quantity holds whatever its condition number is; otherwise it grows
+  /// with it (bound_growth).
+  std::array<bool, kQuantityCount> is_unconditional = {};
   /// The exact class of every given ray: no closeness to tangency and no domain excuses a wrong
   /// one.
   bool exact_class = false;

@@ -28,28 +28,30 @@ enum class Quantity {
 };
 inline constexpr std::size_t kQuantityCount = 16;
 
-/// A quantity's name in reports, and the unit of its errors: ulp of the exact value, u = 2^-53 of
-/// its size, or none for what is right or wrong.
+/// A quantity's name in reports, the unit of its errors (ulp of the exact value, u = 2^-53 of its
+/// size, or none for what is right or wrong), and the symbol of the numbers that are answered
+/// (docs/problem.md; none where they differ).
 struct QuantityInfo {
   std::string_view name;
   std::string_view unit;
+  std::string_view symbol = {};
 };
 
 inline constexpr std::array<QuantityInfo, kQuantityCount> kQuantities = {{
     {"frame", "u"},
     {"orthonormality", "u"},
-    {"pixel point", "u"},
-    {"direction", "u"},
-    {"unit defect", "u"},
-    {"ray origin", "u"},
-    {"class", ""},
-    {"root", ""},
-    {"parameter", "ulp"},
-    {"hit point", "u"},
-    {"sphere residual", "u"},
-    {"ray residual", "u"},
-    {"backward error", "u"},
-    {"nearest sphere", ""},
+    {"pixel point", "u", "P"},
+    {"direction", "u", "D"},
+    {"unit defect", "u", "D"},
+    {"ray origin", "u", "L"},
+    {"class", "", "s"},
+    {"root", "", "s"},
+    {"parameter", "ulp", "s"},
+    {"hit point", "u", "Q"},
+    {"sphere residual", "u", "Q"},
+    {"ray residual", "u", "Q"},
+    {"backward error", "u", "s"},
+    {"nearest sphere", "", "sphere"},
     {"invariance", "u"},
     {"refusal", ""},
 }};

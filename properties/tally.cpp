@@ -30,6 +30,8 @@ void Tally::merge(const Tally& other) {
   for (const auto& [kind, number] : other.wrong) wrong[kind] += number;
   wrong_excused += other.wrong_excused;
   errors.merge(other.errors);
+  least_bound = std::min(least_bound, other.least_bound);
+  greatest_bound = std::max(greatest_bound, other.greatest_bound);
   ill_conditioned += other.ill_conditioned;
   if (other.worst >= 0) note_worst(other.worst, other.worst_place, other.worst_condition);
   conditions.merge(other.conditions);

@@ -4,6 +4,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <map>
 #include <optional>
 #include <string_view>
@@ -56,8 +57,11 @@ struct Tally {
   std::uint64_t cases = 0;  ///< The right ones, the wrong ones and the errors.
   std::uint64_t right = 0;
   std::map<Wrong, std::uint64_t> wrong;
-  std::uint64_t wrong_excused = 0;    ///< Of those, how many have an excuse.
-  QuantileSketch errors;              ///< Empty for what is right or wrong.
+  std::uint64_t wrong_excused = 0;  ///< Of those, how many have an excuse.
+  QuantileSketch errors;            ///< Empty for what is right or wrong.
+  /// The least and the greatest bound that an error was held to.
+  double least_bound = std::numeric_limits<double>::infinity();
+  double greatest_bound = -std::numeric_limits<double>::infinity();
   std::uint64_t ill_conditioned = 0;  ///< Above the flat bound, within its growth: no discrepancy.
   /// The largest error; of what is right or wrong 2 where one is wrong, 1 where those are excused.
   double worst = -1;
@@ -75,6 +79,10 @@ struct Tally {
   /// Makes an error, or a wrong answer so bad, the worst where it is.
   void note_worst(double badness, const Place& place, std::optional<double> condition = {});
 
+  /// The bound that every error was held to; empty where there is none, or not one alone.
+  std::optional<double> bound() const {
+    return least_bound == greatest_bound ? std::optional(greatest_bound) : std::nullopt;
+  }
   std::uint64_t wrong_answers() const;
   std::uint64_t count(Wrong kind) const;
   std::uint64_t count(Outcome outcome) const { return outcomes[static_cast<std::size_t>(outcome)]; }

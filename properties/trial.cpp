@@ -15,12 +15,12 @@ template <class Answers>
 const Answers& require_count(const Answers& answers, std::size_t expected, const char* what) {
   if (answers.size() != expected) {
     throw std::runtime_error("candidate gave " + std::to_string(answers.size()) + " " + what +
-                             " to " + std::to_string(expected) + " questions");
+                             " where " + std::to_string(expected) + " were asked for");
   }
   return answers;
 }
 
-/// The rays that are questions at all, and where they were among all.
+/// The rays that are valid, and where they were among all.
 struct ValidRays {
   explicit ValidRays(const std::vector<scene::Ray>& all) {
     indices.reserve(all.size());
@@ -142,18 +142,12 @@ const HitAnswer* find_hit(const SphereHits& hits, std::size_t ray) {
   return found == nullptr ? nullptr : &found->hit;
 }
 
-double bound_on(Quantity quantity, const Candidate& candidate,
-                const scene::Conventions& conventions, bool has_camera,
-                std::optional<double> max_error_asked) {
-  // The eye is an input: a ray that starts there starts at its very bits.
-  if (quantity == Quantity::kRayOrigin && conventions.origin == scene::Origin::kFocal) return 0;
-  if (max_error_asked) return *max_error_asked;
-  return documented_bound(candidate, quantity, has_camera).value_or(kDefaultMaxError);
-}
-
 double Trial::bound(Quantity quantity) const {
-  return bound_on(quantity, candidate_, conventions_, case_.scene.camera.has_value(),
-                  options_.max_error);
+  // The eye is an input: a ray that starts there starts at its very bits.
+  if (quantity == Quantity::kRayOrigin && conventions_.origin == scene::Origin::kFocal) return 0;
+  if (options_.max_error) return *options_.max_error;
+  return documented_bound(candidate_, quantity, case_.scene.camera.has_value())
+      .value_or(kDefaultMaxError);
 }
 
 Stability Trial::weigh(double error, double condition,
@@ -176,6 +170,19 @@ Stability Trial::weigh(double error, double condition,
   return stability;
 }
 
+bool Trial::promises_growth(Quantity quantity) const {
+  return !options_.max_error &&
+         documented_bound(candidate_, quantity, case_.scene.camera.has_value());
+}
+
+bool Trial::grown_bound_allows(Quantity quantity, double error, double bound,
+                               double condition) const {
+  if (candidate_.is_unconditional[static_cast<std::size_t>(quantity)]) return false;
+  // An infinite error is one of a value whose exact one is 0, or that is not finite.
+  return std::isfinite(error) ? error <= bound * bound_growth(condition)
+                              : bound > 0 && std::isinf(condition);
+}
+
 void Trial::examine(Verdict& verdict, Quantity quantity, const Place& place, double error,
                     double bound, const std::function<double()>& condition,
                     const std::function<void(Discrepancy&)>& describe,
@@ -188,26 +195,21 @@ void Trial::examine(Verdict& verdict, Quantity quantity, const Place& place, dou
   }
   if (error <= bound) return;
   if (!discrepancy.condition) discrepancy.condition = condition();
-  const double allowed = bound * bound_growth(*discrepancy.condition);
-  const bool ill_conditioned =
-      std::isfinite(error) ? error <= allowed : bound > 0 && std::isinf(*discrepancy.condition);
-  // A documented bound grows with the condition number; one that the user set does not. An infinite
-  // error (of a value whose exact one is 0, or that is not finite) is above any bound.
-  const bool documented =
-      !options_.max_error && documented_bound(candidate_, quantity, case_.scene.camera.has_value());
-  if (ill_conditioned && documented && inside_domain_ && std::isfinite(error)) {
+  const bool is_allowed = grown_bound_allows(quantity, error, bound, *discrepancy.condition);
+  if (is_allowed && inside_domain_ && promises_growth(quantity) && std::isfinite(error)) {
     verdict.count_ill_conditioned(quantity);
     return;
   }
   discrepancy.quantity = quantity;
   discrepancy.place = place;
+  discrepancy.symbol = info(quantity).symbol;
   discrepancy.error = error;
   describe(discrepancy);
   const bool is_number = std::all_of(discrepancy.got.begin(), discrepancy.got.end(),
                                      [](double x) { return std::isfinite(x); });
   if (!inside_domain_) {
     discrepancy.excuse = {ExcuseKind::kOutsideDomain};
-  } else if (ill_conditioned && is_number) {
+  } else if (is_allowed && is_number) {
     discrepancy.excuse = {ExcuseKind::kIllConditioned, *discrepancy.condition};
   }
   verdict.add(std::move(discrepancy));
@@ -219,6 +221,7 @@ void Trial::convict(Verdict& verdict, Quantity quantity, const Place& place, Wro
   Discrepancy discrepancy;
   discrepancy.quantity = quantity;
   discrepancy.place = place;
+  discrepancy.symbol = info(quantity).symbol;
   discrepancy.error = std::numeric_limits<double>::infinity();
   discrepancy.wrong = wrong;
   const bool promised =

@@ -75,13 +75,15 @@ class Trial {
   const SphereHits& hits(std::size_t sphere);
   const std::vector<std::optional<std::size_t>>& nearest();
   /// The candidate asked about other rays or spheres. A ray of its own making that is not finite or
-  /// has no direction is no question that it could answer: it counts as a miss.
+  /// has no direction is not asked about: it counts as a miss.
   std::vector<SphereHits> intersect(const std::vector<scene::Ray>& rays,
                                     const std::vector<scene::Sphere>& spheres,
                                     const scene::Conventions& conventions) const;
   std::vector<std::optional<std::size_t>> rank(const std::vector<scene::Ray>& rays,
                                                const std::vector<scene::Sphere>& spheres) const;
 
+  /// The bound on a quantity: the one asked for, or the candidate's, or the default; always 0 for
+  /// the origin of a ray that starts at the eye.
   double bound(Quantity quantity) const;
 
   /// Counts an error, and adds a discrepancy when it is above `bound`. `condition` and `describe`
@@ -91,7 +93,7 @@ class Trial {
   void measure(Verdict& verdict, Quantity quantity, const Place& place, double error, double bound,
                const Condition& condition, const Describe& describe,
                const std::function<double()>& backward = {}) const {
-    verdict.measured(quantity, place, error);
+    verdict.measured(quantity, place, error, bound);
     if (error <= bound && !options_.conditioning) return;
     examine(verdict, quantity, place, error, bound, condition, describe, backward);
   }
@@ -120,6 +122,12 @@ class Trial {
 
  private:
   Stability weigh(double error, double condition, const std::function<double()>& backward) const;
+  /// Whether the bound on a quantity is a documented one, which grows with the condition number: an
+  /// error that it then allows is no discrepancy. The user's does not grow; what it would allow is
+  /// excused.
+  bool promises_growth(Quantity quantity) const;
+  /// Whether an error above a bound is within what the bound grows to.
+  bool grown_bound_allows(Quantity quantity, double error, double bound, double condition) const;
   /// measure() of an error that is weighed, or above its bound.
   void examine(Verdict& verdict, Quantity quantity, const Place& place, double error, double bound,
                const std::function<double()>& condition,
@@ -151,12 +159,6 @@ constexpr bool is_unjudged(const reference::Intersection& intersection, scene::T
 
 /// The hit of a ray among a sphere's; null where it misses.
 const HitAnswer* find_hit(const SphereHits& hits, std::size_t ray);
-
-/// The bound on a quantity under some conventions: the one asked for, or the candidate's, or the
-/// default; always 0 for the origin of a ray that starts at the eye.
-double bound_on(Quantity quantity, const Candidate& candidate,
-                const scene::Conventions& conventions, bool has_camera,
-                std::optional<double> max_error_asked);
 
 }  // namespace raycheck::properties
 

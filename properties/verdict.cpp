@@ -34,10 +34,12 @@ std::vector<Discrepancy> worst_first(std::vector<Discrepancy> discrepancies) {
   return result;
 }
 
-void Verdict::measured(Quantity quantity, const Place& place, double error) {
+void Verdict::measured(Quantity quantity, const Place& place, double error, double bound) {
   Tally& tally = tallies_[quantity];
   ++tally.cases;
   tally.errors.add(error);
+  tally.least_bound = std::min(tally.least_bound, bound);
+  tally.greatest_bound = std::max(tally.greatest_bound, bound);
   tally.note_worst(error, place);
 }
 

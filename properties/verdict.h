@@ -23,10 +23,13 @@ struct Discrepancy {
   std::string_view law;
   Quantity quantity = Quantity::kFrame;
   Place place;
-  std::string what;           ///< Which part: "U", "corner (0, 0)", "scaled by 2^40".
-  std::vector<double> got;    ///< Empty: a miss, or no number.
-  std::vector<double> exact;  ///< Correctly rounded; empty as for got.
-  double error = 0;           ///< In the quantity's unit; infinite where right or wrong.
+  std::string what;  ///< Which part: "U", "corner (0, 0)", "scaled by 2^40".
+  /// Of the numbers got and exact: "s", "Q"; empty where `what` says what they are.
+  std::string symbol;
+  std::vector<double> got;       ///< Empty: a miss, or no number.
+  std::vector<double> exact;     ///< Correctly rounded; empty as for got.
+  bool got_some_sphere = false;  ///< A picture shows a sphere, but not which.
+  double error = 0;              ///< In the quantity's unit; infinite where right or wrong.
   Wrong wrong = Wrong::kNot;
   std::optional<double> condition;  ///< The condition number, where it was asked for.
   Excuse excuse;
@@ -52,8 +55,8 @@ class Verdict {
   /// Notes that the case, or a part of it, was left out.
   void leave_out(std::string reason) { left_out_ = std::move(reason); }
 
-  /// Counts a measured error.
-  void measured(Quantity quantity, const Place& place, double error);
+  /// Counts a measured error, and what it is held to.
+  void measured(Quantity quantity, const Place& place, double error, double bound);
   /// Counts what an error just measured is worth.
   void weighed(Quantity quantity, const Place& place, double error, const Stability& stability);
   /// Counts an error, measured before, that only its condition number allows.

@@ -8,6 +8,7 @@
 #include <fstream>
 #include <iterator>
 #include <map>
+#include <regex>
 #include <set>
 #include <sstream>
 #include <string>
@@ -33,13 +34,12 @@ const std::map<std::string, Rooms> kSees = {
     {"fast", {"scene", "scene/plan"}},
     {"properties", {"scene", "scene/plan", "reference", "reference/visibility"}},
     {"properties/laws", {"scene", "scene/plan", "reference", "reference/visibility", "properties"}},
-    {"properties/cases", {"scene", "properties"}},
+    {"properties/cases", {"scene", "scene/files", "properties"}},
     {"properties/candidates", {"reference", "reference/visibility", "fast", "properties"}},
     {"properties/mistakes",
      {"scene", "scene/plan", "reference/visibility", "fast", "properties",
       "properties/candidates"}},
-    {"properties/search",
-     {"scene", "scene/files", "properties", "properties/laws", "properties/cases"}},
+    {"properties/search", {"scene", "properties", "properties/laws", "properties/cases"}},
     {"tools/run", {"properties"}},
     {"tools/report",
      {"scene", "reference", "reference/visibility", "properties", "properties/laws"}},
@@ -360,6 +360,43 @@ TEST(Rooms, LetTheEdgeAlonePrint) {
           << file << " uses " << way;
     }
   }
+}
+
+/// The literals of a source, line by line, comments aside.
+std::vector<std::string> literals(const std::string& file) {
+  static const std::regex literal(R"re("((?:[^"\\]|\\.)*)")re");
+  std::vector<std::string> found;
+  std::istringstream lines(text_of(root() / file));
+  for (std::string line; std::getline(lines, line);) {
+    if (line.find_first_not_of(' ') == line.find("//")) continue;
+    for (std::sregex_iterator at(line.begin(), line.end(), literal), end; at != end; ++at) {
+      found.push_back((*at)[1]);
+    }
+  }
+  return found;
+}
+
+/// What writes command lines of other programs, and of the package that runs raycheck itself.
+const std::set<std::string> kWriteCommandLines = {
+    "tools/external/sandbox/launch.cpp", "tools/external/compile.cpp", "tools/grade/package.cpp"};
+
+/// Views for people may say which option shows more.
+bool is_view_for_people(const std::string& file) { return file.ends_with("_text.cpp"); }
+
+TEST(Rooms, LetTheEdgeAndViewsAloneNameOptions) {
+  static const std::regex option("(^|[^-])--[a-z]");
+  std::size_t named_by_views = 0;
+  for (const std::string& file : sources()) {
+    const std::string room = room_of(file);
+    if (room == kEdge || kPrograms.contains(room) || kWriteCommandLines.contains(file)) continue;
+    for (const std::string& literal : literals(file)) {
+      const bool names_option = std::regex_search(literal, option);
+      EXPECT_FALSE(names_option && !is_view_for_people(file)) << file << ": " << literal;
+      EXPECT_FALSE(literal.starts_with("--") && names_option) << file << ": " << literal;
+      named_by_views += names_option ? 1 : 0;
+    }
+  }
+  EXPECT_GT(named_by_views, 0u);
 }
 
 TEST(Rooms, AreMirroredByTheTests) {

@@ -16,6 +16,7 @@ U = Fraction(1, 2**53)  # the unit of relative errors
 NARROW = Fraction(1, 2**60)  # brackets are no wider, relative to what they bracket
 TOLERANCE = Fraction(1, 1000)  # of a stated error: it is an upper bound, and printed to 3 digits
 INFINITE = Fraction(2) ** 2046  # the square of an error that counts as infinite
+SOME_SPHERE = "a sphere"  # what a picture shows that does not tell which
 CONVENTIONS = {
     "rows": ("bottom-first", "top-first"),
     "samples": ("edges", "centres"),
@@ -375,10 +376,13 @@ def confirm_met(certificate, met, got):
     require(16 * gap_sq < apart_sq, "the answer is not at the other root")
 
 
-def confirm_nearest(certificate, meetings, got):
+def confirm_nearest(certificate, meetings):
     exact = [int(x) for x in numbers(certificate["exact"])]
-    # An image may show a sphere of which it cannot be told which it is.
-    require(exact or got or certificate["law"] == "image", "nothing is met, and nothing was said")
+    # A picture may show a sphere without telling which: that is right wherever one is met.
+    is_untold = certificate["got"] == [SOME_SPHERE]
+    got = [] if is_untold else [int(x) for x in numbers(certificate["got"])]
+    require(not (exact and is_untold), "a sphere is met, and a sphere was said")
+    require(exact or got or is_untold, "nothing is met, and nothing was said")
     wrong = {(1, 1): "wrong sphere", (1, 0): "missed", (0, 1): "false hit",
              (0, 0): "false hit"}[len(exact), len(got)]
     require(wrong == certificate["wrong"], "it is wrong in another way")
@@ -410,11 +414,11 @@ def confirm(certificate):
     spheres, stated = inputs.get("spheres", []), proof.get("spheres", [])
     require(len(spheres) == len(stated), "a sphere's proof is missing")
     meetings = [Meeting(ray, *each, conventions) for each in zip(spheres, stated)]
+    if quantity == "nearest sphere":
+        return confirm_nearest(certificate, meetings)
     is_finite = not any(isinstance(x, str) for x in certificate["got"])
     got = numbers(certificate["got"]) if is_finite else None
-    if quantity == "nearest sphere":
-        confirm_nearest(certificate, meetings, [int(x) for x in got])
-    elif quantity in ("class", "root"):
+    if quantity in ("class", "root"):
         (met,) = meetings
         confirm_met(certificate, met, got)
     else:

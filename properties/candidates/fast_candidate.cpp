@@ -149,6 +149,7 @@ Candidate fast_candidate(const fast::PixelRayMethod& rays, const fast::Intersect
   };
   promise(Quantity::kFrame, fast::kFrameMaxUlp);
   promise(Quantity::kOrthonormality, fast::kFrameMaxDefectUlp);
+  candidate.is_unconditional[static_cast<std::size_t>(Quantity::kOrthonormality)] = true;
   promise(Quantity::kPixelPoint, rays.max_point_ulp);
   promise(Quantity::kRayOrigin, rays.max_point_ulp);
   promise(Quantity::kDirection, rays.max_direction_ulp);

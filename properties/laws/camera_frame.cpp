@@ -32,7 +32,7 @@ void judge_frame(Trial& trial, Verdict& verdict) {
                               scene::UnitVector3 reference::RoundedFrame::*member) {
     trial.measure(verdict, Quantity::kFrame, Place{}, reference::relative_error(answer, truth),
                   condition, [&](Discrepancy& d) {
-                    d.what = axis;
+                    d.what = d.symbol = axis;
                     d.got = numbers(answer);
                     d.exact = numbers(camera.rounded_frame().*member);
                   });

@@ -47,7 +47,8 @@ void judge_image(Trial& trial, Verdict& verdict) {
         [&] { return excuse_of(trial, choice); },
         [&](Discrepancy& d) {
           d.what = "sphere shown";
-          if (choice.got && choice.got != kSomeSphere) d.got = {static_cast<double>(*choice.got)};
+          d.got_some_sphere = choice.got == kSomeSphere;
+          if (choice.got && !d.got_some_sphere) d.got = {static_cast<double>(*choice.got)};
           if (choice.exact) d.exact = {static_cast<double>(choice.exact->index)};
         });
   }

@@ -204,6 +204,7 @@ struct BothOrigins {
 void describe_origins(Discrepancy& d, const BothOrigins& both, const scene::Sphere& sphere,
                       const Intersection& at) {
   d.what = "s from the eye, s from the pixel";
+  d.symbol.clear();
   d.got = {both.eye_hit.parameter, both.pixel_hit.parameter};
   d.exact = {both.eye_ray.rounded_parameter(sphere, at),
              both.pixel_ray.rounded_parameter(sphere, at)};

@@ -34,6 +34,7 @@ void compare_hits(Trial& trial, Trial& transformed, Verdict& verdict, const std:
       const HitAnswer* const other = find_hit(others, k);
       const auto describe = [&](Discrepancy& d) {
         d.what = what;
+        d.symbol = info(Quantity::kParameter).symbol;
         if (other != nullptr) d.got = {other->parameter};
         if (hit != nullptr) d.exact = {hit->parameter * factor};
       };
@@ -76,6 +77,7 @@ void compare_directions(Trial& trial, Trial& transformed, Verdict& verdict, cons
         [&] { return reference::condition_of_direction(trial.exact_ray(k)); },
         [&](Discrepancy& d) {
           d.what = what;
+          d.symbol = info(Quantity::kDirection).symbol;
           d.got = numbers(got);
           d.exact = numbers(expected);
         });
@@ -223,6 +225,7 @@ void compare_frames(Trial& trial, Verdict& verdict, const scene::Camera& other_c
         },
         [&](Discrepancy& d) {
           d.what = std::string(axis) + ", " + what;
+          d.symbol = axis;
           d.got = numbers(got);
           d.exact = numbers(expected);
         });

@@ -77,6 +77,7 @@ void measure_parameter(const Trial& trial, Verdict& verdict, const Place& place,
       reference::kVisibleParameterError / kDoubleRoundoff, [] { return 0; },
       [&](Discrepancy& d) {
         d.what = "s, as a share of the distance from the eye";
+        d.symbol = info(Quantity::kParameter).symbol;
         d.got = {got};
         d.exact = {ray.rounded_parameter(sphere, exact.intersection)};
       });

@@ -4,6 +4,7 @@
 #include <cstdlib>
 #include <limits>
 #include <string>
+#include <string_view>
 
 #include "properties/laws/law_list.h"
 #include "reference/condition.h"
@@ -291,9 +292,21 @@ void judge_square_pixels(Trial& trial, Verdict& verdict) {
       },
       [&](Discrepancy& d) {
         d.what = "spacing across over spacing down";
+        d.symbol.clear();
         d.got = {(step(1) / got_down).upper()};
         d.exact = {(across / down).upper()};
       });
+}
+
+/// A law that relates pixel points to the camera or to each other.
+constexpr Law of_points(std::string_view name, std::string_view sentence, Per per,
+                        void (*judge)(Trial&, Verdict&)) {
+  return {.name = name,
+          .sentence = sentence,
+          .per = per,
+          .needs = Needs::kPixelPoints,
+          .quantity = Quantity::kPixelPoint,
+          .judge = judge};
 }
 
 constexpr Law kPixelPlaneLawTable[] = {
@@ -306,42 +319,18 @@ constexpr Law kPixelPlaneLawTable[] = {
      .stage = Stage::kRays,
      .tells_stability = true,
      .judge = judge_pixel_point},
-    {.name = "bounds",
-     .sentence = "first and last pixels lie at left and right, bottom and top",
-     .per = Per::kScene,
-     .needs = Needs::kPixelPoints,
-     .quantity = Quantity::kPixelPoint,
-     .judge = judge_bounds},
-    {.name = "image-plane",
-     .sentence = "pixels lie in the image plane, evenly spaced",
-     .per = Per::kRay,
-     .needs = Needs::kPixelPoints,
-     .quantity = Quantity::kPixelPoint,
-     .judge = judge_image_plane},
-    {.name = "centre-pixel",
-     .sentence = "the centre pixel of an odd symmetric image lies on the optical axis",
-     .per = Per::kScene,
-     .needs = Needs::kPixelPoints,
-     .quantity = Quantity::kPixelPoint,
-     .judge = judge_centre_pixel},
-    {.name = "pixel-zero-zero",
-     .sentence = "pixel (0, 0) is at the corner that the row order says",
-     .per = Per::kScene,
-     .needs = Needs::kPixelPoints,
-     .quantity = Quantity::kPixelPoint,
-     .judge = judge_pixel_zero_zero},
-    {.name = "density",
-     .sentence = "pixel density does not change the field of view",
-     .per = Per::kRay,
-     .needs = Needs::kPixelPoints,
-     .quantity = Quantity::kPixelPoint,
-     .judge = judge_density},
-    {.name = "square-pixels",
-     .sentence = "pixels are square exactly when the spacings agree",
-     .per = Per::kScene,
-     .needs = Needs::kPixelPoints,
-     .quantity = Quantity::kPixelPoint,
-     .judge = judge_square_pixels},
+    of_points("bounds", "first and last pixels lie at left and right, bottom and top", Per::kScene,
+              judge_bounds),
+    of_points("image-plane", "pixels lie in the image plane, evenly spaced", Per::kRay,
+              judge_image_plane),
+    of_points("centre-pixel", "the centre pixel of an odd symmetric image lies on the optical axis",
+              Per::kScene, judge_centre_pixel),
+    of_points("pixel-zero-zero", "pixel (0, 0) is at the corner that the row order says",
+              Per::kScene, judge_pixel_zero_zero),
+    of_points("density", "pixel density does not change the field of view", Per::kRay,
+              judge_density),
+    of_points("square-pixels", "pixels are square exactly when the spacings agree", Per::kScene,
+              judge_square_pixels),
 };
 
 }  // namespace

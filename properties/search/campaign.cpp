@@ -12,8 +12,8 @@
 #include <unordered_map>
 #include <utility>
 
+#include "properties/cases/case_text.h"
 #include "properties/cases/shrink.h"
-#include "scene/files/scene_file.h"
 
 namespace raycheck::properties {
 namespace {
@@ -145,18 +145,6 @@ CampaignResult run_replay(const Replay& replay, const Candidate& candidate,
   return run(*replay.law, candidate, options, {}, [from](rc::Random&) { return from; });
 }
 
-std::string text(const Case& the_case, std::string_view comment) {
-  std::string lines(comment);
-  if (the_case.scene.camera) {
-    if (!lines.empty()) lines += "\n";
-    lines += "pixels:";
-    for (const scene::Pixel& pixel : the_case.pixels) {
-      lines += " (" + std::to_string(pixel.i) + ", " + std::to_string(pixel.j) + ")";
-    }
-  }
-  return scene::write_toml(the_case.scene, lines);
-}
-
-void showValue(const Case& the_case, std::ostream& out) { out << text(the_case); }
+void showValue(const Case& the_case, std::ostream& out) { out << scene_text(the_case); }
 
 }  // namespace raycheck::properties

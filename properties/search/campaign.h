@@ -56,9 +56,7 @@ Replay parse_replay(std::string_view text);
 CampaignResult run_replay(const Replay& replay, const Candidate& candidate,
                           std::optional<double> max_error = {});
 
-/// A case as a TOML scene that `raycheck check` accepts, its pixels in a comment: how RapidCheck
-/// shows cases, too.
-std::string text(const Case& the_case, std::string_view comment = {});
+/// How RapidCheck shows a case.
 void showValue(const Case& the_case, std::ostream& out);
 
 }  // namespace raycheck::properties

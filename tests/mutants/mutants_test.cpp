@@ -5,6 +5,7 @@
 #include <set>
 #include <string>
 
+#include "properties/cases/case_text.h"
 #include "properties/search/campaign.h"
 #include "scene/files/scene_file.h"
 #include "scene/validate.h"
@@ -65,7 +66,7 @@ TEST_P(EachMutant, IsCaughtByTheLawsItNames) {
     ASSERT_TRUE(again.failure.has_value()) << failure.replay;
     EXPECT_EQ(again.failure->shrunk.scene, failure.shrunk.scene);
 
-    Case read{scene::read_toml(text(failure.shrunk), "shrunk").scene, {}};
+    Case read{scene::read_toml(scene_text(failure.shrunk), "shrunk").scene, {}};
     EXPECT_EQ(read.scene, failure.shrunk.scene);
     if (read.scene.camera) {
       const scene::Camera& camera = *read.scene.camera;
@@ -102,7 +103,8 @@ TEST(Mutants, BreakEveryLaw) {
 TEST(Mutants, ComeFromACandidateThatBreaksNone) {
   for (const Law& law : laws()) {
     const CampaignResult result = run_campaign(law, unmutated(), options());
-    EXPECT_FALSE(result.failure.has_value()) << law.name << "\n" << text(result.failure->shrunk);
+    EXPECT_FALSE(result.failure.has_value()) << law.name << "\n"
+                                             << scene_text(result.failure->shrunk);
     EXPECT_EQ(result.cases, kCases) << law.name;
     EXPECT_GT(result.verdict.compared(), 40u) << law.name;
   }

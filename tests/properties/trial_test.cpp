@@ -177,6 +177,23 @@ TEST(Trial, HoldsAPromiseOfTheExactClassWithoutExcuse) {
   EXPECT_FALSE(judge("class", outside, candidate).holds());
 }
 
+TEST(Trial, HoldsAnUnconditionalPromiseWhateverTheConditionNumberIs) {
+  Case the_case = camera_case();
+  the_case.scene.camera->eye = {1, 2, 4};
+  the_case.scene.camera->up = {1, 2, 4 + 0x1p-30};
+  Candidate candidate = direct_cross();
+  // U leans towards W.
+  candidate.frame = [base = candidate.frame](const scene::Camera& camera) {
+    FrameAnswer frame = base(camera);
+    frame.U = {frame.U.x + 0x1p-40 * frame.W.x, frame.U.y + 0x1p-40 * frame.W.y,
+               frame.U.z + 0x1p-40 * frame.W.z};
+    return frame;
+  };
+  EXPECT_FALSE(judge("frame", the_case, candidate).holds());
+  candidate.is_unconditional = {};
+  EXPECT_TRUE(judge("frame", the_case, candidate).holds());
+}
+
 TEST(Trial, TakesTheBoundFromEndToEndWhereThereIsACamera) {
   Candidate candidate = direct_cross();
   candidate.max_error[static_cast<std::size_t>(Quantity::kParameter)] = 0;

@@ -17,6 +17,7 @@ namespace {
 
 constexpr Excuse kFlips = {ExcuseKind::kSmallChange, kExcusedChange};
 constexpr Excuse kIllConditioned = {ExcuseKind::kIllConditioned, 1e6};
+constexpr double kBound = 16;
 
 Place at_ray(std::size_t ray) {
   Place place;
@@ -57,9 +58,9 @@ TEST(Verdict, GivesDiscrepanciesItsLawAndKeepsThatOfOthers) {
 TEST(Verdict, CountsMeasuredErrors) {
   Verdict verdict;
   for (const double error : {3.0, 0.0, 8.0, 1.0}) {
-    verdict.measured(Quantity::kParameter, at_ray(static_cast<std::size_t>(error)), error);
+    verdict.measured(Quantity::kParameter, at_ray(static_cast<std::size_t>(error)), error, kBound);
   }
-  verdict.measured(Quantity::kFrame, at_ray(0), 2);
+  verdict.measured(Quantity::kFrame, at_ray(0), 2, kBound);
   EXPECT_EQ(verdict.compared(), 5u);
   const Tally& tally = verdict.tallies().at(Quantity::kParameter);
   EXPECT_EQ(tally.cases, 4u);
@@ -69,10 +70,29 @@ TEST(Verdict, CountsMeasuredErrors) {
   EXPECT_EQ(tally.wrong_answers(), 0u);
 }
 
+TEST(Verdict, HasABoundWhereEveryErrorWasHeldToTheSame) {
+  const auto held_to = [](std::initializer_list<double> bounds) {
+    Verdict all;
+    for (const double bound : bounds) {
+      Verdict one;
+      one.measured(Quantity::kParameter, at_ray(0), 1, bound);
+      all.merge(std::move(one));
+    }
+    return all.tallies().at(Quantity::kParameter).bound();
+  };
+  EXPECT_EQ(held_to({8}), 8.0);
+  EXPECT_EQ(held_to({8, 8}), 8.0);
+  EXPECT_EQ(held_to({8, 16}), std::nullopt);
+  EXPECT_EQ(held_to({16, 8, 16}), std::nullopt);
+  Verdict decided;
+  decided.judged_right(Quantity::kClass, 3);
+  EXPECT_EQ(decided.tallies().at(Quantity::kClass).bound(), std::nullopt);
+}
+
 TEST(Verdict, TakesTheLeastErrorThatIsNoSmallerThanAShareOfAll) {
   const auto tally_of = [](int count) {
     Verdict verdict;
-    for (int k = count; k >= 1; --k) verdict.measured(Quantity::kParameter, at_ray(0), k);
+    for (int k = count; k >= 1; --k) verdict.measured(Quantity::kParameter, at_ray(0), k, kBound);
     return verdict.tallies().at(Quantity::kParameter);
   };
   EXPECT_EQ(tally_of(1).quantile(0.999), 1.0);
@@ -85,7 +105,7 @@ TEST(Verdict, TakesTheLeastErrorThatIsNoSmallerThanAShareOfAll) {
 TEST(Verdict, HoldsABoundToErrorsOverWhatItGrowsBy) {
   Verdict verdict;
   const auto add = [&](double error, double condition) {
-    verdict.measured(Quantity::kParameter, at_ray(0), error);
+    verdict.measured(Quantity::kParameter, at_ray(0), error, kBound);
     verdict.weighed(Quantity::kParameter, at_ray(0), error, {condition, 0, Outcome::kAccurate});
   };
   add(3, 1);
@@ -153,7 +173,7 @@ TEST(Verdict, LetsNoQuantityHideTheOthers) {
 
 TEST(Verdict, CountsWhatOnlyItsConditionAllows) {
   Verdict first;
-  first.measured(Quantity::kParameter, at_ray(0), 1000);
+  first.measured(Quantity::kParameter, at_ray(0), 1000, kBound);
   first.count_ill_conditioned(Quantity::kParameter);
   Verdict second = first;
   second.merge(first);
@@ -179,12 +199,12 @@ TEST(Verdict, ForgetsNoneOfTheWorstAndCountsAll) {
 
 TEST(Verdict, MergesCountsErrorsAndTheWorst) {
   Verdict first;
-  first.measured(Quantity::kParameter, at_ray(1), 4);
+  first.measured(Quantity::kParameter, at_ray(1), 4, kBound);
   first.judged(Quantity::kClass, at_ray(1), Wrong::kMissed, {});
   first.add(discrepancy(4, 1));
   Verdict second;
-  second.measured(Quantity::kParameter, at_ray(2), 9);
-  second.measured(Quantity::kParameter, at_ray(3), 2);
+  second.measured(Quantity::kParameter, at_ray(2), 9, kBound);
+  second.measured(Quantity::kParameter, at_ray(3), 2, kBound);
   second.judged(Quantity::kClass, at_ray(2), Wrong::kMissed, kFlips);
   second.add(discrepancy(9, 2, kIllConditioned));
   second.shift_rays(100);
@@ -216,7 +236,7 @@ Verdict random_verdict(std::mt19937_64& random) {
     const Place place = {below(4), std::nullopt, below(3)};
     const double error = static_cast<double>(below(30)) * 1.37;
     const double condition = static_cast<double>(below(100)) / 3;
-    verdict.measured(Quantity::kParameter, place, error);
+    verdict.measured(Quantity::kParameter, place, error, static_cast<double>(8 + below(2)));
     verdict.weighed(Quantity::kParameter, place, error, {condition, error, Outcome::kAccurate});
     const auto wrong = static_cast<Wrong>(below(kWrongCount));
     const auto excuse = below(2) == 0 ? Excuse{} : kFlips;
@@ -243,6 +263,8 @@ void expect_equal(const Tally& a, const Tally& b) {
   EXPECT_EQ(a.worst_ratio, b.worst_ratio);
   EXPECT_EQ(a.outcomes, b.outcomes);
   EXPECT_EQ(a.max_over_growth, b.max_over_growth);
+  EXPECT_EQ(a.least_bound, b.least_bound);
+  EXPECT_EQ(a.greatest_bound, b.greatest_bound);
 }
 
 TEST(Verdict, IsTheSameInWhateverOrderItsPartsAreMerged) {

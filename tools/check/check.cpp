@@ -50,18 +50,12 @@ struct ChunkVerdict {
   ReasonsLeftOut left_out;
 };
 
-Draft prepare(const Contestant& contestant, const scene::Scene& scene,
-              const CheckOptions& options) {
+Draft prepare(const Contestant& contestant, const scene::Scene& scene) {
   const Candidate candidate = candidate_of(contestant);
   Draft draft;
   draft.report.contestant = contestant;
   draft.report.name = candidate.name;
   draft.report.conventions = candidate.declared.over(scene.conventions);
-  for (std::size_t k = 0; k < properties::kQuantityCount; ++k) {
-    draft.report.bounds.push_back(bound_on(static_cast<properties::Quantity>(k), candidate,
-                                           draft.report.conventions, scene.camera.has_value(),
-                                           options.max_error));
-  }
   return draft;
 }
 
@@ -215,15 +209,14 @@ class Judgement {
   /// Counts the rays judged, and tells.
   template <class Tell>
   void run(const RunControl& control, std::uint64_t& rays_judged, const Tell& tell) {
-    using Found = std::vector<ChunkVerdict>;
     const auto chunks = static_cast<std::int64_t>((cases_.rays_judged() + kChunk - 1) / kChunk);
-    in_order<Found>(
+    in_order<std::vector<ChunkVerdict>>(
         chunks, control,
         [&](std::int64_t k) { return judge(static_cast<std::uint64_t>(k) * kChunk); },
-        [&](Found& found) {
+        [&](std::vector<ChunkVerdict>& verdicts) {
           for (std::size_t k = 0; k < drafts_.size(); ++k) {
-            drafts_[k].report.verdict.merge(std::move(found[k].verdict));
-            for (auto& [law, reason] : found[k].left_out) {
+            drafts_[k].report.verdict.merge(std::move(verdicts[k].verdict));
+            for (auto& [law, reason] : verdicts[k].left_out) {
               drafts_[k].left_out[law] = std::move(reason);
             }
           }
@@ -285,7 +278,7 @@ CheckReport check(const CheckOptions& options, const RunControl& control) {
   report.rays_in_scene = cases.rays_in_scene();
   std::vector<Draft> drafts;
   for (const Contestant& contestant : without_equals(options.contestants, report.scene)) {
-    drafts.push_back(prepare(contestant, report.scene, options));
+    drafts.push_back(prepare(contestant, report.scene));
   }
   time_all(cases, drafts);
   Judgement(options, cases, drafts).run(control, report.rays_judged, [&] {

@@ -40,7 +40,6 @@ struct CandidateReport {
   std::string name;
   Contestant contestant;
   scene::Conventions conventions;  ///< Under which it was judged.
-  std::vector<double> bounds;      ///< By quantity.
   properties::Verdict verdict;
   std::vector<LeftOut> left_out;
   std::vector<properties::Explanation> explanations;  ///< Of what someone else's has wrong.

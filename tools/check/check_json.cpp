@@ -16,7 +16,7 @@ Json candidate_json(const CandidateReport& candidate, std::size_t top) {
   json["conventions"] = conventions_json(candidate.conventions);
   json["ns_per_ray"] = {{"make", error_json(candidate.timing.make)},
                         {"intersect", error_json(candidate.timing.intersect)}};
-  json["quantities"] = tallies_json(candidate.verdict, candidate.bounds);
+  json["quantities"] = tallies_json(candidate.verdict);
   json["explanations"] = Json::array();
   for (const properties::Explanation& one : candidate.explanations) {
     json["explanations"].push_back(

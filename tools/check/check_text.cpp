@@ -71,11 +71,10 @@ std::string quantities_table(const CandidateReport& candidate) {
                {"worst at"}});
   for (const auto& [quantity, tally] : candidate.verdict.tallies()) {
     const bool measured = !tally.errors.empty();
-    const double bound = candidate.bounds[static_cast<std::size_t>(quantity)];
     table.add({std::string(info(quantity).name), std::to_string(tally.cases),
                measured ? "" : class_error_text(tally), error_text(tally.median()),
-               error_text(tally.max()), measured ? error_text(bound) : "-",
-               std::string(info(quantity).unit), worst_text(tally, quantity)});
+               error_text(tally.max()), error_text(tally.bound()), std::string(info(quantity).unit),
+               worst_text(tally, quantity)});
   }
   return table.text();
 }
@@ -85,12 +84,12 @@ std::string check_text(const CheckReport& report, const ViewOptions& options) {
   if (report.interrupted) text += "INTERRUPTED: what follows covers only what was judged.\n";
   text +=
       fmt::format("{} of {} judged\n", report.rays_judged, count_text(report.rays_in_scene, "ray"));
-  struct Found {
+  struct RankedDiscrepancy {
     const CandidateReport* candidate;
     std::size_t rank;
     properties::Discrepancy discrepancy;
   };
-  std::vector<Found> found;
+  std::vector<RankedDiscrepancy> ranked;
   for (const CandidateReport& candidate : report.candidates) {
     const External* const external = external_of(candidate.contestant);
     text +=
@@ -108,23 +107,23 @@ std::string check_text(const CheckReport& report, const ViewOptions& options) {
     }
     std::size_t rank = 0;
     for (const auto& discrepancy : candidate.verdict.worst(report.top)) {
-      found.push_back({&candidate, rank++, discrepancy});
+      ranked.push_back({&candidate, rank++, discrepancy});
     }
   }
   const std::uint64_t total = report.discrepancies();
   if (total > 0) {
     // The candidates' worst before their second worst, excused ones last.
-    std::stable_sort(found.begin(), found.end(), [](const Found& a, const Found& b) {
-      const auto key = [](const Found& f) {
-        return std::pair(static_cast<bool>(f.discrepancy.excuse), f.rank);
+    std::stable_sort(ranked.begin(), ranked.end(), [](const auto& a, const auto& b) {
+      const auto key = [](const RankedDiscrepancy& one) {
+        return std::pair(static_cast<bool>(one.discrepancy.excuse), one.rank);
       };
       return key(a) < key(b);
     });
-    found.resize(std::min(found.size(), report.top));
-    text += fmt::format("\nworst discrepancies ({} of {}):\n", found.size(), total);
-    for (std::size_t k = 0; k < found.size(); ++k) {
-      text += fmt::format("{:>3}. {}\n", k + 1, found[k].candidate->name);
-      text += discrepancy_text(found[k].discrepancy, "     ", options.colours);
+    ranked.resize(std::min(ranked.size(), report.top));
+    text += fmt::format("\nworst discrepancies ({} of {}):\n", ranked.size(), total);
+    for (std::size_t k = 0; k < ranked.size(); ++k) {
+      text += fmt::format("{:>3}. {}\n", k + 1, ranked[k].candidate->name);
+      text += indented(discrepancy_text(ranked[k].discrepancy, options.colours), "     ");
     }
   } else if (report.compared() > 0) {
     text += "\nno discrepancy\n";

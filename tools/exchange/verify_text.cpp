@@ -24,7 +24,7 @@ std::string verify_text(const VerifyReport& report, const ViewOptions& options) 
   }
   for (std::size_t k = 0; k < worst.size(); ++k) {
     text += fmt::format("{:>3}. {}\n", k + 1, report.ids.at(worst[k].place.ray));
-    text += discrepancy_text(worst[k], "     ", options.colours);
+    text += indented(discrepancy_text(worst[k], options.colours), "     ");
   }
   return text;
 }

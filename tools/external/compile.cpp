@@ -80,9 +80,9 @@ Confined compiler(const RunOptions& options) {
 
 fs::path include_folder() {
   const fs::path installed = program_folder().parent_path() / "include";
-  return opened_copy(fs::exists(installed / "raycheck" / "candidate.h")
-                         ? installed
-                         : fs::path(kSourceFolder) / "tools/external/sdk");
+  return readable_copy(fs::exists(installed / "raycheck" / "candidate.h")
+                           ? installed
+                           : fs::path(kSourceFolder) / "tools/external/sdk");
 }
 
 fs::path compile(const fs::path& source, const fs::path& to, const RunOptions& options) {

@@ -80,7 +80,7 @@ class Conversation {
   explicit Conversation(External external, LastFailure last = nullptr)
       : external_(std::move(external)), last_(std::move(last)) {}
 
-  /// The reply to a question, read by `read`.
+  /// The reply to a request, read by `read`.
   template <class Read>
   auto ask(std::string_view function, const scene::Conventions& conventions, std::size_t lines,
            const std::function<void(Request&)>& fill, const Read& read) {
@@ -88,11 +88,11 @@ class Conversation {
     fill(request);
     if (silences_ >= kMostSilences) {
       AnswerFailure{
-          fmt::format("{}: not asked, after {} questions without a reply", function, silences_),
+          fmt::format("{}: not asked, after {} requests without a reply", function, silences_),
           FailureKind::kEnded}
           .raise(last_);
     }
-    if (failed_question_ == request.question()) failure_.raise(last_);
+    if (failed_request_ == request.body()) failure_.raise(last_);
     try {
       const std::string text = exchange(request, lines);
       return read(Reply(text, request.id()));
@@ -112,7 +112,7 @@ class Conversation {
   std::string said() const { return process_ ? process_->said() : ""; }
 
  private:
-  /// Not to be foreseen, so that no reply is made before its question.
+  /// Not to be foreseen, so that no reply is made before its request.
   std::string next_id() { return fmt::format("{:016x}", ids_()); }
 
   void start() {
@@ -131,7 +131,7 @@ class Conversation {
 
   [[noreturn]] void fail(const Request& request, AnswerFailure failure) {
     process_.reset();
-    failed_question_ = request.question();
+    failed_request_ = request.body();
     failure_ = std::move(failure);
     failure_.raise(last_);
   }
@@ -140,7 +140,7 @@ class Conversation {
   LastFailure last_;
   std::optional<Process> process_;
   Introduction introduction_;
-  std::string failed_question_;
+  std::string failed_request_;
   AnswerFailure failure_;
   int silences_ = 0;
   std::mt19937_64 ids_{std::random_device{}()};

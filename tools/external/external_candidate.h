@@ -41,7 +41,7 @@ using LastFailure = std::shared_ptr<std::optional<FailureKind>>;
 /// A candidate with a process of its own, which is never sent an answer. Its errors are held to the
 /// bounds of kDefaultMethods, which are plain and stable. Where a process fails (ends, stays
 /// silent, or replies what is no reply) the functions throw std::runtime_error with the name of the
-/// function; the next question goes to a fresh process. A question that failed is not sent again,
+/// function; the next request goes to a fresh process. A request that failed is not sent again,
 /// and none is sent after kMostSilences that were answered by silence. Every failure sets `last`.
 properties::Candidate external_candidate(const External& external,
                                          const LastFailure& last = nullptr);

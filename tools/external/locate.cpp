@@ -38,7 +38,7 @@ External library(const std::string& name, const fs::path& path, const RunOptions
 constexpr std::uintmax_t kMostCopied = std::uintmax_t{64} << 20;
 
 /// Copies a folder for a user that may not read it.
-void copy_opened(const fs::path& from, const fs::path& to) {
+void copy_for_others(const fs::path& from, const fs::path& to) {
   std::uintmax_t copied = 0;
   if (!fs::relative(to, from).string().starts_with("..")) {
     throw CandidateError(fmt::format(
@@ -67,11 +67,11 @@ void copy_opened(const fs::path& from, const fs::path& to) {
 
 /// Paths as the user that a candidate runs as may read them: folders that are closed to others are
 /// copied, once each.
-class Opened {
+class ReadableCopies {
  public:
-  explicit Opened(const Layers& layers) : own_user_(layers.own_user) {}
+  explicit ReadableCopies(const Layers& layers) : own_user_(layers.own_user) {}
   /// The path of a file or folder, or of its copy.
-  fs::path operator()(const fs::path& path) {
+  fs::path path_of(const fs::path& path) {
     const fs::path folder = folder_of(path);
     if (!own_user_ || others_may_read(folder)) return path;
     if (!copies_) {
@@ -82,7 +82,7 @@ class Opened {
         known_.try_emplace(folder, copies_->path() / std::to_string(known_.size()));
     if (is_new) {
       fs::create_directory(copy->second);
-      copy_opened(folder, copy->second);
+      copy_for_others(folder, copy->second);
     }
     if (folder == path) return copy->second;
     const fs::path file = copy->second / path.filename();
@@ -96,7 +96,7 @@ class Opened {
     return fs::is_directory(path) ? path : path.parent_path();
   }
   /// What the copies lie in; null: there are none.
-  std::shared_ptr<const PrivateFolder> copies() const { return copies_; }
+  std::shared_ptr<const PrivateFolder> folder() const { return copies_; }
 
  private:
   bool own_user_;
@@ -114,22 +114,39 @@ std::vector<std::string> split(const std::string& text) {
   return words;
 }
 
+bool is_on_path(const std::string& program) {
+  const boost::char_separator<char> colons(":");
+  const std::string path(kProgramPath);
+  const boost::tokenizer folders(path, colons);
+  return std::any_of(folders.begin(), folders.end(), [&](const std::string& folder) {
+    std::error_code error;
+    return fs::is_regular_file(fs::path(folder) / program, error);
+  });
+}
+
 /// A program by its words. Those that name files are made absolute.
-Confined program_of(const std::string& words, const RunOptions& options, Opened& opened) {
+Confined program_of(const std::string& words, const RunOptions& options, ReadableCopies& copies) {
   Confined program;
   program.layers = options.layers;
   program.limits = options.limits;
   for (const std::string& word : split(words)) {
-    // A bare first word is a program on the path. Links stay: programs look at their own names.
-    const bool is_program = program.arguments.empty() && word.find('/') == std::string::npos;
+    const bool is_program = program.arguments.empty();
+    const bool is_bare = word.find('/') == std::string::npos;
     std::error_code error;
     const fs::path named = options.folder / word;
-    if (is_program || !fs::exists(named, error)) {
+    if (is_program && is_bare && !is_on_path(word)) {
+      throw CandidateError(fmt::format("there is no program '{}' in {}", word, kProgramPath));
+    }
+    if (is_program && !is_bare && !fs::exists(named, error)) {
+      throw CandidateError(fmt::format("there is no program '{}'", word));
+    }
+    // A bare first word is a program on the path. Links stay: programs look at their own names.
+    if ((is_program && is_bare) || !fs::exists(named, error)) {
       program.arguments.push_back(word);
       continue;
     }
-    const fs::path path = opened(fs::absolute(named).lexically_normal());
-    const fs::path folder = Opened::folder_of(path);
+    const fs::path path = copies.path_of(fs::absolute(named).lexically_normal());
+    const fs::path folder = ReadableCopies::folder_of(path);
     const bool is_everyones = folder == "/" || folder == fs::temp_directory_path();
     program.arguments.push_back(path);
     if (!is_everyones) {
@@ -150,28 +167,28 @@ External renderer(const CandidateSpec& spec, const RunOptions& options) {
       throw CandidateError(fmt::format("{} is missing", mark));
     }
   }
-  Opened opened(options.layers);
-  const Confined program = program_of(spec.what, options, opened);
+  ReadableCopies copies(options.layers);
+  const Confined program = program_of(spec.what, options, copies);
   External external =
       rendering(spec.text(),
                 {program, options.dialect, options.excused_image_change, options.image_threshold});
-  external.folder = opened.copies();
+  external.folder = copies.folder();
   return external;
 }
 
 External find(const CandidateSpec& spec, const RunOptions& options) {
-  Opened opened(options.layers);
+  ReadableCopies copies(options.layers);
   switch (spec.kind) {
     case CandidateKind::kLibrary:
       return library(spec.text(), existing(spec.what, options), options);
     case CandidateKind::kSource: {
       const PrivateFolder built;
-      const fs::path source = opened(existing(spec.what, options));
+      const fs::path source = copies.path_of(existing(spec.what, options));
       return library(spec.text(), compile(source, built.path(), options), options);
     }
     case CandidateKind::kCommand: {
-      const Confined program = program_of(spec.what, options, opened);
-      return introduced(spec.text(), program, opened.copies());
+      const Confined program = program_of(spec.what, options, copies);
+      return introduced(spec.text(), program, copies.folder());
     }
     case CandidateKind::kRenderer:
       break;

@@ -100,7 +100,7 @@ struct Alike {
 
 std::string first_wrong_text(const FirstWrongAnswer& first) {
   const std::string text = origin_text(first.origin) + ": " + answer_text(first.answer);
-  return first.answer.got.empty() ? text : text + ", " + numbers_text(first.answer.got);
+  return first.answer.got.empty() ? text : text + ", " + got_text(first.answer);
 }
 
 std::vector<Alike> find_alike(const ClassGrade& graded) {

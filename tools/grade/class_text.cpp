@@ -2,7 +2,6 @@
 
 #include <algorithm>
 
-#include "tools/grade/submission.h"
 #include "tools/grade/views.h"
 #include "tools/grade/wording.h"
 #include "tools/report/words.h"

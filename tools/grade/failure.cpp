@@ -7,7 +7,7 @@
 #include "properties/cases/shrink.h"
 #include "properties/mistakes/answer_explanation.h"
 #include "properties/mistakes/image_explanation.h"
-#include "tools/grade/submission.h"
+#include "tools/grade/wording.h"
 
 namespace raycheck::tools {
 namespace {
@@ -67,7 +67,7 @@ std::optional<std::string> first_wrong_step(const Case& the_case, const Examinee
 }  // namespace
 
 WrongAnswer wrong_answer(const Discrepancy& d) {
-  WrongAnswer answer{d.quantity, d.place, plain_text(d.what), d.wrong, d.got,
+  WrongAnswer answer{d.quantity, d.place, plain_text(d.what), d.wrong, d.symbol, d.got,
                      d.exact,    {},      d.condition};
   if (d.wrong == Wrong::kNot) answer.error = d.error;
   return answer;

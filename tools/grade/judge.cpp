@@ -8,7 +8,6 @@
 #include "properties/cases/random.h"
 #include "tools/grade/failure.h"
 #include "tools/grade/item_cases.h"
-#include "tools/grade/submission.h"
 #include "tools/methods/methods.h"
 
 namespace raycheck::tools {
@@ -27,20 +26,6 @@ constexpr std::size_t kKeptCases = 8;
 
 /// After so many cases of an item on which a program fails altogether, the others are not asked.
 constexpr int kMostFailures = 8;
-
-/// The rubric's conventions in place of the candidate's.
-properties::DeclaredConventions over(const properties::DeclaredConventions& rubric,
-                                     properties::DeclaredConventions declared) {
-  const auto set = [](auto& own, const auto& given) {
-    if (given) own = given;
-  };
-  set(declared.rows, rubric.rows);
-  set(declared.samples, rubric.samples);
-  set(declared.origin, rubric.origin);
-  set(declared.root, rubric.root);
-  set(declared.tangent, rubric.tangent);
-  return declared;
-}
 
 /// The candidate held to what an item tolerates.
 Candidate tolerated(Candidate candidate, const Tolerance& tolerance) {
@@ -196,17 +181,17 @@ double score_of(const Item& item, std::uint64_t held, std::uint64_t cases) {
   return credit * item.points;
 }
 
-Judge::Judge(const Rubric& rubric, Candidate candidate, bool is_renderer, std::uint64_t seed,
+Judge::Judge(const Rubric& rubric, Candidate candidate, bool pictures, std::uint64_t seed,
              const properties::RunControl& control, LastFailure last_failure)
     : rubric_(rubric),
       candidate_(std::move(candidate)),
       control_(control),
       last_failure_(std::move(last_failure)),
-      is_renderer_(is_renderer),
+      pictures_(pictures),
       seed_(seed),
       end_(Clock::now() + std::chrono::duration_cast<Clock::duration>(
                               std::chrono::duration<double>(rubric.seconds))) {
-  candidate_.declared = over(rubric.conventions, candidate_.declared);
+  candidate_.declared = rubric.conventions.over(candidate_.declared);
 }
 
 ItemReason Judge::reason_to_stop() const {
@@ -221,11 +206,11 @@ ItemGrade Judge::item(std::size_t index, const std::vector<ItemGrade>& before) {
   ItemGrade grade;
   grade.name = item.name;
   grade.bonus = item.bonus;
-  grade.pictures = is_renderer_;
-  const auto& task = is_renderer_ ? item.pictures : item.functions;
+  grade.pictures = pictures_;
+  const auto& task = pictures_ ? item.pictures : item.functions;
   if (!task) {
     grade.state = ItemState::kNotAsked;
-    grade.reason.kind = is_renderer_ ? Kind::kNotInPictures : Kind::kOfRenderers;
+    grade.reason.kind = pictures_ ? Kind::kNotInPictures : Kind::kOfRenderers;
     return grade;
   }
   grade.points = item.points;
@@ -242,10 +227,10 @@ ItemGrade Judge::item(std::size_t index, const std::vector<ItemGrade>& before) {
   Candidate unmasked = tolerated(candidate_, item.tolerance);
   unmasked.excused_image_change = task->image_change.value_or(unmasked.excused_image_change);
   const Candidate candidate = task->masks_only ? masked(unmasked) : unmasked;
-  const Examinee examinee{candidate, item.tolerance, is_renderer_, task->masks_only, last_failure_};
+  const Examinee examinee{candidate, item.tolerance, pictures_, task->masks_only, last_failure_};
   properties::Random seeds(seed_);
   for (std::size_t k = 0; k < index; ++k) seeds.bits();
-  const ItemCases cases(*task, is_renderer_, seeds.bits(), candidate.declared);
+  const ItemCases cases(*task, pictures_, seeds.bits(), candidate.declared);
   const auto stop = [this] { return reason_to_stop(); };
   const Failures failures = try_cases(task->laws, cases, examinee, stop, grade);
   if (grade.state == ItemState::kNotJudged) return grade;
@@ -253,7 +238,7 @@ ItemGrade Judge::item(std::size_t index, const std::vector<ItemGrade>& before) {
   if (!failures.first) return grade;
   const auto& [item_case, broken, discrepancy, timed_out] = *failures.first;
   grade.first_wrong = {item_case.origin, wrong_answer(discrepancy)};
-  grade.mistakes = explaining_mistakes(failures.cases, unmasked, is_renderer_);
+  grade.mistakes = explaining_mistakes(failures.cases, unmasked, pictures_);
   const auto is_late = [this] { return reason_to_stop().kind != ItemReason::Kind::kNone; };
   const Case smallest = timed_out
                             ? item_case.the_case

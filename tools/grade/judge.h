@@ -16,9 +16,9 @@ namespace raycheck::tools {
 /// laws hold and the candidate answers all that raycheck's own methods answer.
 class Judge {
  public:
-  /// `is_renderer`: it is asked for pictures, otherwise for functions. `last_failure` is set where
+  /// `pictures`: it is asked for pictures, otherwise for functions. `last_failure` is set where
   /// the candidate fails.
-  Judge(const Rubric& rubric, properties::Candidate candidate, bool is_renderer, std::uint64_t seed,
+  Judge(const Rubric& rubric, properties::Candidate candidate, bool pictures, std::uint64_t seed,
         const properties::RunControl& control, LastFailure last_failure = nullptr);
 
   /// Domain: items in the order of the rubric, `before` what became of those before it.
@@ -34,7 +34,7 @@ class Judge {
   properties::Candidate candidate_;
   const properties::RunControl& control_;
   LastFailure last_failure_;
-  bool is_renderer_;
+  bool pictures_;
   std::uint64_t seed_;
   Clock::time_point end_;
 };

@@ -77,6 +77,7 @@ Json answer_json(const WrongAnswer& answer) {
           {"sphere", or_null(answer.place.sphere, [](std::size_t sphere) { return sphere; })},
           {"part", answer.part},
           {"wrong", name(answer.wrong)},
+          {"symbol", answer.symbol},
           {"got", hexfloats(answer.got)},
           {"exact", or_null(answer.exact, hexfloats)},
           {"error", error_json(answer.error)},
@@ -93,6 +94,7 @@ WrongAnswer answer_of(const Json& json) {
       if_any(json.at("sphere"), [](const Json& sphere) { return sphere.get<std::size_t>(); });
   answer.part = json.at("part");
   answer.wrong = named<Wrong>(json.at("wrong"), properties::kWrongNames);
+  answer.symbol = json.at("symbol");
   answer.got = numbers(json.at("got"));
   answer.exact = if_any(json.at("exact"), numbers);
   answer.error = if_any(json.at("error"), error_of);

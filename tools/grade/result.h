@@ -30,6 +30,7 @@ struct WrongAnswer {
   properties::Place place;
   std::string part;  ///< "U", "scaled by 2^40"; of a failure what the candidate said.
   properties::Wrong wrong = properties::Wrong::kNot;
+  std::string symbol;                        ///< Of the numbers: "s", "Q"; or empty.
   std::vector<double> got;                   ///< Empty: a miss, or no number.
   std::optional<std::vector<double>> exact;  ///< As for got; absent: withheld.
   /// In the quantity's unit, of a number that is off; absent: withheld, or right or wrong.

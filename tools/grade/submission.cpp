@@ -8,7 +8,6 @@
 #include <iterator>
 #include <map>
 #include <memory>
-#include <regex>
 #include <set>
 #include <stdexcept>
 
@@ -185,20 +184,6 @@ RunnableSubmission prepare(const Submission& submission, const Rubric& rubric,
   }
 } catch (const fs::filesystem_error& error) {
   refuse("its files: " + error.code().message());
-}
-
-std::string plain_text(std::string text) {
-  static const std::regex folders(fs::temp_directory_path().string() +
-                                  "/raycheck-[A-Za-z0-9]{6}/?");
-  text = std::regex_replace(text, folders, "");
-  // How compilers quote.
-  static const std::regex quotes("\xe2\x80[\x98\x99]");
-  text = std::regex_replace(text, quotes, "'");
-  for (char& c : text) {
-    const auto byte = static_cast<unsigned char>(c);
-    if ((byte < ' ' && c != '\n' && c != '\t') || byte > '~') c = '?';
-  }
-  return text;
 }
 
 }  // namespace raycheck::tools

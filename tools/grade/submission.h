@@ -56,10 +56,6 @@ struct RunnableSubmission {
 RunnableSubmission prepare(const Submission& submission, const Rubric& rubric,
                            const Layers& layers);
 
-/// A text about a submission without the names of raycheck's private folders, which differ from run
-/// to run, and without what is no text.
-std::string plain_text(std::string text);
-
 }  // namespace raycheck::tools
 
 #endif  // RAYCHECK_TOOLS_GRADE_SUBMISSION_H_

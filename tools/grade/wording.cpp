@@ -3,13 +3,15 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <regex>
 #include <string_view>
 #include <utility>
 
+#include "properties/cases/case_text.h"
 #include "properties/laws/law.h"
-#include "properties/search/campaign.h"
 #include "scene/files/scene_file.h"
 #include "tools/external/renderer.h"
+#include "tools/external/sandbox/private_folder.h"
 #include "tools/report/words.h"
 
 namespace raycheck::tools {
@@ -40,26 +42,28 @@ std::string answer_text(const WrongAnswer& answer) {
                      info(answer.quantity).unit);
 }
 
-namespace {
-
-/// `none`: what an answer without a number says of the nearest sphere.
-std::string numbers_or_sphere(const WrongAnswer& answer, const std::vector<double>& numbers,
-                              const char* none) {
-  if (answer.quantity == Quantity::kRefusal) return "";
-  if (answer.quantity != Quantity::kNearestSphere) return numbers_text(numbers);
-  return numbers.empty() ? none : fmt::format("sphere {}", numbers.front());
-}
-
-}  // namespace
-
 std::string got_text(const WrongAnswer& answer) {
+  if (answer.quantity == Quantity::kRefusal) return "";
   // Some sphere, of which a picture does not tell which it is.
-  const bool is_untold = answer.wrong == Wrong::kFalseHit;
-  return numbers_or_sphere(answer, answer.got, is_untold ? "a sphere" : "no sphere");
+  const bool is_untold = answer.quantity == Quantity::kNearestSphere &&
+                         answer.wrong == Wrong::kFalseHit && answer.got.empty();
+  return is_untold ? "a sphere" : answer_text(answer.quantity, answer.symbol, answer.got);
 }
 
 std::string exact_text(const WrongAnswer& answer) {
-  return answer.exact ? numbers_or_sphere(answer, *answer.exact, "no sphere") : "";
+  if (answer.quantity == Quantity::kRefusal || !answer.exact) return "";
+  return answer_text(answer.quantity, answer.symbol, *answer.exact);
+}
+
+std::string plain_text(const std::string& said) {
+  // How compilers quote.
+  static const std::regex quotes("\xe2\x80[\x98\x99]");
+  std::string text = std::regex_replace(without_private_folders(said), quotes, "'");
+  for (char& c : text) {
+    const auto byte = static_cast<unsigned char>(c);
+    if ((byte < ' ' && c != '\n' && c != '\t') || byte > '~') c = '?';
+  }
+  return text;
 }
 
 std::string reason_text(const ItemReason& reason) {
@@ -140,7 +144,7 @@ std::string law_text(const FailingCase& failing) {
 
 std::string scene_text(const FailingCase& failing) {
   return failing.the_case.pixels.empty() ? scene::write_toml(failing.the_case.scene)
-                                         : properties::text(failing.the_case);
+                                         : properties::scene_text(failing.the_case);
 }
 
 std::string driver_file_text(const FailingCase& failing, scene::Dialect dialect) {

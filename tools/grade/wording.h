@@ -22,6 +22,10 @@ std::string answer_text(const WrongAnswer& answer);
 std::string got_text(const WrongAnswer& answer);
 std::string exact_text(const WrongAnswer& answer);
 
+/// What someone's program or compiler said, without the names of raycheck's private folders and
+/// without what is not ASCII.
+std::string plain_text(const std::string& said);
+
 /// Empty where there is none.
 std::string reason_text(const ItemReason& reason);
 

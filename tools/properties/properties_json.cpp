@@ -1,5 +1,6 @@
 #include <nlohmann/json.hpp>
 
+#include "properties/cases/case_text.h"
 #include "tools/properties/properties_views.h"
 #include "tools/report/json.h"
 
@@ -26,7 +27,7 @@ std::string properties_json(const PropertiesReport& report, const ViewOptions& /
     entry["reason_left_out"] = result.reason.empty() ? Json(nullptr) : Json(result.reason);
     if (result.failure) {
       entry["replay"] = result.failure->replay;
-      entry["scene"] = properties::text(result.failure->shrunk);
+      entry["scene"] = properties::scene_text(result.failure->shrunk);
       entry["discrepancies"] = Json::array();
       for (const auto& discrepancy : result.failure->verdict.worst(10)) {
         entry["discrepancies"].push_back(discrepancy_json(discrepancy));

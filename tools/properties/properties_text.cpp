@@ -1,7 +1,6 @@
 #include <fmt/core.h>
 
-#include <algorithm>
-
+#include "properties/cases/case_text.h"
 #include "tools/properties/properties_views.h"
 #include "tools/report/words.h"
 
@@ -12,18 +11,13 @@ std::string failure_text(const CampaignReport& campaign, bool colours) {
   const properties::Failure& failure = *campaign.result.failure;
   std::string text = fmt::format("    the law: {}\n", campaign.law->sentence);
   for (const auto& discrepancy : failure.verdict.worst(1)) {
-    text += discrepancy_text(discrepancy, "    ", colours);
+    text += indented(discrepancy_text(discrepancy, colours), "    ");
   }
   text += fmt::format("    replay: raycheck properties --replay {}\n", failure.replay);
   text += "    the shrunk case, as a scene for `raycheck check`:\n";
-  const std::string scene = properties::text(
-      failure.shrunk,
-      fmt::format("breaks the law {} with {}", campaign.law->name, campaign.candidate));
-  for (std::size_t at = 0; at < scene.size();) {
-    const std::size_t end = std::min(scene.find('\n', at), scene.size());
-    text += end == at ? "\n" : fmt::format("      {}\n", scene.substr(at, end - at));
-    at = end + 1;
-  }
+  const std::string reason =
+      fmt::format("breaks the law {} with {}", campaign.law->name, campaign.candidate);
+  text += indented(properties::scene_text(failure.shrunk, reason), "      ");
   return text;
 }
 

@@ -49,6 +49,13 @@ Json json_of(const std::vector<double>& numbers) {
   return list;
 }
 
+/// A picture may show a sphere without telling which.
+constexpr const char* kSomeSphere = "a sphere";
+
+Json got_json(const Discrepancy& d) {
+  return d.got_some_sphere ? Json::array({kSomeSphere}) : json_of(d.got);
+}
+
 template <class Triple>
 Json triple_json(const Triple& v) {
   return json_of(std::vector<double>{v.x, v.y, v.z});
@@ -222,7 +229,7 @@ Json certificate(const scene::Scene& scene, const scene::Conventions& convention
   json["wrong"] = d.wrong == properties::Wrong::kNot ? Json(nullptr) : Json(name(d.wrong));
   json["excuse"] = excuse_json(d.excuse);
   json["error"] = error_json(d.error);
-  json["got"] = json_of(d.got);
+  json["got"] = got_json(d);
   json["exact"] = json_of(d.exact);
   json["conventions"] = conventions_json(conventions);
   json["certified"] = true;

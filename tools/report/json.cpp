@@ -66,6 +66,7 @@ Json discrepancy_json(const Discrepancy& d) {
   json.update(place_json(d.place));
   json["what"] = d.what;
   json["wrong"] = d.wrong == properties::Wrong::kNot ? Json(nullptr) : Json(name(d.wrong));
+  json["symbol"] = d.symbol;
   json["got"] = hexfloats(d.got);
   json["exact"] = hexfloats(d.exact);
   json["error"] = error_json(d.error);
@@ -75,7 +76,7 @@ Json discrepancy_json(const Discrepancy& d) {
   return json;
 }
 
-Json tally_json(properties::Quantity quantity, const Tally& tally, std::optional<double> bound) {
+Json tally_json(properties::Quantity quantity, const Tally& tally) {
   const bool measured = !tally.errors.empty();
   const bool weighed = measured && tally.is_weighed();
   const bool has_worst = tally.worst > 0 && has_place(quantity);
@@ -94,7 +95,7 @@ Json tally_json(properties::Quantity quantity, const Tally& tally, std::optional
   json["median"] = error_json(tally.median());
   json["p999"] = error_json(tally.quantile(0.999));
   json["max"] = error_json(tally.max());
-  json["bound"] = measured ? error_json(bound) : Json(nullptr);
+  json["bound"] = error_json(tally.bound());
   json["ill_conditioned"] = tally.ill_conditioned;
   json["worst_at"] = has_worst ? place_json(tally.worst_place) : Json(nullptr);
   json["median_condition"] = error_json(tally.condition_quantile(0.5));
@@ -109,12 +110,10 @@ Json tally_json(properties::Quantity quantity, const Tally& tally, std::optional
   return json;
 }
 
-Json tallies_json(const properties::Verdict& verdict, const std::vector<double>& bounds) {
+Json tallies_json(const properties::Verdict& verdict) {
   Json list = Json::array();
   for (const auto& [quantity, tally] : verdict.tallies()) {
-    const auto index = static_cast<std::size_t>(quantity);
-    list.push_back(tally_json(quantity, tally,
-                              bounds.empty() ? std::nullopt : std::optional(bounds.at(index))));
+    list.push_back(tally_json(quantity, tally));
   }
   return list;
 }

@@ -36,12 +36,10 @@ Json place_json(const properties::Place& place);
 Json excuse_json(const properties::Excuse& excuse);
 Json discrepancy_json(const properties::Discrepancy& discrepancy);
 
-/// What was compared for one quantity: the same object in every report. `bound` is what the errors
-/// were held to; empty where they were held to none, or not all to the same.
-Json tally_json(properties::Quantity quantity, const properties::Tally& tally,
-                std::optional<double> bound);
-/// All that a verdict compared; `bounds` by quantity, or empty.
-Json tallies_json(const properties::Verdict& verdict, const std::vector<double>& bounds = {});
+/// What was compared for one quantity: the same object in every report.
+Json tally_json(properties::Quantity quantity, const properties::Tally& tally);
+/// All that a verdict compared.
+Json tallies_json(const properties::Verdict& verdict);
 
 Json decided_by_json(const reference::DecidedBy& decided_by);
 

@@ -37,15 +37,25 @@ std::string error_text(std::optional<double> error) {
   return fmt::format("{:.3g}", *error);
 }
 
-std::string numbers_text(const std::vector<double>& numbers) {
+std::string answer_text(properties::Quantity quantity, std::string_view symbol,
+                        const std::vector<double>& numbers) {
+  if (quantity == properties::Quantity::kNearestSphere) {
+    return numbers.empty() ? "no sphere" : fmt::format("{} {}", symbol, numbers.front());
+  }
   if (numbers.empty()) return "miss";
   std::string text;
   for (const double x : numbers) {
     if (!text.empty()) text += ", ";
     text += scene::digits_and_hexfloat(x);
   }
-  return text;
+  return symbol.empty() ? text : fmt::format("{} = {}", symbol, text);
 }
+
+std::string got_text(const Discrepancy& d) {
+  return d.got_some_sphere ? "a sphere" : answer_text(d.quantity, d.symbol, d.got);
+}
+
+std::string exact_text(const Discrepancy& d) { return answer_text(d.quantity, d.symbol, d.exact); }
 
 bool has_place(properties::Quantity quantity) {
   return quantity != properties::Quantity::kFrame &&
@@ -89,7 +99,7 @@ std::string excuse_text(const Excuse& excuse) {
   }
 }
 
-std::string discrepancy_text(const Discrepancy& d, std::string_view indent, bool colours) {
+std::string discrepancy_text(const Discrepancy& d, bool colours) {
   const properties::QuantityInfo& quantity = info(d.quantity);
   std::string head(quantity.name);
   if (has_place(d.quantity)) head += ", " + place_text(d.place);
@@ -99,17 +109,16 @@ std::string discrepancy_text(const Discrepancy& d, std::string_view indent, bool
   } else {
     head += fmt::format(": off by {} {}", error_text(d.error), quantity.unit);
   }
-  std::string text = fmt::format("{}{}\n", indent, d.excuse ? head : red(head, colours));
-  if (d.quantity != properties::Quantity::kRefusal) {
-    text += fmt::format("{}  got   {}\n", indent, numbers_text(d.got));
+  std::string text = (d.excuse ? head : red(head, colours)) + "\n";
+  const bool is_answer = !d.got.empty() || d.got_some_sphere;
+  if (is_answer || !d.exact.empty()) {
+    text += fmt::format("  got   {}\n", got_text(d));
     if (!d.exact.empty() || d.wrong != properties::Wrong::kNot) {
-      text += fmt::format("{}  exact {}\n", indent, numbers_text(d.exact));
+      text += fmt::format("  exact {}\n", exact_text(d));
     }
   }
-  if (d.condition) {
-    text += fmt::format("{}  condition number about {}\n", indent, error_text(d.condition));
-  }
-  if (d.excuse) text += fmt::format("{}  excused: {}\n", indent, excuse_text(d.excuse));
+  if (d.condition) text += fmt::format("  condition number about {}\n", error_text(d.condition));
+  if (d.excuse) text += fmt::format("  excused: {}\n", excuse_text(d.excuse));
   return text;
 }
 
@@ -122,6 +131,17 @@ std::string decided_by_text(const reference::DecidedBy& decided_by) {
   }
   return fmt::format("{} by the filter, {} exactly{}", decided_by.filter, decided_by.fallback(),
                      rungs.empty() ? "" : " (" + rungs + ")");
+}
+
+std::string indented(std::string_view lines, std::string_view indent) {
+  std::string text;
+  bool begins = true;
+  for (const char c : lines) {
+    if (begins && c != '\n') text += indent;
+    text += c;
+    begins = c == '\n';
+  }
+  return text;
 }
 
 std::string count_text(std::uint64_t count, std::string_view noun) {

@@ -16,8 +16,13 @@ namespace raycheck::tools {
 /// An error for people: three significant digits, "0", "inf", or "-" where there is none.
 std::string error_text(std::optional<double> error);
 
-/// Numbers as 17 digits and hexfloat, one after the other; "miss" where there are none.
-std::string numbers_text(const std::vector<double>& numbers);
+/// An answer for people, its numbers as 17 digits and hexfloat behind their symbol:
+/// "s = 6 (0x1.8p+2)", "miss", "sphere 3", "no sphere".
+std::string answer_text(properties::Quantity quantity, std::string_view symbol,
+                        const std::vector<double>& numbers);
+/// What a discrepancy got; of a picture that does not tell which sphere it shows, "a sphere".
+std::string got_text(const properties::Discrepancy& discrepancy);
+std::string exact_text(const properties::Discrepancy& discrepancy);
 
 /// False for what belongs to the scene as a whole.
 bool has_place(properties::Quantity quantity);
@@ -33,16 +38,17 @@ std::string change_text(double relative_change);
 /// it is.
 std::string excuse_text(const properties::Excuse& excuse);
 
-/// What a discrepancy is, got, should have been, by how much and with what excuse; lines indented
-/// by `indent`, the first one too.
-std::string discrepancy_text(const properties::Discrepancy& discrepancy, std::string_view indent,
-                             bool colours);
+/// What a discrepancy is, got, should have been, by how much and with what excuse, in lines.
+std::string discrepancy_text(const properties::Discrepancy& discrepancy, bool colours);
 
 /// "250 by the filter, 6 exactly (6 by intervals)"
 std::string decided_by_text(const reference::DecidedBy& decided_by);
 
 /// `text` in red, where colours are taken.
 std::string red(std::string_view text, bool colours);
+
+/// Lines, each behind `indent`; empty ones stay empty.
+std::string indented(std::string_view lines, std::string_view indent);
 
 /// "1 sphere", "2 spheres"
 std::string count_text(std::uint64_t count, std::string_view noun);

@@ -1,6 +1,6 @@
 #include <nlohmann/json.hpp>
 
-#include "properties/search/campaign.h"
+#include "properties/cases/case_text.h"
 #include "tools/report/json.h"
 #include "tools/worst/worst_views.h"
 
@@ -16,7 +16,7 @@ void add(Json& json, const properties::WorstCase& worst) {
   json["ratio"] = error_json(worst.stability.ratio);
   json["outcome"] = name(worst.stability.outcome);
   json["discrepancy"] = discrepancy_json(worst.shown);
-  json["scene"] = properties::text(worst.the_case);
+  json["scene"] = properties::scene_text(worst.the_case);
 }
 
 }  // namespace

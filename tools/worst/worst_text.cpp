@@ -1,6 +1,6 @@
 #include <fmt/core.h>
 
-#include "properties/search/campaign.h"
+#include "properties/cases/case_text.h"
 #include "scene/number.h"
 #include "tools/report/words.h"
 #include "tools/worst/worst_views.h"
@@ -58,13 +58,12 @@ std::string worst_text(const WorstReport& report, const ViewOptions& /*options*/
                       properties::kClimbNames[static_cast<std::size_t>(report.search.climb)],
                       error_text(worst.height_random), error_text(worst.height_climbed),
                       error_text(worst.height));
-  text += fmt::format("  got   {}\n  exact {}\n\n", numbers_text(worst.shown.got),
-                      numbers_text(worst.shown.exact));
-  return text + in_hexfloat(worst.the_case.scene) + "\n" + properties::text(worst.the_case);
+  text += fmt::format("  got   {}\n  exact {}\n\n", got_text(worst.shown), exact_text(worst.shown));
+  return text + in_hexfloat(worst.the_case.scene) + "\n" + properties::scene_text(worst.the_case);
 }
 
 std::string worst_scene(const WorstReport& report) {
-  return properties::text(report.worst->the_case, headline(report));
+  return properties::scene_text(report.worst->the_case, headline(report));
 }
 
 }  // namespace raycheck::tools

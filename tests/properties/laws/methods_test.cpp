@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "properties/candidates/fast_candidate.h"
+#include "properties/cases/case_text.h"
 #include "properties/search/campaign.h"
 #include "tests/properties/cases/drawing.h"
 
@@ -59,7 +60,7 @@ void expect_holds(const Law& law, const Candidate& candidate, std::string_view s
   const CampaignResult result = campaign(law.name, candidate, source);
   EXPECT_FALSE(result.failure.has_value()) << candidate.name << " breaks: " << law.sentence << "\n"
                                            << result.failure->replay << "\n"
-                                           << text(result.failure->shrunk);
+                                           << scene_text(result.failure->shrunk);
   EXPECT_EQ(result.cases, kCases);
 }
 
@@ -114,7 +115,7 @@ class EachLaw : public testing::TestWithParam<std::string> {};
 TEST_P(EachLaw, HoldsForDirectCross) {
   const Law& law = *find_law(GetParam());
   const CampaignResult result = campaign(law.name, drawing_candidate());
-  EXPECT_FALSE(result.failure.has_value()) << text(result.failure->shrunk);
+  EXPECT_FALSE(result.failure.has_value()) << scene_text(result.failure->shrunk);
   EXPECT_EQ(result.cases, kCases);
   const auto least = kLeastCompared.find(law.name);
   EXPECT_GE(result.verdict.compared(), least == kLeastCompared.end() ? kLeastOfAny : least->second);
@@ -168,11 +169,6 @@ INSTANTIATE_TEST_SUITE_P(MethodsAndLaws, KeptEverywhere,
                                              std::get<1>(the_test.param));
                          });
 
-TEST(Keepers, AreTheStableMethods) {
-  EXPECT_EQ(keepers(), (std::vector<std::string>{"perpendicular", "cross2", "double-double",
-                                                 "long-double", "float128", "robust"}));
-}
-
 /// Its class has no excuse on given rays: not tangents, not surfaces, not the ends of the range.
 TEST(Robust, HasTheExactClassOnEverySourceOfGivenRays) {
   const Candidate candidate = with_direct_rays("robust");
@@ -180,7 +176,7 @@ TEST(Robust, HasTheExactClassOnEverySourceOfGivenRays) {
   for (const CaseSource& source : case_sources()) {
     if (source.has_camera) continue;
     const CampaignResult result = campaign("class", candidate, source.name, kCasesUntilCaught);
-    EXPECT_FALSE(result.failure.has_value()) << text(result.failure->shrunk);
+    EXPECT_FALSE(result.failure.has_value()) << scene_text(result.failure->shrunk);
     EXPECT_EQ(result.verdict.discrepancies(), 0u) << source.name;
     EXPECT_GE(result.verdict.compared(), 20000u) << source.name;
   }

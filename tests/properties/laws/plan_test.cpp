@@ -14,6 +14,7 @@
 
 #include "properties/candidates/fast_candidate.h"
 #include "properties/candidates/visibility_candidate.h"
+#include "properties/cases/case_text.h"
 #include "properties/cases/random.h"
 #include "properties/search/campaign.h"
 #include "scene/validate.h"
@@ -93,7 +94,8 @@ void expect_laws_hold(const Case& the_case, const Candidate& candidate, Compared
     const Verdict verdict = apply(*find_law(name), trial);
     EXPECT_EQ(verdict.discrepancies(), 0u)
         << candidate.name << " breaks " << name << "\n"
-        << (verdict.discrepancies() > 0 ? verdict.worst(1).front().what : "") << text(the_case);
+        << (verdict.discrepancies() > 0 ? verdict.worst(1).front().what : "")
+        << scene_text(the_case);
     compared[name] += verdict.compared();
   }
 }
@@ -225,7 +227,7 @@ class EachItem : public testing::TestWithParam<Item> {
         expect_laws_hold(the_case, certified, by_certified);
         Trial trial(the_case, fast);
         const Verdict verdict = apply(*find_law("visible-sphere"), trial);
-        EXPECT_TRUE(verdict.holds()) << text(the_case);
+        EXPECT_TRUE(verdict.holds()) << scene_text(the_case);
         by_fast["visible-sphere"] += verdict.compared();
       });
     }

@@ -6,6 +6,7 @@
 #include <stdexcept>
 
 #include "properties/candidates/fast_candidate.h"
+#include "properties/cases/case_text.h"
 #include "scene/files/scene_file.h"
 
 namespace raycheck::properties {
@@ -166,7 +167,7 @@ TEST(CaseText, IsASceneThatReadsBack) {
   for (const CaseSource& source : case_sources()) {
     for (std::uint64_t seed = 0; seed < 50; ++seed) {
       const Case the_case = any_case(source, seed);
-      const std::string lines = text(the_case, "why");
+      const std::string lines = scene_text(the_case, "why");
       EXPECT_EQ(scene::read_toml(lines, "case").scene, the_case.scene) << source.name;
       EXPECT_EQ(lines.rfind("# why\n", 0), 0u);
       EXPECT_EQ(lines.find("# pixels: (") != std::string::npos, source.has_camera);

@@ -330,7 +330,10 @@ TEST(Candidate, fails_with_2_and_says_why) {
   fails("library:README.md", "README.md");
   fails("source:nowhere.cpp", "No such file or directory");
   fails("source:docs", "no .cpp file lies in it");
-  fails("command:nosuchprogram", "nosuchprogram");
+  fails("command:nosuchprogram --fast",
+        "there is no program 'nosuchprogram' in /usr/local/bin:/usr/bin:/bin");
+  fails("command:./nosuchprogram", "there is no program './nosuchprogram'");
+  fails("renderer:nosuchprogram {scene} {image}", "there is no program 'nosuchprogram'");
   fails("renderer:./rt {scene}", "{image} is missing");
   fails("command:true", "exited with 0");
   fails("command:echo hello", "hello");

@@ -10,6 +10,7 @@
 #include <map>
 #include <nlohmann/json.hpp>
 #include <set>
+#include <sstream>
 #include <string>
 #include <vector>
 
@@ -124,6 +125,31 @@ bool names_key(const std::string& span, const std::string& key) {
     if ((at == 0 || !is_letter(at - 1)) && !is_letter(at + key.size())) return true;
   }
   return false;
+}
+
+/// The commands that offer it, by their own help.
+std::set<std::string> commands_with_json() {
+  std::set<std::string> names;
+  std::istringstream help(run("--help").out);
+  std::string line;
+  while (std::getline(help, line) && line != "Subcommands:") continue;
+  while (std::getline(help, line)) {
+    std::istringstream words(line);
+    std::string name;
+    if (!(words >> name) || line.find_first_not_of(' ') != 2) continue;
+    const std::string formats = run(name + " --help").out;
+    const std::size_t at = formats.find("--format TEXT:{");
+    if (at == std::string::npos) continue;
+    const std::string choices = formats.substr(at, formats.find('}', at) - at);
+    if (choices.find("json") != std::string::npos) names.insert(name);
+  }
+  return names;
+}
+
+TEST(Json, is_looked_at_of_every_command_that_prints_it) {
+  std::set<std::string> names;
+  for (const Reports& reports : all_reports()) names.insert(reports.command);
+  EXPECT_EQ(names, commands_with_json());
 }
 
 TEST(Json, has_every_key_on_the_page_that_documents_it) {

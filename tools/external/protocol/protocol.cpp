@@ -140,14 +140,14 @@ Introduction parse_introduction(std::string_view text) {
 Request::Request(std::string id, std::string_view function, const scene::Conventions& conventions)
     : id_(std::move(id)) {
   text_ = fmt::format("request {} {}\n", id_, function);
-  question_ = fmt::format("{}\n", function);
+  body_ = fmt::format("{}\n", function);
   add(fmt::format("conventions {} {} {} {} {}\n", name(conventions.rows), name(conventions.samples),
                   name(conventions.origin), name(conventions.root), name(conventions.tangent)));
 }
 
 void Request::add(std::string_view words) {
   text_ += words;
-  question_ += words;
+  body_ += words;
 }
 
 Request& Request::camera(const scene::Camera& camera) {

@@ -48,13 +48,13 @@ class Request {
   /// All of it.
   std::string text() const { return text_ + "end " + id_ + "\n"; }
   /// What is asked, without the id.
-  const std::string& question() const { return question_; }
+  const std::string& body() const { return body_; }
 
  private:
   void add(std::string_view words);
 
   std::string id_;
-  std::string text_, question_;
+  std::string text_, body_;
 };
 
 /// Whether a line ends the reply to a request: "end ID" or "error ID ...".

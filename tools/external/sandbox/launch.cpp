@@ -35,13 +35,13 @@ std::uint64_t next_user() {
   return kFirst + (process * 61 + number) % kCount;
 }
 
-fs::path helper(const std::string& name) { return opened_copy(program_folder() / name); }
+fs::path helper(const std::string& name) { return readable_copy(program_folder() / name); }
 
 fs::path program_folder() { return fs::read_symlink("/proc/self/exe").parent_path(); }
 
 fs::path adapters() {
   const fs::path installed = program_folder().parent_path() / "share" / "raycheck";
-  return opened_copy(
+  return readable_copy(
       fs::exists(installed) ? installed : fs::path(kSourceFolder) / "tools/external/sdk/adapters");
 }
 
@@ -103,7 +103,7 @@ std::vector<std::string> jailed(const Confined& confined, const fs::path& folder
 pid_t launch(const Confined& confined, const fs::path& folder, std::uint64_t user,
              const Streams& streams) {
   const std::vector<std::string> arguments = jailed(confined, folder, user);
-  std::vector<std::string> environment = {"PATH=/usr/local/bin:/usr/bin:/bin",
+  std::vector<std::string> environment = {"PATH=" + std::string(kProgramPath),
                                           "HOME=" + folder.string(),
                                           "TMPDIR=" + folder.string(),
                                           "LANG=C.UTF-8",

@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <stdexcept>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -54,6 +55,9 @@ class ProcessFailure : public std::runtime_error {
  private:
   FailureKind kind_;
 };
+
+/// Where programs that are named without a folder are looked for.
+inline constexpr std::string_view kProgramPath = "/usr/local/bin:/usr/bin:/bin";
 
 /// raycheck-jail or raycheck-worker.
 std::filesystem::path helper(const std::string& name);

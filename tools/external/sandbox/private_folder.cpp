@@ -6,12 +6,19 @@
 #include <cstdlib>
 #include <map>
 #include <mutex>
+#include <regex>
 #include <string>
 #include <system_error>
 
 namespace raycheck::tools {
 
 namespace fs = std::filesystem;
+
+namespace {
+
+constexpr const char* kPrefix = "raycheck-";
+
+}  // namespace
 
 bool others_may_read(const fs::path& path) {
   std::error_code error;
@@ -40,7 +47,7 @@ void open_to_others(const fs::path& path) {
   for (const auto& entry : fs::recursive_directory_iterator(path)) open(entry.path());
 }
 
-fs::path opened_copy(const fs::path& path) {
+fs::path readable_copy(const fs::path& path) {
   if (geteuid() != 0 || others_may_read(path)) return path;
   static std::mutex mutex;
   static std::map<fs::path, PrivateFolder> copies;
@@ -56,11 +63,17 @@ fs::path opened_copy(const fs::path& path) {
 }
 
 PrivateFolder::PrivateFolder() {
-  std::string name = fs::temp_directory_path() / "raycheck-XXXXXX";
+  std::string name = fs::temp_directory_path() / (std::string(kPrefix) + "XXXXXX");
   if (mkdtemp(name.data()) == nullptr) {
     throw std::system_error(errno, std::generic_category(), name);
   }
   path_ = name;
+}
+
+std::string without_private_folders(const std::string& text) {
+  static const std::regex folders((fs::temp_directory_path() / kPrefix).string() +
+                                  "[A-Za-z0-9]{6}/?");
+  return std::regex_replace(text, folders, "");
 }
 
 PrivateFolder::~PrivateFolder() {

@@ -2,6 +2,7 @@
 #define RAYCHECK_TOOLS_EXTERNAL_SANDBOX_PRIVATE_FOLDER_H_
 
 #include <filesystem>
+#include <string>
 
 namespace raycheck::tools {
 
@@ -18,6 +19,9 @@ class PrivateFolder {
   std::filesystem::path path_;
 };
 
+/// A text without the names of such folders, which differ from run to run.
+std::string without_private_folders(const std::string& text);
+
 /// Whether a user of its own may read a path.
 bool others_may_read(const std::filesystem::path& path);
 
@@ -26,7 +30,7 @@ void open_to_others(const std::filesystem::path& path);
 
 /// raycheck's own files as any user may read them: where they are closed to others, a copy. Of
 /// candidates' files tools/external/locate.cpp makes the copies.
-std::filesystem::path opened_copy(const std::filesystem::path& path);
+std::filesystem::path readable_copy(const std::filesystem::path& path);
 
 }  // namespace raycheck::tools
 

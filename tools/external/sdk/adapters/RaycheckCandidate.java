@@ -71,7 +71,7 @@ public abstract class RaycheckCandidate {
     final List<Sphere> spheres = new ArrayList<>();
   }
 
-  /** Answers raycheck until it has no more questions. */
+  /** Answers raycheck until it has no more requests. */
   public final void run(String name) throws IOException {
     PrintStream replies = new PrintStream(
         new FileOutputStream(FileDescriptor.out), false, StandardCharsets.US_ASCII);

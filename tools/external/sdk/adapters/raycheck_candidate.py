@@ -94,7 +94,7 @@ def _answer(functions, request):
 
 
 def run(name="-", rows=None, samples=None, origin=None, root=None, tangent=None, **functions):
-    """Answers raycheck until it has no more questions."""
+    """Answers raycheck until it has no more requests."""
     unknown = set(functions) - set(_FUNCTIONS)
     if unknown:
         sys.exit(f"raycheck_candidate.run: no such function: {', '.join(sorted(unknown))}")

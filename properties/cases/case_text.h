@@ -1,0 +1,16 @@
+#ifndef RAYCHECK_PROPERTIES_CASES_CASE_TEXT_H_
+#define RAYCHECK_PROPERTIES_CASES_CASE_TEXT_H_
+
+#include <string>
+#include <string_view>
+
+#include "properties/case.h"
+
+namespace raycheck::properties {
+
+/// A case as a TOML scene that `raycheck check` accepts, its pixels in a comment.
+std::string scene_text(const Case& the_case, std::string_view comment = {});
+
+}  // namespace raycheck::properties
+
+#endif  // RAYCHECK_PROPERTIES_CASES_CASE_TEXT_H_
