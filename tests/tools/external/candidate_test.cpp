@@ -68,16 +68,19 @@ TEST(Candidate, is_right_as_a_library) {
 TEST(Candidate, is_right_as_a_folder_and_as_a_project) {
   const std::string folder = temporary_file("right", "") + ".d/";
   std::filesystem::create_directory(folder);
-  std::filesystem::copy_file(std::string(RAYCHECK_SOURCE_DIR) + "/tests/candidates/right.cpp",
-                             folder + "right.cpp");
+  const std::string root = RAYCHECK_SOURCE_DIR;
+  std::filesystem::copy_file(root + "/tests/submissions/rays.cpp", folder + "rays.cpp");
   expect_right(kCamera, "source:" + folder);
-  temporary_file("right.d/CMakeLists.txt",
-                 "cmake_minimum_required(VERSION 3.20)\nproject(right CXX)\n"
-                 "set(CMAKE_CXX_STANDARD 20)\nfind_package(Eigen3 REQUIRED)\n"
-                 "add_library(right SHARED right.cpp)\n"
-                 "target_link_libraries(right Eigen3::Eigen)\n");
-  expect_right(kCamera, "source:" + folder);
+  const std::string project =
+      "cmake_minimum_required(VERSION 3.20)\nproject(right CXX)\nset(CMAKE_CXX_STANDARD 20)\n";
+  temporary_file("right.d/CMakeLists.txt", project + "add_library(rays SHARED rays.cpp)\n");
   expect_right(kCamera, "source:" + folder + "CMakeLists.txt");
+  std::filesystem::copy_file(root + "/tests/candidates/right.cpp", folder + "right.cpp");
+  temporary_file("right.d/CMakeLists.txt", project +
+                                               "find_package(Eigen3 REQUIRED)\n"
+                                               "add_library(right SHARED right.cpp)\n"
+                                               "target_link_libraries(right Eigen3::Eigen)\n");
+  expect_right(kCamera, "source:" + folder);
   std::filesystem::remove_all(folder);
 }
 

@@ -140,12 +140,11 @@ TEST(Attacks, cannot_see_the_other_submissions_the_rubric_or_the_results) {
         grading.path("out/other/result.json"), grading.path("out/grades.csv")}) {
     ASSERT_FALSE(contents(path).empty()) << path;
   }
-  EXPECT_EQ(score_of_spy("reads", "reads(\"" + other + "/rays.py\") || reads(\"" + rubric +
-                                      "\") || reads(\"" + grading.path("out/other/result.json") +
-                                      "\") || lists(\"" + grading.path("submissions") + "\")"),
-            kDeserved);
-  EXPECT_EQ(score_of_spy("writes", "writes(\"" + grading.path("out/other/result.json") +
-                                       "\") || writes(\"" + grading.path("out/new.json") + "\")"),
+  const std::string result = grading.path("out/other/result.json");
+  EXPECT_EQ(score_of_spy("spies", "reads(\"" + other + "/rays.py\") || reads(\"" + rubric +
+                                      "\") || reads(\"" + result + "\") || lists(\"" +
+                                      grading.path("submissions") + "\") || writes(\"" + result +
+                                      "\") || writes(\"" + grading.path("out/new.json") + "\")"),
             kDeserved);
 }
 
@@ -170,7 +169,7 @@ TEST(Attacks, by_renderers_that_hang_cost_three_silences) {
   const Grading grading;
   const std::string rubric = grading.lecture7_with({{"reply_seconds = 5", "reply_seconds = 1"}});
   grading.write("submissions/hangs/rt.cpp",
-                "int main() { for (volatile int k = 0;; k = k + 1) {} }");
+                "#include <unistd.h>\nint main() { for (;;) pause(); }");
   EXPECT_EQ(grading.grade(rubric, {grading.path("submissions/hangs")}).exit_code, 0);
   const json result = grading.result("hangs");
   EXPECT_EQ(result["score"], 0);
