@@ -23,9 +23,9 @@ inline constexpr std::size_t kMostSketchBins = std::size_t{2098} * (1 << (kSketc
 ///         are upper bounds: never less than the exact one, more by less than kSketchResolution of
 ///         it. Numbers of at most kSketchBits significant bits, 0 and infinity are exact, and so is
 ///         the largest of all.
-/// Memory: 16 bytes for each bin that was hit, of which numbers within a factor of 2 have 1024, all
-///         doubles kMostSketchBins; and a tail, no longer than the bins or than 64, of what waits
-///         to be sorted into them.
+/// Memory: a table of 16 bytes a place with at most four places for each bin that was hit and each
+///         of at most 1024 keys that wait to be counted; numbers within a factor of 2 have 1024
+///         bins, all doubles kMostSketchBins.
 class QuantileSketch {
  public:
   /// What is no number counts as infinite; throws std::invalid_argument for negative numbers.
@@ -42,20 +42,23 @@ class QuantileSketch {
   /// Of the same numbers, as far as a sketch knows.
   bool operator==(const QuantileSketch& other) const;
   /// How many entries are held: what the memory is in proportion to.
-  std::size_t size() const { return bins_.size(); }
+  std::size_t size() const { return used_ + waiting_.size(); }
 
  private:
+  /// Of an open-addressed table with linear probing; empty where the count is 0.
   struct Bin {
     std::int32_t key = 0;  ///< Increases with the numbers in the bin.
     std::uint64_t count = 0;
     bool operator==(const Bin&) const = default;
   };
+  void wait(std::int32_t key);
   void count(std::int32_t key, std::uint64_t times);
-  static void tidy(std::vector<Bin>& bins, std::size_t sorted);
-  std::vector<Bin> tidied() const;
+  void reserve(std::size_t bins);
+  std::vector<Bin> by_key() const;
 
-  std::vector<Bin> bins_;  ///< Up to sorted_ by key, each key once; then the tail, in no order.
-  std::size_t sorted_ = 0;
+  std::vector<Bin> table_;  ///< A power of two of places or none, at most half of them taken.
+  std::size_t used_ = 0;
+  std::vector<std::int32_t> waiting_;  ///< Of numbers that are not yet counted in the table.
   std::uint64_t count_ = 0;
   double max_ = 0;
 };

@@ -106,7 +106,7 @@ TEST(QuantileSketch, IsExactForNumbersOfFewBits) {
   EXPECT_GT(sketch_of({kMost + 1, kInfinity}).quantile(0.5), kMost + 1);
 }
 
-TEST(QuantileSketch, HoldsNoMoreThanItsBinsAndTheirTail) {
+TEST(QuantileSketch, HoldsNoMoreThanItsBinsAndWhatWaits) {
   std::mt19937_64 random(7);
   std::uniform_real_distribution<double> binade(1, 2);
   QuantileSketch sketch;
