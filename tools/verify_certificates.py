@@ -118,20 +118,29 @@ class Interval:
         return Interval(self.low + low, self.high + high)
 
     def __mul__(self, other):
-        products = [x * y for x in (self.low, self.high) for y in ends(other)]
+        if not isinstance(other, Interval):
+            low, high = self.low * other, self.high * other
+            return Interval(low, high) if other >= 0 else Interval(high, low)
+        products = [x * y for x in (self.low, self.high) for y in (other.low, other.high)]
         return Interval(min(products), max(products))
 
+    def inverse(self):
+        require(self.low > 0 or self.high < 0, "a divisor may be 0")
+        return Interval(1 / Fraction(self.high), 1 / Fraction(self.low))
+
     def __truediv__(self, other):
-        low, high = ends(other)
-        require(low > 0 or high < 0, "a divisor may be 0")
-        return self * Interval(1 / Fraction(high), 1 / Fraction(low))
+        if isinstance(other, Interval):
+            return self * other.inverse()
+        require(other != 0, "a divisor may be 0")
+        return self * (1 / Fraction(other))
 
     def __rtruediv__(self, other):
-        return Interval(other, other) / self
+        return self.inverse() * other
 
     def __pow__(self, two):
-        square = self * self
-        return Interval(max(square.low, Fraction(0)), square.high)
+        squares = (self.low**2, self.high**2)
+        holds_0 = self.low <= 0 <= self.high
+        return Interval(Fraction(0) if holds_0 else min(squares), max(squares))
 
     def __gt__(self, other):
         low, high = ends(other)

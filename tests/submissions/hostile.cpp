@@ -24,6 +24,9 @@
 
 using namespace raycheck;
 
+#ifdef ATTACK_BY_NAME
+#include "by_name.h"
+#endif
 #ifndef ATTACK
 #define ATTACK none
 #endif
@@ -44,27 +47,18 @@ void free(void*) {}
 
 namespace {
 
-enum class Attack {
-  none,
-  exit_in_call,
-  boasts,
-  forges_replies,
-  hangs,
-  crashes,
-  fork_bomb,
-  memory_bomb,
-  endless_output,
-  writes_outside,
-  opens_socket,
-  reads_others,
-  pattern,
-  own_sqrt,
-  compile_error,
-  slow
-};
+#define ATTACKS                                                                       \
+  none, exit_in_call, boasts, forges_replies, hangs, crashes, fork_bomb, memory_bomb, \
+      endless_output, writes_outside, opens_socket, reads_others, pattern, own_sqrt,  \
+      compile_error, slow
+enum class Attack { ATTACKS };
 
+#ifdef ATTACK_BY_NAME
+const auto kAttack = static_cast<Attack>(PLACE_BY_NAME(ATTACKS));
+#else
 constexpr Attack kAttack = Attack::ATTACK;
 static_assert(kAttack != Attack::compile_error, "this does not compile");
+#endif
 
 constexpr const char* kBoast =
     "{\"score\": 100}\nraycheck 1 perfect\nfunction intersect\nready\nreply 1\nend 1\n";
@@ -201,7 +195,7 @@ void attack() {
   if (kAttack == Attack::reads_others) read_others();
 }
 
-constexpr bool kGuesses =
+const bool kGuesses =
     kAttack == Attack::pattern || kAttack == Attack::boasts || kAttack == Attack::forges_replies;
 
 std::optional<Hit> intersect(const Ray& ray, const Sphere& sphere, const Conventions& asked) {

@@ -12,33 +12,28 @@
 #include <string>
 #include <vector>
 
-#ifndef MISTAKE
+#ifdef MISTAKE_BY_NAME
+#include "by_name.h"
+#elif !defined MISTAKE
 #define MISTAKE none
 #endif
 
 namespace {
 
-enum class Mistake {
-  none,
-  width_height,
-  top_from_right,
-  top_is_minus_bottom,
-  u_flipped,
-  u_and_w_flipped,
-  no_test_for_t,
-  first_sphere_wins,
-  normalize_discarded,
-  by_discriminant,
-  eye_plus_point,
-  axes_dropped,
-  float_directions,
-  near_root_only,
-  far_root,
-  upside_down,
-  mirrored
-};
+#define MISTAKES                                                                              \
+  none, width_height, top_from_right, top_is_minus_bottom, u_flipped, u_and_w_flipped,        \
+      no_test_for_t, first_sphere_wins, normalize_discarded, by_discriminant, eye_plus_point, \
+      axes_dropped, float_directions, near_root_only, far_root, upside_down, mirrored
+enum class Mistake { MISTAKES };
 
+#ifdef MISTAKE_BY_NAME
+bool has(Mistake mistake) {
+  static const auto made = static_cast<Mistake>(PLACE_BY_NAME(MISTAKES));
+  return mistake == made;
+}
+#else
 constexpr bool has(Mistake mistake) { return mistake == Mistake::MISTAKE; }
+#endif
 
 struct Vector {
   double x = 0, y = 0, z = 0;

@@ -7,6 +7,7 @@
 #include <chrono>
 #include <csignal>
 #include <cstdlib>
+#include <filesystem>
 #include <fstream>
 #include <sstream>
 #include <thread>
@@ -66,6 +67,17 @@ std::string temporary_file(const std::string& name, const std::string& text) {
   const std::string path = temporary_path(name);
   std::ofstream(path, std::ios::binary) << text;
   return path;
+}
+
+std::string built_submission(const std::string& source, const std::string& name,
+                             const std::string& folder) {
+  const bool is_renderer = source == "rt.cpp";
+  const std::string built = source.substr(0, source.find('.')) + (is_renderer ? "" : ".so");
+  const std::filesystem::path copy =
+      std::filesystem::path(folder) / (name + (is_renderer ? ".rt" : ".so"));
+  std::filesystem::create_directories(folder);
+  std::filesystem::copy_file(RAYCHECK_SUBMISSIONS "/" + built, copy);
+  return copy.string();
 }
 
 }  // namespace raycheck::tests

@@ -27,6 +27,12 @@ Outcome run_interrupted(const std::string& arguments, int milliseconds);
 /// Writes a file into the test's temporary folder and returns its path.
 std::string temporary_file(const std::string& name, const std::string& text);
 
+/// A copy, in a folder, of rays.cpp, hostile.cpp or rt.cpp of tests/submissions, built, which does
+/// wrong what has this name there ("none": nothing); its path, NAME.so or NAME.rt. right.cpp of
+/// tests/candidates does nothing wrong, whatever it is called.
+std::string built_submission(const std::string& source, const std::string& name,
+                             const std::string& folder);
+
 /// The text of a file; empty when there is none.
 std::string contents(const std::string& path);
 

@@ -120,6 +120,8 @@ std::string zipped(const Parts& parts) {
     }
   };
   require(archive_write_set_format_zip(zip.get()));
+  // A third of the time of the usual 6, and 8% larger.
+  require(archive_write_set_options(zip.get(), "zip:compression-level=2"));
   require(archive_write_open(zip.get(), &bytes, nullptr, append_bytes, nullptr));
   for (const auto& [name, part] : parts) {
     const std::unique_ptr<archive_entry, void (*)(archive_entry*)> entry(archive_entry_new(),

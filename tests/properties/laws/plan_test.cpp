@@ -8,8 +8,10 @@
 #include <cstdlib>
 #include <iterator>
 #include <map>
+#include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "properties/candidates/fast_candidate.h"
@@ -88,9 +90,10 @@ void for_each_case(const CaseSource& source, std::uint64_t cases, Body body) {
 /// What each law compared.
 using Compared = std::map<std::string_view, std::uint64_t>;
 
-void expect_laws_hold(const Case& the_case, const Candidate& candidate, Compared& compared) {
+void expect_laws_hold(const Case& the_case, const Candidate& candidate, Compared& compared,
+                      std::shared_ptr<Truth> truth = nullptr) {
+  Trial trial(the_case, candidate, {.truth = std::move(truth)});
   for (const char* const name : kPlanLaws) {
-    Trial trial(the_case, candidate);
     const Verdict verdict = apply(*find_law(name), trial);
     EXPECT_EQ(verdict.discrepancies(), 0u)
         << candidate.name << " breaks " << name << "\n"
@@ -224,8 +227,9 @@ class EachItem : public testing::TestWithParam<Item> {
     Compared by_certified, by_fast;
     for (const CaseSource& source : case_sources()) {
       for_each_case(source, 20, [&](const Case& the_case) {
-        expect_laws_hold(the_case, certified, by_certified);
-        Trial trial(the_case, fast);
+        const auto truth = std::make_shared<Truth>(the_case, the_case.scene.conventions);
+        expect_laws_hold(the_case, certified, by_certified, truth);
+        Trial trial(the_case, fast, {.truth = truth});
         const Verdict verdict = apply(*find_law("visible-sphere"), trial);
         EXPECT_TRUE(verdict.holds()) << scene_text(the_case);
         by_fast["visible-sphere"] += verdict.compared();

@@ -21,6 +21,7 @@ using nlohmann::json;
 const std::string kCamera = "scene/examples/ten-spheres.toml";
 const std::string kRays = "scene/examples/lecture-examples.toml";
 
+const std::string kTopFirst = "scene/examples/example-6-top-first.toml";
 const std::string kProbe = "scene/examples/probe.toml";
 
 std::string renderer(const std::string& mistake) {
@@ -53,31 +54,33 @@ bool has_java() { return std::system("command -v javac java >/dev/null 2>&1") ==
 
 TEST(Candidate, is_right_as_a_source_file) {
   expect_right(kCamera, "source:tests/candidates/right.cpp");
-  expect_right(kRays, "source:tests/candidates/right.cpp");
-  expect_right("scene/examples/example-6-top-first.toml", "source:tests/candidates/right.cpp");
 }
 
-TEST(Candidate, is_right_as_a_folder_a_project_and_a_library) {
+TEST(Candidate, is_right_as_a_library) {
+  const std::string folder = temporary_file("library", "") + ".d";
+  const std::string library = built_submission("right.cpp", "right", folder);
+  for (const std::string& scene : {kCamera, kRays, kTopFirst}) {
+    expect_right(scene, "library:" + library);
+  }
+  std::filesystem::remove_all(folder);
+}
+
+TEST(Candidate, is_right_as_a_folder_and_as_a_project) {
   const std::string folder = temporary_file("right", "") + ".d/";
   std::filesystem::create_directory(folder);
-  std::filesystem::copy_file(std::string(RAYCHECK_SOURCE_DIR) + "/tests/candidates/right.cpp",
-                             folder + "right.cpp");
+  const std::string root = RAYCHECK_SOURCE_DIR;
+  std::filesystem::copy_file(root + "/tests/submissions/rays.cpp", folder + "rays.cpp");
   expect_right(kCamera, "source:" + folder);
-  const std::string library = folder + "right.so";
-  ASSERT_EQ(std::system(("g++ -std=c++20 -shared -fPIC -isystem /usr/include/eigen3 -I " +
-                         std::string(RAYCHECK_SOURCE_DIR) + "/tools/external/sdk " + folder +
-                         "right.cpp -o " + library)
-                            .c_str()),
-            0);
-  expect_right(kCamera, "library:" + library);
-  std::filesystem::remove(library);
-  temporary_file("right.d/CMakeLists.txt",
-                 "cmake_minimum_required(VERSION 3.20)\nproject(right CXX)\n"
-                 "set(CMAKE_CXX_STANDARD 20)\nfind_package(Eigen3 REQUIRED)\n"
-                 "add_library(right SHARED right.cpp)\n"
-                 "target_link_libraries(right Eigen3::Eigen)\n");
-  expect_right(kCamera, "source:" + folder);
+  const std::string project =
+      "cmake_minimum_required(VERSION 3.20)\nproject(right CXX)\nset(CMAKE_CXX_STANDARD 20)\n";
+  temporary_file("right.d/CMakeLists.txt", project + "add_library(rays SHARED rays.cpp)\n");
   expect_right(kCamera, "source:" + folder + "CMakeLists.txt");
+  std::filesystem::copy_file(root + "/tests/candidates/right.cpp", folder + "right.cpp");
+  temporary_file("right.d/CMakeLists.txt", project +
+                                               "find_package(Eigen3 REQUIRED)\n"
+                                               "add_library(right SHARED right.cpp)\n"
+                                               "target_link_libraries(right Eigen3::Eigen)\n");
+  expect_right(kCamera, "source:" + folder);
   std::filesystem::remove_all(folder);
 }
 
@@ -282,11 +285,16 @@ TEST(Renderer, that_makes_no_picture_fails_with_the_reason) {
 }
 
 TEST(Renderer, keeps_the_law_of_images_on_random_scenes) {
-  const std::string asked = "properties --filter image --source cameras --cases 20 --candidate '";
-  const Outcome right = run(asked + renderer("right") + "'");
+  const std::string folder = temporary_file("renderers", "") + ".d";
+  const auto judged_as = [&](const std::string& mistake) {
+    return run("properties --filter image --source cameras --cases 20 --candidate 'renderer:" +
+               built_submission("rt.cpp", mistake, folder) + " {scene} {image}'");
+  };
+  const Outcome right = judged_as("none");
   EXPECT_EQ(right.exit_code, 0) << right.out << right.err;
-  const Outcome wrong = run(asked + renderer("mirrored") + "'");
+  const Outcome wrong = judged_as("mirrored");
   EXPECT_EQ(wrong.exit_code, 1) << wrong.out << wrong.err;
+  std::filesystem::remove_all(folder);
 }
 
 TEST(Candidate, is_kept_as_asked) {

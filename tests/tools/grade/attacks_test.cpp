@@ -48,13 +48,16 @@ TEST(Attacks, gain_nothing_and_leave_the_others_as_they_are) {
   const std::string rubric = grading.lecture7_with({{"reply_seconds = 5", "reply_seconds = 2"}});
   std::vector<std::string> folders;
   for (const Attack& attack : kAttacks) {
-    folders.push_back(
-        grading.submit(attack.name, "hostile.cpp", std::string("#define ATTACK ") + attack.name));
+    // Two are attacks on what compiles or links.
+    const std::string name = attack.name;
+    folders.push_back(name == "compile_error" || name == "own_sqrt"
+                          ? grading.submit(name, "hostile.cpp", "#define ATTACK " + name)
+                          : grading.submit_built(name, "hostile.cpp", name));
   }
   const std::vector<std::string> innocents = {
       grading.submit("right-program", "rays.py"),
       grading.submit("wrong-functions", "rays.cpp", "#define MISTAKE far_root"),
-      grading.submit("right-pictures", "rt.cpp")};
+      grading.submit_built("right-pictures", "rt.cpp", "none")};
   for (std::size_t k = 0; k < innocents.size(); ++k) {
     folders.insert(folders.begin() + static_cast<std::ptrdiff_t>(4 * k + 1), innocents[k]);
   }
@@ -82,8 +85,8 @@ TEST(Attacks, gain_nothing_and_leave_the_others_as_they_are) {
 
 TEST(Attacks, are_all_that_the_hostile_submission_knows) {
   std::string text = contents(std::string(RAYCHECK_SOURCE_DIR) + "/tests/submissions/hostile.cpp");
-  const std::size_t from = text.find("enum class Attack {") + 19;
-  text = text.substr(from, text.find('}', from) - from);
+  const std::size_t from = text.find("#define ATTACKS") + 15;
+  text = text.substr(from, text.find("enum class", from) - from);
   for (const Attack& attack : kAttacks) {
     EXPECT_TRUE(contains(text, std::string(" ") + attack.name)) << attack.name;
   }
@@ -137,12 +140,11 @@ TEST(Attacks, cannot_see_the_other_submissions_the_rubric_or_the_results) {
         grading.path("out/other/result.json"), grading.path("out/grades.csv")}) {
     ASSERT_FALSE(contents(path).empty()) << path;
   }
-  EXPECT_EQ(score_of_spy("reads", "reads(\"" + other + "/rays.py\") || reads(\"" + rubric +
-                                      "\") || reads(\"" + grading.path("out/other/result.json") +
-                                      "\") || lists(\"" + grading.path("submissions") + "\")"),
-            kDeserved);
-  EXPECT_EQ(score_of_spy("writes", "writes(\"" + grading.path("out/other/result.json") +
-                                       "\") || writes(\"" + grading.path("out/new.json") + "\")"),
+  const std::string result = grading.path("out/other/result.json");
+  EXPECT_EQ(score_of_spy("spies", "reads(\"" + other + "/rays.py\") || reads(\"" + rubric +
+                                      "\") || reads(\"" + result + "\") || lists(\"" +
+                                      grading.path("submissions") + "\") || writes(\"" + result +
+                                      "\") || writes(\"" + grading.path("out/new.json") + "\")"),
             kDeserved);
 }
 
@@ -167,7 +169,7 @@ TEST(Attacks, by_renderers_that_hang_cost_three_silences) {
   const Grading grading;
   const std::string rubric = grading.lecture7_with({{"reply_seconds = 5", "reply_seconds = 1"}});
   grading.write("submissions/hangs/rt.cpp",
-                "int main() { for (volatile int k = 0;; k = k + 1) {} }");
+                "#include <unistd.h>\nint main() { for (;;) pause(); }");
   EXPECT_EQ(grading.grade(rubric, {grading.path("submissions/hangs")}).exit_code, 0);
   const json result = grading.result("hangs");
   EXPECT_EQ(result["score"], 0);

@@ -20,7 +20,7 @@ constexpr double kFull = 110;  // with the bonus
 /// How many seeds are tried.
 int seeds() {
   const char* given = std::getenv("RAYCHECK_GRADE_SEEDS");
-  return given != nullptr ? std::atoi(given) : 2;
+  return given != nullptr ? std::atoi(given) : 4;
 }
 
 std::string source_text(const std::string& path) {
@@ -29,11 +29,12 @@ std::string source_text(const std::string& path) {
   return text;
 }
 
-void expect_full_marks(const Grading& grading, const std::vector<std::string>& folders) {
-  ASSERT_GT(seeds(), 0);
-  for (int seed = 1; seed <= seeds(); ++seed) {
+void expect_full_marks(const Grading& grading, const std::vector<std::string>& folders, int first,
+                       int last) {
+  const std::string rubric = grading.lecture7_with({});
+  for (int seed = first; seed <= last; ++seed) {
     const Outcome outcome =
-        grading.grade(kLecture7, folders, "out", "--format json --seed " + std::to_string(seed));
+        grading.grade(rubric, folders, "out", "--format json --seed " + std::to_string(seed));
     ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
     const json report = json::parse(outcome.out);
     ASSERT_EQ(report["submissions"].size(), folders.size());
@@ -45,26 +46,37 @@ void expect_full_marks(const Grading& grading, const std::vector<std::string>& f
   }
 }
 
+// What is compiled when it is graded is, under the first seed.
+
 TEST(RightSubmission, in_cpp_has_full_marks) {
   const Grading grading;
-  expect_full_marks(grading, {grading.submit("mine", "rays.cpp")});
+  ASSERT_GT(seeds(), 1);
+  expect_full_marks(grading, {grading.submit("source", "rays.cpp")}, 1, 1);
+  expect_full_marks(grading, {grading.submit_built("built", "rays.cpp", "none")}, 2, seeds());
 }
 
 TEST(RightSubmission, in_python_has_full_marks) {
   const Grading grading;
-  expect_full_marks(grading, {grading.submit("mine", "rays.py")});
+  ASSERT_GT(seeds(), 0);
+  expect_full_marks(grading, {grading.submit("mine", "rays.py")}, 1, seeds());
 }
 
 TEST(RightSubmission, of_pictures_has_full_marks) {
   const Grading grading;
-  expect_full_marks(grading, {grading.submit("mine", "rt.cpp")});
+  ASSERT_GT(seeds(), 1);
+  expect_full_marks(grading, {grading.submit("source", "rt.cpp")}, 1, 1);
+  expect_full_marks(grading, {grading.submit_built("built", "rt.cpp", "none")}, 2, seeds());
 }
 
 TEST(RightSubmission, written_by_someone_else_has_full_marks) {
   const Grading grading;
+  ASSERT_GT(seeds(), 1);
   grading.write("submissions/cpp/rays.cpp", source_text("tests/candidates/right.cpp"));
   grading.write("submissions/py/rays.py", source_text("tests/candidates/right.py"));
-  expect_full_marks(grading, {grading.path("submissions/cpp"), grading.path("submissions/py")});
+  const std::string python = grading.path("submissions/py");
+  expect_full_marks(grading, {grading.path("submissions/cpp"), python}, 1, 1);
+  expect_full_marks(grading, {grading.submit_built("so", "right.cpp", "right"), python}, 2,
+                    seeds());
 }
 
 TEST(RightSubmission, in_java_has_the_points_of_the_functions_that_it_offers) {
@@ -126,8 +138,8 @@ TEST(Rubric, that_asks_for_more_than_raycheck_can_answer_fails_with_1) {
 /// A class with something of every kind that is quick.
 std::vector<std::string> small_class(const Grading& grading) {
   return {grading.submit("far-root", "rays.cpp", "#define MISTAKE far_root"),
-          grading.submit("mirrored", "rt.cpp", "#define MISTAKE mirrored"),
-          grading.submit("crashes", "hostile.cpp", "#define ATTACK crashes"),
+          grading.submit_built("mirrored", "rt.cpp", "mirrored"),
+          grading.submit_built("crashes", "hostile.cpp", "crashes"),
           grading.submit("does-not-compile", "hostile.cpp", "#define ATTACK compile_error"),
           grading.submit("axes", "rays.py", "MISTAKE = \"axes_dropped\"")};
 }
@@ -148,8 +160,9 @@ void expect_same_results(const Grading& grading, const std::string& one, const s
 TEST(Grades, are_the_same_bytes_for_the_same_seed_however_many_run_at_a_time) {
   const Grading grading;
   const auto folders = small_class(grading);
-  EXPECT_EQ(grading.grade(kLecture7, folders, "one", "--jobs 1").exit_code, 0);
-  EXPECT_EQ(grading.grade(kLecture7, folders, "two", "--jobs 2").exit_code, 0);
+  const std::string rubric = grading.lecture7_with({});
+  EXPECT_EQ(grading.grade(rubric, folders, "one", "--jobs 1").exit_code, 0);
+  EXPECT_EQ(grading.grade(rubric, folders, "two", "--jobs 2").exit_code, 0);
   expect_same_results(grading, "one", "two");
   for (const char* file : {"grades.csv", "index.html"}) {
     EXPECT_EQ(grading.file("", file, "one"), grading.file("", file, "two"));
@@ -225,10 +238,9 @@ TEST(Grades, of_an_earlier_run_are_kept_until_something_changes) {
 TEST(Grades, of_an_interrupted_run_are_finished_by_the_next) {
   const Grading grading;
   const std::string rubric = grading.lecture7_with({{"reply_seconds = 5", "reply_seconds = 2"}});
-  std::vector<std::string> folders = {
-      grading.submit("far-root", "rays.py"),
-      grading.submit("hangs", "hostile.cpp", "#define ATTACK hangs"),
-      grading.submit("last", "rays.py")};
+  std::vector<std::string> folders = {grading.submit("far-root", "rays.py"),
+                                      grading.submit_built("sleeps", "hostile.cpp", "slow"),
+                                      grading.submit("last", "rays.py")};
   const Outcome cut = run_interrupted(grading.arguments(rubric, folders, "out", "--jobs 1"), 3000);
   EXPECT_EQ(cut.exit_code, 130) << cut.err;
   EXPECT_TRUE(contains(cut.out, "INTERRUPTED: the same command goes on where it was cut."));
@@ -240,7 +252,7 @@ TEST(Grades, of_an_interrupted_run_are_finished_by_the_next) {
   EXPECT_EQ(next.exit_code, 0) << next.err;
   EXPECT_TRUE(contains(next.out, "1 of them by an earlier run")) << next.out;
   EXPECT_EQ(grading.grade(rubric, folders, "whole", "--jobs 2").exit_code, 0);
-  for (const char* name : {"far-root", "hangs", "last"}) {
+  for (const char* name : {"far-root", "sleeps", "last"}) {
     const std::string whole = grading.file(name, "result.json", "whole");
     EXPECT_TRUE(json::parse(whole)["finished"]) << name;
     EXPECT_EQ(grading.file(name, "result.json"), whole) << name;
@@ -253,7 +265,7 @@ TEST(SlowSubmission, is_cut_and_its_other_items_are_not_judged) {
   const Grading grading;
   const std::string rubric = grading.lecture7_with(
       {{"seconds = 60 ", "seconds = 2 "}, {"reply_seconds = 5", "reply_seconds = 60"}});
-  const std::string folder = grading.submit("slow", "hostile.cpp", "#define ATTACK slow");
+  const std::string folder = grading.submit_built("slow", "hostile.cpp", "slow");
   const Outcome outcome = grading.grade(rubric, {folder});
   EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
   const json result = grading.result("slow");

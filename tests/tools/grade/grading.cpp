@@ -50,6 +50,13 @@ std::string Grading::submit(const std::string& name, const std::string& file,
   return path(folder);
 }
 
+std::string Grading::submit_built(const std::string& name, const std::string& file,
+                                  const std::string& wrong) const {
+  const std::string folder = path("submissions/" + name);
+  built_submission(file, wrong, folder);
+  return folder;
+}
+
 std::string Grading::lecture7_with(
     const std::vector<std::pair<std::string, std::string>>& replacements) const {
   const std::string root = RAYCHECK_SOURCE_DIR;
@@ -59,7 +66,7 @@ std::string Grading::lecture7_with(
     EXPECT_NE(at, std::string::npos) << kLecture7 << " has no " << from;
     if (at != std::string::npos) text.replace(at, from.size(), to);
   }
-  const std::string rubric = write("rubrics/lecture7.toml", text);
+  const std::string rubric = write("rubrics/lecture7.toml", text + kFormsOfBuilt);
   fs::copy(root + "/tools/grade/rubrics/lecture7", path("rubrics/lecture7"),
            fs::copy_options::recursive | fs::copy_options::overwrite_existing);
   return rubric;

@@ -30,7 +30,12 @@ class Grading {
   /// path. Attacks lie in rays.cpp.
   std::string submit(const std::string& name, const std::string& file,
                      const std::string& first_line = "") const;
-  /// The lecture's rubric and its scenes, with each of the first texts replaced by the second.
+  /// The same, built: quicker than what is compiled when it is graded, and to be graded by
+  /// `lecture7_with`. `wrong` is the name of its mistake or attack.
+  std::string submit_built(const std::string& name, const std::string& file,
+                           const std::string& wrong) const;
+  /// The lecture's rubric and its scenes, with each of the first texts replaced by the second; it
+  /// takes built submissions, too.
   std::string lecture7_with(
       const std::vector<std::pair<std::string, std::string>>& replacements) const;
 
@@ -48,6 +53,17 @@ class Grading {
  private:
   std::filesystem::path folder_;
 };
+
+/// The [[form]]s of submissions that are built.
+inline constexpr const char* kFormsOfBuilt = R"(
+[[form]]
+has = "*.so"
+candidate = "library:{file}"
+
+[[form]]
+has = "*.rt"
+candidate = "renderer:./{file} {scene} {image}"
+)";
 
 /// The line that makes a file of tests/submissions wrong.
 std::string mistake_line(const std::string& file, const std::string& mistake);

@@ -146,8 +146,10 @@ class EachGradedMistake : public testing::TestWithParam<Submission> {};
 TEST_P(EachGradedMistake, CostsWhatItDeservesAndIsNamed) {
   const auto& [file, mistake] = GetParam();
   const Grading grading;
-  const std::string folder = grading.submit("one", file, mistake_line(file, mistake.name));
-  const Outcome outcome = grading.grade(kLecture7, {folder});
+  const std::string folder = std::string(file).ends_with(".py")
+                                 ? grading.submit("one", file, mistake_line(file, mistake.name))
+                                 : grading.submit_built("one", file, mistake.name);
+  const Outcome outcome = grading.grade(grading.lecture7_with({}), {folder});
   ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
   const json result = grading.result("one");
   EXPECT_TRUE(result["refused"].is_null());
@@ -173,14 +175,16 @@ TEST_P(EachGradedMistake, CostsWhatItDeservesAndIsNamed) {
 INSTANTIATE_TEST_SUITE_P(Lecture7, EachGradedMistake, testing::ValuesIn(all_submissions()),
                          [](const auto& the_test) { return test_name(the_test.param); });
 
-/// The names in the enumeration of a file, or between the parentheses of MISTAKES.
+/// The names of the list MISTAKES of a file.
 std::vector<std::string> mistakes_of(const std::string& file) {
   const std::string text =
       contents(std::string(RAYCHECK_SOURCE_DIR) + "/tests/submissions/" + file);
-  const std::string begin = file.ends_with(".py") ? "MISTAKES = (" : "enum class Mistake {";
+  const bool is_python = file.ends_with(".py");
+  const std::string begin = is_python ? "MISTAKES = (" : "#define MISTAKES";
   const std::size_t from = text.find(begin) + begin.size();
   std::vector<std::string> names(1);
-  for (std::size_t at = from; text[at] != ')' && text[at] != '}'; ++at) {
+  const std::size_t end = text.find(is_python ? ")" : "enum class", from);
+  for (std::size_t at = from; at < end; ++at) {
     if (text[at] == ',') names.emplace_back();
     if (std::isalpha(text[at]) != 0 || text[at] == '_') names.back() += text[at];
   }

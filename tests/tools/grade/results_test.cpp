@@ -161,9 +161,10 @@ TEST(Pages, need_nothing_besides_themselves_and_escape_what_is_the_submissions) 
   const std::string name = "<b>x&\"";
   const std::string escaped = "&lt;b&gt;x&amp;&quot;";
   const Outcome outcome = grading.grade(
-      kLecture7, {grading.submit(name, "rays.cpp", "#error <script>alert(1)</script> & \"more\""),
-                  grading.submit("wrong", "rays.cpp", "#define MISTAKE far_root"),
-                  grading.submit("'also <i>wrong", "rays.cpp", "#define MISTAKE far_root")});
+      grading.lecture7_with({}),
+      {grading.submit(name, "rays.cpp", "#error <script>alert(1)</script> & \"more\""),
+       grading.submit_built("wrong", "rays.cpp", "far_root"),
+       grading.submit_built("'also <i>wrong", "rays.cpp", "far_root")});
   EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
   const std::string broken = grading.file(name, "report.html");
   const std::string wrong = grading.file("wrong", "report.html");
@@ -197,14 +198,16 @@ TEST(Pages, need_nothing_besides_themselves_and_escape_what_is_the_submissions) 
 
 TEST(Pages, show_a_case_that_check_takes) {
   const Grading grading;
-  grading.grade(kLecture7, {grading.submit("wrong", "rays.cpp", "#define MISTAKE far_root")});
+  const std::string submission = grading.submit_built("wrong", "rays.cpp", "far_root");
+  grading.grade(grading.lecture7_with({}), {submission});
   const json failing = item(grading.result("wrong"), "nearest root")["failing"];
   const std::string scene = grading.path("out/wrong/nearest-root.toml");
   EXPECT_TRUE(contains(contents(scene), failing["scene"])) << "with the pixels before it, if any";
-  const std::string candidate = " --candidate 'source:" + grading.path("submissions/wrong") + "'";
-  EXPECT_EQ(run("check '" + scene + "'" + candidate).exit_code, 1);
-  EXPECT_EQ(run("check '" + scene + "' --candidate source:tests/candidates/right.cpp").exit_code,
-            0);
+  const std::string check = "check '" + scene + "' --candidate 'library:";
+  EXPECT_EQ(run(check + submission + "/far_root.so'").exit_code, 1);
+  EXPECT_EQ(
+      run(check + built_submission("right.cpp", "right", grading.path("right")) + "'").exit_code,
+      0);
 }
 
 }  // namespace

@@ -5,6 +5,7 @@
 #include <array>
 #include <cstdio>
 #include <cstdlib>
+#include <filesystem>
 #include <string>
 #include <vector>
 
@@ -22,10 +23,6 @@ origin = "pixel"
 [[form]]
 has = "rays.py"
 candidate = "command:python3 {file}"
-[[form]]
-has = "rt.cpp"
-build = "g++ -std=c++20 -O1 -o rt rt.cpp"
-candidate = "renderer:./rt {scene} {image}"
 )";
 
 std::string item_of(const std::string& name, const std::string& keys,
@@ -41,11 +38,13 @@ std::string functions(const std::string& law, const std::string& sources = "\"co
 /// Graded by a rubric of these items.
 json graded(const Grading& grading, const std::string& items, const std::string& file,
             const std::string& mistake, const std::string& more = "") {
-  const std::string rubric = grading.write("rubric.toml", kForms + items);
-  const Outcome outcome = grading.grade(
-      rubric, {grading.submit("mine", file, mistake_line(file, mistake))}, "out", more);
+  const std::string rubric = grading.write("rubric.toml", kForms + (kFormsOfBuilt + items));
+  const std::string submission = file == "rays.py"
+                                     ? grading.submit("mine", file, mistake_line(file, mistake))
+                                     : grading.submit_built("mine-" + mistake, file, mistake);
+  const Outcome outcome = grading.grade(rubric, {submission}, "out", more);
   EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
-  const json result = grading.result("mine");
+  const json result = grading.result(std::filesystem::path(submission).filename());
   EXPECT_TRUE(result["refused"].is_null());
   return result;
 }

@@ -12,6 +12,7 @@
 #include <fstream>
 #include <map>
 #include <nlohmann/json.hpp>
+#include <set>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -31,7 +32,8 @@ using properties::Candidate;
 using properties::Case;
 using properties::CaseSource;
 
-constexpr std::size_t kDiscrepanciesOfEachLaw = 3;
+/// Of a law's discrepancies so many are looked at: more than there are quantities of a law.
+constexpr std::size_t kMostLookedAt = 12;
 
 std::vector<Candidate> all_candidates() {
   std::vector<Candidate> result;
@@ -44,13 +46,16 @@ std::vector<Candidate> all_candidates() {
   return result;
 }
 
-/// Certificates of the worst discrepancies of each law that judges values and has this in its name.
+/// Certificates of the worst discrepancy in each quantity of each law that judges values and has
+/// this in its name.
 void certify(const Case& the_case, const Candidate& candidate, std::string_view filter,
              std::vector<Json>& certificates) {
   properties::Trial trial(the_case, candidate, {.max_error = 0});
   for (const properties::Law& law : properties::laws()) {
     if (!law.judges_values || law.name.find(filter) == law.name.npos) continue;
-    for (const auto& found : apply(law, trial).worst(kDiscrepanciesOfEachLaw)) {
+    std::set<properties::Quantity> certified;
+    for (const auto& found : apply(law, trial).worst(kMostLookedAt)) {
+      if (!certified.insert(found.quantity).second) continue;
       certificates.push_back(
           certificate(the_case.scene, trial.conventions(), found, candidate.name));
     }
