@@ -17,7 +17,7 @@ namespace {
 
 using nlohmann::json;
 
-constexpr const char* kFarSphere = R"(
+constexpr const char* kFarSphereScene = R"(
 [camera]
 eye = [0, 0, 0]
 look_at = [0, 0, -1]
@@ -88,7 +88,7 @@ TEST(Check, reports_documented_json) {
 }
 
 TEST(Check, catches_the_textbook_on_a_far_sphere) {
-  const std::string path = temporary_file("far.toml", kFarSphere);
+  const std::string path = temporary_file("far.toml", kFarSphereScene);
   const Outcome textbook = run("check " + path + " --intersect quadratic --format json");
   EXPECT_EQ(textbook.exit_code, 1);
   const json report = json::parse(textbook.out);
@@ -116,7 +116,7 @@ TEST(Check, judges_as_many_pixels_as_asked_and_says_what_it_left_out) {
 }
 
 TEST(Check, reports_the_same_whatever_the_number_of_threads) {
-  std::string scene = kFarSphere;
+  std::string scene = kFarSphereScene;
   scene.replace(scene.find("width = 16"), 10, "width = 90");
   scene.replace(scene.find("height = 16"), 11, "height = 70");
   scene += "[[sphere]]\ncentre = [0, 0, -2e8]\nradius = 2e5\n";
@@ -180,7 +180,7 @@ TEST(Check, fails_with_2_and_says_why_on_bad_input) {
 }
 
 TEST(Check, judges_what_overflows_instead_of_refusing_it) {
-  std::string scene = kFarSphere;
+  std::string scene = kFarSphereScene;
   scene.replace(scene.find("left = -0.001"), 13, "left = -1e200");
   const std::string path = temporary_file("overflow.toml", scene);
   const Outcome result = run("check " + path + " --format json");
@@ -196,7 +196,7 @@ TEST(Check, judges_what_overflows_instead_of_refusing_it) {
 }
 
 TEST(Check, spreads_the_pixels_it_judges_over_the_image) {
-  std::string scene = kFarSphere;
+  std::string scene = kFarSphereScene;
   scene.replace(scene.find("width = 16"), 10, "width = 2147483647");
   scene.replace(scene.find("height = 16"), 11, "height = 2147483647");
   const std::string path = temporary_file("wide.toml", scene);
@@ -243,7 +243,7 @@ TEST(Check, fails_when_the_report_cannot_be_written) {
 }
 
 TEST(Check, ends_with_a_partial_report_when_interrupted) {
-  std::string scene = kFarSphere;
+  std::string scene = kFarSphereScene;
   for (const char* size : {"width = 16", "height = 16"}) {
     scene.replace(scene.find(size), std::string(size).size(),
                   std::string(size).substr(0, std::string(size).find('=')) + "= 8192");
