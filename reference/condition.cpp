@@ -7,20 +7,10 @@
 namespace raycheck::reference {
 namespace {
 
-/// A ray's line whose numbers know their derivatives by the ray's inputs.
-template <class Lift>
-Line<typename Lift::Kernel> differentiated_line(const Lift& lift, const ExactRay::Source& source) {
-  using K = typename Lift::Kernel;
-  if (source.camera == nullptr) return given_line(lift_ray<K>(lift, source.given));
-  return line_of(lift, camera_numbers<K>(lift, source.camera->camera), source);
-}
-
 /// The condition number of a value of the ray's line.
 template <class Value, class IsZero>
 double line_condition(const ExactRay& ray, Value value, IsZero is_zero, Arithmetic arithmetic) {
-  const auto quantity = [&](const auto& lift) {
-    return value(differentiated_line(lift, ray.source()));
-  };
+  const auto quantity = [&](const auto& lift) { return value(lifted_line(lift, ray.source())); };
   return ray.source().camera ? condition_number<kCameraInputs>(quantity, is_zero, arithmetic)
                              : condition_number<kGivenInputs>(quantity, is_zero, arithmetic);
 }
@@ -32,7 +22,7 @@ double pair_condition(const ExactRay& ray, const scene::Sphere& sphere, Value va
   scene::require_valid(sphere);
   const auto quantity = [&](const auto& lift) {
     using K = typename std::decay_t<decltype(lift)>::Kernel;
-    const auto line = differentiated_line(lift, ray.source());
+    const auto line = lifted_line(lift, ray.source());
     return value(line_and_sphere(line, lift_sphere<K>(lift, sphere)));
   };
   return ray.source().camera ? condition_number<kCameraInputs>(quantity, is_zero, arithmetic)

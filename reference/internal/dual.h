@@ -8,6 +8,7 @@
 #include <array>
 #include <bit>
 #include <cstddef>
+#include <utility>
 
 #include "reference/internal/kernels.h"
 
@@ -109,7 +110,7 @@ class Dual {
 template <class BaseLift, int N>
 class DualLift {
  public:
-  using Base = decltype(BaseLift{}(0.0));
+  using Base = decltype(std::declval<const BaseLift&>()(0.0));
   using Number = Dual<Base, N>;
   using BaseKernel = CGAL::Simple_cartesian<Base>;
   using Kernel = CGAL::Simple_cartesian<Number>;

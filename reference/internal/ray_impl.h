@@ -72,6 +72,14 @@ inline Line<ExactKernel> line_of(const ExactLift& lift, const ExactRay::Source& 
   return line_of(lift, source.camera->exact, source);
 }
 
+/// The line with every input lifted anew, for lifts that count them (they name their Kernel).
+template <class Lift>
+Line<typename Lift::Kernel> lifted_line(const Lift& lift, const ExactRay::Source& source) {
+  using K = typename Lift::Kernel;
+  if (source.camera == nullptr) return given_line(lift_ray<K>(lift, source.given));
+  return line_of(lift, camera_numbers<K>(lift, source.camera->camera), source);
+}
+
 struct EnclosedRay::Impl {
   Line<EnclosureKernel> line;
   EnclosureLift lift;

@@ -1,0 +1,162 @@
+#include "reference/internal/answer_box.h"
+
+#include "reference/internal/classify.h"
+#include "reference/internal/condition_impl.h"
+
+namespace raycheck::reference {
+namespace {
+
+/// Precisions of the balls that verify a witness.
+constexpr int kFirstWitnessBits = 256;
+constexpr int kLastWitnessBits = 4096;
+
+/// The inputs of a pair, and the answer's s.
+constexpr int kMostInputs = kCameraInputs + 1;
+
+}  // namespace
+
+AnswerBox::AnswerBox(const ExactRay& ray, const scene::Sphere& sphere, const Neighbourhood& around,
+                     const std::optional<double>& answer)
+    : ray_(ray), sphere_(sphere), around_(around), answer_(answer) {
+  if (!answer_) return;
+  const Enclosure s(*answer_, kVariationBits);
+  slack_ = slack_of_answer();
+  const Enclosure least = (s - slack_).certain_sign().value_or(-1) > 0 ? s - slack_ : Enclosure(0);
+  middle_ = (least + s + slack_) * Enclosure(0.5, kVariationBits);
+  half_width_ = s + slack_ - middle_;
+  std::vector<Enclosure> reach =
+      reach_of(Decider::kAtAnswer, EnclosureLift{kVariationBits}, s, Enclosure(0));
+  reach.pop_back();
+  reach_ = sum_of_sizes(reach);
+}
+
+std::vector<double> AnswerBox::middle() const {
+  const int inputs = ray_.source().camera ? kCameraInputs : kGivenInputs;
+  return std::vector<double>(static_cast<std::size_t>(inputs) + 1);
+}
+
+template <class Lift>
+LineAndSphere<typename Lift::Kernel> AnswerBox::pair_of(
+    const Lift& lift, const Line<typename Lift::Kernel>& line) const {
+  return line_and_sphere(line, lift_sphere<typename Lift::Kernel>(lift, sphere_));
+}
+
+/// How far s may be off.
+Enclosure AnswerBox::slack_of_answer() const {
+  const InputChange none;
+  const ChangedLift lift(kVariationBits, none);
+  const auto line = lifted_line(lift, ray_.source());
+  const auto t = to_centre(pair_of(lift, line));
+  const auto largest = [](const auto& v) {
+    Enclosure most(0);
+    for (int axis = 0; axis < 3; ++axis) {
+      const Enclosure size = abs(v[axis]);
+      if ((size - most).certain_sign().value_or(0) > 0) most = size;
+    }
+    return most;
+  };
+  Enclosure scale = largest(t);
+  if (!line.is_unit) scale /= largest(line.g);
+  return (Enclosure(*answer_, kVariationBits) + scale) *
+         Enclosure(around_.relative_change, kVariationBits);
+}
+
+/// How far each input, and s, takes a decider, by slopes at lifted inputs and within `off` of s.
+template <class BaseLift>
+std::vector<Enclosure> AnswerBox::reach_of(Decider decider, const BaseLift& base,
+                                           const Enclosure& s, const Enclosure& off) const {
+  const DualLift<BaseLift, kMostInputs> lift{base};
+  const auto line = lifted_line(lift, ray_.source());
+  const auto pair = pair_of(lift, line);
+  const int inputs = lift.count();
+  Enclosure around_s = s;
+  arb_add_error(around_s.ball(), off.ball());
+  const auto varied = value_of(decider, pair, lift.input(around_s));
+  const Enclosure change(around_.relative_change, kVariationBits);
+  std::vector<Enclosure> reach;
+  for (int k = 0; k <= inputs; ++k) {
+    reach.push_back(!varied.depends_on(k) ? Enclosure(0)
+                    : k < inputs          ? varied.derivative(k) * lift.input_value(k) * change
+                                          : varied.derivative(k) * half_width_);
+  }
+  return reach;
+}
+
+const Variation& AnswerBox::variation(Decider decider) {
+  auto& known = variations_[static_cast<std::size_t>(decider)];
+  if (!known) {
+    const EnclosureLift whole{kVariationBits, around_.relative_change};
+    known = Variation{value_of_changed(decider, {}, middle_),
+                      reach_of(decider, whole, middle_, half_width_)};
+    known->most = sum_of_sizes(known->reach);
+  }
+  return *known;
+}
+
+Variation AnswerBox::variation_at(Decider decider, const std::vector<double>& t) const {
+  const InputChange change = change_at(t);
+  Variation result{value_at(decider, t), reach_of(decider, ChangedLift(kVariationBits, change),
+                                                  parameter_at(t), Enclosure(0))};
+  result.most = sum_of_sizes(result.reach);
+  result.at = t;
+  return result;
+}
+
+Enclosure AnswerBox::value_at(Decider decider, const std::vector<double>& t) const {
+  return value_of_changed(decider, change_at(t), parameter_at(t));
+}
+
+Enclosure AnswerBox::value_of_changed(Decider decider, const InputChange& change,
+                                      const Enclosure& s) const {
+  const ChangedLift lift(kFirstWitnessBits, change);
+  const auto line = lifted_line(lift, ray_.source());
+  return value_of(decider, pair_of(lift, line), s);
+}
+
+Enclosure AnswerBox::most_near_double_root() {
+  const InputChange none;
+  const ChangedLift lift(kVariationBits, none);
+  const Enclosure a = lifted_line(lift, ray_.source()).a;
+  return sqrt(variation(Decider::kAtAnswer).most * a * Enclosure(1 + 0x1p-20, kVariationBits));
+}
+
+Enclosure AnswerBox::parameter_at(const std::vector<double>& t) const {
+  return middle_ + Enclosure(t.back(), kFirstWitnessBits) * half_width_;
+}
+
+InputChange AnswerBox::change_at(const std::vector<double>& t) const {
+  InputChange change(t.begin(), t.end() - 1);
+  for (double& share : change) share *= around_.relative_change;
+  return change;
+}
+
+bool AnswerBox::is_right(const InputChange& change) const {
+  const auto at = intersect_changed(ray_, sphere_, around_.root, change);
+  if (!at || counts_as_hit(at->hit_class, around_.tangent) != answer_.has_value()) return false;
+  if (!answer_) return true;
+  const ChangedLift lift(kFirstWitnessBits, change);
+  const auto line = lifted_line(lift, ray_.source());
+  const auto pair = pair_of(lift, line);
+  const Enclosure length = line.is_unit ? ray_length(line) : Enclosure(1);
+  const Enclosure mu = ray_parameter(pair, root_sign(*at)) / length;
+  const Enclosure off = abs(mu - Enclosure(*answer_, kFirstWitnessBits) / length);
+  if ((off - slack_ / length).certain_sign().value_or(1) <= 0) return true;
+  const Enclosure to_middle = abs(linear_coefficient(pair) - line.a * mu);
+  const Enclosure apart = line.a * off + to_middle + to_middle;  // times a
+  return (apart * apart - reach_ * line.a).certain_sign().value_or(1) <= 0;
+}
+
+std::optional<Intersection> intersect_changed(const ExactRay& ray, const scene::Sphere& sphere,
+                                              scene::Root root, const InputChange& change) {
+  scene::require_valid(sphere);
+  for (int bits = kFirstWitnessBits; bits <= kLastWitnessBits; bits *= 4) {
+    const ChangedLift lift(bits, change);
+    const auto line = lifted_line(lift, ray.source());
+    const auto pair = line_and_sphere(line, lift_sphere<EnclosureKernel>(lift, sphere));
+    const auto sign = [&](Coefficient coefficient) { return sign_of(coefficient, pair); };
+    if (const auto at = classify(sign, root)) return at;
+  }
+  return std::nullopt;
+}
+
+}  // namespace raycheck::reference

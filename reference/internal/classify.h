@@ -1,0 +1,55 @@
+#ifndef RAYCHECK_REFERENCE_INTERNAL_CLASSIFY_H_
+#define RAYCHECK_REFERENCE_INTERNAL_CLASSIFY_H_
+
+// From the signs of coefficients to an intersection. Internal to reference/.
+
+#include <optional>
+
+#include "reference/exact_ray.h"
+#include "reference/internal/formulas.h"
+
+namespace raycheck::reference {
+
+enum class Coefficient { kDiscriminant, kConstant, kLinear };
+
+template <class K>
+typename K::FT coefficient_of(Coefficient coefficient, const LineAndSphere<K>& pair) {
+  switch (coefficient) {
+    case Coefficient::kDiscriminant:
+      return discriminant(pair);
+    case Coefficient::kConstant:
+      return constant_coefficient(pair);
+    default:
+      return linear_coefficient(pair);
+  }
+}
+
+template <class K>
+std::optional<int> sign_of(Coefficient coefficient, const LineAndSphere<K>& pair) {
+  return certain_sign(coefficient_of(coefficient, pair));
+}
+
+/// The intersection from the signs of three coefficients, each asked for only when it matters;
+/// empty when one that matters is not certain. With c < 0 the roots lie on both sides of the
+/// origin; with c > 0 on one side, b's; c = 0 makes one of them 0.
+template <class Sign>
+std::optional<Intersection> classify(Sign sign, scene::Root convention) {
+  const Intersection miss{};
+  const std::optional<int> discriminant_sign = sign(Coefficient::kDiscriminant);
+  if (!discriminant_sign) return std::nullopt;
+  if (*discriminant_sign < 0) return miss;
+  const std::optional<int> c = sign(Coefficient::kConstant);
+  if (!c) return std::nullopt;
+  const HitClass hit = *discriminant_sign == 0 ? HitClass::kTangent : HitClass::kHit;
+  const bool larger_counts = convention == scene::Root::kNearest;
+  if (*c < 0) return larger_counts ? Intersection{hit, WhichRoot::kLarger} : miss;
+  const std::optional<int> b = sign(Coefficient::kLinear);
+  if (!b) return std::nullopt;
+  if (*b > 0 || (*b == 0 && *c == 0)) return Intersection{hit, WhichRoot::kSmaller};
+  if (*c == 0 && larger_counts) return Intersection{hit, WhichRoot::kLarger};
+  return miss;
+}
+
+}  // namespace raycheck::reference
+
+#endif  // RAYCHECK_REFERENCE_INTERNAL_CLASSIFY_H_

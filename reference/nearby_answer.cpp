@@ -1,0 +1,263 @@
+#include "reference/nearby_answer.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <utility>
+
+#include "reference/internal/answer_box.h"
+#include "reference/internal/box_optimum.h"
+#include "scene/validate.h"
+
+namespace raycheck::reference {
+namespace {
+
+/// Shares of an answer's slack in which witnesses are looked for. A double root moves by the root
+/// of what rounding a witness moves the discriminant by: the first leaves room for that, the second
+/// is as much of the slack as certainly lies within it.
+constexpr std::array<double, 3> kSharesOfSlack = {1 - 0x1p-3, 1 - 0x1p-8, 1 - 0x1p-30};
+
+/// How far inside a condition is just inside it, as a share of how far it can be left.
+constexpr double kInside = 0x1p-20;
+
+/// How many linear programs follow one another.
+constexpr int kSteps = 8;
+
+/// How finely a line through the neighbourhood is looked along: steps to each side of its middle,
+/// and bisections of a step over which something changes its sign.
+constexpr int kLineSteps = 32;
+constexpr int kBisections = 60;
+
+/// What must be so for an answer to be right: `zero`, where given, is 0, and `what` times `sign` is
+/// not negative; or, where the sign is 0, `what` is as small as near a double root.
+struct Condition {
+  std::optional<Decider> zero;
+  Decider what;
+  int sign = 1;
+};
+
+/// The search for inputs near those of a ray and a sphere for which an answer is right.
+class Search {
+ public:
+  Search(const ExactRay& ray, const scene::Sphere& sphere, const Neighbourhood& around,
+         const std::optional<double>& answer)
+      : box_(ray, sphere, around, answer) {}
+
+  NearbyAnswer run() {
+    bool is_refuted = true;
+    for (const std::vector<Condition>& all : alternatives()) {
+      if (are_refuted(all)) continue;
+      is_refuted = false;
+      const auto known = [this](Decider decider) { return box_.variation(decider); };
+      for (const std::vector<double>& t : places(all, known)) {
+        if (auto witness = box_.change_at(t); box_.is_right(witness)) {
+          return {Nearby::kWitness, std::move(witness)};
+        }
+      }
+    }
+    if (is_refuted) return {Nearby::kRefuted, {}};
+    for (const std::vector<Condition>& all : alternatives()) {
+      if (are_refuted(all)) continue;
+      auto witness = search_step_by_step(all);
+      if (!witness) witness = search_along_lines(all);
+      if (witness) return {Nearby::kWitness, std::move(*witness)};
+    }
+    return {};
+  }
+
+ private:
+  /// The ways in which the answer may be right, each a list of what must be so at once.
+  std::vector<std::vector<Condition>> alternatives() const {
+    const bool only_smaller = box_.around().root == scene::Root::kSmaller;
+    if (!box_.answer()) {
+      std::vector<std::vector<Condition>> result = {
+          {{{}, Decider::kDiscriminant, -1}},
+          {{{}, Decider::kConstant, 1}, {{}, Decider::kLinear, -1}}};
+      if (only_smaller) result.push_back({{{}, Decider::kConstant, -1}});
+      return result;
+    }
+    if (!(std::isfinite(*box_.answer()) && *box_.answer() >= 0)) return {};
+    std::vector<std::vector<Condition>> result = {{{Decider::kAtAnswer, Decider::kBeforeMiddle}},
+                                                  {{{}, Decider::kDiscriminant},
+                                                   {{}, Decider::kBeforeMiddle, 0},
+                                                   {{}, Decider::kDiscriminant, 0}}};
+    if (!only_smaller) result.push_back({{Decider::kAtAnswer, Decider::kOtherBehind}});
+    return result;
+  }
+
+  bool are_refuted(const std::vector<Condition>& all) {
+    return std::any_of(all.begin(), all.end(),
+                       [this](const Condition& condition) { return is_refuted(condition); });
+  }
+
+  bool is_refuted(const Condition& condition) {
+    const Variation& f = box_.variation(condition.what);
+    if (!condition.zero) return !may_be(f, condition);
+    const Variation& g = box_.variation(*condition.zero);
+    if (!g.may_be_zero() || !f.may_be_at_least_zero()) return true;
+    const auto optimum = highest_where_zero(linear_form(f), linear_form(g));
+    if (!optimum) return false;
+    // Where g is 0, f is f + multiplier g, which may vary less.
+    const Enclosure multiplier = Enclosure(optimum->multiplier, kVariationBits) * f.most / g.most;
+    std::vector<Enclosure> reach;
+    for (std::size_t k = 0; k < f.reach.size(); ++k) {
+      reach.push_back(f.reach[k] + multiplier * g.reach[k]);
+    }
+    const Variation both{f.value + multiplier * g.value, reach, sum_of_sizes(reach)};
+    return !both.may_be_at_least_zero();
+  }
+
+  /// Whether a condition without an equation can be met. A line misses where the discriminant is
+  /// negative, or 0 if tangents count as misses; a root at the origin is a hit of the nearest, a
+  /// miss of the smaller root where that is the other one.
+  bool may_be(const Variation& f, const Condition& condition) {
+    if (condition.sign == 0) {
+      Enclosure most = box_.most_near_double_root();
+      if (condition.what == Decider::kDiscriminant) most *= Enclosure(most);
+      return (abs(f.value) - f.most - most).certain_sign().value_or(-1) <= 0;
+    }
+    const bool tangent_misses = box_.around().tangent == scene::Tangent::kMiss;
+    const bool zero_counts = condition.what == Decider::kDiscriminant
+                                 ? tangent_misses == (condition.sign < 0)
+                                 : condition.what == Decider::kConstant && condition.sign > 0 &&
+                                       box_.around().root == scene::Root::kSmaller;
+    if (zero_counts && f.may_be_zero()) return true;
+    return condition.sign > 0 ? f.may_be_positive() : f.may_be_negative();
+  }
+
+  /// Points of the box [-1, 1]^n where the conditions are met if they are anywhere, but for what is
+  /// not linear.
+  template <class VariationOf>
+  std::vector<std::vector<double>> places(const std::vector<Condition>& all,
+                                          const VariationOf& variation_of) const {
+    std::vector<std::vector<double>> result;
+    const auto slopes = [&](Decider decider, int sign) {
+      LinearForm f = linear_form(variation_of(decider));
+      f.value *= sign;
+      for (double& slope : f.slope) slope *= sign;
+      return f;
+    };
+    for (const Condition& condition : all) {
+      const LinearForm f = slopes(condition.what, condition.sign);
+      if (!condition.zero) {
+        if (condition.sign == 0) continue;
+        result.push_back(highest(f));
+        result.emplace_back(f.slope.size(), 0.0);
+        continue;
+      }
+      for (const double share : kSharesOfSlack) {
+        LinearForm g = slopes(*condition.zero, 1);
+        g.slope.back() *= share;
+        if (auto optimum = highest_where_zero(f, g)) {
+          optimum->t.back() *= share;
+          result.push_back(
+              on_zero(*condition.zero, variation_of(*condition.zero), std::move(optimum->t)));
+        }
+      }
+    }
+    // Just inside a condition, as far inside another as may be: of two, or near a double root.
+    const auto just_inside = [&](LinearForm first, const LinearForm& second) {
+      first.value -= kInside;
+      if (auto optimum = highest_where_zero(second, first)) result.push_back(std::move(optimum->t));
+    };
+    if (all.size() >= 2) {
+      const LinearForm first = slopes(all[0].what, all[0].sign);
+      for (const int sign : {1, -1}) {
+        if (all[1].sign != -sign) just_inside(first, slopes(all[1].what, sign));
+      }
+    }
+    return result;
+  }
+
+  /// Moves one coordinate, that which needs the least of those that can, so that the decider is 0
+  /// to the last bits of it.
+  std::vector<double> on_zero(Decider decider, const Variation& variation,
+                              std::vector<double> t) const {
+    const std::vector<Enclosure>& reach = variation.reach;
+    const Enclosure off = box_.value_at(decider, t);
+    std::size_t moved = t.size();
+    double least = 0;
+    for (std::size_t k = 0; k + 1 < t.size(); ++k) {
+      const double step = (off / reach[k]).lower();
+      const bool is_possible = std::abs(t[k] - step) <= 1;
+      if (is_possible && (moved == t.size() || std::abs(step) < std::abs(least))) {
+        moved = k;
+        least = step;
+      }
+    }
+    if (moved < t.size()) t[moved] -= least;
+    return t;
+  }
+
+  /// Where inputs are ill-conditioned, so that what decides is not linear over the neighbourhood:
+  /// by linear programs about the point that the one before found.
+  std::optional<InputChange> search_step_by_step(const std::vector<Condition>& all) const {
+    std::vector<double> t = box_.middle();
+    for (int step = 0; step < kSteps; ++step) {
+      const auto here = [&](Decider decider) { return box_.variation_at(decider, t); };
+      const std::vector<std::vector<double>> found = places(all, here);
+      for (const std::vector<double>& place : found) {
+        if (auto change = box_.change_at(place); box_.is_right(change)) return change;
+      }
+      if (found.empty()) return std::nullopt;
+      t = found.front();
+    }
+    return std::nullopt;
+  }
+
+  /// And where it is not nearly so: along lines through the middle, on which all inputs change as a
+  /// decider rises most, or one of them.
+  std::optional<InputChange> search_along_lines(const std::vector<Condition>& all) const {
+    const Decider decider = all.front().zero.value_or(all.front().what);
+    const std::vector<double> rising =
+        highest(linear_form(box_.variation_at(decider, box_.middle())));
+    if (auto found = search_along(decider, rising)) return found;
+    for (std::size_t k = 0; k + 1 < rising.size(); ++k) {
+      std::vector<double> alone(rising.size());
+      alone[k] = rising[k];
+      if (alone[k] == 0) continue;
+      if (auto found = search_along(decider, alone)) return found;
+    }
+    return std::nullopt;
+  }
+
+  /// On one line: at every step, and where the decider is 0.
+  std::optional<InputChange> search_along(Decider decider, const std::vector<double>& line) const {
+    const auto at = [&](double share) {
+      std::vector<double> t = line;
+      for (double& x : t) x *= share;
+      return t;
+    };
+    const auto sign_at = [&](double share) {
+      return box_.value_at(decider, at(share)).certain_sign().value_or(0);
+    };
+    for (int k = -kLineSteps; k <= kLineSteps; ++k) {
+      double low = static_cast<double>(k) / kLineSteps;
+      double high = std::min(1.0, static_cast<double>(k + 1) / kLineSteps);
+      if (auto change = box_.change_at(at(low)); box_.is_right(change)) return change;
+      const int sign = sign_at(low);
+      if (sign * sign_at(high) >= 0) continue;
+      for (int step = 0; step < kBisections; ++step) {
+        const double middle = 0.5 * (low + high);
+        (sign_at(middle) == sign ? low : high) = middle;
+      }
+      for (const double share : {low, high}) {
+        if (auto change = box_.change_at(at(share)); box_.is_right(change)) return change;
+      }
+    }
+    return std::nullopt;
+  }
+
+  AnswerBox box_;
+};
+
+}  // namespace
+
+NearbyAnswer right_nearby(const ExactRay& ray, const scene::Sphere& sphere,
+                          const Neighbourhood& around, const std::optional<double>& answer) {
+  scene::require_valid(sphere);
+  return Search(ray, sphere, around, answer).run();
+}
+
+}  // namespace raycheck::reference

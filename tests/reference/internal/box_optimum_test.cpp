@@ -1,0 +1,72 @@
+// Linear programs over a box, against points of it and against their own duals.
+
+#include "reference/internal/box_optimum.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstddef>
+#include <optional>
+#include <vector>
+
+#include "properties/cases/random.h"
+
+namespace raycheck::reference {
+namespace {
+
+using properties::Random;
+
+double at(const LinearForm& form, const std::vector<double>& t) {
+  double value = form.value;
+  for (std::size_t k = 0; k < t.size(); ++k) value += form.slope[k] * t[k];
+  return value;
+}
+
+LinearForm random_form(Random& random, std::size_t inputs) {
+  LinearForm form{random.between(-2, 2), {}};
+  for (std::size_t k = 0; k < inputs; ++k) {
+    // Equal ratios and zeros are usual: a ray's origin and a centre enter as their difference.
+    form.slope.push_back(static_cast<double>(random.integer(-3, 3)) / 4);
+  }
+  return form;
+}
+
+TEST(BoxOptimum, WithoutAnEquationIsACorner) {
+  EXPECT_EQ(highest({1, {2, -3, 0}}), (std::vector<double>{1, -1, 0}));
+}
+
+TEST(BoxOptimum, IsEmptyWhereTheEquationHasNoSolution) {
+  EXPECT_FALSE(highest_where_zero({0, {1, 1}}, {3, {1, -1}}));
+  EXPECT_FALSE(highest_where_zero({0, {1, 1}}, {-3, {1, -1}}));
+  EXPECT_TRUE(highest_where_zero({0, {1, 1}}, {2, {1, -1}}));
+}
+
+TEST(BoxOptimum, MeetsTheEquationAndItsMultiplierProvesIt) {
+  constexpr double kRounding = 1e-12;
+  Random random(3);
+  int found = 0;
+  for (int k = 0; k < 5000; ++k) {
+    const auto inputs = static_cast<std::size_t>(random.integer(1, 12));
+    const LinearForm f = random_form(random, inputs);
+    const LinearForm g = random_form(random, inputs);
+    const auto optimum = highest_where_zero(f, g);
+    double reach = 0;
+    for (const double slope : g.slope) reach += std::abs(slope);
+    if (reach == 0) continue;
+    ASSERT_EQ(optimum.has_value(), std::abs(g.value) <= reach) << k;
+    if (!optimum) continue;
+    ++found;
+    for (const double t : optimum->t) ASSERT_LE(std::abs(t), 1 + kRounding);
+    ASSERT_NEAR(at(g, optimum->t), 0, kRounding) << k;
+    // Weak duality: where g is 0, f is the combination, whose largest value is this.
+    LinearForm combined{f.value + optimum->multiplier * g.value, {}};
+    for (std::size_t j = 0; j < inputs; ++j) {
+      combined.slope.push_back(f.slope[j] + optimum->multiplier * g.slope[j]);
+    }
+    ASSERT_NEAR(at(combined, highest(combined)), at(f, optimum->t), kRounding) << k;
+  }
+  EXPECT_GT(found, 2000);
+}
+
+}  // namespace
+}  // namespace raycheck::reference

@@ -1,0 +1,290 @@
+// Witnesses and refutations of wrong answers, against rational arithmetic.
+
+#include "reference/nearby_answer.h"
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <boost/multiprecision/gmp.hpp>
+#include <cmath>
+#include <limits>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "tests/reference/random_cases.h"
+
+namespace raycheck::reference {
+namespace {
+
+using scene::Ray;
+using scene::Root;
+using scene::Sphere;
+using scene::Tangent;
+using Fraction = boost::multiprecision::mpq_rational;
+using Integer = boost::multiprecision::mpz_int;
+
+constexpr double kU = 0x1p-53;
+constexpr double kChange = 16 * kU;
+const Sphere kUnit{{0, 0, 0}, 1};
+
+Ray at_height(double y) { return {{-5, y, 0}, {1, 0, 0}}; }
+
+Nearby found(const Ray& ray, const Sphere& sphere, const std::optional<double>& answer,
+             double change = kChange, Root root = Root::kNearest, Tangent tangent = Tangent::kHit) {
+  return right_nearby(ExactRay(ray), sphere, {root, tangent, change}, answer).found;
+}
+
+/// The ten inputs of a ray and a sphere, in the order of InputChange.
+std::array<Fraction, 10> fractions(const Ray& ray, const Sphere& sphere) {
+  const auto& [o, d] = ray;
+  const auto& c = sphere.centre;
+  return {Fraction(o.x), Fraction(o.y), Fraction(o.z), Fraction(d.x), Fraction(d.y),
+          Fraction(d.z), Fraction(c.x), Fraction(c.y), Fraction(c.z), Fraction(sphere.radius)};
+}
+
+/// The quadratic's coefficients at changed inputs: a mu^2 - 2 b mu + c.
+struct Quadratic {
+  explicit Quadratic(const std::array<Fraction, 10>& x) {
+    c = -x[9] * x[9];
+    for (std::size_t k = 0; k < 3; ++k) {
+      const Fraction t = x[6 + k] - x[k];
+      a += x[3 + k] * x[3 + k];
+      b += t * x[3 + k];
+      c += t * t;
+    }
+  }
+  Fraction discriminant() const { return b * b - a * c; }
+
+  Fraction a = 0, b = 0, c = 0;
+};
+
+bool is_miss(const Quadratic& q) { return q.discriminant() < 0 || (q.c > 0 && q.b < 0); }
+
+/// The nearest root that is not negative, to 2^-300; of a hit.
+Fraction nearest_root(const Quadratic& q) {
+  const Fraction scale(Integer(1) << 600);
+  const Fraction scaled = q.discriminant() * scale;
+  const Integer whole = numerator(scaled) / denominator(scaled);
+  const Fraction root = Fraction(Integer(sqrt(whole))) / Fraction(Integer(1) << 300);
+  const bool is_smaller = q.c >= 0 && q.b >= 0;
+  return (q.b + (is_smaller ? -1 : 1) * root) / q.a;
+}
+
+std::array<Fraction, 10> changed(const Ray& ray, const Sphere& sphere, const InputChange& change) {
+  std::array<Fraction, 10> x = fractions(ray, sphere);
+  EXPECT_EQ(change.size(), x.size());
+  for (std::size_t k = 0; k < x.size(); ++k) {
+    x[k] *= 1 + Fraction(change[k]);
+  }
+  return x;
+}
+
+Fraction absolute(const Fraction& x) { return x < 0 ? Fraction(-x) : x; }
+
+/// Whether s is the root asked for at changed inputs, up to what is documented.
+bool is_root(const Ray& ray, const Sphere& sphere, double s, double change, const Quadratic& q) {
+  if (is_miss(q)) return false;
+  const std::array<Fraction, 10> x = fractions(ray, sphere);
+  const Fraction at(s);
+  Fraction to_centre = 0;
+  Fraction along = 0;
+  Fraction reach = 2 * x[9] * x[9];
+  for (std::size_t k = 0; k < 3; ++k) {
+    const Fraction t = x[6 + k] - x[k];
+    to_centre = std::max(to_centre, absolute(t));
+    along = std::max(along, absolute(x[3 + k]));
+    reach += 2 * absolute(t - at * x[3 + k]) *
+             (absolute(x[k]) + absolute(x[6 + k]) + absolute(at * x[3 + k]));
+  }
+  const Fraction share(change);
+  const Fraction root = nearest_root(q);
+  const Fraction off = absolute(at - root);
+  const Fraction apart = off + 2 * absolute(q.b / q.a - root);
+  return off <= (at + to_centre / along) * share || apart * apart * q.a <= reach * share;
+}
+
+/// Holds a witness against its claim, in fractions.
+void expect_witness(const Ray& ray, const Sphere& sphere, const std::optional<double>& answer,
+                    double change, const InputChange& witness) {
+  const std::string what = spelled(ray) + spelled(sphere);
+  for (const double share : witness) EXPECT_LE(std::abs(share), change) << what;
+  const Quadratic q(changed(ray, sphere, witness));
+  EXPECT_TRUE(answer ? is_root(ray, sphere, *answer, change, q) : is_miss(q)) << what;
+}
+
+TEST(NearbyAnswer, ARootAheadIsThereWhateverChanges) {
+  const Ray from_surface{{-1, 0, 0}, {1, 0, 0}};
+  EXPECT_EQ(found(from_surface, kUnit, std::nullopt), Nearby::kRefuted);
+  EXPECT_EQ(found(from_surface, kUnit, 2.0), Nearby::kWitness);
+  EXPECT_EQ(found(from_surface, kUnit, 0.0), Nearby::kWitness);
+  EXPECT_EQ(found(from_surface, kUnit, 1.0), Nearby::kRefuted);
+}
+
+TEST(NearbyAnswer, AtATangentAMissAndAHitAtItAreRightNearby) {
+  EXPECT_EQ(found(at_height(1), kUnit, std::nullopt), Nearby::kWitness);
+  EXPECT_EQ(found(at_height(1), kUnit, 5.0), Nearby::kWitness);
+  EXPECT_EQ(found(at_height(1), kUnit, 0.0), Nearby::kRefuted);
+  EXPECT_EQ(found(at_height(1), kUnit, 5 - 0x1p-20), Nearby::kRefuted);
+}
+
+/// (1 - k u)(1 + 16 u) > 1 - 16 u, by which a hit at height 1 - k u is nearly a miss, is k < 32;
+/// and likewise (1 + k u)(1 - 16 u) <= 1 + 16 u above, where k is even.
+TEST(NearbyAnswer, TellsToTheLastBitHowCloseAMissIs) {
+  for (int k = 1; k <= 80; ++k) {
+    if (k == 32) continue;  // 256 u^2 alone decides
+    EXPECT_EQ(found(at_height(1 - k * kU), kUnit, std::nullopt),
+              k < 32 ? Nearby::kWitness : Nearby::kRefuted)
+        << k;
+  }
+  for (int k = 2; k <= 80; k += 2) {
+    if (k == 32) continue;
+    EXPECT_EQ(found(at_height(1 + k * kU), kUnit, 5.0),
+              k < 32 ? Nearby::kWitness : Nearby::kRefuted)
+        << k;
+  }
+}
+
+TEST(NearbyAnswer, WhatIsNoParameterIsRefuted) {
+  constexpr double kInfinity = std::numeric_limits<double>::infinity();
+  for (const double s : {-1.0, kInfinity, -kInfinity, std::nan("")}) {
+    EXPECT_EQ(found(at_height(1), kUnit, s), Nearby::kRefuted);
+  }
+}
+
+TEST(NearbyAnswer, FollowsTheConventions) {
+  const Ray from_inside{{0x1p-60, 0, 0}, {1, 0, 0}};
+  EXPECT_EQ(found(from_inside, kUnit, std::nullopt, kChange, Root::kNearest), Nearby::kRefuted);
+  const Ray from_surface{{-1, 0, 0}, {1, 0, 0}};
+  EXPECT_EQ(found(from_surface, kUnit, std::nullopt, kChange, Root::kSmaller), Nearby::kWitness);
+  EXPECT_EQ(found(from_surface, kUnit, 2.0, kChange, Root::kSmaller), Nearby::kRefuted);
+  EXPECT_EQ(found(at_height(1), kUnit, std::nullopt, 0, Root::kNearest, Tangent::kHit),
+            Nearby::kRefuted);
+  EXPECT_EQ(found(at_height(1), kUnit, std::nullopt, 0, Root::kNearest, Tangent::kMiss),
+            Nearby::kWitness);
+}
+
+/// The answer that a decision turned round would give.
+std::optional<double> wrong_answer(Random& random, const ExactRay& ray, const Sphere& sphere) {
+  const Intersection at = ray.intersect(sphere);
+  if (at.hit_class == HitClass::kMiss) {
+    const double v = ray.enclose(128).axial_distance(sphere).upper();
+    const double length = ray.enclose(128).length().upper();
+    return random.one_in(4) ? 0 : std::max(0.0, v / length);
+  }
+  if (random.one_in(2)) return std::nullopt;
+  const Intersection other{
+      at.hit_class, at.root == WhichRoot::kSmaller ? WhichRoot::kLarger : WhichRoot::kSmaller};
+  return std::max(0.0, ray.rounded_parameter(sphere, other));
+}
+
+/// A sphere that the ray almost touches, or almost starts on.
+Sphere critical_sphere(Random& random, const Ray& ray) {
+  Sphere sphere = random_sphere(random, Sizes::kOrdinary);
+  const ExactRay exact(ray);
+  const auto enclosed = exact.enclose(128);
+  const double impact_sq = sphere.radius * sphere.radius - enclosed.half_chord_sq(sphere).upper();
+  const double v = enclosed.axial_distance(sphere).upper();
+  const double distance = random.one_in(2) ? std::sqrt(std::max(0.0, impact_sq))
+                                           : std::sqrt(std::max(0.0, impact_sq + v * v));
+  sphere.radius = nudged(distance, random.integer(-40, 40));
+  return sphere;
+}
+
+TEST(NearbyAnswer, OfCriticalRaysIsWitnessedOrRefutedAndFractionsAgree) {
+  Random random(12);
+  int witnesses = 0;
+  int refutations = 0;
+  int undecided = 0;
+  for (int k = 0; k < 4000; ++k) {
+    const Ray ray = random_ray(random, random.one_in(4) ? Sizes::kSmallIntegers : Sizes::kOrdinary);
+    const Sphere sphere = critical_sphere(random, ray);
+    if (!scene::defects(sphere).empty()) continue;
+    const ExactRay exact(ray);
+    const auto answer = wrong_answer(random, exact, sphere);
+    const NearbyAnswer nearby = right_nearby(exact, sphere, {.relative_change = kChange}, answer);
+    if (nearby.found == Nearby::kWitness) {
+      ++witnesses;
+      expect_witness(ray, sphere, answer, kChange, nearby.witness);
+      continue;
+    }
+    ++(nearby.found == Nearby::kRefuted ? refutations : undecided);
+    // No corner of the neighbourhood has it right.
+    for (int corner = 0; corner < 24; ++corner) {
+      InputChange change;
+      for (int input = 0; input < 10; ++input) {
+        change.push_back(kChange * static_cast<double>(random.integer(-1, 1)));
+      }
+      const Quadratic q(changed(ray, sphere, change));
+      const bool is_right = answer ? is_root(ray, sphere, *answer, kChange, q) : is_miss(q);
+      ASSERT_FALSE(is_right) << spelled(ray) << spelled(sphere);
+    }
+  }
+  EXPECT_GE(witnesses, 500);
+  EXPECT_GE(refutations, 500);
+  EXPECT_EQ(undecided, 0);
+}
+
+/// A camera's and a sphere's inputs, changed and rounded, in the order of InputChange.
+struct Seen {
+  scene::Camera camera;
+  Sphere sphere;
+
+  std::array<double*, 18> inputs() {
+    return {&camera.eye.x,     &camera.eye.y,     &camera.eye.z,    &camera.look_at.x,
+            &camera.look_at.y, &camera.look_at.z, &camera.up.x,     &camera.up.y,
+            &camera.up.z,      &camera.near,      &camera.left,     &camera.right,
+            &camera.bottom,    &camera.top,       &sphere.centre.x, &sphere.centre.y,
+            &sphere.centre.z,  &sphere.radius};
+  }
+};
+
+/// The changes are so much larger than roundings that changed inputs may be rounded.
+TEST(NearbyAnswer, OfCamerasHoldsForCamerasSoChanged) {
+  constexpr double kWide = 0x1p-26;
+  Random random(5);
+  int witnesses = 0;
+  int rounded_off = 0;
+  int refutations = 0;
+  for (int k = 0; k < 1500; ++k) {
+    const scene::Camera camera = random_camera(random, Sizes::kOrdinary);
+    const scene::Conventions conventions = random_conventions(random);
+    const scene::Pixel pixel = random_pixel(random, camera);
+    const ExactRay ray(ExactCamera(camera, conventions), pixel);
+    Sphere sphere = random_sphere(random, Sizes::kOrdinary);
+    const auto enclosed = ray.enclose(128);
+    const double impact_sq = sphere.radius * sphere.radius - enclosed.half_chord_sq(sphere).upper();
+    sphere.radius = std::sqrt(std::max(0.0, impact_sq)) * (1 + random.between(-8, 8) * kWide);
+    if (!scene::defects(sphere).empty()) continue;
+    const bool misses = ray.intersect(sphere).hit_class == HitClass::kMiss;
+    const auto answer =
+        misses ? std::optional(std::abs(enclosed.axial_distance(sphere).upper())) : std::nullopt;
+    const NearbyAnswer nearby = right_nearby(ray, sphere, {.relative_change = kWide}, answer);
+    const auto is_right = [&](const std::vector<double>& change) {
+      Seen seen{camera, sphere};
+      const auto inputs = seen.inputs();
+      for (std::size_t j = 0; j < inputs.size(); ++j) *inputs[j] *= 1 + change[j];
+      const ExactRay changed(ExactCamera(seen.camera, conventions), pixel);
+      return (changed.intersect(seen.sphere).hit_class == HitClass::kMiss) != answer.has_value();
+    };
+    if (nearby.found == Nearby::kWitness) {
+      ++witnesses;
+      ASSERT_EQ(nearby.witness.size(), 18u);
+      for (const double share : nearby.witness) ASSERT_LE(std::abs(share), kWide);
+      rounded_off += is_right(nearby.witness) ? 0 : 1;
+    }
+    if (nearby.found != Nearby::kRefuted || answer) continue;
+    ++refutations;
+    for (int corner = 0; corner < 12; ++corner) {
+      std::vector<double> change;
+      for (int j = 0; j < 18; ++j) change.push_back(0.999 * kWide * random.sign());
+      ASSERT_FALSE(is_right(change)) << spelled(camera) << spelled(sphere);
+    }
+  }
+  EXPECT_GE(witnesses, 300);
+  EXPECT_GE(refutations, 100);
+  EXPECT_LE(rounded_off, witnesses / 100);
+}
+
+}  // namespace
+}  // namespace raycheck::reference
