@@ -113,7 +113,7 @@ Replay parse_replay(std::string_view text) {
   };
   std::array<std::string_view, 4> parts;
   std::string_view rest = text;
-  for (const std::size_t part : {3, 2}) {
+  for (const std::size_t part : {std::size_t{3}, std::size_t{2}}) {
     const std::size_t colon = rest.rfind(':');
     if (colon == std::string_view::npos) throw wrong();
     parts[part] = rest.substr(colon + 1);

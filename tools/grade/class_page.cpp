@@ -113,8 +113,10 @@ std::vector<Alike> find_alike(const ClassGrade& graded) {
     }
     for (const auto& [wrong, members] : by_answer) {
       if (members.size() < 2) continue;
-      auto known = std::find_if(found.begin(), found.end(),
-                                [&](const Alike& one) { return one.members == members; });
+      // A lambda cannot capture a structured binding by clang 14.
+      auto known = std::find_if(found.begin(), found.end(), [&these = members](const Alike& one) {
+        return one.members == these;
+      });
       if (known == found.end()) known = found.insert(found.end(), Alike{members, {}});
       known->wrong.emplace_back(graded.rubric.items[k].name, wrong);
     }

@@ -94,8 +94,9 @@ void forbid_calls() {
     require(seccomp_rule_add(filter, SCMP_ACT_ERRNO(EPERM), call, 0) == 0, name);
   }
   // Java's files need a pair of streams, which lead nowhere else; datagrams can be addressed.
-  require(seccomp_rule_add(filter, SCMP_ACT_ERRNO(EPERM), SCMP_SYS(socketpair), 1,
-                           SCMP_A1(SCMP_CMP_NE, SOCK_STREAM)) == 0,
+  const scmp_arg_cmp is_no_stream = {1, SCMP_CMP_NE, SOCK_STREAM, 0};
+  require(seccomp_rule_add_array(filter, SCMP_ACT_ERRNO(EPERM), SCMP_SYS(socketpair), 1,
+                                 &is_no_stream) == 0,
           "socketpair");
   require(seccomp_load(filter) == 0, "seccomp");
   seccomp_release(filter);
