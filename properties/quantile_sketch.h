@@ -23,9 +23,9 @@ inline constexpr std::size_t kMostSketchBins = std::size_t{2098} * (1 << (kSketc
 ///         are upper bounds: never less than the exact one, more by less than kSketchResolution of
 ///         it. Numbers of at most kSketchBits significant bits, 0 and infinity are exact, and so is
 ///         the largest of all.
-/// Memory: a table of 16 bytes a place with at most four places for each bin that was hit and each
-///         of at most 1024 keys that wait to be counted; numbers within a factor of 2 have 1024
-///         bins, all doubles kMostSketchBins.
+/// Memory: a table of 16 bytes a place with at most eight places for each bin that was hit and four
+///         for each of at most 1024 keys that wait to be counted; numbers within a factor of 2 have
+///         1024 bins, all doubles kMostSketchBins.
 class QuantileSketch {
  public:
   /// What is no number counts as infinite; throws std::invalid_argument for negative numbers.

@@ -14,8 +14,8 @@ namespace raycheck::reference {
 namespace {
 
 /// Shares of an answer's slack in which witnesses are looked for. A double root moves by the root
-/// of what rounding a witness moves the discriminant by: the first leaves room for that, the second
-/// is as much of the slack as certainly lies within it.
+/// of what rounding a witness moves the discriminant by: the first leaves room for that, the last
+/// is nearly all that certainly lies within it.
 constexpr std::array<double, 3> kSharesOfSlack = {1 - 0x1p-3, 1 - 0x1p-8, 1 - 0x1p-30};
 
 /// How far inside a condition is just inside it, as a share of how far it can be left.

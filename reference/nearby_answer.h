@@ -49,10 +49,6 @@ struct Neighbourhood {
 NearbyAnswer right_nearby(const ExactRay& ray, const scene::Sphere& sphere,
                           const Neighbourhood& around, const std::optional<double>& answer);
 
-/// How the ray and the sphere meet when their inputs are changed; empty where balls cannot tell.
-std::optional<Intersection> intersect_changed(const ExactRay& ray, const scene::Sphere& sphere,
-                                              scene::Root root, const InputChange& change);
-
 }  // namespace raycheck::reference
 
 #endif  // RAYCHECK_REFERENCE_NEARBY_ANSWER_H_

@@ -13,6 +13,19 @@ constexpr int kLastWitnessBits = 4096;
 /// The inputs of a pair, and the answer's s.
 constexpr int kMostInputs = kCameraInputs + 1;
 
+/// How the ray and the sphere meet when their inputs are changed; empty where balls cannot tell.
+std::optional<Intersection> intersect_changed(const ExactRay& ray, const scene::Sphere& sphere,
+                                              scene::Root root, const InputChange& change) {
+  for (int bits = kFirstWitnessBits; bits <= kLastWitnessBits; bits *= 4) {
+    const ChangedLift lift(bits, change);
+    const auto line = lifted_line(lift, ray.source());
+    const auto pair = line_and_sphere(line, lift_sphere<EnclosureKernel>(lift, sphere));
+    const auto sign = [&](Coefficient coefficient) { return sign_of(coefficient, pair); };
+    if (const auto at = classify(sign, root)) return at;
+  }
+  return std::nullopt;
+}
+
 }  // namespace
 
 AnswerBox::AnswerBox(const ExactRay& ray, const scene::Sphere& sphere, const Neighbourhood& around,
@@ -144,19 +157,6 @@ bool AnswerBox::is_right(const InputChange& change) const {
   const Enclosure to_middle = abs(linear_coefficient(pair) - line.a * mu);
   const Enclosure apart = line.a * off + to_middle + to_middle;  // times a
   return (apart * apart - reach_ * line.a).certain_sign().value_or(1) <= 0;
-}
-
-std::optional<Intersection> intersect_changed(const ExactRay& ray, const scene::Sphere& sphere,
-                                              scene::Root root, const InputChange& change) {
-  scene::require_valid(sphere);
-  for (int bits = kFirstWitnessBits; bits <= kLastWitnessBits; bits *= 4) {
-    const ChangedLift lift(bits, change);
-    const auto line = lifted_line(lift, ray.source());
-    const auto pair = line_and_sphere(line, lift_sphere<EnclosureKernel>(lift, sphere));
-    const auto sign = [&](Coefficient coefficient) { return sign_of(coefficient, pair); };
-    if (const auto at = classify(sign, root)) return at;
-  }
-  return std::nullopt;
 }
 
 }  // namespace raycheck::reference

@@ -59,10 +59,15 @@ struct Quadratic {
   Fraction a = 0, b = 0, c = 0;
 };
 
-bool is_miss(const Quadratic& q) { return q.discriminant() < 0 || (q.c > 0 && q.b < 0); }
+/// With the smaller root alone, whatever starts inside misses, and what leaves the surface.
+bool is_miss(const Quadratic& q, Root root) {
+  if (q.discriminant() < 0) return true;
+  return root == Root::kSmaller ? q.c < 0 || q.b < 0 : q.c > 0 && q.b < 0;
+}
 
-/// The nearest root that is not negative, to 2^-300; of a hit.
-Fraction nearest_root(const Quadratic& q) {
+/// The root that is asked for, to 2^-300; of a hit, so that with the smaller root c >= 0 and b >=
+/// 0.
+Fraction asked_root(const Quadratic& q) {
   const Fraction scale(Integer(1) << 600);
   const Fraction scaled = q.discriminant() * scale;
   const Integer whole = numerator(scaled) / denominator(scaled);
@@ -83,8 +88,9 @@ std::array<Fraction, 10> changed(const Ray& ray, const Sphere& sphere, const Inp
 Fraction absolute(const Fraction& x) { return x < 0 ? Fraction(-x) : x; }
 
 /// Whether s is the root asked for at changed inputs, up to what is documented.
-bool is_root(const Ray& ray, const Sphere& sphere, double s, double change, const Quadratic& q) {
-  if (is_miss(q)) return false;
+bool is_root(const Ray& ray, const Sphere& sphere, double s, double change, const Quadratic& q,
+             Root convention) {
+  if (is_miss(q, convention)) return false;
   const std::array<Fraction, 10> x = fractions(ray, sphere);
   const Fraction at(s);
   Fraction to_centre = 0;
@@ -98,7 +104,7 @@ bool is_root(const Ray& ray, const Sphere& sphere, double s, double change, cons
              (absolute(x[k]) + absolute(x[6 + k]) + absolute(at * x[3 + k]));
   }
   const Fraction share(change);
-  const Fraction root = nearest_root(q);
+  const Fraction root = asked_root(q);
   const Fraction off = absolute(at - root);
   const Fraction apart = off + 2 * absolute(q.b / q.a - root);
   return off <= (at + to_centre / along) * share || apart * apart * q.a <= reach * share;
@@ -106,11 +112,11 @@ bool is_root(const Ray& ray, const Sphere& sphere, double s, double change, cons
 
 /// Holds a witness against its claim, in fractions.
 void expect_witness(const Ray& ray, const Sphere& sphere, const std::optional<double>& answer,
-                    double change, const InputChange& witness) {
+                    double change, const InputChange& witness, Root root) {
   const std::string what = spelled(ray) + spelled(sphere);
   for (const double share : witness) EXPECT_LE(std::abs(share), change) << what;
   const Quadratic q(changed(ray, sphere, witness));
-  EXPECT_TRUE(answer ? is_root(ray, sphere, *answer, change, q) : is_miss(q)) << what;
+  EXPECT_TRUE(answer ? is_root(ray, sphere, *answer, change, q, root) : is_miss(q, root)) << what;
 }
 
 TEST(NearbyAnswer, ARootAheadIsThereWhateverChanges) {
@@ -165,8 +171,9 @@ TEST(NearbyAnswer, FollowsTheConventions) {
 }
 
 /// The answer that a decision turned round would give.
-std::optional<double> wrong_answer(Random& random, const ExactRay& ray, const Sphere& sphere) {
-  const Intersection at = ray.intersect(sphere);
+std::optional<double> wrong_answer(Random& random, const ExactRay& ray, const Sphere& sphere,
+                                   Root root) {
+  const Intersection at = ray.intersect(sphere, root);
   if (at.hit_class == HitClass::kMiss) {
     const double v = ray.enclose(128).axial_distance(sphere).upper();
     const double length = ray.enclose(128).length().upper();
@@ -201,11 +208,13 @@ TEST(NearbyAnswer, OfCriticalRaysIsWitnessedOrRefutedAndFractionsAgree) {
     const Sphere sphere = critical_sphere(random, ray);
     if (!scene::defects(sphere).empty()) continue;
     const ExactRay exact(ray);
-    const auto answer = wrong_answer(random, exact, sphere);
-    const NearbyAnswer nearby = right_nearby(exact, sphere, {.relative_change = kChange}, answer);
+    const Root root = random.one_in(2) ? Root::kSmaller : Root::kNearest;
+    const auto answer = wrong_answer(random, exact, sphere, root);
+    const NearbyAnswer nearby =
+        right_nearby(exact, sphere, {.root = root, .relative_change = kChange}, answer);
     if (nearby.found == Nearby::kWitness) {
       ++witnesses;
-      expect_witness(ray, sphere, answer, kChange, nearby.witness);
+      expect_witness(ray, sphere, answer, kChange, nearby.witness, root);
       continue;
     }
     ++(nearby.found == Nearby::kRefuted ? refutations : undecided);
@@ -216,7 +225,8 @@ TEST(NearbyAnswer, OfCriticalRaysIsWitnessedOrRefutedAndFractionsAgree) {
         change.push_back(kChange * static_cast<double>(random.integer(-1, 1)));
       }
       const Quadratic q(changed(ray, sphere, change));
-      const bool is_right = answer ? is_root(ray, sphere, *answer, kChange, q) : is_miss(q);
+      const bool is_right =
+          answer ? is_root(ray, sphere, *answer, kChange, q, root) : is_miss(q, root);
       ASSERT_FALSE(is_right) << spelled(ray) << spelled(sphere);
     }
   }
