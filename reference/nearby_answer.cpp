@@ -24,6 +24,11 @@ constexpr double kInside = 0x1p-20;
 /// How many linear programs follow one another.
 constexpr int kSteps = 8;
 
+/// How often a point is moved to where conditions are met to first order.
+constexpr int kProjections = 32;
+/// And how far past where an inequality is an equation, as a share of the way.
+constexpr double kBeyond = 1 + 0x1p-10;
+
 /// How finely a line through the neighbourhood is looked along: steps to each side of its middle,
 /// and bisections of a step over which something changes its sign.
 constexpr int kLineSteps = 32;
@@ -57,12 +62,17 @@ class Search {
       }
     }
     if (is_refuted) return {Nearby::kRefuted, {}};
+    is_refuted = true;
     for (const std::vector<Condition>& all : alternatives()) {
-      if (are_refuted(all)) continue;
-      auto witness = search_step_by_step(all);
+      std::optional<InputChange> witness;
+      if (are_refuted(all) || are_refuted_by_length(all, witness)) continue;
+      is_refuted = false;
+      if (!witness) witness = search_by_projections(all);
+      if (!witness) witness = search_step_by_step(all);
       if (!witness) witness = search_along_lines(all);
       if (witness) return {Nearby::kWitness, std::move(*witness)};
     }
+    if (is_refuted) return {Nearby::kRefuted, {}};
     return {};
   }
 
@@ -106,6 +116,20 @@ class Search {
     }
     const Variation both{f.value + multiplier * g.value, reach, sum_of_sizes(reach)};
     return !both.may_be_at_least_zero();
+  }
+
+  /// The same by lengths of vectors, where the neighbourhood is so wide that their squares are not
+  /// nearly linear. A witness may be found on the way.
+  bool are_refuted_by_length(const std::vector<Condition>& all,
+                             std::optional<InputChange>& witness) {
+    const Condition& first = all.front();
+    if (first.zero == Decider::kAtAnswer) return is_longer(box_.from_answer());
+    if (first.zero || first.what != Decider::kDiscriminant) return false;
+    if (first.sign > 0) return is_longer(box_.moment());
+    return is_shorter(box_.moment(), box_.direction(), [&](const std::vector<double>& t) {
+      if (auto change = box_.change_at(t); box_.is_right(change)) witness = std::move(change);
+      return witness.has_value();
+    });
   }
 
   /// Whether a condition without an equation can be met. A line misses where the discriminant is
@@ -202,6 +226,52 @@ class Search {
       }
       if (found.empty()) return std::nullopt;
       t = found.front();
+    }
+    return std::nullopt;
+  }
+
+  /// Where the neighbourhood is so wide that its ends are far from what decides: from its middle to
+  /// the nearest point where a condition is met to first order, and on from there. What is nearest
+  /// depends on how changes of different inputs compare: by shares, or as they are.
+  std::optional<InputChange> search_by_projections(const std::vector<Condition>& all) const {
+    std::vector<double> sizes = box_.sizes();
+    sizes.push_back(0);
+    if (auto change = search_by_projections(all, sizes)) return change;
+    return search_by_projections(all, std::vector<double>(sizes.size(), 1));
+  }
+
+  std::optional<InputChange> search_by_projections(const std::vector<Condition>& all,
+                                                   const std::vector<double>& sizes) const {
+    std::vector<double> t = box_.middle();
+    const auto project = [&](Decider decider, int sign) {
+      const LinearForm f = linear_form(box_.variation_at(decider, t));
+      const double value = f.at(t) * (sign == 0 ? 1 : kBeyond);
+      if (sign * value > 0) return;
+      // Along the gradient, but for what is at an end already.
+      std::vector<double> along(t.size());
+      double rise = 0;
+      for (std::size_t k = 0; k < sizes.size(); ++k) {
+        if (sizes[k] == 0) continue;
+        const double slope = f.slope[k] / sizes[k];
+        if (t[k] == (slope * value > 0 ? -1 : 1)) continue;
+        along[k] = slope / sizes[k];
+        rise += slope * slope;
+      }
+      if (rise == 0) return;
+      for (std::size_t k = 0; k < t.size(); ++k) {
+        t[k] = std::clamp(t[k] - value / rise * along[k], -1.0, 1.0);
+      }
+    };
+    for (int step = 0; step < kProjections; ++step) {
+      for (const Condition& condition : all) {
+        project(condition.what, condition.sign);
+        if (condition.zero) project(*condition.zero, 0);
+      }
+      std::vector<double> place = t;
+      if (const auto& zero = all.front().zero) {
+        place = on_zero(*zero, box_.variation_at(*zero, t), std::move(place));
+      }
+      if (auto change = box_.change_at(place); box_.is_right(change)) return change;
     }
     return std::nullopt;
   }

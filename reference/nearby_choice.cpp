@@ -266,7 +266,7 @@ class Search {
 
   InputChange change_at(const std::vector<double>& t) const {
     constexpr std::size_t kOfSphere = kSphereInputs;
-    const std::size_t of_ray = inputs_->of_ray.size();
+    const std::size_t of_ray = inputs_->of_ray();
     InputChange change(of_ray);
     for (std::size_t k = 0; k < t.size(); ++k) {
       const std::size_t beyond = k < of_ray ? 0 : k - of_ray;

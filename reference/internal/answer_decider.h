@@ -47,10 +47,23 @@ class ChangedLift {
 enum class Decider { kDiscriminant, kConstant, kLinear, kAtAnswer, kBeforeMiddle, kOtherBehind };
 inline constexpr std::size_t kDeciderCount = 6;
 
+/// s in multiples of g.
+template <class K>
+typename K::FT in_multiples_of_g(const LineAndSphere<K>& pair, const typename K::FT& s) {
+  using FT = typename K::FT;
+  return pair.line.is_unit ? FT(s / ray_length(pair.line)) : s;
+}
+
+/// The way from the point at s to the centre.
+template <class K>
+typename K::Vector_3 from_point_at(const LineAndSphere<K>& pair, const typename K::FT& s) {
+  return to_centre(pair) - in_multiples_of_g(pair, s) * pair.line.g;
+}
+
 template <class K>
 typename K::FT value_of(Decider decider, const LineAndSphere<K>& pair, const typename K::FT& s) {
   using FT = typename K::FT;
-  const auto mu = [&] { return pair.line.is_unit ? FT(s / ray_length(pair.line)) : s; };
+  const auto mu = [&] { return in_multiples_of_g(pair, s); };
   switch (decider) {
     case Decider::kDiscriminant:
       return discriminant(pair);
@@ -59,7 +72,7 @@ typename K::FT value_of(Decider decider, const LineAndSphere<K>& pair, const typ
     case Decider::kLinear:
       return linear_coefficient(pair);
     case Decider::kAtAnswer: {
-      const typename K::Vector_3 off = to_centre(pair) - mu() * pair.line.g;
+      const typename K::Vector_3 off = from_point_at(pair, s);
       return FT(off * off) - pair.radius * pair.radius;
     }
     case Decider::kBeforeMiddle:
