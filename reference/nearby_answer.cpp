@@ -8,6 +8,7 @@
 
 #include "reference/internal/answer_box.h"
 #include "reference/internal/box_optimum.h"
+#include "reference/internal/inequalities.h"
 #include "scene/validate.h"
 
 namespace raycheck::reference {
@@ -20,6 +21,8 @@ constexpr std::array<double, 3> kSharesOfSlack = {1 - 0x1p-3, 1 - 0x1p-8, 1 - 0x
 
 /// How far inside a condition is just inside it, as a share of how far it can be left.
 constexpr double kInside = 0x1p-20;
+/// The same of a discriminant whose root is to be small.
+constexpr double kJustInside = 0x1p-44;
 
 /// How many linear programs follow one another.
 constexpr int kSteps = 8;
@@ -90,7 +93,7 @@ class Search {
     if (!(std::isfinite(*box_.answer()) && *box_.answer() >= 0)) return {};
     std::vector<std::vector<Condition>> result = {{{Decider::kAtAnswer, Decider::kBeforeMiddle}},
                                                   {{{}, Decider::kDiscriminant},
-                                                   {{}, Decider::kBeforeMiddle, 0},
+                                                   {{}, Decider::kMiddleOffAnswer, 0},
                                                    {{}, Decider::kDiscriminant, 0}}};
     if (!only_smaller) result.push_back({{Decider::kAtAnswer, Decider::kOtherBehind}});
     return result;
@@ -123,13 +126,53 @@ class Search {
   bool are_refuted_by_length(const std::vector<Condition>& all,
                              std::optional<InputChange>& witness) {
     const Condition& first = all.front();
-    if (first.zero == Decider::kAtAnswer) return is_longer(box_.from_answer());
+    if (first.zero == Decider::kAtAnswer) {
+      const VectorAndLength off = box_.from_answer();
+      const Variation room = less_share_along(off, shortest(off).direction);
+      return (room.value + room.most).certain_sign() == -1;
+    }
     if (first.zero || first.what != Decider::kDiscriminant) return false;
-    if (first.sign > 0) return is_longer(box_.moment());
-    return is_shorter(box_.moment(), box_.direction(), [&](const std::vector<double>& t) {
+    const VectorAndLength moment = box_.moment();
+    if (first.sign > 0) {
+      std::vector<Variation> double_root =
+          near_double_root([this](Decider decider) { return box_.variation(decider); });
+      double_root.push_back(less_share_along(moment, shortest(moment).direction));
+      const LeastOptimum best = best_place(double_root, box_.middle().size());
+      if (exclude_each_other(double_root, best)) return true;
+      witness = search_near_double_root(best.t);
+      return false;
+    }
+    return is_shorter(moment, box_.direction(), [&](const std::vector<double>& t) {
       if (auto change = box_.change_at(t); box_.is_right(change)) witness = std::move(change);
       return witness.has_value();
     });
+  }
+
+  /// Where the line just touches the sphere, as close to the answer as may be.
+  std::optional<InputChange> search_near_double_root(std::vector<double> t) const {
+    for (int step = 0; step < kSteps; ++step) {
+      if (auto change = box_.change_at(t); box_.is_right(change)) return change;
+      LinearForm touching = linear_form(box_.variation_at(Decider::kDiscriminant, t));
+      touching.value -= kJustInside;
+      LinearForm closer = linear_form(box_.variation_at(Decider::kMiddleOffAnswer, t));
+      const bool is_before = closer.at(t) > 0;
+      closer.value *= is_before ? -1 : 1;
+      for (double& slope : closer.slope) slope *= is_before ? -1 : 1;
+      const auto optimum = highest_where_zero(closer, touching);
+      if (!optimum) break;
+      t = optimum->t;
+    }
+    return std::nullopt;
+  }
+
+  /// What is not negative where the answer is near a double root.
+  template <class VariationOf>
+  std::vector<Variation> near_double_root(const VariationOf& variation_of) {
+    const Variation discriminant = variation_of(Decider::kDiscriminant);
+    const Variation before = variation_of(Decider::kMiddleOffAnswer);
+    const Enclosure most = box_.most_near_double_root();
+    return {discriminant, shifted(before, 1, most), shifted(before, -1, most),
+            shifted(discriminant, -1, most * most)};
   }
 
   /// Whether a condition without an equation can be met. A line misses where the discriminant is

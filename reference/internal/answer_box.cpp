@@ -115,7 +115,9 @@ std::vector<Enclosure> AnswerBox::reach_of(Decider decider, const BaseLift& base
   const auto value = [&](const auto& pair, const auto& at) {
     return std::array{value_of(decider, pair, at)};
   };
-  return std::move(reaches_of<1>(value, base, s, off)[0]);
+  std::vector<Enclosure> reach = std::move(reaches_of<1>(value, base, s, off)[0]);
+  if (!moves_answer(decider)) reach.back() = Enclosure(0);
+  return reach;
 }
 
 template <class Vector, class Length>
@@ -160,8 +162,10 @@ const Variation& AnswerBox::variation(Decider decider) {
   auto& known = variations_[static_cast<std::size_t>(decider)];
   if (!known) {
     const EnclosureLift whole{kVariationBits, around_.relative_change};
-    known = Variation{value_of_changed(decider, {}, middle_),
-                      reach_of(decider, whole, middle_, half_width_)};
+    const bool moves = moves_answer(decider);
+    known = Variation{value_at(decider, middle()),
+                      reach_of(decider, whole, moves ? middle_ : at_answer(),
+                               moves ? half_width_ : Enclosure(0))};
     known->most = sum_of_sizes(known->reach);
   }
   return *known;
@@ -169,16 +173,20 @@ const Variation& AnswerBox::variation(Decider decider) {
 
 Variation AnswerBox::variation_at(Decider decider, const std::vector<double>& t) const {
   const InputChange change = change_at(t);
-  Variation result{value_at(decider, t), reach_of(decider, ChangedLift(kVariationBits, change),
-                                                  parameter_at(t), Enclosure(0))};
+  Variation result{value_at(decider, t),
+                   reach_of(decider, ChangedLift(kVariationBits, change),
+                            moves_answer(decider) ? parameter_at(t) : at_answer(), Enclosure(0))};
   result.most = sum_of_sizes(result.reach);
   result.at = t;
   return result;
 }
 
 Enclosure AnswerBox::value_at(Decider decider, const std::vector<double>& t) const {
-  return value_of_changed(decider, change_at(t), parameter_at(t));
+  return value_of_changed(decider, change_at(t),
+                          moves_answer(decider) ? parameter_at(t) : at_answer());
 }
+
+Enclosure AnswerBox::at_answer() const { return Enclosure(*answer_, kFirstWitnessBits); }
 
 Enclosure AnswerBox::value_of_changed(Decider decider, const InputChange& change,
                                       const Enclosure& s) const {
@@ -188,10 +196,8 @@ Enclosure AnswerBox::value_of_changed(Decider decider, const InputChange& change
 }
 
 Enclosure AnswerBox::most_near_double_root() {
-  const InputChange none;
-  const ChangedLift lift(kVariationBits, none);
-  const Enclosure a = lifted_line(lift, ray_.source()).a;
-  return sqrt(variation(Decider::kAtAnswer).most * a * Enclosure(1 + 0x1p-20, kVariationBits));
+  const EnclosureLift whole{kVariationBits, around_.relative_change};
+  return sqrt(reach_ * line_of(whole, ray_.source()).a);
 }
 
 Enclosure AnswerBox::parameter_at(const std::vector<double>& t) const {

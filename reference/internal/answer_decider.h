@@ -42,10 +42,18 @@ class ChangedLift {
 
 /// What an answer is right or wrong by, as functions of the inputs: the coefficients, and for a hit
 /// at s, with mu g the way from the origin to there: |T - mu g|^2 - r^2, which is 0 where s is a
-/// root; b - a mu, not negative where that is the smaller one; and a mu - 2 b, not negative where
+/// root; b - a mu, not negative where that is the smaller one; the same with s as it was answered; and a mu - 2 b, not negative where
 /// the other root (2 b/a - mu, by Vieta) is not positive.
-enum class Decider { kDiscriminant, kConstant, kLinear, kAtAnswer, kBeforeMiddle, kOtherBehind };
-inline constexpr std::size_t kDeciderCount = 6;
+enum class Decider {
+  kDiscriminant,
+  kConstant,
+  kLinear,
+  kAtAnswer,
+  kBeforeMiddle,
+  kMiddleOffAnswer,
+  kOtherBehind
+};
+inline constexpr std::size_t kDeciderCount = 7;
 
 /// s in multiples of g.
 template <class K>
@@ -76,6 +84,7 @@ typename K::FT value_of(Decider decider, const LineAndSphere<K>& pair, const typ
       return FT(off * off) - pair.radius * pair.radius;
     }
     case Decider::kBeforeMiddle:
+    case Decider::kMiddleOffAnswer:
       return linear_coefficient(pair) - pair.line.a * mu();
     default: {
       const FT b = linear_coefficient(pair);
@@ -109,6 +118,18 @@ inline Enclosure sum_of_sizes(const std::vector<Enclosure>& terms) {
   Enclosure sum(0);
   for (const Enclosure& term : terms) sum += abs(term);
   return sum;
+}
+
+/// `shift` plus or minus a variation, by `sign`.
+inline Variation shifted(const Variation& variation, int sign, const Enclosure& shift) {
+  Variation result = variation;
+  if (sign < 0) {
+    result.value = -result.value;
+    for (Enclosure& reach : result.reach) reach = -reach;
+  }
+  result.value += shift;
+  result.range.reset();
+  return result;
 }
 
 /// The same in doubles, as a share of what it can reach, and at most.

@@ -36,34 +36,6 @@ Variation sum_of(std::initializer_list<std::pair<double, const Variation*>> term
 /// In doubles, in units of `unit`.
 double in_units(const Enclosure& x, const Enclosure& unit) { return (x / unit).upper(); }
 
-/// A direction in which the vector is nowhere short: that of its shortest, or nearly.
-Numbers direction_of_shortest(const VectorAndLength& both) {
-  const std::size_t n = both.length.reach.size();
-  const Enclosure& unit = both.length.value;
-  Numbers v;
-  std::vector<Numbers> reach(n);
-  for (std::size_t i = 0; i < 3; ++i) {
-    v[i] = in_units(both.vector[i].value, unit);
-    for (std::size_t k = 0; k < n; ++k) reach[k][i] = in_units(both.vector[i].reach[k], unit);
-  }
-  std::vector<double> t(n);
-  const auto dot = [](const Numbers& a, const Numbers& b) {
-    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-  };
-  for (int sweep = 0; sweep < kSweeps; ++sweep) {
-    for (std::size_t k = 0; k < n; ++k) {
-      const double square = dot(reach[k], reach[k]);
-      if (!(square > 0)) continue;
-      const double next = std::clamp(t[k] - dot(v, reach[k]) / square, -1.0, 1.0);
-      for (std::size_t i = 0; i < 3; ++i) v[i] += (next - t[k]) * reach[k][i];
-      t[k] = next;
-    }
-  }
-  const double length = std::sqrt(dot(v, v));
-  for (double& x : v) x /= length;
-  return v;
-}
-
 /// Two directions at right angles to a third and to each other.
 std::array<Numbers, 3> frame_about(Numbers axis) {
   const auto normalise = [](Numbers& v) {
@@ -88,13 +60,36 @@ std::array<Numbers, 3> frame_about(Numbers axis) {
 
 }  // namespace
 
-bool is_longer(const VectorAndLength& both) {
-  const Numbers u = direction_of_shortest(both);
-  if (!std::isfinite(u[0] + u[1] + u[2])) return false;
+Shortest shortest(const VectorAndLength& both) {
+  const std::size_t n = both.length.reach.size();
+  const Enclosure& unit = both.length.value;
+  Numbers v;
+  std::vector<Numbers> reach(n);
+  for (std::size_t i = 0; i < 3; ++i) {
+    v[i] = in_units(both.vector[i].value, unit);
+    for (std::size_t k = 0; k < n; ++k) reach[k][i] = in_units(both.vector[i].reach[k], unit);
+  }
+  std::vector<double> t(n);
+  const auto dot = [](const Numbers& a, const Numbers& b) {
+    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+  };
+  for (int sweep = 0; sweep < kSweeps; ++sweep) {
+    for (std::size_t k = 0; k < n; ++k) {
+      const double square = dot(reach[k], reach[k]);
+      if (!(square > 0)) continue;
+      const double next = std::clamp(t[k] - dot(v, reach[k]) / square, -1.0, 1.0);
+      for (std::size_t i = 0; i < 3; ++i) v[i] += (next - t[k]) * reach[k][i];
+      t[k] = next;
+    }
+  }
+  const double length = std::sqrt(dot(v, v));
+  for (double& x : v) x /= length;
+  return {std::move(t), v};
+}
+
+Variation less_share_along(const VectorAndLength& both, const Numbers& u) {
   const auto& v = both.vector;
-  const Variation more =
-      sum_of({{u[0], &v[0]}, {u[1], &v[1]}, {u[2], &v[2]}, {-kRoom, &both.length}});
-  return (more.value - more.most).certain_sign() == 1;
+  return sum_of({{-u[0], &v[0]}, {-u[1], &v[1]}, {-u[2], &v[2]}, {kRoom, &both.length}});
 }
 
 bool is_shorter(const VectorAndLength& both, const Numbers& axis,

@@ -18,8 +18,14 @@ struct VectorAndLength {
   Variation length;
 };
 
-/// Whether the vector is certainly longer, everywhere: along the direction of its shortest.
-bool is_longer(const VectorAndLength& both);
+/// Where the vector is shortest, or nearly: a point of the box, and the direction there.
+struct Shortest {
+  std::vector<double> t;
+  std::array<double, 3> direction;
+};
+Shortest shortest(const VectorAndLength& both);
+/// What is not negative where the vector is at most as long: that less its share along a direction.
+Variation less_share_along(const VectorAndLength& both, const std::array<double, 3>& direction);
 
 /// Whether the vector, which is nearly at right angles to `axis`, is certainly shorter, everywhere:
 /// in each of some sectors of directions, which are halved until it is. Ends, too, with false, when
