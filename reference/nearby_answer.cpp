@@ -8,6 +8,7 @@
 
 #include "reference/internal/answer_box.h"
 #include "reference/internal/box_optimum.h"
+#include "reference/internal/fate.h"
 #include "reference/internal/inequalities.h"
 #include "scene/validate.h"
 
@@ -70,7 +71,7 @@ class Search {
       std::optional<InputChange> witness;
       if (are_refuted(all) || are_refuted_by_length(all, witness)) continue;
       is_refuted = false;
-      if (!witness) witness = search_by_projections(all);
+      if (!witness) witness = search_by_projections(all, box_.middle());
       if (!witness) witness = search_step_by_step(all);
       if (!witness) witness = search_along_lines(all);
       if (witness) return {Nearby::kWitness, std::move(*witness)};
@@ -128,18 +129,23 @@ class Search {
     const Condition& first = all.front();
     if (first.zero == Decider::kAtAnswer) {
       const VectorAndLength off = box_.from_answer();
-      const Variation room = less_share_along(off, shortest(off).direction);
-      return (room.value + room.most).certain_sign() == -1;
+      const Shortest least = shortest(off);
+      const Variation room = less_share_along(off, least.direction);
+      if ((room.value + room.most).certain_sign() == -1) return true;
+      witness = search_by_projections(all, least.t);
+      return false;
     }
     if (first.zero || first.what != Decider::kDiscriminant) return false;
     const VectorAndLength moment = box_.moment();
     if (first.sign > 0) {
       std::vector<Variation> double_root =
           near_double_root([this](Decider decider) { return box_.variation(decider); });
-      double_root.push_back(less_share_along(moment, shortest(moment).direction));
+      const Shortest least = shortest(moment);
+      double_root.push_back(less_share_along(moment, least.direction));
       const LeastOptimum best = best_place(double_root, box_.middle().size());
       if (exclude_each_other(double_root, best)) return true;
       witness = search_near_double_root(best.t);
+      if (!witness) witness = search_near_double_root(least.t);
       return false;
     }
     return is_shorter(moment, box_.direction(), [&](const std::vector<double>& t) {
@@ -276,16 +282,17 @@ class Search {
   /// Where the neighbourhood is so wide that its ends are far from what decides: from its middle to
   /// the nearest point where a condition is met to first order, and on from there. What is nearest
   /// depends on how changes of different inputs compare: by shares, or as they are.
-  std::optional<InputChange> search_by_projections(const std::vector<Condition>& all) const {
+  std::optional<InputChange> search_by_projections(const std::vector<Condition>& all,
+                                                   const std::vector<double>& start) const {
     std::vector<double> sizes = box_.sizes();
     sizes.push_back(0);
-    if (auto change = search_by_projections(all, sizes)) return change;
-    return search_by_projections(all, std::vector<double>(sizes.size(), 1));
+    if (auto change = search_by_projections(all, start, sizes)) return change;
+    return search_by_projections(all, start, std::vector<double>(sizes.size(), 1));
   }
 
   std::optional<InputChange> search_by_projections(const std::vector<Condition>& all,
+                                                   std::vector<double> t,
                                                    const std::vector<double>& sizes) const {
-    std::vector<double> t = box_.middle();
     const auto project = [&](Decider decider, int sign) {
       const LinearForm f = linear_form(box_.variation_at(decider, t));
       const double value = f.at(t) * (sign == 0 ? 1 : kBeyond);
@@ -370,6 +377,7 @@ class Search {
 NearbyAnswer right_nearby(const ExactRay& ray, const scene::Sphere& sphere,
                           const Neighbourhood& around, const std::optional<double>& answer) {
   scene::require_valid(sphere);
+  if (is_far_from_right(ray, sphere, around, answer)) return {Nearby::kRefuted, {}};
   return Search(ray, sphere, around, answer).run();
 }
 
