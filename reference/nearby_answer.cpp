@@ -6,7 +6,7 @@
 #include <cstddef>
 #include <utility>
 
-#include "reference/internal/answer_box.h"
+#include "reference/internal/answer_conditions.h"
 #include "reference/internal/box_optimum.h"
 #include "reference/internal/fate.h"
 #include "reference/internal/inequalities.h"
@@ -38,14 +38,6 @@ constexpr double kBeyond = 1 + 0x1p-10;
 constexpr int kLineSteps = 32;
 constexpr int kBisections = 60;
 
-/// What must be so for an answer to be right: `zero`, where given, is 0, and `what` times `sign` is
-/// not negative; or, where the sign is 0, `what` is as small as near a double root.
-struct Condition {
-  std::optional<Decider> zero;
-  Decider what;
-  int sign = 1;
-};
-
 /// The search for inputs near those of a ray and a sphere for which an answer is right.
 class Search {
  public:
@@ -55,8 +47,8 @@ class Search {
 
   NearbyAnswer run() {
     bool is_refuted = true;
-    for (const std::vector<Condition>& all : alternatives()) {
-      if (are_refuted(all)) continue;
+    for (const std::vector<Condition>& all : alternatives(box_)) {
+      if (are_refuted(box_, all)) continue;
       is_refuted = false;
       const auto known = [this](Decider decider) { return box_.variation(decider); };
       for (const std::vector<double>& t : places(all, known)) {
@@ -67,9 +59,9 @@ class Search {
     }
     if (is_refuted) return {Nearby::kRefuted, {}};
     is_refuted = true;
-    for (const std::vector<Condition>& all : alternatives()) {
+    for (const std::vector<Condition>& all : alternatives(box_)) {
       std::optional<InputChange> witness;
-      if (are_refuted(all) || are_refuted_by_length(all, witness)) continue;
+      if (are_refuted(box_, all) || are_refuted_by_length(all, witness)) continue;
       is_refuted = false;
       if (!witness) witness = search_by_projections(all, box_.middle());
       if (!witness) witness = search_step_by_step(all);
@@ -81,47 +73,6 @@ class Search {
   }
 
  private:
-  /// The ways in which the answer may be right, each a list of what must be so at once.
-  std::vector<std::vector<Condition>> alternatives() const {
-    const bool only_smaller = box_.around().root == scene::Root::kSmaller;
-    if (!box_.answer()) {
-      std::vector<std::vector<Condition>> result = {
-          {{{}, Decider::kDiscriminant, -1}},
-          {{{}, Decider::kConstant, 1}, {{}, Decider::kLinear, -1}}};
-      if (only_smaller) result.push_back({{{}, Decider::kConstant, -1}});
-      return result;
-    }
-    if (!(std::isfinite(*box_.answer()) && *box_.answer() >= 0)) return {};
-    std::vector<std::vector<Condition>> result = {{{Decider::kAtAnswer, Decider::kBeforeMiddle}},
-                                                  {{{}, Decider::kDiscriminant},
-                                                   {{}, Decider::kMiddleOffAnswer, 0},
-                                                   {{}, Decider::kDiscriminant, 0}}};
-    if (!only_smaller) result.push_back({{Decider::kAtAnswer, Decider::kOtherBehind}});
-    return result;
-  }
-
-  bool are_refuted(const std::vector<Condition>& all) {
-    return std::any_of(all.begin(), all.end(),
-                       [this](const Condition& condition) { return is_refuted(condition); });
-  }
-
-  bool is_refuted(const Condition& condition) {
-    const Variation& f = box_.variation(condition.what);
-    if (!condition.zero) return !may_be(f, condition);
-    const Variation& g = box_.variation(*condition.zero);
-    if (!g.may_be_zero() || !f.may_be_at_least_zero()) return true;
-    const auto optimum = highest_where_zero(linear_form(f), linear_form(g));
-    if (!optimum) return false;
-    // Where g is 0, f is f + multiplier g, which may vary less.
-    const Enclosure multiplier = Enclosure(optimum->multiplier, kVariationBits) * f.most / g.most;
-    std::vector<Enclosure> reach;
-    for (std::size_t k = 0; k < f.reach.size(); ++k) {
-      reach.push_back(f.reach[k] + multiplier * g.reach[k]);
-    }
-    const Variation both{f.value + multiplier * g.value, reach, sum_of_sizes(reach)};
-    return !both.may_be_at_least_zero();
-  }
-
   /// The same by lengths of vectors, where the neighbourhood is so wide that their squares are not
   /// nearly linear. A witness may be found on the way.
   bool are_refuted_by_length(const std::vector<Condition>& all,
@@ -179,24 +130,6 @@ class Search {
     const Enclosure most = box_.most_near_double_root();
     return {discriminant, shifted(before, 1, most), shifted(before, -1, most),
             shifted(discriminant, -1, most * most)};
-  }
-
-  /// Whether a condition without an equation can be met. A line misses where the discriminant is
-  /// negative, or 0 if tangents count as misses; a root at the origin is a hit of the nearest, a
-  /// miss of the smaller root where that is the other one.
-  bool may_be(const Variation& f, const Condition& condition) {
-    if (condition.sign == 0) {
-      Enclosure most = box_.most_near_double_root();
-      if (condition.what == Decider::kDiscriminant) most *= Enclosure(most);
-      return (abs(f.value) - f.most - most).certain_sign().value_or(-1) <= 0;
-    }
-    const bool tangent_misses = box_.around().tangent == scene::Tangent::kMiss;
-    const bool zero_counts = condition.what == Decider::kDiscriminant
-                                 ? tangent_misses == (condition.sign < 0)
-                                 : condition.what == Decider::kConstant && condition.sign > 0 &&
-                                       box_.around().root == scene::Root::kSmaller;
-    if (zero_counts && f.may_be_zero()) return true;
-    return condition.sign > 0 ? f.may_be_positive() : f.may_be_negative();
   }
 
   /// Points of the box [-1, 1]^n where the conditions are met if they are anywhere, but for what is

@@ -41,9 +41,9 @@ class AnswerBox {
   /// To first order about a point.
   Variation variation_at(Decider decider, const std::vector<double>& t) const;
   Enclosure value_at(Decider decider, const std::vector<double>& t) const;
-  /// |b - a mu| at most, and the root of the discriminant at most, where the answer is near a double
-  /// root: both roots lie within sqrt(R/a) of s, R what the neighbourhood changes |T - mu g|^2 - r^2
-  /// by.
+  /// |b - a mu| at most, and the root of the discriminant at most, where the answer is near a
+  /// double root: both roots lie within sqrt(R/a) of s, R what the neighbourhood changes |T - mu
+  /// g|^2 - r^2 by.
   Enclosure most_near_double_root();
 
   InputChange change_at(const std::vector<double>& t) const;

@@ -42,8 +42,8 @@ class ChangedLift {
 
 /// What an answer is right or wrong by, as functions of the inputs: the coefficients, and for a hit
 /// at s, with mu g the way from the origin to there: |T - mu g|^2 - r^2, which is 0 where s is a
-/// root; b - a mu, not negative where that is the smaller one; the same with s as it was answered; and a mu - 2 b, not negative where
-/// the other root (2 b/a - mu, by Vieta) is not positive.
+/// root; b - a mu, not negative where that is the smaller one; the same with s as it was answered;
+/// and a mu - 2 b, not negative where the other root (2 b/a - mu, by Vieta) is not positive.
 enum class Decider {
   kDiscriminant,
   kConstant,

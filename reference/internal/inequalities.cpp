@@ -12,8 +12,7 @@ LeastOptimum best_place(const std::vector<Variation>& all, std::size_t dimension
   return highest_least(forms);
 }
 
-bool exclude_each_other(const std::vector<Variation>& all,
-                        const std::vector<double>& multipliers) {
+bool exclude_each_other(const std::vector<Variation>& all, const std::vector<double>& multipliers) {
   Enclosure value(0);
   std::vector<Enclosure> reach(all.front().reach.size());
   for (std::size_t i = 0; i < all.size(); ++i) {

@@ -235,6 +235,55 @@ TEST(NearbyAnswer, OfCriticalRaysIsWitnessedOrRefutedAndFractionsAgree) {
   EXPECT_EQ(undecided, 0);
 }
 
+/// A sphere so far that a change moves it by about its radius, nearly ahead of a ray.
+Sphere far_sphere(Random& random, const Ray& ray, double change) {
+  Sphere sphere;
+  sphere.radius = random.between(0.1, 10);
+  const double distance = sphere.radius / change * random.between(0.2, 5);
+  const auto& [o, d] = ray;
+  const double s = distance / std::hypot(d.x, d.y, d.z);
+  const auto aside = [&] { return random.between(-1, 1) * sphere.radius; };
+  sphere.centre.x = o.x + s * d.x + aside();
+  sphere.centre.y = o.y + s * d.y + aside();
+  sphere.centre.z = o.z + s * d.z + aside();
+  return sphere;
+}
+
+TEST(NearbyAnswer, OfNeighbourhoodsAsWideAsASphereFractionsAgree) {
+  Random random(8);
+  int witnesses = 0;
+  int refutations = 0;
+  int undecided = 0;
+  for (int k = 0; k < 1500; ++k) {
+    const double change = random.one_in(2) ? kChange : 0x1p-20;
+    const Ray ray = random_ray(random, Sizes::kOrdinary);
+    const Sphere sphere = far_sphere(random, ray, change);
+    const ExactRay exact(ray);
+    const Root root = random.one_in(2) ? Root::kSmaller : Root::kNearest;
+    const auto answer = wrong_answer(random, exact, sphere, root);
+    const NearbyAnswer nearby =
+        right_nearby(exact, sphere, {.root = root, .relative_change = change}, answer);
+    if (nearby.found == Nearby::kWitness) {
+      ++witnesses;
+      expect_witness(ray, sphere, answer, change, nearby.witness, root);
+      continue;
+    }
+    ++(nearby.found == Nearby::kRefuted ? refutations : undecided);
+    for (int corner = 0; corner < 24; ++corner) {
+      InputChange changes;
+      for (int input = 0; input < 10; ++input) changes.push_back(change * random.sign());
+      const Quadratic q(changed(ray, sphere, changes));
+      const bool is_right =
+          answer ? is_root(ray, sphere, *answer, change, q, root) : is_miss(q, root);
+      ASSERT_FALSE(is_right) << spelled(ray) << spelled(sphere);
+    }
+  }
+  EXPECT_GE(witnesses, 300);
+  EXPECT_GE(refutations, 100);
+  EXPECT_EQ(undecided, 0);
+  printf("%d %d %d\n", witnesses, refutations, undecided);
+}
+
 /// A camera's and a sphere's inputs, changed and rounded, in the order of InputChange.
 struct Seen {
   scene::Camera camera;
