@@ -1,12 +1,11 @@
 #include "reference/nearby_answer.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstddef>
 #include <utility>
 
-#include "reference/internal/answer_conditions.h"
+#include "reference/internal/answer_places.h"
 #include "reference/internal/box_optimum.h"
 #include "reference/internal/fate.h"
 #include "reference/internal/inequalities.h"
@@ -15,14 +14,8 @@
 namespace raycheck::reference {
 namespace {
 
-/// Shares of an answer's slack in which witnesses are looked for. A double root moves by the root
-/// of what rounding a witness moves the discriminant by: the first leaves room for that, the last
-/// is nearly all that certainly lies within it.
-constexpr std::array<double, 3> kSharesOfSlack = {1 - 0x1p-3, 1 - 0x1p-8, 1 - 0x1p-30};
-
-/// How far inside a condition is just inside it, as a share of how far it can be left.
-constexpr double kInside = 0x1p-20;
-/// The same of a discriminant whose root is to be small.
+/// How far inside a condition a discriminant is whose root is to be small, as a share of how far it
+/// can be left.
 constexpr double kJustInside = 0x1p-44;
 
 /// How many linear programs follow one another.
@@ -51,7 +44,7 @@ class Search {
       if (are_refuted(box_, all)) continue;
       is_refuted = false;
       const auto known = [this](Decider decider) { return box_.variation(decider); };
-      for (const std::vector<double>& t : places(all, known)) {
+      for (const std::vector<double>& t : places(box_, all, known)) {
         if (auto witness = box_.change_at(t); box_.is_right(witness)) {
           return {Nearby::kWitness, std::move(witness)};
         }
@@ -132,77 +125,13 @@ class Search {
             shifted(discriminant, -1, most * most)};
   }
 
-  /// Points of the box [-1, 1]^n where the conditions are met if they are anywhere, but for what is
-  /// not linear.
-  template <class VariationOf>
-  std::vector<std::vector<double>> places(const std::vector<Condition>& all,
-                                          const VariationOf& variation_of) const {
-    std::vector<std::vector<double>> result;
-    const auto slopes = [&](Decider decider, int sign) {
-      LinearForm f = linear_form(variation_of(decider));
-      f.value *= sign;
-      for (double& slope : f.slope) slope *= sign;
-      return f;
-    };
-    for (const Condition& condition : all) {
-      const LinearForm f = slopes(condition.what, condition.sign);
-      if (!condition.zero) {
-        if (condition.sign == 0) continue;
-        result.push_back(highest(f));
-        result.emplace_back(f.slope.size(), 0.0);
-        continue;
-      }
-      for (const double share : kSharesOfSlack) {
-        LinearForm g = slopes(*condition.zero, 1);
-        g.slope.back() *= share;
-        if (auto optimum = highest_where_zero(f, g)) {
-          optimum->t.back() *= share;
-          result.push_back(
-              on_zero(*condition.zero, variation_of(*condition.zero), std::move(optimum->t)));
-        }
-      }
-    }
-    // Just inside a condition, as far inside another as may be: of two, or near a double root.
-    const auto just_inside = [&](LinearForm first, const LinearForm& second) {
-      first.value -= kInside;
-      if (auto optimum = highest_where_zero(second, first)) result.push_back(std::move(optimum->t));
-    };
-    if (all.size() >= 2) {
-      const LinearForm first = slopes(all[0].what, all[0].sign);
-      for (const int sign : {1, -1}) {
-        if (all[1].sign != -sign) just_inside(first, slopes(all[1].what, sign));
-      }
-    }
-    return result;
-  }
-
-  /// Moves one coordinate, that which needs the least of those that can, so that the decider is 0
-  /// to the last bits of it.
-  std::vector<double> on_zero(Decider decider, const Variation& variation,
-                              std::vector<double> t) const {
-    const std::vector<Enclosure>& reach = variation.reach;
-    const Enclosure off = box_.value_at(decider, t);
-    std::size_t moved = t.size();
-    double least = 0;
-    for (std::size_t k = 0; k + 1 < t.size(); ++k) {
-      const double step = (off / reach[k]).lower();
-      const bool is_possible = std::abs(t[k] - step) <= 1;
-      if (is_possible && (moved == t.size() || std::abs(step) < std::abs(least))) {
-        moved = k;
-        least = step;
-      }
-    }
-    if (moved < t.size()) t[moved] -= least;
-    return t;
-  }
-
   /// Where inputs are ill-conditioned, so that what decides is not linear over the neighbourhood:
   /// by linear programs about the point that the one before found.
   std::optional<InputChange> search_step_by_step(const std::vector<Condition>& all) const {
     std::vector<double> t = box_.middle();
     for (int step = 0; step < kSteps; ++step) {
       const auto here = [&](Decider decider) { return box_.variation_at(decider, t); };
-      const std::vector<std::vector<double>> found = places(all, here);
+      const std::vector<std::vector<double>> found = places(box_, all, here);
       for (const std::vector<double>& place : found) {
         if (auto change = box_.change_at(place); box_.is_right(change)) return change;
       }
@@ -252,7 +181,7 @@ class Search {
       }
       std::vector<double> place = t;
       if (const auto& zero = all.front().zero) {
-        place = on_zero(*zero, box_.variation_at(*zero, t), std::move(place));
+        place = on_zero(box_, *zero, box_.variation_at(*zero, t), std::move(place));
       }
       if (auto change = box_.change_at(place); box_.is_right(change)) return change;
     }
