@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "reference/nearby_choice.h"
+
 namespace raycheck::properties {
 
 bool is_right(const Choice& choice) {
@@ -18,42 +20,30 @@ Wrong wrong_of(const Choice& choice) {
                           : Wrong::kWrongSphere;
 }
 
-/// A change of the inputs may flip the class of one of the two spheres, or their order.
-bool may_flip(Trial& trial, const Choice& choice, double change) {
-  const auto& spheres = trial.scene().spheres;
-  const reference::ExactRay& ray = trial.exact_ray(choice.ray);
-  const auto class_may_flip = [&](std::size_t sphere) {
-    return ray.may_flip_within(spheres[sphere], trial.conventions().root, change);
-  };
-  if (choice.got == kSomeSphere) {
-    // A false hit of whichever sphere.
-    for (std::size_t k = 0; k < spheres.size(); ++k) {
-      if (class_may_flip(k)) return true;
-    }
-    return false;
-  }
-  if (choice.got && class_may_flip(*choice.got)) return true;
-  if (!choice.exact) return false;
-  if (class_may_flip(choice.exact->index)) return true;
-  if (!choice.got || !trial.exact_hit(choice.ray, *choice.got)) return false;
-  const auto widened = ray.enclose(256, change);
-  return (widened.parameter(spheres[*choice.got],
-                            trial.exact_intersection(choice.ray, *choice.got)) -
-          widened.parameter(spheres[choice.exact->index], choice.exact->intersection))
-      .contains_zero();
+Excuse excuse(Trial& trial, std::size_t ray, Index got, double change) {
+  using reference::FirstMet;
+  const scene::Conventions& conventions = trial.conventions();
+  const FirstMet claim{!got                 ? FirstMet::What::kNothing
+                       : got == kSomeSphere ? FirstMet::What::kSomething
+                                            : FirstMet::What::kSphere,
+                       got.value_or(0)};
+  return excuse_of(right_nearby(trial.exact_ray(ray), trial.scene().spheres,
+                                {conventions.root, conventions.tangent, change}, claim),
+                   change);
 }
 
-/// The rays that meet a sphere in a tangent that is not judged.
-std::vector<bool> with_unjudged(Trial& trial) {
-  std::vector<bool> result(trial.ray_count());
+SpheresMet spheres_met(Trial& trial) {
+  SpheresMet met{std::vector<std::uint32_t>(trial.ray_count()),
+                 std::vector<bool>(trial.ray_count())};
+  const scene::Tangent tangent = trial.conventions().tangent;
   for (std::size_t sphere = 0; sphere < trial.scene().spheres.size(); ++sphere) {
     for (const Meeting& meeting : trial.exact_meetings(sphere)) {
-      if (is_unjudged(meeting.intersection, trial.conventions().tangent)) {
-        result[meeting.ray] = true;
-      }
+      const reference::Intersection& at = meeting.intersection;
+      if (is_unjudged(at, tangent)) met.is_unjudged[meeting.ray] = true;
+      if (counts_as_hit(at.hit_class, tangent)) ++met.count[meeting.ray];
     }
   }
-  return result;
+  return met;
 }
 
 }  // namespace raycheck::properties

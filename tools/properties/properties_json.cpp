@@ -21,7 +21,7 @@ std::string properties_json(const PropertiesReport& report, const ViewOptions& /
     entry["holds"] = !result.failure.has_value();
     entry["cases"] = result.cases;
     entry["comparisons"] = result.verdict.compared();
-    entry["excused"] = result.verdict.excused();
+    entry["discrepancies_by_standing"] = standings_json(result.verdict);
     entry["quantities"] = tallies_json(result.verdict);
     entry["left_out"] = result.left_out;
     entry["reason_left_out"] = result.reason.empty() ? Json(nullptr) : Json(result.reason);

@@ -41,7 +41,8 @@ std::string properties_text(const PropertiesReport& report, const ViewOptions& o
     }
     text += fmt::format(" ({}, {}", count_text(static_cast<std::uint64_t>(result.cases), "case"),
                         count_text(compared, "comparison"));
-    if (result.verdict.excused() > 0) text += fmt::format(", {} excused", result.verdict.excused());
+    const std::uint64_t excused = result.verdict.count(properties::Standing::kExcused);
+    if (excused > 0) text += fmt::format(", {} excused", excused);
     if (result.left_out > 0) {
       text += fmt::format(", {} left out: {}", result.left_out, result.reason);
     }

@@ -216,7 +216,10 @@ TEST(Json, has_tallies_whose_parts_add_up) {
         EXPECT_EQ(sum(tally["wrong_by_kind"]), tally["wrong"]) << where;
         const auto number = [&](const char* key) { return tally[key].get<std::uint64_t>(); };
         EXPECT_EQ(number("right") + number("wrong") + number("measured"), number("cases")) << where;
-        EXPECT_LE(number("wrong_excused"), number("wrong")) << where;
+        EXPECT_EQ(sum(tally["wrong_by_standing"]), tally["wrong"]) << where;
+        for (const json& answers : tally["answered"]) {
+          EXPECT_LE(answers["right"], answers["asked"]) << where;
+        }
         EXPECT_LE(number("ill_conditioned"), number("measured")) << where;
         EXPECT_EQ(tally["max"].is_null(), number("measured") == 0) << where;
         if (tally["max"].is_number()) {
@@ -262,15 +265,21 @@ TEST(Json, says_which_change_excused_an_answer) {
       if (!found.contains("excuse") || found["excuse"].is_null()) return;
       const json& excuse = found["excuse"];
       EXPECT_FALSE(excuse.at("sentence").get<std::string>().empty());
+      EXPECT_EQ(excuse["kind"] == "witness", !excuse["witness"].is_null());
+      for (const json& input : excuse["witness"]) {
+        const double share = std::strtod(input["share"].get<std::string>().c_str(), nullptr);
+        EXPECT_NE(share, 0);
+        EXPECT_LE(std::abs(share), excuse["amount"]);
+      }
       if (excuse["amount"].is_number())
         amounts[excuse["kind"]].insert(excuse["amount"].get<double>());
     });
   };
   look("check" + scene("tangent-and-neighbours") + " --intersect quadratic");
-  EXPECT_EQ(amounts["small change"], std::set<double>{0x1p-49});
+  EXPECT_EQ(amounts["witness"], std::set<double>{0x1p-49});
   amounts.clear();
   look("check" + scene("tangent-and-neighbours") + " --intersect single-quadratic");
-  EXPECT_EQ(amounts["small change"], std::set<double>{0x1p-20});
+  EXPECT_EQ(amounts["witness"], std::set<double>{0x1p-20});
   amounts.clear();
   look("check" + scene("probe") +
        " --t-threshold 0.5 --candidate \"renderer:python3 "
