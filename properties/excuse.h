@@ -5,24 +5,61 @@
 #include <cstddef>
 #include <string_view>
 
+#include "reference/nearby_answer.h"
+
 namespace raycheck::properties {
 
-enum class ExcuseKind { kNone, kSmallChange, kThreshold, kIllConditioned, kOutsideDomain };
-inline constexpr std::array<std::string_view, 5> kExcuseNames = {
-    "", "small change", "threshold", "ill-conditioned", "outside the domain"};
+/// What an answer that differs from the truth comes to. Only a defect is held against the method;
+/// only what is excused counts as well as right.
+enum class Standing {
+  kDefect,
+  kUndecided,  ///< Neither a witness was found nor a refutation.
+  kExcused,
+  kNotJudged,  ///< Outside the method's stated domain.
+};
+inline constexpr std::size_t kStandingCount = 4;
+inline constexpr std::array<std::string_view, kStandingCount> kStandingNames = {
+    "defect", "undecided", "excused", "not judged"};
+constexpr std::string_view name(Standing standing) {
+  return kStandingNames[static_cast<std::size_t>(standing)];
+}
+
+enum class ExcuseKind {
+  kNone,
+  kUndecided,
+  kWitness,
+  kThreshold,
+  kIllConditioned,
+  kOutsideDomain,
+};
+inline constexpr std::array<std::string_view, 6> kExcuseNames = {
+    "", "undecided", "witness", "threshold", "ill-conditioned", "outside the domain"};
 constexpr std::string_view name(ExcuseKind kind) {
   return kExcuseNames[static_cast<std::size_t>(kind)];
 }
 
-/// Why a discrepancy is not held against the method; false where it is.
+/// Why a discrepancy is not held against the method, if anything.
 struct Excuse {
   ExcuseKind kind = ExcuseKind::kNone;
-  /// By the kind: the relative change of the inputs that may make the answer right; the threshold
-  /// that the exact s does not exceed; the condition number that allows the error. 0 for the
-  /// others.
+  /// By the kind: the relative change of the inputs within which a witness was found, or neither
+  /// that nor a refutation; the threshold that the exact s does not exceed; the condition number
+  /// that allows the error. 0 for the others.
   double amount = 0;
+  /// Of a witness: the inputs, changed so, for which the answer is right.
+  reference::InputChange witness = {};
 
-  constexpr explicit operator bool() const { return kind != ExcuseKind::kNone; }
+  Standing standing() const {
+    switch (kind) {
+      case ExcuseKind::kNone:
+        return Standing::kDefect;
+      case ExcuseKind::kUndecided:
+        return Standing::kUndecided;
+      case ExcuseKind::kOutsideDomain:
+        return Standing::kNotJudged;
+      default:
+        return Standing::kExcused;
+    }
+  }
   bool operator==(const Excuse&) const = default;
 };
 

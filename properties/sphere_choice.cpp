@@ -18,7 +18,10 @@ Wrong wrong_of(const Choice& choice) {
                           : Wrong::kWrongSphere;
 }
 
-/// A change of the inputs may flip the class of one of the two spheres, or their order.
+namespace {
+
+/// Whether a relative change of the inputs by so much may flip the class of one of the two spheres,
+/// or their order.
 bool may_flip(Trial& trial, const Choice& choice, double change) {
   const auto& spheres = trial.scene().spheres;
   const reference::ExactRay& ray = trial.exact_ray(choice.ray);
@@ -43,17 +46,24 @@ bool may_flip(Trial& trial, const Choice& choice, double change) {
       .contains_zero();
 }
 
-/// The rays that meet a sphere in a tangent that is not judged.
-std::vector<bool> with_unjudged(Trial& trial) {
-  std::vector<bool> result(trial.ray_count());
+}  // namespace
+
+Excuse excuse(Trial& trial, const Choice& choice, double change) {
+  return may_flip(trial, choice, change) ? Excuse{ExcuseKind::kWitness, change} : Excuse{};
+}
+
+SpheresMet spheres_met(Trial& trial) {
+  SpheresMet met{std::vector<std::uint32_t>(trial.ray_count()),
+                 std::vector<bool>(trial.ray_count())};
+  const scene::Tangent tangent = trial.conventions().tangent;
   for (std::size_t sphere = 0; sphere < trial.scene().spheres.size(); ++sphere) {
     for (const Meeting& meeting : trial.exact_meetings(sphere)) {
-      if (is_unjudged(meeting.intersection, trial.conventions().tangent)) {
-        result[meeting.ray] = true;
-      }
+      const reference::Intersection& at = meeting.intersection;
+      if (is_unjudged(at, tangent)) met.is_unjudged[meeting.ray] = true;
+      if (counts_as_hit(at.hit_class, tangent)) ++met.count[meeting.ray];
     }
   }
-  return result;
+  return met;
 }
 
 }  // namespace raycheck::properties

@@ -4,6 +4,7 @@
 // Which of several spheres a ray meets first, by a candidate and exactly. Internal to the laws.
 
 #include <cstddef>
+#include <cstdint>
 #include <optional>
 #include <vector>
 
@@ -23,12 +24,21 @@ struct Choice {
 bool is_right(const Choice& choice);
 Wrong wrong_of(const Choice& choice);
 
-/// Whether a relative change of the inputs by so much may flip the class of one of the two spheres,
-/// or their order.
-bool may_flip(Trial& trial, const Choice& choice, double change);
+/// What excuses a wrong choice: inputs within a relative change for which it is right.
+Excuse excuse(Trial& trial, const Choice& choice, double change);
 
-/// The rays that meet a sphere in a tangent that is not judged.
-std::vector<bool> with_unjudged(Trial& trial);
+/// What the rays of a case meet.
+struct SpheresMet {
+  std::vector<std::uint32_t> count;  ///< Spheres, by ray.
+  std::vector<bool> is_unjudged;     ///< Rays that meet one in a tangent that is not judged.
+
+  Question question(std::size_t ray) const {
+    return count[ray] == 0   ? Question::kNoSphere
+           : count[ray] == 1 ? Question::kOnlySphere
+                             : Question::kNearestOfSeveral;
+  }
+};
+SpheresMet spheres_met(Trial& trial);
 
 }  // namespace raycheck::properties
 

@@ -9,21 +9,23 @@ namespace raycheck::properties {
 
 /// What an answer is worth, given how well its question is conditioned.
 enum class Outcome {
-  kExact,           ///< The double nearest to the truth, or the right decision.
-  kAccurate,        ///< Off by no more than kAccurateError.
-  kIllConditioned,  ///< Off by more, as the condition number explains: the problem's fault.
-  kUnstable,        ///< Off by more than it explains: the method's fault.
-  kExcusedDecision,
-  kWrongDecision,  ///< A defect: no small change of the inputs makes it right.
-  kOutsideDomain,  ///< Off by more than kAccurateError, or wrong, where nothing is promised.
+  kExact,              ///< The double nearest to the truth, or the right decision.
+  kAccurate,           ///< Off by no more than kAccurateError.
+  kIllConditioned,     ///< Off by more, as the condition number explains: the problem's fault.
+  kUnstable,           ///< Off by more than it explains: the method's fault.
+  kExcusedDecision,    ///< A witness shows that a small change of the inputs makes it right.
+  kUndecidedDecision,  ///< Neither that was shown nor its contrary.
+  kWrongDecision,      ///< A defect: no small change of the inputs makes it right.
+  kOutsideDomain,      ///< Off by more than kAccurateError, or wrong, where nothing is promised.
 };
-inline constexpr std::size_t kOutcomeCount = 7;
+inline constexpr std::size_t kOutcomeCount = 8;
 inline constexpr std::array<std::string_view, kOutcomeCount> kOutcomeNames = {
     "exact",
     "accurate",
     "ill-conditioned",
     "unstable",
     "wrong decision, excused",
+    "wrong decision, undecided",
     "wrong decision",
     "outside the stated domain"};
 constexpr std::string_view name(Outcome outcome) {

@@ -28,7 +28,13 @@ void Tally::merge(const Tally& other) {
   cases += other.cases;
   right += other.right;
   for (const auto& [kind, number] : other.wrong) wrong[kind] += number;
-  wrong_excused += other.wrong_excused;
+  for (std::size_t k = 0; k < kStandingCount; ++k) {
+    wrong_by_standing[k] += other.wrong_by_standing[k];
+  }
+  for (std::size_t k = 0; k < kQuestionCount; ++k) {
+    answered[k].asked += other.answered[k].asked;
+    answered[k].right += other.answered[k].right;
+  }
   errors.merge(other.errors);
   least_bound = std::min(least_bound, other.least_bound);
   greatest_bound = std::max(greatest_bound, other.greatest_bound);

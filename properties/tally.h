@@ -9,6 +9,7 @@
 #include <optional>
 #include <string_view>
 
+#include "properties/excuse.h"
 #include "properties/quantile_sketch.h"
 #include "properties/stability.h"
 #include "scene/camera.h"
@@ -40,6 +41,33 @@ constexpr std::string_view name(Wrong wrong) {
   return kWrongNames[static_cast<std::size_t>(wrong)];
 }
 
+/// What is asked, by the truth where that is known to the law. A law has shown nothing of a kind
+/// that it was asked and never judged right.
+enum class Question {
+  kHit,
+  kMiss,
+  kSmallerRoot,
+  kLargerRoot,
+  kNearestOfSeveral,  ///< Of several spheres that a ray meets.
+  kOnlySphere,
+  kNoSphere,
+  kRefusal,
+  kValue,  ///< A number or a vector: right is what is within its bound.
+};
+inline constexpr std::size_t kQuestionCount = 9;
+inline constexpr std::array<std::string_view, kQuestionCount> kQuestionNames = {
+    "hit",         "miss",      "smaller root", "larger root", "nearest of several",
+    "only sphere", "no sphere", "refusal",      "value"};
+constexpr std::string_view name(Question question) {
+  return kQuestionNames[static_cast<std::size_t>(question)];
+}
+
+/// How often something was asked, and how often the answer was right without an excuse.
+struct Answered {
+  std::uint64_t asked = 0;
+  std::uint64_t right = 0;
+};
+
 /// Where in a case an answer was asked: a ray (a camera's pixel, or a given ray by its index), and
 /// a sphere where the quantity has one.
 struct Place {
@@ -57,13 +85,15 @@ struct Tally {
   std::uint64_t cases = 0;  ///< The right ones, the wrong ones and the errors.
   std::uint64_t right = 0;
   std::map<Wrong, std::uint64_t> wrong;
-  std::uint64_t wrong_excused = 0;  ///< Of those, how many have an excuse.
-  QuantileSketch errors;            ///< Empty for what is right or wrong.
+  std::array<std::uint64_t, kStandingCount> wrong_by_standing = {};
+  std::array<Answered, kQuestionCount> answered = {};  ///< By question.
+  QuantileSketch errors;                               ///< Empty for what is right or wrong.
   /// The least and the greatest bound that an error was held to.
   double least_bound = std::numeric_limits<double>::infinity();
   double greatest_bound = -std::numeric_limits<double>::infinity();
   std::uint64_t ill_conditioned = 0;  ///< Above the flat bound, within its growth: no discrepancy.
-  /// The largest error; of what is right or wrong 2 where one is wrong, 1 where those are excused.
+  /// The largest error; of what is right or wrong 2 where one is a defect, 1 where all that are
+  /// wrong are something else.
   double worst = -1;
   Place worst_place;  ///< The earliest of the worst.
   // Only of trials that ask for the conditioning.
@@ -85,6 +115,10 @@ struct Tally {
   }
   std::uint64_t wrong_answers() const;
   std::uint64_t count(Wrong kind) const;
+  std::uint64_t count(Standing standing) const {
+    return wrong_by_standing[static_cast<std::size_t>(standing)];
+  }
+  Answered& answers_to(Question question) { return answered[static_cast<std::size_t>(question)]; }
   std::uint64_t count(Outcome outcome) const { return outcomes[static_cast<std::size_t>(outcome)]; }
   /// Whether every error counted was weighed by its condition number.
   bool is_weighed() const { return errors.count() == conditions.count(); }

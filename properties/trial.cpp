@@ -6,6 +6,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "reference/ray_error.h"
 #include "scene/validate.h"
 
 namespace raycheck::properties {
@@ -39,6 +40,14 @@ struct ValidRays {
   std::vector<scene::Ray> copies;  ///< Only where not all are.
   Candidate::Rays rays;
 };
+
+/// Whether the class or the root of an answer is not the exact one.
+bool is_wrong(const RayAnswer& answer, const scene::Conventions& conventions) {
+  const reference::Intersection at = answer.ray.intersect(answer.sphere, conventions.root);
+  const bool is_hit = reference::counts_as_hit(at.hit_class, conventions.tangent);
+  if (is_hit != answer.s.has_value()) return true;
+  return is_hit && reference::is_at_other_root(answer.ray, answer.sphere, at, *answer.s);
+}
 
 void require_in_order(const SphereHits& hits, std::size_t rays) {
   for (std::size_t k = 0; k < hits.size(); ++k) {
@@ -215,8 +224,36 @@ void Trial::examine(Verdict& verdict, Quantity quantity, const Place& place, dou
   verdict.add(std::move(discrepancy));
 }
 
-void Trial::convict(Verdict& verdict, Quantity quantity, const Place& place, Wrong wrong,
-                    const std::function<Excuse()>& excuse,
+Excuse excuse_of(reference::NearbyAnswer nearby, double relative_change) {
+  switch (nearby.found) {
+    case reference::Nearby::kWitness:
+      return {ExcuseKind::kWitness, relative_change, std::move(nearby.witness)};
+    case reference::Nearby::kRefuted:
+      return {};
+    default:
+      return {ExcuseKind::kUndecided, relative_change};
+  }
+}
+
+Excuse Trial::excuse(std::initializer_list<RayAnswer> answers) const {
+  const reference::Neighbourhood around{conventions_.root, conventions_.tangent, excused_change()};
+  std::optional<Excuse> weakest;
+  for (const RayAnswer& answer : answers) {
+    if (!is_wrong(answer, conventions_)) continue;
+    Excuse one = excuse_of(right_nearby(answer.ray, answer.sphere, around, answer.s),
+                           around.relative_change);
+    if (!weakest || one.standing() < weakest->standing()) weakest = std::move(one);
+    if (weakest->standing() == Standing::kDefect) break;
+  }
+  return weakest.value_or(Excuse{});
+}
+
+bool Trial::promises_exactly(Quantity quantity) const {
+  return candidate_.exact_class && quantity == Quantity::kClass && !case_.scene.camera;
+}
+
+void Trial::convict(Verdict& verdict, Quantity quantity, Question question, const Place& place,
+                    Wrong wrong, const std::function<Excuse()>& excuse,
                     const std::function<void(Discrepancy&)>& describe) const {
   Discrepancy discrepancy;
   discrepancy.quantity = quantity;
@@ -224,14 +261,12 @@ void Trial::convict(Verdict& verdict, Quantity quantity, const Place& place, Wro
   discrepancy.symbol = info(quantity).symbol;
   discrepancy.error = std::numeric_limits<double>::infinity();
   discrepancy.wrong = wrong;
-  const bool promised =
-      candidate_.exact_class && quantity == Quantity::kClass && !case_.scene.camera;
-  if (!inside_domain_ && !promised) {
+  if (!is_judged(quantity)) {
     discrepancy.excuse = {ExcuseKind::kOutsideDomain};
-  } else if (!promised) {
+  } else if (!promises_exactly(quantity)) {
     discrepancy.excuse = excuse();
   }
-  verdict.judged(quantity, place, wrong, discrepancy.excuse);
+  verdict.judged_wrong(quantity, question, place, wrong, discrepancy.excuse.standing());
   describe(discrepancy);
   verdict.add(std::move(discrepancy));
 }

@@ -3,11 +3,11 @@
 
 #include <cstddef>
 #include <functional>
+#include <initializer_list>
 #include <memory>
 #include <optional>
 #include <span>
 #include <string>
-#include <type_traits>
 #include <vector>
 
 #include "properties/candidate.h"
@@ -25,6 +25,17 @@ struct TrialOptions {
   /// The truth about the same case under the candidate's conventions, where it is shared.
   std::shared_ptr<Truth> truth = nullptr;
 };
+
+/// How a ray and a sphere are said to meet.
+struct RayAnswer {
+  const reference::ExactRay& ray;
+  const scene::Sphere& sphere;
+  std::optional<double> s;  ///< Empty: a miss.
+};
+inline RayAnswer answer_of(const reference::ExactRay& ray, const scene::Sphere& sphere,
+                           const HitAnswer* hit) {
+  return {ray, sphere, hit == nullptr ? std::nullopt : std::optional(hit->parameter)};
+}
 
 /// A case, the truth about it and a candidate's answers to it, each worked out when a law first
 /// asks and kept for the next law. The truth never sees the candidate. What a candidate throws
@@ -48,6 +59,9 @@ class Trial {
   }
   /// Whether the case lies in the candidate's stated domain.
   bool inside_domain() const { return inside_domain_; }
+  /// Whether answers about a quantity are judged: in that domain, or where a promise of the exact
+  /// class goes beyond it.
+  bool is_judged(Quantity quantity) const { return inside_domain_ || promises_exactly(quantity); }
 
   // The truth.
   const reference::ExactCamera& exact_camera() { return options_.truth->camera(); }
@@ -102,25 +116,21 @@ class Trial {
                const Condition& condition, const Describe& describe) const {
     measure(verdict, quantity, place, error, bound(quantity), condition, describe);
   }
-  /// Counts a right or wrong answer, and adds a discrepancy when it is wrong. `may_flip` says
-  /// whether a change of the inputs within excused_change() may make it right, or gives the Excuse
-  /// itself where there are others; it is called only where neither the stated domain nor a promise
-  /// of the exact class settles that.
-  template <class MayFlip, class Describe>
-  void judge(Verdict& verdict, Quantity quantity, const Place& place, Wrong wrong,
-             const MayFlip& may_flip, const Describe& describe) const {
-    if (wrong == Wrong::kNot) return verdict.judged_right(quantity, 1);
-    const auto excuse = [&]() -> Excuse {
-      if constexpr (std::is_same_v<std::invoke_result_t<MayFlip>, Excuse>) {
-        return may_flip();
-      } else {
-        return may_flip() ? Excuse{ExcuseKind::kSmallChange, excused_change()} : Excuse{};
-      }
-    };
-    convict(verdict, quantity, place, wrong, excuse, describe);
+  /// Counts a right or wrong answer, and adds a discrepancy when it is wrong. `excuse` gives its
+  /// Excuse; it is called only where neither the stated domain nor a promise of the exact class
+  /// settles that.
+  template <class GiveExcuse, class Describe>
+  void judge(Verdict& verdict, Quantity quantity, Question question, const Place& place,
+             Wrong wrong, const GiveExcuse& excuse, const Describe& describe) const {
+    if (wrong == Wrong::kNot) return verdict.judged_right(quantity, question, 1);
+    convict(verdict, quantity, question, place, wrong, excuse, describe);
   }
+  /// What excuses answers that are wrong or contradict each other: of each that is wrong, inputs
+  /// within excused_change() of its own for which it is right. Where one has none, nothing does.
+  Excuse excuse(std::initializer_list<RayAnswer> answers) const;
 
  private:
+  bool promises_exactly(Quantity quantity) const;
   Stability weigh(double error, double condition, const std::function<double()>& backward) const;
   /// Whether the bound on a quantity is a documented one, which grows with the condition number: an
   /// error that it then allows is no discrepancy. The user's does not grow; what it would allow is
@@ -134,8 +144,8 @@ class Trial {
                const std::function<void(Discrepancy&)>& describe,
                const std::function<double()>& backward) const;
   /// judge() of a wrong answer.
-  void convict(Verdict& verdict, Quantity quantity, const Place& place, Wrong wrong,
-               const std::function<Excuse()>& excuse,
+  void convict(Verdict& verdict, Quantity quantity, Question question, const Place& place,
+               Wrong wrong, const std::function<Excuse()>& excuse,
                const std::function<void(Discrepancy&)>& describe) const;
 
   const Case& case_;
@@ -151,10 +161,18 @@ class Trial {
   std::optional<std::vector<std::optional<std::size_t>>> nearest_;
 };
 
+/// The excuse of what a search for inputs close by found.
+Excuse excuse_of(reference::NearbyAnswer nearby, double relative_change);
+
 /// A tangent that the convention leaves open.
 constexpr bool is_unjudged(const reference::Intersection& intersection, scene::Tangent tangent) {
   return tangent == scene::Tangent::kEither &&
          intersection.hit_class == reference::HitClass::kTangent;
+}
+
+/// Which root a hit asks for.
+constexpr Question root_asked(const reference::Intersection& at) {
+  return at.root == reference::WhichRoot::kSmaller ? Question::kSmallerRoot : Question::kLargerRoot;
 }
 
 /// The hit of a ray among a sphere's; null where it misses.

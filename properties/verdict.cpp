@@ -4,13 +4,13 @@
 #include <cmath>
 #include <cstddef>
 #include <iterator>
+#include <numeric>
 #include <tuple>
 #include <utility>
 
 namespace raycheck::properties {
 
 std::vector<Discrepancy> worst_first(std::vector<Discrepancy> discrepancies) {
-  const auto is_excused = [](const Discrepancy& d) { return static_cast<bool>(d.excuse); };
   std::vector<const Discrepancy*> sorted;
   for (const Discrepancy& d : discrepancies) sorted.push_back(&d);
   std::stable_sort(sorted.begin(), sorted.end(), [](const Discrepancy* a, const Discrepancy* b) {
@@ -19,13 +19,14 @@ std::vector<Discrepancy> worst_first(std::vector<Discrepancy> discrepancies) {
     if (is_earlier(b->place, a->place)) return false;
     return std::tie(a->law, a->what) < std::tie(b->law, b->what);
   });
-  // (excused, rank within its quantity, quantity) of each.
-  using Key = std::tuple<bool, std::size_t, Quantity>;
-  std::map<std::pair<bool, Quantity>, std::size_t> ranks;
+  // (standing, rank within its quantity, quantity) of each.
+  using Key = std::tuple<Standing, std::size_t, Quantity>;
+  std::map<std::pair<Standing, Quantity>, std::size_t> ranks;
   std::vector<std::pair<Key, const Discrepancy*>> keyed;
   for (const Discrepancy* d : sorted) {
-    const std::size_t rank = ranks[{is_excused(*d), d->quantity}]++;
-    keyed.emplace_back(Key(is_excused(*d), rank, d->quantity), d);
+    const Standing standing = d->excuse.standing();
+    const std::size_t rank = ranks[{standing, d->quantity}]++;
+    keyed.emplace_back(Key(standing, rank, d->quantity), d);
   }
   std::stable_sort(keyed.begin(), keyed.end(),
                    [](const auto& a, const auto& b) { return a.first < b.first; });
@@ -40,6 +41,9 @@ void Verdict::measured(Quantity quantity, const Place& place, double error, doub
   tally.errors.add(error);
   tally.least_bound = std::min(tally.least_bound, bound);
   tally.greatest_bound = std::max(tally.greatest_bound, bound);
+  Answered& values = tally.answers_to(Question::kValue);
+  ++values.asked;
+  if (error <= bound) ++values.right;
   tally.note_worst(error, place);
 }
 
@@ -56,32 +60,35 @@ void Verdict::weighed(Quantity quantity, const Place& place, double error,
   tally.max_over_growth = std::max(tally.max_over_growth.value_or(0), over_growth);
 }
 
-void Verdict::judged_right(Quantity quantity, std::uint64_t count) {
+void Verdict::judged_right(Quantity quantity, Question question, std::uint64_t count) {
   if (count == 0) return;
   Tally& tally = tallies_[quantity];
+  Answered& answers = tally.answers_to(question);
+  answers.asked += count;
+  answers.right += count;
   tally.cases += count;
   tally.right += count;
   tally.outcomes[static_cast<std::size_t>(Outcome::kExact)] += count;
 }
 
-void Verdict::judged(Quantity quantity, const Place& place, Wrong wrong, Excuse excuse) {
-  if (wrong == Wrong::kNot) return judged_right(quantity, 1);
+void Verdict::judged_wrong(Quantity quantity, Question question, const Place& place, Wrong wrong,
+                           Standing standing) {
+  constexpr std::array<Outcome, kStandingCount> kOutcomes = {
+      Outcome::kWrongDecision, Outcome::kUndecidedDecision, Outcome::kExcusedDecision,
+      Outcome::kOutsideDomain};
   Tally& tally = tallies_[quantity];
-  const auto count = [&](Outcome outcome) { ++tally.outcomes[static_cast<std::size_t>(outcome)]; };
   ++tally.cases;
   ++tally.wrong[wrong];
-  if (excuse) ++tally.wrong_excused;
-  count(excuse.kind == ExcuseKind::kOutsideDomain ? Outcome::kOutsideDomain
-        : excuse                                  ? Outcome::kExcusedDecision
-                                                  : Outcome::kWrongDecision);
+  ++tally.wrong_by_standing[static_cast<std::size_t>(standing)];
+  ++tally.outcomes[static_cast<std::size_t>(kOutcomes[static_cast<std::size_t>(standing)])];
+  if (standing != Standing::kNotJudged) ++tally.answers_to(question).asked;
   // The first defect, or for want of one the first error.
-  tally.note_worst(excuse ? 1 : 2, place);
+  tally.note_worst(standing == Standing::kDefect ? 2 : 1, place);
 }
 
 void Verdict::add(Discrepancy discrepancy) {
   if (!law_.empty()) discrepancy.law = law_;
-  ++discrepancies_;
-  if (discrepancy.excuse) ++excused_;
+  ++by_standing_[static_cast<std::size_t>(discrepancy.excuse.standing())];
   kept_.push_back(std::move(discrepancy));
   if (kept_.size() >= 2 * kKeptDiscrepancies) prune();
 }
@@ -89,8 +96,7 @@ void Verdict::add(Discrepancy discrepancy) {
 void Verdict::merge(Verdict other) {
   if (!other.left_out_.empty()) left_out_ = std::move(other.left_out_);
   for (const auto& [quantity, tally] : other.tallies_) tallies_[quantity].merge(tally);
-  discrepancies_ += other.discrepancies_;
-  excused_ += other.excused_;
+  for (std::size_t k = 0; k < kStandingCount; ++k) by_standing_[k] += other.by_standing_[k];
   std::move(other.kept_.begin(), other.kept_.end(), std::back_inserter(kept_));
   if (kept_.size() >= 2 * kKeptDiscrepancies) prune();
 }
@@ -109,6 +115,27 @@ std::vector<Discrepancy> Verdict::worst(std::size_t count) const {
   std::vector<Discrepancy> result = worst_first(kept_);
   result.resize(std::min(result.size(), count));
   return result;
+}
+
+std::uint64_t Verdict::discrepancies() const {
+  return std::accumulate(by_standing_.begin(), by_standing_.end(), std::uint64_t{0});
+}
+
+bool Verdict::holds(bool strictly) const {
+  if (count(Standing::kDefect) > 0) return false;
+  return !strictly || discrepancies() == count(Standing::kNotJudged);
+}
+
+std::optional<std::pair<Quantity, Question>> Verdict::too_few_right(std::uint64_t fewest) const {
+  for (const auto& [quantity, tally] : tallies_) {
+    for (std::size_t k = 0; k < kQuestionCount; ++k) {
+      const Answered& answers = tally.answered[k];
+      if (answers.asked > 0 && answers.right < fewest) {
+        return std::pair(quantity, static_cast<Question>(k));
+      }
+    }
+  }
+  return std::nullopt;
 }
 
 std::uint64_t Verdict::compared() const {

@@ -35,7 +35,7 @@ struct Discrepancy {
   Excuse excuse;
 };
 
-/// The order of reports: without an excuse first; among those the worst of each quantity first,
+/// The order of reports: by standing, defects first; among those the worst of each quantity first,
 /// then the second worst of each, and so on, so that no quantity hides the others. Worse is the
 /// larger error, then the earlier place, then the law and the part by name.
 std::vector<Discrepancy> worst_first(std::vector<Discrepancy> discrepancies);
@@ -44,7 +44,7 @@ std::vector<Discrepancy> worst_first(std::vector<Discrepancy> discrepancies);
 inline constexpr std::size_t kKeptDiscrepancies = 1000;
 
 /// The answer of a law on a case, or of several merged: left out with a reason, or what was
-/// compared and the discrepancies found; it holds when there are none without an excuse.
+/// compared and the discrepancies found; it holds when none is a defect.
 class Verdict {
  public:
   /// Speaks for no law: others are merged into it.
@@ -60,11 +60,15 @@ class Verdict {
   /// Counts what an error just measured is worth.
   void weighed(Quantity quantity, const Place& place, double error, const Stability& stability);
   /// Counts an error, measured before, that only its condition number allows.
-  void count_ill_conditioned(Quantity quantity) { ++tallies_[quantity].ill_conditioned; }
+  void count_ill_conditioned(Quantity quantity) {
+    ++tallies_[quantity].ill_conditioned;
+    ++tallies_[quantity].answers_to(Question::kValue).right;
+  }
   /// Counts answers that are right.
-  void judged_right(Quantity quantity, std::uint64_t count);
-  /// Counts an answer that is right or wrong.
-  void judged(Quantity quantity, const Place& place, Wrong wrong, Excuse excuse);
+  void judged_right(Quantity quantity, Question question, std::uint64_t count);
+  /// Counts an answer that is wrong.
+  void judged_wrong(Quantity quantity, Question question, const Place& place, Wrong wrong,
+                    Standing standing);
   /// Adds a discrepancy with the law that this verdict speaks for.
   void add(Discrepancy discrepancy);
   void merge(Verdict other);
@@ -74,10 +78,16 @@ class Verdict {
   const std::map<Quantity, Tally>& tallies() const { return tallies_; }
   /// The worst ones kept, in the order of worst_first().
   std::vector<Discrepancy> worst(std::size_t count) const;
-  std::uint64_t discrepancies() const { return discrepancies_; }
-  std::uint64_t excused() const { return excused_; }
+  std::uint64_t discrepancies() const;
+  std::uint64_t count(Standing standing) const {
+    return by_standing_[static_cast<std::size_t>(standing)];
+  }
   std::uint64_t compared() const;
-  bool holds() const { return discrepancies_ == excused_; }
+  /// No defect; `strictly`, nothing that was judged differs from the truth.
+  bool holds(bool strictly = false) const;
+  /// The first quantity and question that was asked, but answered rightly, without an excuse, fewer
+  /// than so many times: of that a law has shown too little to hold.
+  std::optional<std::pair<Quantity, Question>> too_few_right(std::uint64_t fewest) const;
   const std::string& reason_left_out() const { return left_out_; }
 
  private:
@@ -87,8 +97,7 @@ class Verdict {
   std::string left_out_;
   std::map<Quantity, Tally> tallies_;
   std::vector<Discrepancy> kept_;
-  std::uint64_t discrepancies_ = 0;
-  std::uint64_t excused_ = 0;
+  std::array<std::uint64_t, kStandingCount> by_standing_ = {};
 };
 
 }  // namespace raycheck::properties

@@ -156,6 +156,11 @@ void add_threads(CLI::App& command, int& threads, std::string_view same) {
       ->capture_default_str();
 }
 
+void add_strict(CLI::App& command, bool& strict) {
+  command.add_flag("--strict", strict,
+                   "fail, too, for what is excused by a witness or left undecided");
+}
+
 void add_seed(CLI::App& command, std::uint64_t& seed) {
   command.add_option("--seed", seed, "the same seed gives the same cases")
       ->check(CLI::Range(std::uint64_t{0}, std::numeric_limits<std::uint64_t>::max()))

@@ -65,6 +65,8 @@ void add_format(CLI::App& command, std::string& format, const View<Report> (&vie
 void add_certificates(CLI::App& command, std::optional<std::string>& path);
 /// --threads; `same` is what does not depend on it.
 void add_threads(CLI::App& command, int& threads, std::string_view same);
+/// --strict
+void add_strict(CLI::App& command, bool& strict);
 /// --seed
 void add_seed(CLI::App& command, std::uint64_t& seed);
 
@@ -84,6 +86,7 @@ void print_view(const View<Report> (&views)[N], std::string_view format, const R
 /// Draws the plots, unless there is no gnuplot: then it says so on standard error.
 void draw_or_say(const std::vector<Plot>& plots, const std::string& path);
 
+/// `found`: a defect, or what else fails; `checked`: enough was judged to say that there is none.
 int exit_code(bool was_interrupted, bool found, bool checked);
 
 }  // namespace raycheck::tools

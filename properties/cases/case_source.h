@@ -51,9 +51,8 @@ const CaseSource* find_case_source(std::string_view name);
 /// A case of a severity that the seed chooses, each as likely as the other.
 Case any_case(const CaseSource& source, std::uint64_t seed);
 
-/// Severities first..last: all of them, or at most so many, evenly spaced but for the last, which is
-/// always among them.
-/// Domain: first <= last, most >= 1.
+/// Severities first..last: all of them, or at most so many, evenly spaced but for the last, which
+/// is always among them. Domain: first <= last, most >= 1.
 std::vector<int> some_severities(int first, int last, int most = kMostSeverities);
 
 /// A source, and perhaps the one severity that is wanted of it.

@@ -19,8 +19,7 @@ Excuse excuse_of(Trial& trial, const Choice& choice) {
   if (is_within_threshold(trial, choice.ray, candidate.image_threshold)) {
     return {ExcuseKind::kThreshold, candidate.image_threshold};
   }
-  const double change = candidate.excused_image_change;
-  return may_flip(trial, choice, change) ? Excuse{ExcuseKind::kSmallChange, change} : Excuse{};
+  return excuse(trial, choice, candidate.excused_image_change);
 }
 
 void judge_image(Trial& trial, Verdict& verdict) {
@@ -31,10 +30,10 @@ void judge_image(Trial& trial, Verdict& verdict) {
   if (image.size() != static_cast<std::size_t>(width * camera.height)) {
     throw std::runtime_error("image: pixels are missing");
   }
-  const std::vector<bool> is_left_out = with_unjudged(trial);
+  const SpheresMet met = spheres_met(trial);
   std::size_t untold = 0;
   for (std::size_t k = 0; k < trial.ray_count(); ++k) {
-    if (is_left_out[k]) continue;
+    if (met.is_unjudged[k]) continue;
     const scene::Pixel& pixel = trial.pixels()[k];
     const Choice choice{k, image[static_cast<std::size_t>(pixel.j * width + pixel.i)],
                         trial.exact_nearest()[k]};
@@ -43,7 +42,7 @@ void judge_image(Trial& trial, Verdict& verdict) {
                         : choice.got == kSomeSphere ? Index()
                                                     : choice.got;
     trial.judge(
-        verdict, Quantity::kNearestSphere, trial.place(k, shown), wrong_of(choice),
+        verdict, Quantity::kNearestSphere, met.question(k), trial.place(k, shown), wrong_of(choice),
         [&] { return excuse_of(trial, choice); },
         [&](Discrepancy& d) {
           d.what = "sphere shown";

@@ -62,9 +62,9 @@ void for_each_common_hit(Trial& trial, Visit visit) {
   });
 }
 
-bool may_flip(Trial& trial, const Encounter& at) {
-  return trial.exact_ray(at.ray).may_flip_within(trial.scene().spheres[at.sphere],
-                                                 trial.conventions().root, trial.excused_change());
+Excuse excuse(Trial& trial, const Encounter& at) {
+  return trial.excuse(
+      {answer_of(trial.exact_ray(at.ray), trial.scene().spheres[at.sphere], at.answer)});
 }
 
 void describe_parameters(Trial& trial, const Encounter& at, Discrepancy& d) {
@@ -99,15 +99,16 @@ void judge_class(Trial& trial, Verdict& verdict) {
     const bool missed = at.answer == nullptr;
     const bool false_hit = at.exact == nullptr;
     trial.judge(
-        verdict, Quantity::kClass, trial.place(at.ray, at.sphere),
+        verdict, Quantity::kClass, false_hit ? Question::kMiss : Question::kHit,
+        trial.place(at.ray, at.sphere),
         missed      ? Wrong::kMissed
         : false_hit ? Wrong::kFalseHit
                     : Wrong::kNot,
-        [&] { return may_flip(trial, at); },
+        [&] { return excuse(trial, at); },
         [&](Discrepancy& d) { describe_parameters(trial, at, d); });
     --misses;
   });
-  verdict.judged_right(Quantity::kClass, misses);
+  verdict.judged_right(Quantity::kClass, Question::kMiss, misses);
   if (unjudged > 0) verdict.leave_out("exactly tangent pairs: tangent = either");
 }
 
@@ -115,9 +116,9 @@ void judge_root(Trial& trial, Verdict& verdict) {
   for_each_encounter(trial, [&](const Encounter& at) {
     if (at.answer == nullptr || at.exact == nullptr) return;
     trial.judge(
-        verdict, Quantity::kRoot, trial.place(at.ray, at.sphere),
+        verdict, Quantity::kRoot, root_asked(*at.exact), trial.place(at.ray, at.sphere),
         is_at_other_root(trial, at) ? Wrong::kWrongRoot : Wrong::kNot,
-        [&] { return may_flip(trial, at); },
+        [&] { return excuse(trial, at); },
         [&](Discrepancy& d) { describe_parameters(trial, at, d); });
   });
 }
@@ -213,28 +214,25 @@ void describe_origins(Discrepancy& d, const BothOrigins& both, const scene::Sphe
 /// Judges a choice of the other root than the exact one, which both rays share, and says whether
 /// either answer is one. The two parameters are then a chord apart, not l, however accurate both
 /// are: a ray that starts within a rounding of the surface has its near root before or behind its
-/// origin as that rounding falls. As in the laws of class and root it is excused only where a small
-/// change of the inputs takes that origin across the surface.
+/// origin as that rounding falls. As in the laws of class and root it is excused only where inputs
+/// close by have that root as theirs.
 bool judge_other_root(Trial& trial, Verdict& verdict, const Place& place, const BothOrigins& both,
                       const Intersection& at) {
   const scene::Sphere& sphere = trial.scene().spheres[*place.sphere];
   const auto is_wrong = [&](const ExactRay& ray, const HitAnswer& hit) {
     return reference::is_at_other_root(ray, sphere, at, hit.parameter);
   };
-  const auto may_flip = [&](const ExactRay& ray) {
-    return ray.may_flip_within(sphere, trial.conventions().root, trial.excused_change());
-  };
-  const bool eye_is_wrong = is_wrong(both.eye_ray, both.eye_hit);
-  const bool pixel_is_wrong = is_wrong(both.pixel_ray, both.pixel_hit);
-  if (!eye_is_wrong && !pixel_is_wrong) return false;
+  const bool is_other_root =
+      is_wrong(both.eye_ray, both.eye_hit) || is_wrong(both.pixel_ray, both.pixel_hit);
   trial.judge(
-      verdict, Quantity::kRoot, place, Wrong::kWrongRoot,
+      verdict, Quantity::kRoot, root_asked(at), place,
+      is_other_root ? Wrong::kWrongRoot : Wrong::kNot,
       [&] {
-        return (!eye_is_wrong || may_flip(both.eye_ray)) &&
-               (!pixel_is_wrong || may_flip(both.pixel_ray));
+        return trial.excuse({answer_of(both.eye_ray, sphere, &both.eye_hit),
+                             answer_of(both.pixel_ray, sphere, &both.pixel_hit)});
       },
       [&](Discrepancy& d) { describe_origins(d, both, sphere, at); });
-  return true;
+  return is_other_root;
 }
 
 /// The same point from both origins: s from the eye is s from the pixel point plus l.

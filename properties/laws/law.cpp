@@ -35,7 +35,7 @@ namespace {
 Verdict verdict_on_failure(const Law& law, const Trial& trial, Wrong wrong, const char* message) {
   Verdict verdict(law.name);
   trial.judge(
-      verdict, Quantity::kRefusal, Place{}, wrong, [] { return false; },
+      verdict, Quantity::kRefusal, Question::kRefusal, Place{}, wrong, [] { return Excuse{}; },
       [&](Discrepancy& discrepancy) { discrepancy.what = message; });
   return verdict;
 }

@@ -9,6 +9,7 @@
 #include "properties/laws/law_list.h"
 #include "reference/condition.h"
 #include "reference/error_measure.h"
+#include "reference/ray_error.h"
 #include "scene/scene_scalars.h"
 #include "scene/validate.h"
 
@@ -21,8 +22,14 @@ using scene::Scene;
 /// What there must be for hits to be compared, besides rays.
 constexpr Needs kOfHits = Needs::kIntersect | Needs::kSpheres;
 
+bool is_at_other_root(Trial& trial, std::size_t ray, std::size_t sphere, const HitAnswer& hit) {
+  return reference::is_at_other_root(trial.exact_ray(ray), trial.scene().spheres[sphere],
+                                     trial.exact_intersection(ray, sphere), hit.parameter);
+}
+
 /// Compares the hits of a case and its transformed case; `factor` takes a parameter of the first to
-/// the second. The exact answer serves only to tell how well-conditioned a pair is.
+/// the second. The exact answers, of one class and root, serve to tell which of two that contradict
+/// each other is wrong, and how well-conditioned a pair is.
 void compare_hits(Trial& trial, Trial& transformed, Verdict& verdict, const std::string& what,
                   double factor) {
   for (std::size_t sphere = 0; sphere < trial.scene().spheres.size(); ++sphere) {
@@ -39,26 +46,48 @@ void compare_hits(Trial& trial, Trial& transformed, Verdict& verdict, const std:
         if (hit != nullptr) d.exact = {hit->parameter * factor};
       };
       const scene::Sphere& the_sphere = trial.scene().spheres[sphere];
-      const Wrong wrong = (hit == nullptr) == (other == nullptr) ? Wrong::kNot
-                          : hit != nullptr                       ? Wrong::kMissed
-                                                                 : Wrong::kFalseHit;
-      const auto may_flip = [&] {
-        return trial.exact_ray(k).may_flip_within(the_sphere, trial.conventions().root,
-                                                  trial.excused_change());
+      const scene::Sphere& other_sphere = transformed.scene().spheres[sphere];
+      const bool differ = (hit == nullptr) != (other == nullptr);
+      if (differ && is_unjudged(trial.exact_intersection(k, sphere), trial.conventions().tangent)) {
+        continue;
+      }
+      const auto excuse = [&] {
+        return trial.excuse({answer_of(trial.exact_ray(k), the_sphere, hit),
+                             answer_of(transformed.exact_ray(k), other_sphere, other)});
       };
-      trial.judge(verdict, Quantity::kClass, place, wrong, may_flip, describe);
+      trial.judge(verdict, Quantity::kClass, hit == nullptr ? Question::kMiss : Question::kHit,
+                  place,
+                  !differ          ? Wrong::kNot
+                  : hit != nullptr ? Wrong::kMissed
+                                   : Wrong::kFalseHit,
+                  excuse, describe);
       if (hit == nullptr || other == nullptr) continue;
+      const bool is_hit = trial.exact_hit(k, sphere);
+      double error =
+          reference::ulp_error(other->parameter, Enclosure(hit->parameter * factor, 128));
+      if (std::isinf(error) && is_hit && std::isfinite(other->parameter)) {
+        // One of them is 0: their size is the exact one's.
+        const Enclosure apart = Enclosure(other->parameter, 128) / Enclosure(factor, 128) -
+                                Enclosure(hit->parameter, 128);
+        error = reference::in_units_of_u(
+            apart / trial.exact_ray(k).parameter(the_sphere, trial.exact_intersection(k, sphere)));
+      }
+      const double bound = 2 * trial.bound(Quantity::kParameter);
+      if (is_hit) {
+        // Parameters at two roots are a chord apart, however accurate both are.
+        const bool is_other_root =
+            error > bound && is_at_other_root(trial, k, sphere, *hit) !=
+                                 is_at_other_root(transformed, k, sphere, *other);
+        trial.judge(verdict, Quantity::kRoot, root_asked(trial.exact_intersection(k, sphere)),
+                    place, is_other_root ? Wrong::kWrongRoot : Wrong::kNot, excuse, describe);
+        if (is_other_root) continue;
+      }
       const auto condition = [&] {
-        // Where roundings may flip the class, they may also exchange a double root's two halves.
-        if (may_flip() || !trial.exact_hit(k, sphere)) {
-          return std::numeric_limits<double>::infinity();
-        }
-        return reference::condition_of_parameter(trial.exact_ray(k), the_sphere,
-                                                 trial.exact_intersection(k, sphere));
+        return is_hit ? reference::condition_of_parameter(trial.exact_ray(k), the_sphere,
+                                                          trial.exact_intersection(k, sphere))
+                      : std::numeric_limits<double>::infinity();
       };
-      trial.measure(verdict, Quantity::kInvariance, place,
-                    reference::ulp_error(other->parameter, Enclosure(hit->parameter * factor, 128)),
-                    2 * trial.bound(Quantity::kParameter), condition, describe);
+      trial.measure(verdict, Quantity::kInvariance, place, error, bound, condition, describe);
     }
   }
 }
@@ -277,16 +306,17 @@ void judge_growing_radius(Trial& trial, Verdict& verdict) {
     for (const double radius : {std::nextafter(the_sphere.radius, HUGE_VAL),
                                 1.5 * the_sphere.radius, 4 * the_sphere.radius}) {
       if (!(radius > the_sphere.radius) || !std::isfinite(radius)) continue;
-      const auto grown = trial.intersect(trial.rays(), {scene::Sphere{the_sphere.centre, radius}},
-                                         trial.conventions());
+      const scene::Sphere grown_sphere{the_sphere.centre, radius};
+      const auto grown = trial.intersect(trial.rays(), {grown_sphere}, trial.conventions());
       for (const RayHit& before : trial.hits(sphere)) {
         const std::size_t k = before.ray;
         trial.judge(
-            verdict, Quantity::kClass, trial.place(k, sphere),
+            verdict, Quantity::kClass, Question::kHit, trial.place(k, sphere),
             find_hit(grown.front(), k) != nullptr ? Wrong::kNot : Wrong::kMissed,
             [&] {
-              return trial.exact_ray(k).may_flip_within(the_sphere, trial.conventions().root,
-                                                        trial.excused_change());
+              const reference::ExactRay& ray = trial.exact_ray(k);
+              return trial.excuse(
+                  {answer_of(ray, the_sphere, &before.hit), answer_of(ray, grown_sphere, nullptr)});
             },
             [&](Discrepancy& d) {
               d.what = "after the radius grew";

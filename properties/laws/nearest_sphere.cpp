@@ -36,9 +36,9 @@ void judge_nearest_sphere(Trial& trial, Verdict& verdict) {
   const std::vector<scene::Sphere> reversed(trial.scene().spheres.rbegin(),
                                             trial.scene().spheres.rend());
   const auto backwards = trial.rank(trial.rays(), reversed);
-  const std::vector<bool> is_left_out = with_unjudged(trial);
+  const SpheresMet met = spheres_met(trial);
   for (std::size_t k = 0; k < trial.ray_count(); ++k) {
-    if (is_left_out[k]) continue;
+    if (met.is_unjudged[k]) continue;
     const auto& exact = trial.exact_nearest()[k];
     const Index last_first = backwards.at(k);
     const Index reversed_got = last_first ? Index(reversed.size() - 1 - *last_first) : Index();
@@ -47,8 +47,9 @@ void judge_nearest_sphere(Trial& trial, Verdict& verdict) {
     const bool right_forwards = is_right(choice);
     if (right_forwards) choice.got = reversed_got;
     trial.judge(
-        verdict, Quantity::kNearestSphere, trial.place(k, exact ? Index(exact->index) : choice.got),
-        wrong_of(choice), [&] { return may_flip(trial, choice, trial.excused_change()); },
+        verdict, Quantity::kNearestSphere, met.question(k),
+        trial.place(k, exact ? Index(exact->index) : choice.got), wrong_of(choice),
+        [&] { return excuse(trial, choice, trial.excused_change()); },
         [&](Discrepancy& d) {
           d.what = right_forwards ? "sphere index, spheres in reverse order" : "sphere index";
           if (choice.got) d.got = {static_cast<double>(*choice.got)};
@@ -89,21 +90,21 @@ void judge_visible_sphere(Trial& trial, Verdict& verdict) {
   const auto answers = trial.candidate().visible(trial.scene(), trial.conventions(), wider.pixels);
   if (answers.size() != wider.pixels.size()) throw std::runtime_error("visible: answers missing");
   const bool exactly = trial.candidate().exact_visible;
-  const std::vector<bool> is_left_out = with_unjudged(seen);
+  const SpheresMet met = spheres_met(seen);
   for (std::size_t k = 0; k < answers.size(); ++k) {
-    if (is_left_out[k]) continue;
+    if (met.is_unjudged[k]) continue;
     const ExactRay& ray = seen.exact_ray(k);
     const auto& exact = seen.exact_nearest()[k];
     const Choice choice{k, answers[k] ? Index(answers[k]->sphere) : Index(), exact};
     const bool right = is_right(choice) && !(exactly && exact && exact->index != *choice.got);
     const Place place = seen.place(k, exact ? Index(exact->index) : choice.got);
     seen.judge(
-        verdict, Quantity::kNearestSphere, place,
+        verdict, Quantity::kNearestSphere, met.question(k), place,
         right           ? Wrong::kNot
         : !choice.exact ? Wrong::kFalseHit
         : !choice.got   ? Wrong::kMissed
                         : Wrong::kWrongSphere,
-        [&] { return !exactly && may_flip(seen, choice, seen.excused_change()); },
+        [&] { return exactly ? Excuse{} : excuse(seen, choice, seen.excused_change()); },
         [&](Discrepancy& d) {
           d.what = "sphere index";
           if (choice.got) d.got = {static_cast<double>(*choice.got)};

@@ -26,8 +26,11 @@ void judge(Verdict& verdict, const Trial& trial, Quantity quantity, const Pixel&
   const auto width = static_cast<std::size_t>(trial.scene().camera->width);
   const Place place{static_cast<std::size_t>(pixel.j) * width + static_cast<std::size_t>(pixel.i),
                     pixel, sphere};
-  verdict.judged(quantity, place, wrong, {});
-  if (wrong == Wrong::kNot) return;
+  const Question question = quantity == Quantity::kRoot            ? Question::kSmallerRoot
+                            : quantity == Quantity::kNearestSphere ? Question::kNearestOfSeveral
+                                                                   : Question::kMiss;
+  if (wrong == Wrong::kNot) return verdict.judged_right(quantity, question, 1);
+  verdict.judged_wrong(quantity, question, place, wrong, Standing::kDefect);
   Discrepancy discrepancy;
   discrepancy.quantity = quantity;
   discrepancy.place = place;

@@ -47,19 +47,13 @@ std::string replay_text(const Law& law, const Candidate& candidate, const Proven
   return std::string(law.name) + ":" + candidate.name + ":" + from.source.name() + ":" + digits;
 }
 
-/// Outside of its stated domain a candidate is asked nothing, but for the class that it promises
-/// everywhere.
-bool is_judged(const Law& law, const Candidate& candidate, const Trial& trial) {
-  return trial.inside_domain() || (candidate.exact_class && law.quantity == Quantity::kClass &&
-                                   !trial.scene().camera);
-}
-
 /// How one source is asked.
 struct Asking {
   ChosenSource source;
   int cases = 0;
   std::uint64_t seed = 0;  ///< Of the campaign.
   std::optional<double> max_error;
+  bool strict = false;
   bool shrinks = false;
 };
 
@@ -82,7 +76,7 @@ Answer ask(const Law& law, const Candidate& candidate, const Asking& asking,
     if (stopped || (stopped = control.interrupted())) return;
     const Case the_case = *cases;
     Trial trial(the_case, candidate, {.max_error = asking.max_error});
-    const bool judged = is_judged(law, candidate, trial);
+    const bool judged = trial.is_judged(law.quantity);
     Verdict verdict = judged ? apply(law, trial) : Verdict(law.name);
     if (!answer.failure) {  // what follows a failure is shrinking
       ++part.counts.cases;
@@ -93,7 +87,7 @@ Answer ask(const Law& law, const Candidate& candidate, const Asking& asking,
       }
       part.verdict.merge(verdict);
     }
-    if (verdict.holds()) return;
+    if (verdict.holds(asking.strict)) return;
     part.replay = replay_text(law, candidate, noted);
     answer.failure = Failure{the_case, std::move(verdict), part.replay};
     RC_FAIL("");
@@ -120,11 +114,10 @@ CampaignPart run_part(const Law& law, const Candidate& candidate, const Asking& 
 }
 
 /// The case of a replay alone.
-Answer ask_again(const Replay& replay, const Candidate& candidate,
-                 std::optional<double> max_error) {
-  const Asking once = {replay.source, 1, 0, max_error, true};
-  return ask(*replay.law, candidate, once, {},
-             [seed = replay.seed](rc::Random&) { return seed; });
+Answer ask_again(const Replay& replay, const Candidate& candidate, std::optional<double> max_error,
+                 bool strict) {
+  const Asking once = {replay.source, 1, 0, max_error, strict, true};
+  return ask(*replay.law, candidate, once, {}, [seed = replay.seed](rc::Random&) { return seed; });
 }
 
 /// The k-th share of what is shared evenly, but for a remainder.
@@ -173,12 +166,16 @@ void CaseCounts::add(const CaseCounts& other) {
   if (!other.reason.empty()) reason = other.reason;
 }
 
-Finding CampaignResult::finding(bool strict) const {
-  const bool broken = std::any_of(parts.begin(), parts.end(),
-                                  [](const CampaignPart& part) { return part.is_broken(); });
-  if (broken || (strict && verdict.discrepancies() > 0)) return Finding::kBroken;
-  if (verdict.compared() > 0) return Finding::kHolds;
-  return counts.not_judged > 0 ? Finding::kNotJudged : Finding::kLeftOut;
+Finding CampaignResult::finding() const {
+  if (std::any_of(parts.begin(), parts.end(),
+                  [](const CampaignPart& part) { return part.is_broken(); })) {
+    return Finding::kBroken;
+  }
+  if (verdict.compared() == 0) {
+    return counts.not_judged > 0 ? Finding::kNotJudged : Finding::kLeftOut;
+  }
+  if (verdict.count(Standing::kUndecided) > 0) return Finding::kUndecided;
+  return too_few_right() ? Finding::kTooFewJudged : Finding::kHolds;
 }
 
 CampaignResult run_campaign(const Law& law, const Candidate& candidate,
@@ -190,10 +187,11 @@ CampaignResult run_campaign(const Law& law, const Candidate& candidate,
   for (const auto& [source, share] : shares) {
     const auto severities = severities_of(source, options.level, share);
     for (std::size_t k = 0; k < severities.size(); ++k) {
-      if (control.interrupted()) return result;
       const int cases = share_of_all(share, severities.size(), k);
       CampaignPart part = run_part(
-          law, candidate, {severities[k], cases, options.seed, options.max_error}, control);
+          law, candidate, {severities[k], cases, options.seed, options.max_error, options.strict},
+          control);
+      if (part.counts.cases == 0) return result;  // interrupted
       result.counts.add(part.counts);
       result.verdict.merge(part.verdict);
       result.parts.push_back(std::move(part));
@@ -207,7 +205,7 @@ CampaignResult run_campaign(const Law& law, const Candidate& candidate,
   if (first != nullptr) {
     Replay replay = parse_replay(first->replay);
     replay.law = &law;
-    result.failure = ask_again(replay, candidate, options.max_error).failure;
+    result.failure = ask_again(replay, candidate, options.max_error, options.strict).failure;
   }
   return result;
 }
@@ -228,9 +226,10 @@ std::vector<Reach> reaches(const Law& law, const Candidate& candidate,
     }
     Reach reach{source.source, {}, {}, {}};
     for (const ChosenSource& severity : severities) {
-      if (control.interrupted()) return found;
       const CampaignPart part =
-          run_part(law, candidate, {severity, cases, options.seed, options.max_error}, control);
+          run_part(law, candidate,
+                   {severity, cases, options.seed, options.max_error, options.strict}, control);
+      if (part.counts.cases == 0) return found;  // interrupted
       if (part.is_broken()) {
         reach.broken_at = severity.severity;
         reach.replay = part.replay;
@@ -275,9 +274,10 @@ Replay parse_replay(std::string_view text) {
 }
 
 CampaignResult run_replay(const Replay& replay, const Candidate& candidate,
-                          std::optional<double> max_error) {
-  Answer answer = ask_again(replay, candidate, max_error);
+                          std::optional<double> max_error, bool strict) {
+  Answer answer = ask_again(replay, candidate, max_error, strict);
   CampaignResult result;
+  result.fewest_right = 0;
   result.level = replay.source.level();
   result.counts = answer.part.counts;
   result.verdict = answer.part.verdict;

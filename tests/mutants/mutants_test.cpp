@@ -105,7 +105,7 @@ TEST(Mutants, ComeFromACandidateThatBreaksNone) {
     const CampaignResult result = run_campaign(law, unmutated(), options());
     EXPECT_FALSE(result.failure.has_value()) << law.name << "\n"
                                              << scene_text(result.failure->shrunk);
-    EXPECT_EQ(result.cases, kCases) << law.name;
+    EXPECT_EQ(result.counts.cases, kCases) << law.name;
     EXPECT_GT(result.verdict.compared(), 40u) << law.name;
   }
 }

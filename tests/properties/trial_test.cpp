@@ -111,10 +111,27 @@ TEST(Trial, ExcusesAClassErrorNextToTangencyOnly) {
   EXPECT_FALSE(excused(1 + 1e-13, hit));
 }
 
+/// The sphere reaches from 0 to 2 along the ray: whatever small change moves its near root to or
+/// off the origin, one of the roots stays ahead.
+TEST(Trial, ExcusesAtASurfaceTheOtherRootAndNoMiss) {
+  const Case surface = ray_case({{-1, 0, 0}, {1, 0, 0}}, {{0, 0, 0}, 1});
+  const Verdict missed = judge("class", surface, that_answers({}));
+  ASSERT_EQ(missed.discrepancies(), 1u);
+  EXPECT_EQ(missed.worst(1).front().excuse, Excuse{});
+  const Verdict leaving = judge("nearest-root", surface, that_answers(HitAnswer{2, {1, 0, 0}}));
+  ASSERT_EQ(leaving.discrepancies(), 1u);
+  const Excuse excuse = leaving.worst(1).front().excuse;
+  EXPECT_EQ(excuse.kind, ExcuseKind::kWitness);
+  EXPECT_EQ(excuse.amount, kExcusedChange);
+  // The origin is inside where the radius becomes larger than its x.
+  EXPECT_GT(excuse.witness.at(9), excuse.witness.at(0));
+  for (const double share : excuse.witness) EXPECT_LE(std::abs(share), kExcusedChange);
+}
+
 TEST(Trial, DoesNotExcuseAFarSphereThatIsMissed) {
   const Case far = ray_case({{-1e7, 0.095, 0}, {1, 0, 0}}, {{0, 0, 0}, 0.1});
   const Verdict verdict = judge("class", far, that_answers({}));
-  EXPECT_EQ(verdict.excused(), 0u);
+  EXPECT_EQ(verdict.count(Standing::kDefect), 1u);
   ASSERT_EQ(verdict.worst(1).size(), 1u);
   const Discrepancy worst = verdict.worst(1).front();
   EXPECT_EQ(worst.wrong, Wrong::kMissed);
@@ -169,8 +186,7 @@ TEST(Trial, HoldsAPromiseOfTheExactClassWithoutExcuse) {
   EXPECT_EQ(judge("class", outside, candidate).worst(1).at(0).excuse.kind,
             ExcuseKind::kOutsideDomain);
   candidate.smallest_length = 0;
-  EXPECT_EQ(judge("class", outside, candidate).worst(1).at(0).excuse,
-            (Excuse{ExcuseKind::kSmallChange, kExcusedChange}));
+  EXPECT_EQ(judge("class", outside, candidate).worst(1).at(0).excuse.kind, ExcuseKind::kWitness);
   candidate.exact_class = true;
   EXPECT_FALSE(judge("class", outside, candidate).holds());
   candidate.smallest_length = 10;

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <random>
 #include <set>
@@ -15,8 +16,10 @@
 namespace raycheck::properties {
 namespace {
 
-constexpr Excuse kFlips = {ExcuseKind::kSmallChange, kExcusedChange};
-constexpr Excuse kIllConditioned = {ExcuseKind::kIllConditioned, 1e6};
+const Excuse kWitness = {ExcuseKind::kWitness, kExcusedChange, {0, 0x1p-52}};
+const Excuse kUndecided = {ExcuseKind::kUndecided, kExcusedChange};
+const Excuse kOutside = {ExcuseKind::kOutsideDomain};
+const Excuse kIllConditioned = {ExcuseKind::kIllConditioned, 1e6};
 constexpr double kBound = 16;
 
 Place at_ray(std::size_t ray) {
@@ -85,7 +88,7 @@ TEST(Verdict, HasABoundWhereEveryErrorWasHeldToTheSame) {
   EXPECT_EQ(held_to({8, 16}), std::nullopt);
   EXPECT_EQ(held_to({16, 8, 16}), std::nullopt);
   Verdict decided;
-  decided.judged_right(Quantity::kClass, 3);
+  decided.judged_right(Quantity::kClass, Question::kMiss, 3);
   EXPECT_EQ(decided.tallies().at(Quantity::kClass).bound(), std::nullopt);
 }
 
@@ -116,35 +119,68 @@ TEST(Verdict, HoldsABoundToErrorsOverWhatItGrowsBy) {
 
 TEST(Verdict, CountsRightAndWrongAnswersWithoutAveragingThem) {
   Verdict verdict;
-  verdict.judged_right(Quantity::kRoot, 0);
+  verdict.judged_right(Quantity::kRoot, Question::kSmallerRoot, 0);
   EXPECT_TRUE(verdict.tallies().empty());
-  verdict.judged_right(Quantity::kClass, 1);
-  verdict.judged(Quantity::kClass, at_ray(1), Wrong::kMissed, kFlips);
-  verdict.judged(Quantity::kClass, at_ray(2), Wrong::kFalseHit, {});
-  verdict.judged(Quantity::kClass, at_ray(3), Wrong::kMissed, {});
+  verdict.judged_right(Quantity::kClass, Question::kHit, 1);
+  const auto wrong = [&](Question question, std::size_t ray, Wrong kind, Standing standing) {
+    verdict.judged_wrong(Quantity::kClass, question, at_ray(ray), kind, standing);
+  };
+  wrong(Question::kHit, 1, Wrong::kMissed, Standing::kExcused);
+  wrong(Question::kMiss, 2, Wrong::kFalseHit, Standing::kDefect);
+  wrong(Question::kHit, 3, Wrong::kMissed, Standing::kDefect);
+  wrong(Question::kHit, 4, Wrong::kMissed, Standing::kUndecided);
+  wrong(Question::kHit, 5, Wrong::kMissed, Standing::kNotJudged);
   const Tally& tally = verdict.tallies().at(Quantity::kClass);
-  EXPECT_EQ(tally.cases, 4u);
-  EXPECT_EQ(tally.wrong_answers(), 3u);
-  EXPECT_EQ(tally.wrong.at(Wrong::kMissed), 2u);
-  EXPECT_EQ(tally.wrong_excused, 1u);
+  EXPECT_EQ(tally.cases, 6u);
+  EXPECT_EQ(tally.wrong_answers(), 5u);
+  EXPECT_EQ(tally.wrong.at(Wrong::kMissed), 4u);
+  EXPECT_EQ(tally.count(Standing::kDefect), 2u);
+  EXPECT_EQ(tally.count(Standing::kUndecided), 1u);
+  EXPECT_EQ(tally.count(Standing::kExcused), 1u);
+  EXPECT_EQ(tally.count(Standing::kNotJudged), 1u);
+  const Answered& hits = tally.answered[static_cast<std::size_t>(Question::kHit)];
+  EXPECT_EQ(hits.asked, 4u);  // what is not judged is not asked
+  EXPECT_EQ(hits.right, 1u);
   EXPECT_EQ(tally.worst_place.ray, 2u);  // the first without an excuse
   EXPECT_FALSE(tally.median().has_value());
   EXPECT_FALSE(tally.max().has_value());
 }
 
-TEST(Verdict, HoldsWhenEveryDiscrepancyHasAnExcuse) {
+TEST(Verdict, HoldsWhileNothingIsADefect) {
+  for (const Excuse& excuse : {kIllConditioned, kWitness, kUndecided, kOutside}) {
+    Verdict verdict;
+    verdict.add(discrepancy(100, 0, excuse));
+    EXPECT_TRUE(verdict.holds());
+    EXPECT_EQ(verdict.holds(true), excuse.standing() == Standing::kNotJudged);
+    EXPECT_EQ(verdict.count(excuse.standing()), 1u);
+    verdict.add(discrepancy(20, 1));
+    EXPECT_FALSE(verdict.holds());
+    EXPECT_EQ(verdict.discrepancies(), 2u);
+  }
+}
+
+TEST(Verdict, NamesTheFirstQuestionThatWasAnsweredRightlyTooFewTimes) {
   Verdict verdict;
-  verdict.add(discrepancy(100, 0, kIllConditioned));
-  EXPECT_TRUE(verdict.holds());
-  EXPECT_EQ(verdict.excused(), 1u);
-  verdict.add(discrepancy(20, 1));
-  EXPECT_FALSE(verdict.holds());
-  EXPECT_EQ(verdict.discrepancies(), 2u);
+  EXPECT_FALSE(verdict.too_few_right(1));
+  verdict.judged_right(Quantity::kClass, Question::kMiss, 5);
+  EXPECT_FALSE(verdict.too_few_right(5));
+  const std::pair too_few_misses(Quantity::kClass, Question::kMiss);
+  EXPECT_EQ(verdict.too_few_right(6), too_few_misses);
+  verdict.judged_wrong(Quantity::kClass, Question::kHit, at_ray(0), Wrong::kMissed,
+                       Standing::kExcused);
+  const std::pair too_few_hits(Quantity::kClass, Question::kHit);
+  EXPECT_EQ(verdict.too_few_right(1), too_few_hits);
+  Verdict measured;
+  measured.measured(Quantity::kParameter, at_ray(0), kBound + 1, kBound);
+  const std::pair too_few_values(Quantity::kParameter, Question::kValue);
+  EXPECT_EQ(measured.too_few_right(1), too_few_values);
+  measured.count_ill_conditioned(Quantity::kParameter);
+  EXPECT_FALSE(measured.too_few_right(1));
 }
 
 TEST(Verdict, PutsTheWorstFirst) {
   Verdict verdict;
-  verdict.add(discrepancy(kInfinity, 0, kFlips));
+  verdict.add(discrepancy(kInfinity, 0, kWitness));
   verdict.add(discrepancy(20, 5));
   verdict.add(discrepancy(30, 9));
   verdict.add(discrepancy(20, 2));
@@ -160,7 +196,7 @@ TEST(Verdict, LetsNoQuantityHideTheOthers) {
   for (const double error : {40.0, 50.0, 60.0}) all.push_back(discrepancy(error, 1));
   all.push_back(discrepancy(20, 2));
   all.back().quantity = Quantity::kFrame;
-  all.push_back(discrepancy(kInfinity, 3, kFlips));
+  all.push_back(discrepancy(kInfinity, 3, kWitness));
   const auto sorted = worst_first(all);
   std::vector<double> errors;
   for (const Discrepancy& d : sorted) errors.push_back(d.error);
@@ -200,12 +236,14 @@ TEST(Verdict, ForgetsNoneOfTheWorstAndCountsAll) {
 TEST(Verdict, MergesCountsErrorsAndTheWorst) {
   Verdict first;
   first.measured(Quantity::kParameter, at_ray(1), 4, kBound);
-  first.judged(Quantity::kClass, at_ray(1), Wrong::kMissed, {});
+  first.judged_wrong(Quantity::kClass, Question::kHit, at_ray(1), Wrong::kMissed,
+                     Standing::kDefect);
   first.add(discrepancy(4, 1));
   Verdict second;
   second.measured(Quantity::kParameter, at_ray(2), 9, kBound);
   second.measured(Quantity::kParameter, at_ray(3), 2, kBound);
-  second.judged(Quantity::kClass, at_ray(2), Wrong::kMissed, kFlips);
+  second.judged_wrong(Quantity::kClass, Question::kHit, at_ray(2), Wrong::kMissed,
+                      Standing::kExcused);
   second.add(discrepancy(9, 2, kIllConditioned));
   second.shift_rays(100);
   first.merge(second);
@@ -220,9 +258,9 @@ TEST(Verdict, MergesCountsErrorsAndTheWorst) {
   EXPECT_EQ(parameter.worst_place.ray, 102u);
   const Tally& hit_class = first.tallies().at(Quantity::kClass);
   EXPECT_EQ(hit_class.wrong.at(Wrong::kMissed), 2u);
-  EXPECT_EQ(hit_class.wrong_excused, 1u);
+  EXPECT_EQ(hit_class.count(Standing::kExcused), 1u);
   EXPECT_EQ(first.discrepancies(), 2u);
-  EXPECT_EQ(first.excused(), 1u);
+  EXPECT_EQ(first.count(Standing::kExcused), 1u);
   EXPECT_EQ(first.worst(1).front().place.ray, 1u);
   EXPECT_EQ(first.worst(2).back().place.ray, 102u);
   EXPECT_EQ(first.reason_left_out(), "nothing there");
@@ -239,8 +277,14 @@ Verdict random_verdict(std::mt19937_64& random) {
     verdict.measured(Quantity::kParameter, place, error, static_cast<double>(8 + below(2)));
     verdict.weighed(Quantity::kParameter, place, error, {condition, error, Outcome::kAccurate});
     const auto wrong = static_cast<Wrong>(below(kWrongCount));
-    const auto excuse = below(2) == 0 ? Excuse{} : kFlips;
-    verdict.judged(Quantity::kClass, place, wrong, excuse);
+    const Excuse excuse =
+        std::array{Excuse{}, kUndecided, kWitness, kOutside}[below(kStandingCount)];
+    const auto question = static_cast<Question>(below(kQuestionCount));
+    if (wrong == Wrong::kNot) {
+      verdict.judged_right(Quantity::kClass, question, 1);
+    } else {
+      verdict.judged_wrong(Quantity::kClass, question, place, wrong, excuse.standing());
+    }
     Discrepancy found = discrepancy(error, place.ray, excuse);
     found.what = std::to_string(below(3));
     found.condition = condition;
@@ -253,7 +297,11 @@ void expect_equal(const Tally& a, const Tally& b) {
   EXPECT_EQ(a.cases, b.cases);
   EXPECT_EQ(a.right, b.right);
   EXPECT_EQ(a.wrong, b.wrong);
-  EXPECT_EQ(a.wrong_excused, b.wrong_excused);
+  EXPECT_EQ(a.wrong_by_standing, b.wrong_by_standing);
+  for (std::size_t k = 0; k < kQuestionCount; ++k) {
+    EXPECT_EQ(a.answered[k].asked, b.answered[k].asked);
+    EXPECT_EQ(a.answered[k].right, b.answered[k].right);
+  }
   EXPECT_TRUE(a.errors == b.errors);
   EXPECT_TRUE(a.conditions == b.conditions);
   EXPECT_EQ(a.worst, b.worst);
@@ -286,7 +334,10 @@ TEST(Verdict, IsTheSameInWhateverOrderItsPartsAreMerged) {
       expect_equal(parts[0].tallies().at(quantity), tally);
       EXPECT_EQ(tally.cases, tally.right + tally.wrong_answers() + tally.errors.count());
     }
-    EXPECT_EQ(parts[0].excused(), in_order.excused());
+    for (const Standing standing :
+         {Standing::kDefect, Standing::kUndecided, Standing::kExcused, Standing::kNotJudged}) {
+      EXPECT_EQ(parts[0].count(standing), in_order.count(standing));
+    }
     const auto one = parts[0].worst(100), other = in_order.worst(100);
     ASSERT_EQ(one.size(), 100u);
     for (std::size_t k = 0; k < one.size(); ++k) {

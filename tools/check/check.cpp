@@ -156,10 +156,28 @@ std::uint64_t CheckReport::discrepancies() const {
   return sum;
 }
 
+std::uint64_t CheckReport::count(properties::Standing standing) const {
+  std::uint64_t sum = 0;
+  for (const CandidateReport& candidate : candidates) sum += candidate.verdict.count(standing);
+  return sum;
+}
+
 std::uint64_t CheckReport::compared() const {
   std::uint64_t sum = 0;
   for (const CandidateReport& candidate : candidates) sum += candidate.verdict.compared();
   return sum;
+}
+
+bool CheckReport::holds() const {
+  return std::all_of(candidates.begin(), candidates.end(),
+                     [this](const CandidateReport& one) { return one.verdict.holds(strict); });
+}
+
+bool CheckReport::is_enough_judged() const {
+  return compared() > 0 &&
+         std::all_of(candidates.begin(), candidates.end(), [](const CandidateReport& one) {
+           return one.verdict.count(properties::Standing::kUndecided) == 0 && !one.too_few_judged();
+         });
 }
 
 namespace {
@@ -270,6 +288,7 @@ CheckReport check(const CheckOptions& options, const RunControl& control) {
   report.scene = std::move(loaded.scene);
   report.warnings = std::move(loaded.warnings);
   report.top = options.top;
+  report.strict = options.strict;
   if (!report.scene.camera && options.pixels) {
     throw std::invalid_argument("pixels: " + options.path +
                                 " has given rays and no pixels; all its rays are judged");

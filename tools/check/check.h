@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "properties/mistakes/image_explanation.h"
@@ -21,6 +22,7 @@ struct CheckOptions {
   std::optional<std::int64_t> pixels;  ///< How many, spread evenly; empty: all.
   std::size_t top = 10;                ///< How many of the worst discrepancies are shown.
   std::optional<double> max_error;     ///< A bound in place of the documented ones.
+  bool strict = false;                 ///< What is excused or undecided fails, too.
 };
 
 /// Nanoseconds per ray, the best of several repetitions on batches of the scene's rays.
@@ -44,6 +46,11 @@ struct CandidateReport {
   std::vector<LeftOut> left_out;
   std::vector<properties::Explanation> explanations;  ///< Of what someone else's has wrong.
   Timing timing;                                      ///< Of raycheck's methods.
+
+  /// The first kind of question to which no answer was right without an excuse, though asked.
+  std::optional<std::pair<properties::Quantity, properties::Question>> too_few_judged() const {
+    return verdict.too_few_right(1);
+  }
 };
 
 struct CheckReport {
@@ -56,9 +63,15 @@ struct CheckReport {
   std::vector<std::string> left_out;  ///< What was asked of no candidate, one line each.
   std::size_t top = 0;
   bool interrupted = false;
+  bool strict = false;
 
   std::uint64_t discrepancies() const;
+  std::uint64_t count(properties::Standing standing) const;
   std::uint64_t compared() const;
+  /// Whether no candidate has a defect; of a strict report, nothing excused or undecided either.
+  bool holds() const;
+  /// Whether every candidate was judged, and answered every kind of question rightly once.
+  bool is_enough_judged() const;
 };
 
 /// Judges the candidates on a scene file; the report does not depend on the number of threads.

@@ -22,6 +22,7 @@ struct CheckArguments {
   std::string pixels = "all";
   std::size_t top = 10;
   std::optional<double> max_ulp;
+  bool strict = false;
   std::optional<std::string> certificates;
   int threads = tbb::info::default_concurrency();
   std::string format;
@@ -47,13 +48,14 @@ int run_check(const CheckArguments& arguments) {
   if (arguments.pixels != "all") options.pixels = parse_index("--pixels", arguments.pixels, 1);
   options.top = arguments.top;
   options.max_error = arguments.max_ulp;
+  options.strict = arguments.strict;
   std::optional<OutputFile> certificates;
   if (arguments.certificates) certificates.emplace("--certificates", *arguments.certificates);
   const CheckReport report = check(options, run_control(options.path, arguments.threads));
   print_warnings(report.warnings);
   print_view(kCheckViews, arguments.format, report);
   if (certificates) certificates->write(check_certificates(report));
-  return exit_code(report.interrupted, report.discrepancies() > 0, report.compared() > 0);
+  return exit_code(report.interrupted, !report.holds(), report.is_enough_judged());
 }
 
 }  // namespace
@@ -80,6 +82,7 @@ Command add_check(CLI::App& program) {
       .add_option("--max-ulp", arguments.max_ulp,
                   "errors above are discrepancies (default: the method's documented bound)")
       ->check(kBound);
+  add_strict(command, arguments.strict);
   add_threads(command, arguments.threads, "the report");
   add_certificates(command, arguments.certificates);
   add_format(command, arguments.format, kCheckViews);

@@ -23,7 +23,11 @@ Json candidate_json(const CandidateReport& candidate, std::size_t top) {
         {{"sentence", one.sentence}, {"wrong", one.errors}, {"explained", one.explained}});
   }
   json["discrepancies"] = candidate.verdict.discrepancies();
-  json["discrepancies_excused"] = candidate.verdict.excused();
+  json["discrepancies_by_standing"] = standings_json(candidate.verdict);
+  const auto too_few = candidate.too_few_judged();
+  json["too_few_judged"] =
+      too_few ? Json{{"quantity", info(too_few->first).name}, {"question", name(too_few->second)}}
+              : Json(nullptr);
   json["worst"] = Json::array();
   for (const auto& discrepancy : candidate.verdict.worst(top)) {
     json["worst"].push_back(discrepancy_json(discrepancy));
@@ -51,6 +55,8 @@ std::string check_json(const CheckReport& report, const ViewOptions& /*options*/
     json["candidates"].push_back(candidate_json(candidate, report.top));
   }
   json["discrepancies"] = report.discrepancies();
+  json["strict"] = report.strict;
+  json["holds"] = report.holds();
   json["left_out"] = report.left_out;
   return json.dump(2) + "\n";
 }

@@ -10,6 +10,7 @@ namespace raycheck::tools {
 namespace {
 
 using properties::Quantity;
+using properties::Standing;
 using properties::Tally;
 using properties::Wrong;
 
@@ -35,13 +36,19 @@ std::string timing_text(const Timing& timing, std::size_t spheres) {
   return text;
 }
 
-/// "2 missed, 1 false hit (1 excused)"
+/// "2 missed, 1 false hit (1 excused, 1 undecided)"
 std::string class_error_text(const Tally& tally) {
   std::string text;
   for (const auto& [wrong, count] : tally.wrong) {
     text += fmt::format("{}{} {}", text.empty() ? "" : ", ", count, name(wrong));
   }
-  if (tally.wrong_excused > 0) text += fmt::format(" ({} excused)", tally.wrong_excused);
+  std::string standings;
+  for (const Standing standing : {Standing::kExcused, Standing::kUndecided, Standing::kNotJudged}) {
+    if (tally.count(standing) == 0) continue;
+    standings += fmt::format("{}{} {}", standings.empty() ? "" : ", ", tally.count(standing),
+                             name(standing));
+  }
+  if (!standings.empty()) text += fmt::format(" ({})", standings);
   return text.empty() ? "0" : text;
 }
 
@@ -79,6 +86,14 @@ std::string quantities_table(const CandidateReport& candidate) {
   return table.text();
 }
 
+std::string too_few_text(const CandidateReport& candidate) {
+  const auto too_few = candidate.too_few_judged();
+  if (!too_few) return "";
+  return fmt::format(
+      "  too few judged: of {}, question \"{}\", no answer is right without an excuse\n",
+      info(too_few->first).name, name(too_few->second));
+}
+
 std::string check_text(const CheckReport& report, const ViewOptions& options) {
   std::string text = scene_text(report);
   if (report.interrupted) text += "INTERRUPTED: what follows covers only what was judged.\n";
@@ -105,6 +120,7 @@ std::string check_text(const CheckReport& report, const ViewOptions& options) {
       text += fmt::format("  {}: {} of {} wrong {} are right that way\n", one.sentence,
                           one.explained, one.errors, external->renderer ? "pixels" : "answers");
     }
+    text += too_few_text(candidate);
     std::size_t rank = 0;
     for (const auto& discrepancy : candidate.verdict.worst(report.top)) {
       ranked.push_back({&candidate, rank++, discrepancy});
@@ -112,15 +128,16 @@ std::string check_text(const CheckReport& report, const ViewOptions& options) {
   }
   const std::uint64_t total = report.discrepancies();
   if (total > 0) {
-    // The candidates' worst before their second worst, excused ones last.
+    // Defects first; the candidates' worst before their second worst.
     std::stable_sort(ranked.begin(), ranked.end(), [](const auto& a, const auto& b) {
       const auto key = [](const RankedDiscrepancy& one) {
-        return std::pair(static_cast<bool>(one.discrepancy.excuse), one.rank);
+        return std::pair(one.discrepancy.excuse.standing(), one.rank);
       };
       return key(a) < key(b);
     });
     ranked.resize(std::min(ranked.size(), report.top));
-    text += fmt::format("\nworst discrepancies ({} of {}):\n", ranked.size(), total);
+    text += fmt::format("\nworst discrepancies ({} of {}: {}):\n", ranked.size(), total,
+                        standings_text([&](Standing one) { return report.count(one); }));
     for (std::size_t k = 0; k < ranked.size(); ++k) {
       text += fmt::format("{:>3}. {}\n", k + 1, ranked[k].candidate->name);
       text += indented(discrepancy_text(ranked[k].discrepancy, options.colours), "     ");

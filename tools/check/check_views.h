@@ -19,6 +19,8 @@ inline constexpr View<CheckReport> kCheckViews[] = {
 
 /// What was compared of a candidate, a row a quantity.
 std::string quantities_table(const CandidateReport& candidate);
+/// What was asked, but never answered rightly without an excuse; empty where there is no such.
+std::string too_few_text(const CandidateReport& candidate);
 Json candidate_json(const CandidateReport& candidate, std::size_t top);
 
 /// Certificates of the worst discrepancies of each candidate, those of check_json: a line each.

@@ -127,6 +127,7 @@ bool is_answered(const Law& law) { return law.judges_values && law.per == proper
 VerifyReport verify(std::istream& answers, const VerifyOptions& options) {
   VerifyReport report;
   report.top = options.top;
+  report.strict = options.strict;
   report.cases_asked = options.cases;
   Cases cases;
   std::map<std::string, std::size_t> known;

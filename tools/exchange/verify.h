@@ -15,6 +15,7 @@ namespace raycheck::tools {
 struct VerifyOptions {
   std::uint64_t cases = 0;  ///< How many had questions; 0: not known.
   std::optional<double> max_error;
+  bool strict = false;  ///< What is excused or undecided fails, too.
   std::size_t top = 10;
 };
 
@@ -25,9 +26,11 @@ struct VerifyReport {
   /// The id of each ray of the report, by its index.
   std::vector<std::string> ids;
   std::size_t top = 10;
+  bool strict = false;
 
   /// Whether cases have no answer at all.
   bool is_short() const { return cases < cases_asked; }
+  bool holds() const { return candidate.verdict.holds(strict) && !is_short(); }
 };
 
 /// Judges the answers to questions (tools/exchange/generate.h) by the laws of single values.

@@ -16,8 +16,10 @@ struct VerifyArguments {
 int run_verify(const VerifyArguments& arguments) {
   const VerifyReport report = verify(std::cin, arguments.options);
   print_view(kVerifyViews, arguments.format, report);
-  return exit_code(false, !report.candidate.verdict.holds() || report.is_short(),
-                   report.candidate.verdict.compared() > 0);
+  const properties::Verdict& verdict = report.candidate.verdict;
+  return exit_code(false, !report.holds(),
+                   verdict.compared() > 0 && verdict.count(properties::Standing::kUndecided) == 0 &&
+                       !report.candidate.too_few_judged());
 }
 
 }  // namespace
@@ -36,6 +38,7 @@ Command add_verify(CLI::App& program) {
       .add_option("--max-ulp", options.max_error,
                   "errors above are discrepancies (default: the bounds of direct/cross)")
       ->check(kBound);
+  add_strict(command, options.strict);
   add_format(command, given->format, kVerifyViews);
   return {&command, [given] { return run_verify(*given); }};
 }

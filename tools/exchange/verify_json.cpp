@@ -11,6 +11,8 @@ std::string verify_json(const VerifyReport& report, const ViewOptions& /*options
   json["answers"] = report.answers;
   json["cases"] = report.cases;
   json["cases_asked"] = report.cases_asked > 0 ? Json(report.cases_asked) : Json(nullptr);
+  json["strict"] = report.strict;
+  json["holds"] = report.holds();
   json.update(candidate_json(report.candidate, report.top));
   for (const char* key : {"rays", "intersect", "isolated_by", "ns_per_ray", "explanations"}) {
     json.erase(key);  // of methods, of processes and of renderers

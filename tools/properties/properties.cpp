@@ -70,8 +70,10 @@ PropertiesReport replay(const PropertiesOptions& options) {
     if (candidate.name != parsed.candidate) continue;
     PropertiesReport report;
     report.cases = 1;
-    properties::CampaignResult result = run_replay(parsed, candidate, options.max_error);
-    const properties::Finding finding = result.finding(options.strict);
+    report.strict = options.strict;
+    properties::CampaignResult result =
+        run_replay(parsed, candidate, options.max_error, options.strict);
+    const properties::Finding finding = result.finding();
     report.campaigns.push_back({parsed.law, candidate.name, std::move(result), finding});
     return report;
   }
@@ -93,9 +95,8 @@ std::vector<Frontier> beside(std::vector<properties::Reach> candidate,
 
 std::uint64_t PropertiesReport::count(properties::Finding finding) const {
   return static_cast<std::uint64_t>(
-      std::count_if(campaigns.begin(), campaigns.end(), [&](const CampaignReport& campaign) {
-        return campaign.finding == finding;
-      }));
+      std::count_if(campaigns.begin(), campaigns.end(),
+                    [&](const CampaignReport& campaign) { return campaign.finding == finding; }));
 }
 
 bool PropertiesReport::is_conclusive() const {
@@ -110,10 +111,12 @@ PropertiesReport run_properties(const PropertiesOptions& options,
   PropertiesReport report;
   report.seed = options.seed;
   report.cases = options.cases;
+  report.strict = options.strict;
   CampaignOptions campaign;
   campaign.cases = options.cases;
   campaign.seed = options.seed;
   campaign.max_error = options.max_error;
+  campaign.strict = options.strict;
   campaign.sources = chosen_sources(options.sources);
   const bool chosen = !options.contestants.empty();
   const auto judged = chosen ? options.contestants : contestants(each_method_once());
@@ -133,7 +136,7 @@ PropertiesReport run_properties(const PropertiesOptions& options,
       campaign.level = options.level.value_or(candidate.level);
       CampaignReport one = {law, candidate.name, run_campaign(*law, candidate, campaign, control),
                             properties::Finding::kHolds};
-      one.finding = one.result.finding(options.strict);
+      one.finding = one.result.finding();
       if (options.frontier) {
         one.frontier = beside(reaches(*law, candidate, campaign, control),
                               reaches(*law, baseline, campaign, control));

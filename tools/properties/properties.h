@@ -22,7 +22,7 @@ struct PropertiesOptions {
   std::optional<properties::Level> level;  ///< Empty: each candidate's own.
   std::optional<double> max_error;
   bool frontier = false;  ///< Follow the dials beyond the level.
-  bool strict = false;    ///< What is excused breaks a law, too.
+  bool strict = false;    ///< What is excused or undecided breaks a law, too.
 };
 
 /// How far along a dial a law holds with a candidate, and with the baseline.
@@ -53,6 +53,7 @@ struct PropertiesReport {
   int cases = 0;
   std::string baseline;  ///< Whose frontier stands beside; empty: none was asked for.
   bool interrupted = false;
+  bool strict = false;
 
   std::uint64_t count(properties::Finding finding) const;
   std::uint64_t failures() const { return count(properties::Finding::kBroken); }

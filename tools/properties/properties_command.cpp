@@ -34,9 +34,9 @@ properties::Level level_called(const std::string& name) {
 }
 
 int run_properties_command(const PropertiesArguments& arguments) {
-  if (!arguments.replay.empty() && !(arguments.filter.empty() && arguments.sources.empty() &&
-                                     arguments.rays.empty() && arguments.intersect.empty() &&
-                                     arguments.level.empty() && !arguments.frontier)) {
+  if (!arguments.replay.empty() &&
+      !(arguments.filter.empty() && arguments.sources.empty() && arguments.rays.empty() &&
+        arguments.intersect.empty() && arguments.level.empty() && !arguments.frontier)) {
     throw std::invalid_argument(
         "--replay: names its law, methods and source; leave out --filter, --source, --level, "
         "--frontier, --rays, --intersect");
@@ -93,7 +93,7 @@ Command add_properties(CLI::App& program) {
                                                      properties::kLevelNames.end())));
   command.add_flag("--frontier", arguments.frontier,
                    "show beside direct/cross how far beyond the level each law holds; breaks none");
-  command.add_flag("--strict", arguments.strict, "what is excused breaks a law, too");
+  add_strict(command, arguments.strict);
   command
       .add_option("--max-ulp", arguments.max_ulp,
                   "the bound on every error (default: the method's documented bounds)")

@@ -13,7 +13,7 @@ using properties::Finding;
 Json counts_json(const properties::CaseCounts& counts, const properties::Verdict& verdict) {
   return {{"cases", counts.cases},
           {"comparisons", verdict.compared()},
-          {"excused", verdict.excused()},
+          {"discrepancies_by_standing", standings_json(verdict)},
           {"left_out", counts.left_out},
           {"not_judged", counts.not_judged},
           {"reason_left_out", counts.reason.empty() ? Json(nullptr) : Json(counts.reason)}};
@@ -51,6 +51,11 @@ Json campaign_json(const CampaignReport& campaign) {
   json["level"] = name(result.level);
   json["finding"] = name(campaign.finding);
   json["holds"] = campaign.finding == Finding::kHolds;
+  const auto too_few = result.too_few_right();
+  json["too_few_judged"] =
+      campaign.finding == Finding::kTooFewJudged
+          ? Json{{"quantity", info(too_few->first).name}, {"question", name(too_few->second)}}
+          : Json(nullptr);
   json["quantities"] = tallies_json(result.verdict);
   json["parts"] = Json::array();
   for (const auto& part : result.parts) json["parts"].push_back(part_json(part));
@@ -89,6 +94,8 @@ std::string properties_json(const PropertiesReport& report, const ViewOptions& /
   for (const CampaignReport& campaign : report.campaigns) {
     json["campaigns"].push_back(campaign_json(campaign));
   }
+  json["strict"] = report.strict;
+  json["fewest_right"] = properties::kFewestRight;
   json["failures"] = report.failures();
   return json.dump(2) + "\n";
 }

@@ -16,6 +16,7 @@ using properties::CampaignPart;
 using properties::CampaignResult;
 using properties::Finding;
 using properties::Reach;
+using properties::Standing;
 
 /// The parts of each source, in the order of sources.
 std::vector<std::span<const CampaignPart>> by_source(const CampaignResult& result) {
@@ -28,24 +29,26 @@ std::vector<std::span<const CampaignPart>> by_source(const CampaignResult& resul
   return groups;
 }
 
-/// "rays, distance@3..7, tangency@6,9..12": runs of severities that were judged one after the other.
+/// "rays, all of up, distance@3..7, tangency@6,9..12": runs of severities that were judged one
+/// after the other.
 std::string broken_text(const CampaignResult& result) {
   std::string text;
   for (const auto& parts : by_source(result)) {
+    const auto broken = std::count_if(parts.begin(), parts.end(),
+                                      [](const CampaignPart& part) { return part.is_broken(); });
+    if (broken == 0) continue;
+    const bool is_all = broken == std::ssize(parts) && broken > 1;
     std::string runs;
     for (std::size_t k = 0; k < parts.size(); ++k) {
-      if (!parts[k].is_broken()) continue;
+      if (is_all || !parts[k].is_broken()) continue;
       const std::size_t first = k;
       while (k + 1 < parts.size() && parts[k + 1].is_broken()) ++k;
       if (!parts[k].source.severity) continue;
       runs += fmt::format("{}{}", runs.empty() ? "@" : ",", *parts[first].source.severity);
       if (k > first) runs += fmt::format("..{}", *parts[k].source.severity);
     }
-    if (std::none_of(parts.begin(), parts.end(),
-                     [](const CampaignPart& part) { return part.is_broken(); })) {
-      continue;
-    }
-    text += fmt::format("{}{}{}", text.empty() ? "" : ", ", parts[0].source.source->name, runs);
+    text += fmt::format("{}{}{}{}", text.empty() ? "" : ", ", is_all ? "all of " : "",
+                        parts[0].source.source->name, runs);
   }
   return text;
 }
@@ -54,9 +57,8 @@ std::string broken_text(const CampaignResult& result) {
 std::string holding_text(const CampaignResult& result) {
   std::string text;
   for (const auto& parts : by_source(result)) {
-    const auto broken = std::find_if(parts.begin(), parts.end(), [](const CampaignPart& part) {
-      return part.is_broken();
-    });
+    const auto broken = std::find_if(parts.begin(), parts.end(),
+                                     [](const CampaignPart& part) { return part.is_broken(); });
     if (broken == parts.end() || broken == parts.begin()) continue;
     text += fmt::format("{}{} up to @{}", text.empty() ? "" : ", ", parts[0].source.source->name,
                         *std::prev(broken)->source.severity);
@@ -122,15 +124,25 @@ std::string finding_text(const CampaignReport& campaign, bool colours) {
 /// "1000 cases, 1712 comparisons, 3 excused, 12 left out: the scene has no sphere"
 std::string counts_text(const CampaignResult& result) {
   const properties::CaseCounts& counts = result.counts;
-  std::string text = fmt::format(
-      "{}, {}", count_text(static_cast<std::uint64_t>(counts.cases), "case"),
-      count_text(result.verdict.compared(), "comparison"));
-  if (result.verdict.excused() > 0) text += fmt::format(", {} excused", result.verdict.excused());
+  std::string text =
+      fmt::format("{}, {}", count_text(static_cast<std::uint64_t>(counts.cases), "case"),
+                  count_text(result.verdict.compared(), "comparison"));
+  for (const Standing standing : {Standing::kExcused, Standing::kUndecided}) {
+    const std::uint64_t count = result.verdict.count(standing);
+    if (count > 0) text += fmt::format(", {} {}", count, name(standing));
+  }
   if (counts.not_judged > 0) {
     text += fmt::format(", {} outside its domain not judged", counts.not_judged);
   }
   if (counts.left_out > 0) text += fmt::format(", {} left out: {}", counts.left_out, counts.reason);
   return text;
+}
+
+std::string too_few_text(const CampaignResult& result) {
+  const auto [quantity, question] = *result.too_few_right();
+  return fmt::format(
+      "    of {}, question \"{}\", fewer than {} answers are right without an excuse\n",
+      info(quantity).name, name(question), result.fewest_right);
 }
 
 std::string campaign_text(const CampaignReport& campaign, bool colours) {
@@ -140,7 +152,8 @@ std::string campaign_text(const CampaignReport& campaign, bool colours) {
   if (campaign.finding == Finding::kLeftOut) {
     return text + fmt::format(": {}\n", result.counts.reason);
   }
-  return text + fmt::format(" on {} ({})\n", name(result.level), counts_text(result));
+  text += fmt::format(" on {} ({})\n", name(result.level), counts_text(result));
+  return campaign.finding == Finding::kTooFewJudged ? text + too_few_text(result) : text;
 }
 
 }  // namespace

@@ -227,7 +227,7 @@ Json certificate(const scene::Scene& scene, const scene::Conventions& convention
   json["sphere"] = d.place.sphere ? Json(*d.place.sphere) : Json(nullptr);
   json["what"] = d.what;
   json["wrong"] = d.wrong == properties::Wrong::kNot ? Json(nullptr) : Json(name(d.wrong));
-  json["excuse"] = excuse_json(d.excuse);
+  json["excuse"] = excuse_json(d);
   json["error"] = error_json(d.error);
   json["got"] = got_json(d);
   json["exact"] = json_of(d.exact);

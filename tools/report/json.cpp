@@ -10,7 +10,6 @@
 namespace raycheck::tools {
 
 using properties::Discrepancy;
-using properties::Excuse;
 using properties::ExcuseKind;
 using properties::Tally;
 
@@ -51,12 +50,22 @@ Json place_json(const properties::Place& place) {
           {"sphere", place.sphere ? Json(*place.sphere) : Json(nullptr)}};
 }
 
-Json excuse_json(const Excuse& excuse) {
-  if (!excuse) return nullptr;
+Json excuse_json(const Discrepancy& d) {
+  const properties::Excuse& excuse = d.excuse;
+  if (excuse.kind == ExcuseKind::kNone) return nullptr;
   const bool has_amount = excuse.kind != ExcuseKind::kOutsideDomain;
-  return {{"kind", name(excuse.kind)},
-          {"amount", has_amount ? error_json(excuse.amount) : Json(nullptr)},
-          {"sentence", excuse_text(excuse)}};
+  Json json = {{"kind", name(excuse.kind)},
+               {"amount", has_amount ? error_json(excuse.amount) : Json(nullptr)},
+               {"witness", nullptr},
+               {"sentence", excuse_text(d)}};
+  if (excuse.kind != ExcuseKind::kWitness) return json;
+  json["witness"] = Json::array();
+  for (std::size_t k = 0; k < excuse.witness.size(); ++k) {
+    if (excuse.witness[k] == 0) continue;
+    json["witness"].push_back(
+        {{"input", input_name(d, k)}, {"share", scene::hexfloat(excuse.witness[k])}});
+  }
+  return json;
 }
 
 Json discrepancy_json(const Discrepancy& d) {
@@ -72,7 +81,8 @@ Json discrepancy_json(const Discrepancy& d) {
   json["error"] = error_json(d.error);
   json["unit"] = info(d.quantity).unit;
   json["condition"] = error_json(d.condition);
-  json["excuse"] = excuse_json(d.excuse);
+  json["standing"] = name(d.excuse.standing());
+  json["excuse"] = excuse_json(d);
   return json;
 }
 
@@ -90,7 +100,17 @@ Json tally_json(properties::Quantity quantity, const Tally& tally) {
     const auto kind = static_cast<properties::Wrong>(k);
     json["wrong_by_kind"][std::string(name(kind))] = tally.count(kind);
   }
-  json["wrong_excused"] = tally.wrong_excused;
+  for (std::size_t k = 0; k < properties::kStandingCount; ++k) {
+    const auto standing = static_cast<properties::Standing>(k);
+    json["wrong_by_standing"][std::string(name(standing))] = tally.count(standing);
+  }
+  json["answered"] = Json::object();
+  for (std::size_t k = 0; k < properties::kQuestionCount; ++k) {
+    const properties::Answered& answers = tally.answered[k];
+    if (answers.asked == 0) continue;
+    json["answered"][std::string(properties::kQuestionNames[k])] = {{"asked", answers.asked},
+                                                                    {"right", answers.right}};
+  }
   json["measured"] = tally.errors.count();
   json["median"] = error_json(tally.median());
   json["p999"] = error_json(tally.quantile(0.999));
@@ -116,6 +136,15 @@ Json tallies_json(const properties::Verdict& verdict) {
     list.push_back(tally_json(quantity, tally));
   }
   return list;
+}
+
+Json standings_json(const properties::Verdict& verdict) {
+  Json json;
+  for (std::size_t k = 0; k < properties::kStandingCount; ++k) {
+    const auto standing = static_cast<properties::Standing>(k);
+    json[std::string(name(standing))] = verdict.count(standing);
+  }
+  return json;
 }
 
 Json decided_by_json(const reference::DecidedBy& decided_by) {

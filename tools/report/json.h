@@ -18,7 +18,7 @@ using Json = nlohmann::ordered_json;
 
 /// Of the reports that docs/json.md describes: one more with every change that can break a reader
 /// (a key or value that goes, or means something else), not with what is added.
-inline constexpr int kSchemaVersion = 2;
+inline constexpr int kSchemaVersion = 3;
 
 /// What every command's report begins with.
 Json json_header(std::string_view command);
@@ -32,14 +32,16 @@ Json hexfloat_or_null(std::optional<double> number);
 
 Json conventions_json(const scene::Conventions& conventions);
 Json place_json(const properties::Place& place);
-/// Null where there is none.
-Json excuse_json(const properties::Excuse& excuse);
+/// Null of a defect.
+Json excuse_json(const properties::Discrepancy& discrepancy);
 Json discrepancy_json(const properties::Discrepancy& discrepancy);
 
 /// What was compared for one quantity: the same object in every report.
 Json tally_json(properties::Quantity quantity, const properties::Tally& tally);
 /// All that a verdict compared.
 Json tallies_json(const properties::Verdict& verdict);
+/// How many discrepancies of a verdict are defects, undecided, excused, not judged.
+Json standings_json(const properties::Verdict& verdict);
 
 Json decided_by_json(const reference::DecidedBy& decided_by);
 

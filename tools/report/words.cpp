@@ -3,6 +3,7 @@
 #include <fmt/color.h>
 #include <fmt/core.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 
@@ -14,12 +15,37 @@ namespace {
 using properties::Discrepancy;
 using properties::Excuse;
 using properties::ExcuseKind;
+using properties::Standing;
 
 /// Errors are upper bounds: one below this says no more than that, and the true error may be 0.
 constexpr double kSmallestShown = 1e-9;
 
 /// Changes of the inputs are counted in u up to so many.
 constexpr double kMostRoundoffs = 1e6;
+
+/// Of a witness so many changed inputs are named, the most changed first.
+constexpr std::size_t kMostNamed = 3;
+
+std::string witness_text(const Discrepancy& d) {
+  const reference::InputChange& change = d.excuse.witness;
+  std::vector<std::size_t> changed;
+  for (std::size_t k = 0; k < change.size(); ++k) {
+    if (change[k] != 0) changed.push_back(k);
+  }
+  std::stable_sort(changed.begin(), changed.end(), [&](std::size_t a, std::size_t b) {
+    return std::abs(change[a]) > std::abs(change[b]);
+  });
+  std::string text;
+  for (std::size_t k = 0; k < std::min(changed.size(), kMostNamed); ++k) {
+    const double share = change[changed[k]];
+    text += fmt::format("{}{} * (1 {} {})", k == 0 ? "right for " : ", ", input_name(d, changed[k]),
+                        share < 0 ? '-' : '+', change_text(std::abs(share)));
+  }
+  if (changed.size() > kMostNamed) {
+    text += fmt::format(" and {} changed", count_text(changed.size() - kMostNamed, "other input"));
+  }
+  return text;
+}
 
 constexpr std::array<std::string_view, 4> kRungNames = {"intervals", "double-doubles", "balls",
                                                         "the field"};
@@ -82,11 +108,45 @@ std::string change_text(double relative_change) {
                                         : fmt::format("{:.3g}", relative_change);
 }
 
-std::string excuse_text(const Excuse& excuse) {
+std::string input_name(const Discrepancy& d, std::size_t input) {
+  constexpr std::array<std::string_view, 14> kOfCamera = {
+      "eye.x", "eye.y", "eye.z", "look_at.x", "look_at.y", "look_at.z", "up.x",
+      "up.y",  "up.z",  "near",  "left",      "right",     "bottom",    "top"};
+  constexpr std::array<std::string_view, 6> kOfRay = {"origin.x",    "origin.y",    "origin.z",
+                                                      "direction.x", "direction.y", "direction.z"};
+  constexpr std::array<std::string_view, 4> kOfSphere = {"centre.x", "centre.y", "centre.z",
+                                                         "radius"};
+  const std::size_t of_ray = d.place.pixel ? kOfCamera.size() : kOfRay.size();
+  if (input < of_ray) return std::string(d.place.pixel ? kOfCamera[input] : kOfRay[input]);
+  const std::size_t rest = input - of_ray;
+  const std::string_view name = kOfSphere[rest % kOfSphere.size()];
+  return d.quantity == properties::Quantity::kNearestSphere
+             ? fmt::format("spheres[{}].{}", rest / kOfSphere.size(), name)
+             : std::string(name);
+}
+
+std::string standings_text(const std::function<std::uint64_t(Standing standing)>& count) {
+  std::string text;
+  for (std::size_t k = 0; k < properties::kStandingCount; ++k) {
+    const auto standing = static_cast<Standing>(k);
+    const std::uint64_t number = count(standing);
+    if (number == 0) continue;
+    if (!text.empty()) text += ", ";
+    text += standing == Standing::kDefect ? count_text(number, name(standing))
+                                          : fmt::format("{} {}", number, name(standing));
+  }
+  return text.empty() ? "no discrepancy" : text;
+}
+
+std::string excuse_text(const Discrepancy& d) {
+  const Excuse& excuse = d.excuse;
   switch (excuse.kind) {
-    case ExcuseKind::kSmallChange:
-      return fmt::format("a relative change of the inputs by {} may flip it",
-                         change_text(excuse.amount));
+    case ExcuseKind::kUndecided:
+      return fmt::format(
+          "whether it is right for inputs changed by at most {} was neither shown nor refuted",
+          change_text(excuse.amount));
+    case ExcuseKind::kWitness:
+      return witness_text(d);
     case ExcuseKind::kThreshold:
       return fmt::format("the exact s is at most the threshold {:g}", excuse.amount);
     case ExcuseKind::kIllConditioned:
@@ -109,7 +169,8 @@ std::string discrepancy_text(const Discrepancy& d, bool colours) {
   } else {
     head += fmt::format(": off by {} {}", error_text(d.error), quantity.unit);
   }
-  std::string text = (d.excuse ? head : red(head, colours)) + "\n";
+  const bool is_defect = d.excuse.standing() == Standing::kDefect;
+  std::string text = (is_defect ? red(head, colours) : head) + "\n";
   const bool is_answer = !d.got.empty() || d.got_some_sphere;
   if (is_answer || !d.exact.empty()) {
     text += fmt::format("  got   {}\n", got_text(d));
@@ -118,7 +179,9 @@ std::string discrepancy_text(const Discrepancy& d, bool colours) {
     }
   }
   if (d.condition) text += fmt::format("  condition number about {}\n", error_text(d.condition));
-  if (d.excuse) text += fmt::format("  excused: {}\n", excuse_text(d.excuse));
+  if (d.excuse.standing() != Standing::kDefect) {
+    text += fmt::format("  {}: {}\n", name(d.excuse.standing()), excuse_text(d));
+  }
   return text;
 }
 

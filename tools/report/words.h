@@ -2,6 +2,7 @@
 #define RAYCHECK_TOOLS_REPORT_WORDS_H_
 
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -34,9 +35,15 @@ std::string conventions_text(const scene::Conventions& conventions);
 
 /// A relative change in units of u, or as it is where those would be many: "16 u", "1e-06".
 std::string change_text(double relative_change);
-/// Why a discrepancy is not held against the method, with the number that decided it; empty where
-/// it is.
-std::string excuse_text(const properties::Excuse& excuse);
+/// Why a discrepancy is not held against the method, with what decided it; empty where it is.
+std::string excuse_text(const properties::Discrepancy& discrepancy);
+/// The name of an input that a witness changes, by its index in reference::InputChange: "eye.x",
+/// "radius", "spheres[2].centre.y" where all spheres take part.
+std::string input_name(const properties::Discrepancy& discrepancy, std::size_t input);
+
+/// "2 defects, 1 excused", by how many there are of each; "no discrepancy" where there is none.
+std::string standings_text(
+    const std::function<std::uint64_t(properties::Standing standing)>& count);
 
 /// What a discrepancy is, got, should have been, by how much and with what excuse, in lines.
 std::string discrepancy_text(const properties::Discrepancy& discrepancy, bool colours);

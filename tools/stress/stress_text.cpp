@@ -91,7 +91,7 @@ std::vector<std::string> detail_row(const FamilyReport& family, const StressCurv
   for (const auto& [quantity, each] : result.inside.tallies()) {
     if (!each.errors.empty()) continue;
     decisions += each.cases;
-    excused += each.wrong_excused;
+    excused += each.count(properties::Standing::kExcused);
   }
   const double ratio = properties::worst_ratio(result.inside);
   return {std::string(family.family->name),

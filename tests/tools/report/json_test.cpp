@@ -43,8 +43,10 @@ const std::vector<Reports>& all_reports() {
         "check" + scene("probe") + kRenderer}},
       {"properties",
        {"properties --cases 5",
-        "properties --filter class --source distance "
-        "--intersect quadratic --cases 100"}},
+        "properties --filter class --source distance --intersect quadratic --cases 100 "
+        "--level demanding --frontier",
+        "properties --filter class --cases 100 --candidate "
+        "'command:python3 tests/candidates/right.py'"}},
       {"explain",
        {"explain" + scene("ten-spheres") + " --pixel 8,8",
         "explain --ray 1,1,3,4,3,0 --sphere 5,5,5,3"}},
@@ -216,7 +218,10 @@ TEST(Json, has_tallies_whose_parts_add_up) {
         EXPECT_EQ(sum(tally["wrong_by_kind"]), tally["wrong"]) << where;
         const auto number = [&](const char* key) { return tally[key].get<std::uint64_t>(); };
         EXPECT_EQ(number("right") + number("wrong") + number("measured"), number("cases")) << where;
-        EXPECT_LE(number("wrong_excused"), number("wrong")) << where;
+        EXPECT_EQ(sum(tally["wrong_by_standing"]), tally["wrong"]) << where;
+        for (const json& answers : tally["answered"]) {
+          EXPECT_LE(answers["right"], answers["asked"]) << where;
+        }
         EXPECT_LE(number("ill_conditioned"), number("measured")) << where;
         EXPECT_EQ(tally["max"].is_null(), number("measured") == 0) << where;
         if (tally["max"].is_number()) {

@@ -4,9 +4,9 @@
 // The lines that raycheck and a candidate's process exchange, as docs/candidates.md has them.
 
 #include <cstddef>
+#include <cstdint>
 #include <limits>
 #include <optional>
-#include <cstdint>
 #include <set>
 #include <stdexcept>
 #include <string>

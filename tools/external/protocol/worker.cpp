@@ -308,7 +308,8 @@ const raycheck_candidate& load(const char* path) {
   if (candidate == nullptr) give_up("raycheck_candidate_functions() returns nothing");
   if (candidate->version < 1 || candidate->version > RAYCHECK_CANDIDATE_VERSION) {
     give_up("the library is for version " + std::to_string(candidate->version) +
-            " of <raycheck/candidate.h>, this is for those up to " + std::to_string(RAYCHECK_CANDIDATE_VERSION));
+            " of <raycheck/candidate.h>, this is for those up to " +
+            std::to_string(RAYCHECK_CANDIDATE_VERSION));
   }
   return *candidate;
 }
