@@ -15,10 +15,10 @@ namespace {
 
 using namespace properties;
 
-/// As they would be judged if they were someone else's: the first report tells.
-CampaignOptions as_of_someone_else() {
+/// As many cases as the first report that a user sees has.
+CampaignOptions at(Level level) {
   CampaignOptions options;
-  options.level = Level::kOrdinary;
+  options.level = level;
   return options;
 }
 
@@ -49,7 +49,7 @@ TEST_P(EachMutant, IsCaughtByTheLawsItNames) {
     SCOPED_TRACE(std::string(law_name) + ": " + std::string(mutant.sentence));
     const Law* law = find_law(law_name);
     ASSERT_NE(law, nullptr);
-    const CampaignResult result = run_campaign(*law, mutant.candidate, as_of_someone_else());
+    const CampaignResult result = run_campaign(*law, mutant.candidate, at(mutant.level));
     ASSERT_TRUE(result.failure.has_value());
     const Failure& failure = *result.failure;
     EXPECT_TRUE(scene::defects(failure.shrunk.scene).empty());
@@ -101,7 +101,7 @@ TEST(Mutants, BreakEveryLaw) {
 
 TEST(Mutants, ComeFromACandidateThatBreaksNone) {
   for (const Law& law : laws()) {
-    const CampaignResult result = run_campaign(law, unmutated(), CampaignOptions{});
+    const CampaignResult result = run_campaign(law, unmutated(), at(Level::kDemanding));
     EXPECT_FALSE(result.failure.has_value()) << law.name << "\n"
                                              << scene_text(result.failure->shrunk);
     EXPECT_EQ(result.counts.cases, kCampaignCases) << law.name;
