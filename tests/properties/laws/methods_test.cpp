@@ -34,7 +34,7 @@ constexpr std::uint64_t kLeastOfAny = 60;
 const std::map<std::string_view, std::uint64_t> kLeastCompared = {
     {"frame", 2400},          {"pixel-point", 1700},
     {"bounds", 2500},         {"image-plane", 4500},
-    {"centre-pixel", 60},     {"pixel-zero-zero", 550},
+    {"centre-pixel", 40},     {"pixel-zero-zero", 550},
     {"density", 2600},        {"square-pixels", 530},
     {"unit-direction", 1700}, {"direction", 1700},
     {"ray-origin", 1700},     {"class", 1750},
