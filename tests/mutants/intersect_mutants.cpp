@@ -178,7 +178,8 @@ std::vector<Mutant> intersect_mutants() {
   std::vector<Mutant> all = {
       {"the textbook's b^2 - 4ac",
        {"class", "parameter", "backward-error", "nearest-sphere"},
-       naive_discriminant()},
+       naive_discriminant(),
+       properties::Level::kDemanding},
       from_mistake("first-wins", "the first sphere in the file wins", {"nearest-sphere"}),
       from_mistake("last-wins", "the last sphere in the file wins", {"nearest-sphere"})};
   for (auto& more : {choice_mutants(), value_mutants()})
