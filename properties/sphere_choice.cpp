@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "reference/nearby_choice.h"
+
 namespace raycheck::properties {
 
 bool is_right(const Choice& choice) {
@@ -18,38 +20,16 @@ Wrong wrong_of(const Choice& choice) {
                           : Wrong::kWrongSphere;
 }
 
-namespace {
-
-/// Whether a relative change of the inputs by so much may flip the class of one of the two spheres,
-/// or their order.
-bool may_flip(Trial& trial, const Choice& choice, double change) {
-  const auto& spheres = trial.scene().spheres;
-  const reference::ExactRay& ray = trial.exact_ray(choice.ray);
-  const auto class_may_flip = [&](std::size_t sphere) {
-    return ray.may_flip_within(spheres[sphere], trial.conventions().root, change);
-  };
-  if (choice.got == kSomeSphere) {
-    // A false hit of whichever sphere.
-    for (std::size_t k = 0; k < spheres.size(); ++k) {
-      if (class_may_flip(k)) return true;
-    }
-    return false;
-  }
-  if (choice.got && class_may_flip(*choice.got)) return true;
-  if (!choice.exact) return false;
-  if (class_may_flip(choice.exact->index)) return true;
-  if (!choice.got || !trial.exact_hit(choice.ray, *choice.got)) return false;
-  const auto widened = ray.enclose(256, change);
-  return (widened.parameter(spheres[*choice.got],
-                            trial.exact_intersection(choice.ray, *choice.got)) -
-          widened.parameter(spheres[choice.exact->index], choice.exact->intersection))
-      .contains_zero();
-}
-
-}  // namespace
-
 Excuse excuse(Trial& trial, const Choice& choice, double change) {
-  return may_flip(trial, choice, change) ? Excuse{ExcuseKind::kWitness, change} : Excuse{};
+  using reference::FirstMet;
+  const scene::Conventions& conventions = trial.conventions();
+  const FirstMet claim{!choice.got                 ? FirstMet::What::kNothing
+                       : choice.got == kSomeSphere ? FirstMet::What::kSomething
+                                                   : FirstMet::What::kSphere,
+                       choice.got.value_or(0)};
+  return excuse_of(right_nearby(trial.exact_ray(choice.ray), trial.scene().spheres,
+                                {conventions.root, conventions.tangent, change}, claim),
+                   change);
 }
 
 SpheresMet spheres_met(Trial& trial) {

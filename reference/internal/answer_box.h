@@ -13,9 +13,6 @@
 
 namespace raycheck::reference {
 
-/// Of the balls that say how what decides varies over a neighbourhood.
-inline constexpr int kVariationBits = 192;
-
 /// A point t of the box changes input k by the share t_k of the relative change that the
 /// neighbourhood allows; its last coordinate moves the answer's s over where s may be. An answer
 /// that is a miss has an s of 0 that does not move.

@@ -5,6 +5,7 @@
 // reference/.
 
 #include <cstddef>
+#include <optional>
 #include <vector>
 
 #include "reference/internal/box_optimum.h"
@@ -13,13 +14,17 @@
 
 namespace raycheck::reference {
 
-/// Lifts doubles to balls of the changed inputs, in their order; one serves one evaluation. Inputs
-/// beyond those of the change are as they were.
+/// Of the balls that say how what decides varies over a neighbourhood.
+inline constexpr int kVariationBits = 192;
+
+/// Lifts doubles to balls of the changed inputs, in their order from the `first` on; one serves one
+/// evaluation. Inputs beyond those of the change are as they were.
 class ChangedLift {
  public:
   using Kernel = EnclosureKernel;
 
-  ChangedLift(int bits, const InputChange& change) : bits_(bits), change_(change) {}
+  ChangedLift(int bits, const InputChange& change, std::size_t first = 0)
+      : bits_(bits), change_(change), next_(first) {}
 
   Enclosure operator()(double value) const {
     const Enclosure x(value, bits_);
@@ -32,7 +37,7 @@ class ChangedLift {
  private:
   int bits_;
   const InputChange& change_;
-  mutable std::size_t next_ = 0;
+  mutable std::size_t next_;
 };
 
 /// What an answer is right or wrong by, as functions of the inputs: the coefficients, and for a hit
@@ -73,14 +78,17 @@ typename K::FT value_of(Decider decider, const LineAndSphere<K>& pair, const typ
 struct Variation {
   Enclosure value;
   std::vector<Enclosure> reach;
-  Enclosure most = Enclosure(0);  ///< The sum of |reach|.
-  std::vector<double> at = {};    ///< Empty: the middle of the box.
+  Enclosure most = Enclosure(0);        ///< The sum of |reach|.
+  std::vector<double> at = {};          ///< Empty: the middle of the box.
+  std::optional<Enclosure> range = {};  ///< What it lies in, too.
 
   bool may_be_positive() const { return (value + most).certain_sign().value_or(1) > 0; }
   bool may_be_at_least_zero() const { return (value + most).certain_sign().value_or(1) >= 0; }
   bool may_be_negative() const { return (value - most).certain_sign().value_or(-1) < 0; }
-  bool may_be_zero() const {
-    return may_be_at_least_zero() && (value - most).certain_sign().value_or(-1) <= 0;
+  bool may_be_at_most_zero() const { return (value - most).certain_sign().value_or(-1) <= 0; }
+  bool may_be_zero() const { return may_be_at_least_zero() && may_be_at_most_zero(); }
+  bool is_finite() const {
+    return arb_is_finite(value.ball()) != 0 && arb_is_finite(most.ball()) != 0;
   }
 };
 
@@ -90,10 +98,10 @@ inline Enclosure sum_of_sizes(const std::vector<Enclosure>& terms) {
   return sum;
 }
 
-/// The same in doubles, as a share of what it can reach.
+/// The same in doubles, as a share of what it can reach, and at most.
 inline LinearForm linear_form(const Variation& variation) {
   const auto share = [&](const Enclosure& part) {
-    return variation.most.certain_sign() == 1 ? (part / variation.most).lower() : 0;
+    return variation.most.certain_sign() == 1 ? (part / variation.most).upper() : 0;
   };
   LinearForm form{share(variation.value), {}};
   for (const Enclosure& reach : variation.reach) form.slope.push_back(share(reach));

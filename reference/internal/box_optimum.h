@@ -1,8 +1,8 @@
 #ifndef RAYCHECK_REFERENCE_INTERNAL_BOX_OPTIMUM_H_
 #define RAYCHECK_REFERENCE_INTERNAL_BOX_OPTIMUM_H_
 
-// Linear programs of at most one equation over a box, in doubles: where to look, which proves
-// nothing. Internal to reference/.
+// Linear programs over a box, of at most one equation or of several inequalities, in doubles: where
+// to look, which proves nothing. Internal to reference/.
 
 #include <optional>
 #include <vector>
@@ -28,6 +28,18 @@ std::vector<double> highest(const LinearForm& f);
 /// multiplier g is nowhere in the box larger than f is there.
 /// Source: the dual's breakpoints, as in G. B. Dantzig's fractional knapsack.
 std::optional<BoxOptimum> highest_where_zero(const LinearForm& f, const LinearForm& g);
+
+/// A point of the box, and multipliers, not negative and of sum 1, that prove it optimal.
+struct LeastOptimum {
+  std::vector<double> t;
+  double least = 0;  ///< The least of the forms there.
+  std::vector<double> multipliers;
+};
+
+/// Where the least of at least one form of one dimension is largest: nowhere in the box is the sum
+/// of the forms, each times its multiplier, larger than it is there.
+/// Source: the simplex method with bounded variables (G. B. Dantzig).
+LeastOptimum highest_least(const std::vector<LinearForm>& forms);
 
 }  // namespace raycheck::reference
 

@@ -13,8 +13,9 @@
 
 namespace raycheck::reference {
 
-inline constexpr int kGivenInputs = 10;
-inline constexpr int kCameraInputs = 18;
+inline constexpr int kSphereInputs = 4;
+inline constexpr int kGivenInputs = 6 + kSphereInputs;
+inline constexpr int kCameraInputs = 14 + kSphereInputs;
 
 inline Interval magnitude(const Interval& x) { return CGAL::abs(x); }
 inline Enclosure magnitude(const Enclosure& x) { return abs(x); }

@@ -56,6 +56,7 @@ Draft prepare(const Contestant& contestant, const scene::Scene& scene) {
   draft.report.contestant = contestant;
   draft.report.name = candidate.name;
   draft.report.conventions = candidate.declared.over(scene.conventions);
+  draft.report.inside_domain = is_inside_domain(candidate, scene);
   return draft;
 }
 
@@ -174,10 +175,9 @@ bool CheckReport::holds() const {
 }
 
 bool CheckReport::is_enough_judged() const {
-  return compared() > 0 &&
-         std::all_of(candidates.begin(), candidates.end(), [](const CandidateReport& one) {
-           return one.verdict.count(properties::Standing::kUndecided) == 0 && !one.too_few_judged();
-         });
+  return !candidates.empty() &&
+         std::all_of(candidates.begin(), candidates.end(),
+                     [](const CandidateReport& one) { return one.is_enough_judged(); });
 }
 
 namespace {

@@ -42,14 +42,21 @@ struct CandidateReport {
   std::string name;
   Contestant contestant;
   scene::Conventions conventions;  ///< Under which it was judged.
+  bool inside_domain = true;       ///< Outside its stated domain its answers are not judged.
   properties::Verdict verdict;
   std::vector<LeftOut> left_out;
   std::vector<properties::Explanation> explanations;  ///< Of what someone else's has wrong.
   Timing timing;                                      ///< Of raycheck's methods.
 
-  /// The first kind of question to which no answer was right without an excuse, though asked.
+  /// Of a candidate without a defect, the first kind of question to which no answer was right
+  /// without an excuse, though asked.
   std::optional<std::pair<properties::Quantity, properties::Question>> too_few_judged() const {
-    return verdict.too_few_right(1);
+    return inside_domain && verdict.holds() ? verdict.too_few_right(1) : std::nullopt;
+  }
+  /// Whether enough was judged, and decided, to say that there is no defect.
+  bool is_enough_judged() const {
+    return inside_domain && verdict.compared() > 0 && !too_few_judged() &&
+           verdict.count(properties::Standing::kUndecided) == 0;
   }
 };
 
@@ -70,7 +77,6 @@ struct CheckReport {
   std::uint64_t compared() const;
   /// Whether no candidate has a defect; of a strict report, nothing excused or undecided either.
   bool holds() const;
-  /// Whether every candidate was judged, and answered every kind of question rightly once.
   bool is_enough_judged() const;
 };
 

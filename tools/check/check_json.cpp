@@ -24,6 +24,7 @@ Json candidate_json(const CandidateReport& candidate, std::size_t top) {
   }
   json["discrepancies"] = candidate.verdict.discrepancies();
   json["discrepancies_by_standing"] = standings_json(candidate.verdict);
+  json["inside_domain"] = candidate.inside_domain;
   const auto too_few = candidate.too_few_judged();
   json["too_few_judged"] =
       too_few ? Json{{"quantity", info(too_few->first).name}, {"question", name(too_few->second)}}

@@ -87,6 +87,9 @@ std::string quantities_table(const CandidateReport& candidate) {
 }
 
 std::string too_few_text(const CandidateReport& candidate) {
+  if (!candidate.inside_domain) {
+    return "  not judged here: the scene lies outside the method's stated domain\n";
+  }
   const auto too_few = candidate.too_few_judged();
   if (!too_few) return "";
   return fmt::format(

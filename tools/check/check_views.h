@@ -19,7 +19,7 @@ inline constexpr View<CheckReport> kCheckViews[] = {
 
 /// What was compared of a candidate, a row a quantity.
 std::string quantities_table(const CandidateReport& candidate);
-/// What was asked, but never answered rightly without an excuse; empty where there is no such.
+/// Why too little was judged to say anything; empty where it was not too little.
 std::string too_few_text(const CandidateReport& candidate);
 Json candidate_json(const CandidateReport& candidate, std::size_t top);
 

@@ -16,10 +16,7 @@ struct VerifyArguments {
 int run_verify(const VerifyArguments& arguments) {
   const VerifyReport report = verify(std::cin, arguments.options);
   print_view(kVerifyViews, arguments.format, report);
-  const properties::Verdict& verdict = report.candidate.verdict;
-  return exit_code(false, !report.holds(),
-                   verdict.compared() > 0 && verdict.count(properties::Standing::kUndecided) == 0 &&
-                       !report.candidate.too_few_judged());
+  return exit_code(false, !report.holds(), report.candidate.is_enough_judged());
 }
 
 }  // namespace

@@ -64,6 +64,7 @@ std::vector<Table::Column> detail_columns() {
           {"severity", kRight},
           {"decisions", kRight},
           {"defects", kRight},
+          {"undecided", kRight},
           {"excused", kRight},
           {"answers", kRight},
           {"unit", Table::Align::kLeft},
@@ -88,10 +89,12 @@ std::vector<std::string> detail_row(const FamilyReport& family, const StressCurv
   const Tally& main = tally == nullptr ? none : *tally;
   std::uint64_t decisions = 0;
   std::uint64_t excused = 0;
+  std::uint64_t undecided = 0;
   for (const auto& [quantity, each] : result.inside.tallies()) {
     if (!each.errors.empty()) continue;
     decisions += each.cases;
     excused += each.count(properties::Standing::kExcused);
+    undecided += each.count(properties::Standing::kUndecided);
   }
   const double ratio = properties::worst_ratio(result.inside);
   return {std::string(family.family->name),
@@ -99,6 +102,7 @@ std::vector<std::string> detail_row(const FamilyReport& family, const StressCurv
           std::to_string(curve.severities[k]),
           std::to_string(decisions),
           std::to_string(properties::defects(result.inside)),
+          std::to_string(undecided),
           std::to_string(excused),
           std::to_string(main.cases),
           std::string(info(curve.quantity()).unit),

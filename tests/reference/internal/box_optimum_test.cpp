@@ -68,5 +68,43 @@ TEST(BoxOptimum, MeetsTheEquationAndItsMultiplierProvesIt) {
   EXPECT_GT(found, 2000);
 }
 
+/// What the multipliers prove: nowhere is the least form larger.
+double bound(const std::vector<LinearForm>& forms, const std::vector<double>& multipliers) {
+  double result = 0;
+  for (std::size_t i = 0; i < forms.size(); ++i) result += multipliers[i] * forms[i].value;
+  for (std::size_t k = 0; k < forms.front().slope.size(); ++k) {
+    double slope = 0;
+    for (std::size_t i = 0; i < forms.size(); ++i) slope += multipliers[i] * forms[i].slope[k];
+    result += std::abs(slope);
+  }
+  return result;
+}
+
+TEST(BoxOptimum, OfTheLeastOfSeveralFormsIsProvenByTheirSum) {
+  properties::Random random(2);
+  for (int trial = 0; trial < 3000; ++trial) {
+    const auto inputs = static_cast<std::size_t>(random.integer(1, 20));
+    std::vector<LinearForm> forms(static_cast<std::size_t>(random.integer(1, 9)));
+    for (LinearForm& form : forms) {
+      form.value = random.one_in(3) ? random.small_integer(2) : random.between(-2, 2);
+      for (std::size_t k = 0; k < inputs; ++k) {
+        form.slope.push_back(random.one_in(3) ? random.small_integer(1) : random.between(-1, 1));
+      }
+    }
+    const LeastOptimum optimum = highest_least(forms);
+    double sum = 0;
+    for (const double multiplier : optimum.multipliers) {
+      ASSERT_GE(multiplier, 0);
+      sum += multiplier;
+    }
+    ASSERT_NEAR(sum, 1, 1e-9);
+    for (const double t : optimum.t) ASSERT_LE(std::abs(t), 1);
+    double least = at(forms.front(), optimum.t);
+    for (const LinearForm& form : forms) least = std::min(least, at(form, optimum.t));
+    ASSERT_NEAR(optimum.least, least, 1e-12);
+    ASSERT_NEAR(bound(forms, optimum.multipliers), least, 1e-9);
+  }
+}
+
 }  // namespace
 }  // namespace raycheck::reference

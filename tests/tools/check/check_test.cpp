@@ -95,8 +95,7 @@ TEST(Check, catches_the_textbook_on_a_far_sphere) {
   const json* parameter = find_named(report["candidates"][0]["quantities"], "parameter");
   ASSERT_NE(parameter, nullptr);
   EXPECT_GT(parameter->at("max"), 64);
-  EXPECT_GT(report["candidates"][0]["discrepancies"],
-            report["candidates"][0]["discrepancies_excused"]);
+  EXPECT_GT(report["candidates"][0]["discrepancies_by_standing"]["defect"], 0);
   EXPECT_EQ(run("check " + path + " --intersect cross").exit_code, 0);
   std::filesystem::remove(path);
 }
@@ -184,8 +183,11 @@ TEST(Check, judges_what_overflows_instead_of_refusing_it) {
   scene.replace(scene.find("left = -0.001"), 13, "left = -1e200");
   const std::string path = temporary_file("overflow.toml", scene);
   const Outcome result = run("check " + path + " --format json");
-  EXPECT_EQ(result.exit_code, 1) << result.err;
+  EXPECT_EQ(result.exit_code, 4) << result.err;  // outside the stated domain
   const json report = json::parse(result.out);
+  EXPECT_FALSE(report["candidates"][0]["inside_domain"]);
+  EXPECT_EQ(report["candidates"][0]["discrepancies_by_standing"]["defect"], 0);
+  EXPECT_GT(report["candidates"][0]["discrepancies_by_standing"]["not judged"], 0);
   const json& quantities = report["candidates"][0]["quantities"];
   EXPECT_EQ(find_named(quantities, "direction")->at("max"), "infinity");
   EXPECT_EQ(find_named(quantities, "class")->at("cases"), 256);

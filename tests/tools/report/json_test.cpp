@@ -265,15 +265,21 @@ TEST(Json, says_which_change_excused_an_answer) {
       if (!found.contains("excuse") || found["excuse"].is_null()) return;
       const json& excuse = found["excuse"];
       EXPECT_FALSE(excuse.at("sentence").get<std::string>().empty());
+      EXPECT_EQ(excuse["kind"] == "witness", !excuse["witness"].is_null());
+      for (const json& input : excuse["witness"]) {
+        const double share = std::strtod(input["share"].get<std::string>().c_str(), nullptr);
+        EXPECT_NE(share, 0);
+        EXPECT_LE(std::abs(share), excuse["amount"]);
+      }
       if (excuse["amount"].is_number())
         amounts[excuse["kind"]].insert(excuse["amount"].get<double>());
     });
   };
   look("check" + scene("tangent-and-neighbours") + " --intersect quadratic");
-  EXPECT_EQ(amounts["small change"], std::set<double>{0x1p-49});
+  EXPECT_EQ(amounts["witness"], std::set<double>{0x1p-49});
   amounts.clear();
   look("check" + scene("tangent-and-neighbours") + " --intersect single-quadratic");
-  EXPECT_EQ(amounts["small change"], std::set<double>{0x1p-20});
+  EXPECT_EQ(amounts["witness"], std::set<double>{0x1p-20});
   amounts.clear();
   look("check" + scene("probe") +
        " --t-threshold 0.5 --candidate \"renderer:python3 "
