@@ -61,6 +61,13 @@ class Sights {
   Remembered<std::vector<Sight>, scene::Scene, scene::Conventions, Pixels> of_pixels_;
 };
 
+/// Where a correctly rounded answer is as near as the bounds ask: quotients of such lengths are
+/// normal doubles.
+inline constexpr properties::Domain kRoundedDomain = {.smallest_length = 0x1p-500,
+                                                      .largest_length = 0x1p500,
+                                                      .smallest_camera_length = 0x1p-250,
+                                                      .largest_camera_length = 0x1p250};
+
 /// The image that shows what is seen through some pixels, and nothing elsewhere.
 properties::ImageAnswer image_of(
     const scene::Scene& scene, const Sights::Pixels& pixels,

@@ -28,6 +28,7 @@ struct ErrorKind {
   /// The laws that might notice it.
   std::vector<std::string_view> laws;
   properties::Candidate (*inject)(const ExactParts& exact, double size);
+  bool of_rays_made = false;  ///< Of the rays that are made of a camera, not of given ones.
 };
 
 std::span<const ErrorKind> error_kinds();

@@ -49,7 +49,8 @@ void descend(const Law& law, const Case& the_case, const std::vector<Candidate>&
 std::vector<Resolution> resolutions(const CaseSource& source, int cases,
                                     std::span<const ErrorKind* const> kinds,
                                     std::span<const Law* const> laws) {
-  const ExactParts exact;
+  ExactParts exact;
+  static_cast<properties::Domain&>(exact.candidate) = kRoundedDomain;
   std::vector<Ladder> ladders;
   for (const ErrorKind* kind : kinds) {
     Ladder ladder{injected(*kind, exact), {}};
@@ -58,7 +59,8 @@ std::vector<Resolution> resolutions(const CaseSource& source, int cases,
       if (law == nullptr) throw std::invalid_argument("no law is called " + std::string(name));
       const bool is_wanted =
           laws.empty() || std::find(laws.begin(), laws.end(), law) != laws.end();
-      if (is_wanted && suits(*law, source)) ladder.resolutions.push_back({kind, law});
+      const bool is_asked = suits(*law, source) && (source.has_camera || !kind->of_rays_made);
+      if (is_wanted && is_asked) ladder.resolutions.push_back({kind, law});
     }
     if (!ladder.resolutions.empty()) ladders.push_back(std::move(ladder));
   }

@@ -44,6 +44,7 @@ std::vector<Judged> DullRoom::judge(const ChosenSource& place, int cases) const 
 std::vector<Judged> DullRoom::judge_right(const ChosenSource& place, int cases) const {
   static const Dull right = [this] {
     Dull it{"the right one", {}, right_};
+    static_cast<properties::Domain&>(it.candidate) = caught::kRoundedDomain;
     for (const Law& law : properties::laws()) it.broken_by.push_back(law.name);
     return it;
   }();

@@ -42,7 +42,7 @@ class DullRoom {
   /// Each with each of its laws that suits the place, on the same cases until it is broken, or
   /// excused kManyExcused times.
   std::vector<Judged> judge(const properties::ChosenSource& place, int cases) const;
-  /// The right one with every law.
+  /// The right one with every law, within caught::kRoundedDomain.
   std::vector<Judged> judge_right(const properties::ChosenSource& place, int cases) const;
 
  private:
@@ -57,8 +57,8 @@ class DullRoom {
 /// So many cases break what is dull, or excuse it.
 inline constexpr int kDullCases = 200;
 /// Who is excused so often in so many cases, and never a defect, is asked no further.
-inline constexpr std::uint64_t kManyExcused = 32;
-inline constexpr int kFewCases = 24;
+inline constexpr std::uint64_t kManyExcused = 16;
+inline constexpr int kFewCases = 12;
 
 /// Why wrong answers of dull candidates are excused somewhere, rightly.
 struct WhyExcused {
