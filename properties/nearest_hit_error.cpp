@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <stdexcept>
 
+#include "properties/sphere_choice.h"
 #include "reference/ray_error.h"
 #include "reference/visibility/visibility.h"
 
@@ -29,6 +30,11 @@ Wrong wrong_of(Trial& trial, std::size_t ray, std::int32_t seen, std::optional<s
   return right ? Wrong::kNot : Wrong::kWrongSphere;
 }
 
+Standing standing_of(Trial& trial, std::size_t ray, Index got) {
+  if (!trial.inside_domain() || may_be_unjudged(trial, ray)) return Standing::kNotJudged;
+  return excuse(trial, ray, got, trial.excused_change()).standing();
+}
+
 }  // namespace
 
 std::vector<NearestHitError> nearest_hit_errors(Trial& trial, std::span<const std::int32_t> seen) {
@@ -38,7 +44,7 @@ std::vector<NearestHitError> nearest_hit_errors(Trial& trial, std::span<const st
     const std::optional<std::size_t> got = trial.nearest().at(ray);
     error.wrong = wrong_of(trial, ray, seen[ray], got);
     if (error.wrong != Wrong::kNot) {
-      error.judged = !may_be_unjudged(trial, ray);
+      error.standing = standing_of(trial, ray, got);
     } else if (got) {
       const scene::Sphere& sphere = trial.scene().spheres[*got];
       const HitAnswer* const hit = find_hit(trial.hits(*got), ray);

@@ -13,7 +13,8 @@ namespace raycheck::properties {
 /// How a candidate's nearest hit of a ray compares with the exact one.
 struct NearestHitError {
   Wrong wrong = Wrong::kNot;
-  bool judged = true;         ///< False where it is wrong about a tangent that is not judged.
+  /// Of what is wrong: not judged outside the stated domain, and at tangents that are not.
+  Standing standing = Standing::kDefect;
   std::optional<double> ulp;  ///< The error of s; empty where it is wrong, or both see nothing.
 };
 

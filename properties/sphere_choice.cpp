@@ -20,14 +20,14 @@ Wrong wrong_of(const Choice& choice) {
                           : Wrong::kWrongSphere;
 }
 
-Excuse excuse(Trial& trial, const Choice& choice, double change) {
+Excuse excuse(Trial& trial, std::size_t ray, Index got, double change) {
   using reference::FirstMet;
   const scene::Conventions& conventions = trial.conventions();
-  const FirstMet claim{!choice.got                 ? FirstMet::What::kNothing
-                       : choice.got == kSomeSphere ? FirstMet::What::kSomething
-                                                   : FirstMet::What::kSphere,
-                       choice.got.value_or(0)};
-  return excuse_of(right_nearby(trial.exact_ray(choice.ray), trial.scene().spheres,
+  const FirstMet claim{!got                 ? FirstMet::What::kNothing
+                       : got == kSomeSphere ? FirstMet::What::kSomething
+                                            : FirstMet::What::kSphere,
+                       got.value_or(0)};
+  return excuse_of(right_nearby(trial.exact_ray(ray), trial.scene().spheres,
                                 {conventions.root, conventions.tangent, change}, claim),
                    change);
 }

@@ -24,8 +24,9 @@ struct Choice {
 bool is_right(const Choice& choice);
 Wrong wrong_of(const Choice& choice);
 
-/// What excuses a wrong choice: inputs within a relative change for which it is right.
-Excuse excuse(Trial& trial, const Choice& choice, double change);
+/// What excuses that a candidate's sphere is not the one that a ray meets first: inputs within a
+/// relative change for which it is.
+Excuse excuse(Trial& trial, std::size_t ray, Index got, double change);
 
 /// What the rays of a case meet.
 struct SpheresMet {

@@ -158,14 +158,4 @@ std::optional<NearestSphere> ExactRay::nearest(std::span<const scene::Sphere> sp
   return best;
 }
 
-bool ExactRay::may_flip_within(const scene::Sphere& sphere, scene::Root root,
-                               double relative_change) const {
-  scene::require_valid(sphere);
-  const EnclosureLift lift{kMiddleBits, relative_change};
-  const auto line = line_of(lift, source_);
-  const auto pair = line_and_sphere(line, lift_sphere<EnclosureKernel>(lift, sphere));
-  const auto sign = [&](Coefficient coefficient) { return sign_of(coefficient, pair); };
-  return !classify(sign, root).has_value();
-}
-
 }  // namespace raycheck::reference

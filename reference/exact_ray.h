@@ -118,9 +118,6 @@ class ExactRay {
   std::optional<NearestSphere> nearest(std::span<const scene::Sphere> spheres,
                                        const scene::Conventions& conventions,
                                        Rung* highest = nullptr) const;
-  /// False when no relative change of every input by at most `relative_change` changes the
-  /// intersection; true when it might (intervals overestimate, so not every true is realised).
-  bool may_flip_within(const scene::Sphere& sphere, scene::Root root, double relative_change) const;
 
   /// Enclosures of relative width 2^-relative_bits a coordinate; exact where the value is 0.
   Enclosure3 pixel_point(int relative_bits = kValueBits) const;

@@ -19,7 +19,7 @@ Excuse excuse_of(Trial& trial, const Choice& choice) {
   if (is_within_threshold(trial, choice.ray, candidate.image_threshold)) {
     return {ExcuseKind::kThreshold, candidate.image_threshold};
   }
-  return excuse(trial, choice, candidate.excused_image_change);
+  return excuse(trial, choice.ray, choice.got, candidate.excused_image_change);
 }
 
 void judge_image(Trial& trial, Verdict& verdict) {

@@ -49,7 +49,7 @@ void judge_nearest_sphere(Trial& trial, Verdict& verdict) {
     trial.judge(
         verdict, Quantity::kNearestSphere, met.question(k),
         trial.place(k, exact ? Index(exact->index) : choice.got), wrong_of(choice),
-        [&] { return excuse(trial, choice, trial.excused_change()); },
+        [&] { return excuse(trial, k, choice.got, trial.excused_change()); },
         [&](Discrepancy& d) {
           d.what = right_forwards ? "sphere index, spheres in reverse order" : "sphere index";
           if (choice.got) d.got = {static_cast<double>(*choice.got)};
@@ -104,7 +104,7 @@ void judge_visible_sphere(Trial& trial, Verdict& verdict) {
         : !choice.exact ? Wrong::kFalseHit
         : !choice.got   ? Wrong::kMissed
                         : Wrong::kWrongSphere,
-        [&] { return exactly ? Excuse{} : excuse(seen, choice, seen.excused_change()); },
+        [&] { return exactly ? Excuse{} : excuse(seen, k, choice.got, seen.excused_change()); },
         [&](Discrepancy& d) {
           d.what = "sphere index";
           if (choice.got) d.got = {static_cast<double>(*choice.got)};

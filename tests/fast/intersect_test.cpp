@@ -14,6 +14,8 @@
 #include "properties/quantity.h"
 #include "reference/condition.h"
 #include "reference/error_measure.h"
+#include "reference/nearby_answer.h"
+#include "reference/ray_error.h"
 #include "tests/method_names.h"
 
 namespace raycheck::fast {
@@ -186,8 +188,12 @@ TEST_P(EachMethod, RanksTheFirstOfEqualSpheresFirst) {
             (std::vector<Index>(3)));
 }
 
-/// What a method's answers to given rays come to, where no small change of the input makes a
-/// difference to the class.
+std::optional<double> parameter(const std::optional<Hit>& hit) {
+  return hit ? std::optional(hit->parameter) : std::nullopt;
+}
+
+/// What a method's answers to given rays come to. A class or root that is not the exact one is that
+/// of inputs close by.
 struct Audit {
   int hits = 0;
   double worst_parameter = 0;  ///< Over the growth that the condition number allows.
@@ -204,12 +210,23 @@ void audit(const IntersectMethod& method, const properties::CaseSource& source, 
     const Ray& ray = the_case.scene.rays.front();
     const scene::Conventions& conventions = the_case.scene.conventions;
     const reference::ExactRay exact(ray);
+    const reference::Neighbourhood around{
+        conventions.root, conventions.tangent,
+        properties::kExcusedChange * method.unit_roundoff / properties::kDoubleRoundoff};
     for (const Sphere& sphere : the_case.scene.spheres) {
-      if (exact.may_flip_within(sphere, conventions.root, properties::kExcusedChange)) continue;
       const reference::Intersection at = exact.intersect(sphere, conventions.root);
       const auto hit = method.intersect_one(ray, sphere, conventions.root, conventions.tangent);
-      EXPECT_EQ(hit.has_value(), at.hit_class == reference::HitClass::kHit)
-          << method.name << " " << source.name << " " << seed;
+      const bool is_hit = counts_as_hit(at.hit_class, conventions.tangent);
+      if (hit.has_value() != is_hit ||
+          (is_hit && is_at_other_root(exact, sphere, at, hit->parameter))) {
+        const bool is_unjudged = at.hit_class == reference::HitClass::kTangent &&
+                                 conventions.tangent == Tangent::kEither;
+        // A double root at 0 is met under root = smaller by one radius alone: that is undecided.
+        EXPECT_TRUE(is_unjudged || right_nearby(exact, sphere, around, parameter(hit)).found !=
+                                       reference::Nearby::kRefuted)
+            << method.name << " " << source.name << " " << seed;
+        continue;
+      }
       if (!hit || at.hit_class != reference::HitClass::kHit) continue;
       ++found.hits;
       const auto worse = [](double& worst, double error, double condition) {

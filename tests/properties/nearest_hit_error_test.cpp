@@ -57,18 +57,18 @@ TEST(NearestHitError, SaysHowAnAnswerIsWrong) {
   EXPECT_EQ(errors[0].wrong, Wrong::kWrongSphere);
   EXPECT_EQ(errors[1].wrong, Wrong::kMissed);
   EXPECT_EQ(errors[2].wrong, Wrong::kFalseHit);
-  for (const NearestHitError& error : errors) {
-    EXPECT_TRUE(error.judged);
-    EXPECT_FALSE(error.ulp);
-  }
+  for (const NearestHitError& error : errors) EXPECT_FALSE(error.ulp);
+  EXPECT_EQ(errors[0].standing, Standing::kDefect);
+  EXPECT_EQ(errors[1].standing, Standing::kExcused);  // a tangent
+  EXPECT_EQ(errors[2].standing, Standing::kDefect);
 }
 
 TEST(NearestHitError, LeavesTangentsUnjudgedWhereTheConventionDoes) {
   const auto errors = errors_of({0, std::nullopt, 1}, scene::Tangent::kEither);
-  EXPECT_TRUE(errors[0].judged);
+  EXPECT_EQ(errors[0].standing, Standing::kDefect);
   EXPECT_EQ(errors[1].wrong, Wrong::kMissed);
-  EXPECT_FALSE(errors[1].judged);
-  EXPECT_TRUE(errors[2].judged);
+  EXPECT_EQ(errors[1].standing, Standing::kNotJudged);
+  EXPECT_EQ(errors[2].standing, Standing::kDefect);
 }
 
 }  // namespace

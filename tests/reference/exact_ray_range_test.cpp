@@ -157,49 +157,6 @@ TEST(Engines, AgreeWhenUpIsParallelButForTheLastOf800Bits) {
   EXPECT_GE(pairs, 9);
 }
 
-TEST(MayFlipWithin, IsTrueNearATangentAndNearTheSurface) {
-  const Sphere unit{{0, 0, 0}, 1};
-  const auto may_flip = [&](const Ray& ray, double change) {
-    return ExactRay(ray).may_flip_within(unit, Root::kNearest, change);
-  };
-  EXPECT_TRUE(may_flip(along_x(-5, 1), 0x1p-200));
-  EXPECT_FALSE(may_flip(along_x(-5, 1), 0));
-  EXPECT_TRUE(may_flip(along_x(-5, 1 - 0x1p-53), 0x1p-53));
-  EXPECT_FALSE(may_flip(along_x(-5, 1 - 0x1p-53), 0x1p-57));
-  EXPECT_TRUE(may_flip(along_x(-1 - 0x1p-52, 0), 0x1p-52));
-  EXPECT_FALSE(may_flip(along_x(-1 - 0x1p-52, 0), 0x1p-57));
-  EXPECT_FALSE(may_flip(along_x(-5, 0.5), 0x1p-20));
-  EXPECT_TRUE(may_flip(along_x(-5, 0.5), 0.5));
-}
-
-TEST(MayFlipWithin, WhenFalseNoChangeOfTheInputFlips) {
-  Random random(4);
-  int certain = 0;
-  int uncertain = 0;
-  for (int k = 0; k < 3000; ++k) {
-    const Ray ray = random_ray(random, Sizes::kOrdinary);
-    const Sphere sphere = random_sphere(random, Sizes::kOrdinary);
-    const double change = random.power_of_ten(-4, -1);
-    const ExactRay exact(ray);
-    const bool may_flip = exact.may_flip_within(sphere, Root::kNearest, change);
-    (may_flip ? uncertain : certain) += 1;
-    if (may_flip) continue;
-    const auto changed = [&](double x) { return x * (1 + 0.999 * change * random.sign()); };
-    for (int trial = 0; trial < 4; ++trial) {
-      const scene::Point3& o = ray.origin;
-      const scene::Vector3& d = ray.direction;
-      const scene::Point3& c = sphere.centre;
-      const Ray other{{changed(o.x), changed(o.y), changed(o.z)},
-                      {changed(d.x), changed(d.y), changed(d.z)}};
-      const Sphere other_sphere{{changed(c.x), changed(c.y), changed(c.z)}, changed(sphere.radius)};
-      ASSERT_EQ(ExactRay(other).intersect(other_sphere), exact.intersect(sphere))
-          << spelled(ray) << spelled(sphere) << " change " << change;
-    }
-  }
-  EXPECT_GE(certain, 1000);
-  EXPECT_GE(uncertain, 100);
-}
-
 void expect_refused(const std::function<void()>& action, const std::string& field) {
   try {
     action();
@@ -240,7 +197,6 @@ TEST(InvalidInput, OfASphereIsRefusedByEveryFunctionThatTakesOne) {
       refuses([&] { ray.compare(bad, kSmallerHit, good, kSmallerHit); });
       refuses([&] { ray.compare(good, kSmallerHit, bad, kSmallerHit); });
       refuses([&] { ray.nearest(std::vector<Sphere>{good, bad}, {}); });
-      refuses([&] { ray.may_flip_within(bad, Root::kNearest, 0x1p-50); });
       refuses([&] { ray.parameter(bad, kSmallerHit); });
       refuses([&] { ray.point(bad, kSmallerHit); });
       refuses([&] { ray.rounded_parameter(bad, kSmallerHit); });

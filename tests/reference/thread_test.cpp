@@ -13,6 +13,7 @@
 #include "reference/closed_form.h"
 #include "reference/condition.h"
 #include "reference/error_measure.h"
+#include "reference/nearby_answer.h"
 #include "tests/reference/random_cases.h"
 
 namespace raycheck::reference {
@@ -52,7 +53,10 @@ std::vector<std::string> everything(const ExactCamera& camera, const ExactRay& r
       said.push_back(std::to_string(static_cast<int>(at.hit_class)));
       said.push_back(std::to_string(static_cast<int>(at.root)));
     }
-    said.push_back(ray.may_flip_within(sphere, scene::Root::kNearest, 0x1p-6) ? "may" : "certain");
+    const Neighbourhood around{scene::Root::kNearest, scene::Tangent::kHit, 0x1p-6};
+    const NearbyAnswer missed = right_nearby(ray, sphere, around, std::nullopt);
+    said.push_back(std::to_string(static_cast<int>(missed.found)));
+    for (const double share : missed.witness) said.push_back(std::to_string(share));
     const Intersection at = ray.intersect(sphere);
     say(condition_of_axial_distance(ray, sphere));
     say(condition_of_half_chord_sq(ray, sphere));

@@ -136,8 +136,9 @@ void count(const PaintedBand& band, std::vector<bool>& seen, ImageReport& report
   for (std::size_t k = 0; k < band.errors.pixels.size(); ++k) {
     report.error->pixels[k] += band.errors.pixels[k];
   }
-  report.error->wrong += band.errors.wrong;
-  report.error->unjudged += band.errors.unjudged;
+  for (std::size_t k = 0; k < band.errors.wrong.size(); ++k) {
+    report.error->wrong[k] += band.errors.wrong[k];
+  }
 }
 
 std::unique_ptr<Painter> painter_for(const ImageOptions& options, const scene::Scene& scene,

@@ -8,6 +8,7 @@
 #include <string_view>
 #include <vector>
 
+#include "properties/excuse.h"
 #include "properties/run_control.h"
 #include "reference/visibility/visibility.h"
 #include "scene/files/scene_file.h"
@@ -41,8 +42,12 @@ struct DepthRange {
 struct ErrorCounts {
   std::string candidate;
   std::vector<std::uint64_t> pixels;  ///< By kErrorSteps (tools/image/image_paint.h).
-  std::uint64_t wrong = 0;            ///< Missed, a false hit, or another sphere.
-  std::uint64_t unjudged = 0;         ///< The same where tangents are not judged.
+  /// Missed, a false hit, or another sphere, by standing.
+  std::array<std::uint64_t, properties::kStandingCount> wrong = {};
+
+  std::uint64_t count(properties::Standing standing) const {
+    return wrong[static_cast<std::size_t>(standing)];
+  }
 };
 
 struct ImageReport {

@@ -23,6 +23,7 @@ struct ImageArguments {
   std::string rays;
   std::string intersect;
   std::string size;
+  bool strict = false;
   int threads = tbb::info::default_concurrency();
   std::string format;
 };
@@ -35,10 +36,11 @@ std::string legend() {
     text += fmt::format("\n  {} {}", hex(step.colour),
                         last ? "more" : fmt::format("up to {}", step.at_most));
   }
-  return text + fmt::format(
-                    "\n  {} wrong: missed, a false hit, or not the nearest sphere"
-                    "\n  {} the same at a tangent that the scene leaves unjudged",
-                    hex(kWrongColour), hex(kUnjudgedColour));
+  text += "\nand where it is wrong: missed, a false hit, or not the nearest sphere:";
+  for (std::size_t k = 0; k < kWrongColours.size(); ++k) {
+    text += fmt::format("\n  {} {}", hex(kWrongColours[k]), properties::kStandingNames[k]);
+  }
+  return text;
 }
 
 scene::Pixel parse_size(const std::string& text) {
@@ -72,7 +74,13 @@ int run_image(const ImageArguments& arguments) {
       make_image(options, file, run_control(options.path, arguments.threads));
   print_warnings(report.warnings);
   print_view(kImageViews, arguments.format, report);
-  return exit_code(report.interrupted, report.error && report.error->wrong > 0, true);
+  using properties::Standing;
+  const ErrorCounts errors = report.error.value_or(ErrorCounts{});
+  const std::uint64_t lenient =
+      errors.count(Standing::kExcused) + errors.count(Standing::kUndecided);
+  return exit_code(report.interrupted,
+                   errors.count(Standing::kDefect) > 0 || (arguments.strict && lenient > 0),
+                   errors.count(Standing::kUndecided) == 0);
 }
 
 }  // namespace
@@ -98,6 +106,7 @@ Command add_image(CLI::App& program) {
                      "of error: the method that intersects them (default: cross)");
   command.add_option("--size", arguments.size,
                      "pixels across and down, W,H (default: the scene's)");
+  add_strict(command, arguments.strict);
   command.add_option("--threads", arguments.threads, "how many; the picture is the same")
       ->check(CLI::Range(1, 1024))
       ->capture_default_str();

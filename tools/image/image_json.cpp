@@ -16,8 +16,10 @@ Json error_counts_json(const ErrorCounts& error) {
                              {"colour", hex(kErrorSteps[k].colour)},
                              {"pixels", error.pixels[k]}});
   }
-  json["wrong"] = {{"colour", hex(kWrongColour)}, {"pixels", error.wrong}};
-  json["unjudged"] = {{"colour", hex(kUnjudgedColour)}, {"pixels", error.unjudged}};
+  for (std::size_t k = 0; k < properties::kStandingCount; ++k) {
+    json["wrong"][std::string(properties::kStandingNames[k])] = {{"colour", hex(kWrongColours[k])},
+                                                                 {"pixels", error.wrong[k]}};
+  }
   return json;
 }
 

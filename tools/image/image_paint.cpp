@@ -131,8 +131,9 @@ class ErrorPainter : public Painter {
 
   static Colour colour_counted(const properties::NearestHitError& error, ErrorCounts& errors) {
     if (error.wrong != properties::Wrong::kNot) {
-      ++(error.judged ? errors.wrong : errors.unjudged);
-      return error.judged ? kWrongColour : kUnjudgedColour;
+      const auto standing = static_cast<std::size_t>(error.standing);
+      ++errors.wrong[standing];
+      return kWrongColours[standing];
     }
     if (!error.ulp) return kBackground;
     std::size_t step = 0;

@@ -17,8 +17,13 @@ namespace raycheck::tools {
 
 inline constexpr Colour kBackground = {16, 18, 24};  ///< Pixels that see nothing.
 inline constexpr Colour kHitColour = {255, 255, 255};
-inline constexpr Colour kWrongColour = {230, 0, 0};
-inline constexpr Colour kUnjudgedColour = {128, 128, 128};
+/// Of wrong pixels, by standing: red, purple, pink, grey.
+inline constexpr std::array<Colour, properties::kStandingCount> kWrongColours = {{
+    {230, 0, 0},
+    {140, 0, 160},
+    {255, 150, 190},
+    {128, 128, 128},
+}};
 
 /// Errors of s of at most `at_most` ulp, and of more than the step before, have this colour.
 struct ErrorStep {

@@ -15,9 +15,11 @@ std::string error_table(const ErrorCounts& error) {
     table.add({k + 1 < kErrorSteps.size() ? fmt::format("up to {} ulp", at_most) : "more",
                hex(colour), std::to_string(error.pixels[k])});
   }
-  table.add({"wrong class or sphere", hex(kWrongColour), std::to_string(error.wrong)});
-  if (error.unjudged > 0) {
-    table.add({"tangent, not judged", hex(kUnjudgedColour), std::to_string(error.unjudged)});
+  for (std::size_t k = 0; k < kWrongColours.size(); ++k) {
+    const auto standing = static_cast<properties::Standing>(k);
+    if (standing != properties::Standing::kDefect && error.wrong[k] == 0) continue;
+    table.add({fmt::format("wrong class or sphere: {}", name(standing)), hex(kWrongColours[k]),
+               std::to_string(error.wrong[k])});
   }
   return fmt::format("\n{} against the exact s of each pixel's nearest sphere\n{}", error.candidate,
                      table.text());

@@ -227,14 +227,20 @@ TEST(Image, shows_the_errors_that_check_counts) {
     const std::string arguments = example("far-sphere.toml") + " --intersect " + method;
     const json check = json::parse(run("check " + arguments + " --format json").out);
     std::uint64_t wrong = 0, measured = 0;
+    json wrong_by_standing;
     for (const json& quantity : check["candidates"][0]["quantities"]) {
-      if (quantity["name"] == "class") wrong = quantity["wrong"];
+      if (quantity["name"] == "class") {
+        wrong = quantity["wrong"];
+        wrong_by_standing = quantity["wrong_by_standing"];
+      }
       if (quantity["name"] == "parameter") measured = quantity["cases"];
     }
     const Written written(arguments + " --what error", ".png", exit_code);
     const json error = written.report()["error"];
-    EXPECT_EQ(error["wrong"]["pixels"], wrong);
-    EXPECT_EQ(wrong > 0, exit_code == 1);
+    for (const auto& [standing, pixels] : wrong_by_standing.items()) {
+      EXPECT_EQ(error["wrong"][standing]["pixels"], pixels) << standing;
+    }
+    EXPECT_EQ(wrong_by_standing["defect"] > 0, exit_code == 1);
     std::map<std::string, std::uint64_t> by_colour;
     for (const auto& colour : written.picture().pixels) {
       char text[7];
@@ -242,7 +248,12 @@ TEST(Image, shows_the_errors_that_check_counts) {
                     unsigned{colour[2]});
       ++by_colour[text];
     }
-    EXPECT_EQ(by_colour["e60000"], wrong);
+    std::uint64_t wrong_pixels = 0;
+    for (const auto& [standing, those] : error["wrong"].items()) {
+      EXPECT_EQ(by_colour[those["colour"].get<std::string>()], those["pixels"]) << standing;
+      wrong_pixels += those["pixels"].get<std::uint64_t>();
+    }
+    EXPECT_EQ(wrong_pixels, wrong);
     std::uint64_t sum = 0;
     for (const json& step : error["steps"]) {
       EXPECT_EQ(by_colour[step["colour"].get<std::string>()], step["pixels"]);
