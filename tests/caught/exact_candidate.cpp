@@ -61,9 +61,8 @@ std::vector<T> list_of(std::span<const T> values) {
 template <class Answer, class Make>
 auto of_pixels(Make make) {
   using Kept = Remembered<std::vector<Answer>, Camera, Conventions, std::vector<Pixel>>;
-  return [make, kept = std::make_shared<Kept>()](const Camera& camera,
-                                                 const Conventions& conventions,
-                                                 Candidate::Pixels pixels) {
+  return [make, kept = std::make_shared<Kept>()](
+             const Camera& camera, const Conventions& conventions, Candidate::Pixels pixels) {
     return (*kept)(
         [&] {
           const ExactCamera exact(camera, conventions);
@@ -133,10 +132,10 @@ Candidate exact_candidate(const std::shared_ptr<Sights>& sights,
   const Candidate plain = properties::fast_candidate(fast::kDirectRays, fast::kCross);
   candidate.max_error = plain.max_error;
   candidate.max_error_end_to_end = plain.max_error_end_to_end;
-  candidate.frame = [kept = std::make_shared<Remembered<FrameAnswer, Camera>>()](
-                        const Camera& camera) {
-    return (*kept)([&] { return rounded_frame(camera); }, camera);
-  };
+  candidate.frame =
+      [kept = std::make_shared<Remembered<FrameAnswer, Camera>>()](const Camera& camera) {
+        return (*kept)([&] { return rounded_frame(camera); }, camera);
+      };
   candidate.pixel_points =
       of_pixels<Point3>([](const ExactRay& ray) { return ray.rounded_pixel_point(); });
   const auto from = [](scene::Origin origin) {

@@ -69,13 +69,12 @@ inline constexpr properties::Domain kRoundedDomain = {.smallest_length = 0x1p-50
                                                       .largest_camera_length = 0x1p250};
 
 /// The image that shows what is seen through some pixels, and nothing elsewhere.
-properties::ImageAnswer image_of(
-    const scene::Scene& scene, const Sights::Pixels& pixels,
-    const std::vector<std::optional<properties::SeenAnswer>>& seen);
+properties::ImageAnswer image_of(const scene::Scene& scene, const Sights::Pixels& pixels,
+                                 const std::vector<std::optional<properties::SeenAnswer>>& seen);
 
-/// `exact`: every answer is the exact one, correctly rounded, and remembered for a while. It is held
-/// to what anyone else's code is held to: the bounds of direct/cross, with no domain, and no promise
-/// of exact classes. An image shows the pixels that are `looked_at`, and nothing else.
+/// `exact`: every answer is the exact one, correctly rounded, and remembered for a while. It is
+/// held to what anyone else's code is held to: the bounds of direct/cross, with no domain, and no
+/// promise of exact classes. An image shows the pixels that are `looked_at`, and nothing else.
 properties::Candidate exact_candidate(const std::shared_ptr<Sights>& sights,
                                       const std::shared_ptr<Sights::Pixels>& looked_at);
 

@@ -109,8 +109,8 @@ Candidate with_sights(const ExactParts& exact, const ChangeSight& change) {
   const auto of_rays = [sights = exact.sights, change](Candidate::Rays rays,
                                                        Candidate::Spheres spheres,
                                                        const Conventions& conventions) {
-    std::vector<Sight> seen = sights->of({rays.begin(), rays.end()},
-                                         {spheres.begin(), spheres.end()}, conventions);
+    std::vector<Sight> seen =
+        sights->of({rays.begin(), rays.end()}, {spheres.begin(), spheres.end()}, conventions);
     for (Sight& sight : seen) change(sight);
     return seen;
   };
@@ -175,8 +175,7 @@ Candidate shifted_L(const ExactParts& exact, double size) {
 }
 
 Candidate shifted_P(const ExactParts& exact, double size) {
-  return with_points(exact,
-                     [size](const Camera&, const Point3& P) { return times(1 + size, P); });
+  return with_points(exact, [size](const Camera&, const Point3& P) { return times(1 + size, P); });
 }
 
 /// The plane is turned about the camera's `up` through the eye.
@@ -184,8 +183,8 @@ Candidate turned_P(const ExactParts& exact, double size) {
   return with_points(exact, [size](const Camera& camera, const Point3& P) {
     const Vector3 up = times(size / std::hypot(camera.up.x, camera.up.y, camera.up.z), camera.up);
     const Vector3 g = P - camera.eye;
-    return sum(P, Vector3{up.y * g.z - up.z * g.y, up.z * g.x - up.x * g.z,
-                          up.x * g.y - up.y * g.x});
+    return sum(P,
+               Vector3{up.y * g.z - up.z * g.y, up.z * g.x - up.x * g.z, up.x * g.y - up.y * g.x});
   });
 }
 
@@ -198,9 +197,8 @@ Candidate turned_axes(const ExactParts& exact, double size) {
 }
 
 Candidate skewed_axes(const ExactParts& exact, double size) {
-  return with_frame(exact, [size](FrameAnswer& frame) {
-    frame.U = sum(frame.U, times(size, frame.W));
-  });
+  return with_frame(exact,
+                    [size](FrameAnswer& frame) { frame.U = sum(frame.U, times(size, frame.W)); });
 }
 
 Candidate flipped_band(const ExactParts& exact, double size) {
@@ -246,29 +244,67 @@ constexpr int kBitsOfDoubles = 53;
 
 std::span<const ErrorKind> error_kinds() {
   static const std::vector<ErrorKind> kKinds = {
-      {"s", "s times 1 + 2^-k", 2, kBitsOfDoubles,
-       {"parameter", "backward-error", "nearest-root", "focal-and-pixel"}, scaled_s},
-      {"Q", "Q moved by 2^-k of its distance from the world's origin", 2, kBitsOfDoubles,
-       {"hit-point", "focal-and-pixel"}, shifted_Q},
-      {"band", "hit and miss exchanged where |b - r| < 2^-k r, b the impact parameter", 2,
+      {"s",
+       "s times 1 + 2^-k",
+       2,
        kBitsOfDoubles,
-       {"class", "growing-radius", "nearest-sphere", "visible-sphere", "image"}, flipped_band},
-      {"epsilon", "hits with s < 10^-k dropped", 10, 300,
+       {"parameter", "backward-error", "nearest-root", "focal-and-pixel"},
+       scaled_s},
+      {"Q",
+       "Q moved by 2^-k of its distance from the world's origin",
+       2,
+       kBitsOfDoubles,
+       {"hit-point", "focal-and-pixel"},
+       shifted_Q},
+      {"band",
+       "hit and miss exchanged where |b - r| < 2^-k r, b the impact parameter",
+       2,
+       kBitsOfDoubles,
+       {"class", "growing-radius", "nearest-sphere", "visible-sphere", "image"},
+       flipped_band},
+      {"epsilon",
+       "hits with s < 10^-k dropped",
+       10,
+       300,
        {"class", "scaling", "growing-radius", "nearest-sphere", "visible-sphere", "image"},
        epsilon_in_s},
-      {"order", "the farther of two spheres whose s differ by less than 2^-k s", 2, kBitsOfDoubles,
-       {"nearest-sphere", "visible-sphere", "image"}, farther_sphere},
-      {"D", "D turned by 2^-k", 2, kBitsOfDoubles,
-       {"direction", "parameter", "hit-point", "class", "scaling", "axes"}, tilted_D, true},
-      {"|D|", "D times 1 + 2^-k", 2, kBitsOfDoubles, {"unit-direction", "direction", "parameter"},
-       longer_D, true},
-      {"L", "the ray's origin moved by 2^-k of its distance from the world's", 2, kBitsOfDoubles,
-       {"ray-origin", "parameter", "hit-point"}, shifted_L, true},
-      {"P", "pixel points moved by 2^-k of their distance from the world's origin", 2,
+      {"order",
+       "the farther of two spheres whose s differ by less than 2^-k s",
+       2,
+       kBitsOfDoubles,
+       {"nearest-sphere", "visible-sphere", "image"},
+       farther_sphere},
+      {"D",
+       "D turned by 2^-k",
+       2,
+       kBitsOfDoubles,
+       {"direction", "parameter", "hit-point", "class", "scaling", "axes"},
+       tilted_D,
+       true},
+      {"|D|",
+       "D times 1 + 2^-k",
+       2,
+       kBitsOfDoubles,
+       {"unit-direction", "direction", "parameter"},
+       longer_D,
+       true},
+      {"L",
+       "the ray's origin moved by 2^-k of its distance from the world's",
+       2,
+       kBitsOfDoubles,
+       {"ray-origin", "parameter", "hit-point"},
+       shifted_L,
+       true},
+      {"P",
+       "pixel points moved by 2^-k of their distance from the world's origin",
+       2,
        kBitsOfDoubles,
        {"pixel-point", "bounds", "image-plane", "centre-pixel", "pixel-zero-zero", "square-pixels"},
        shifted_P},
-      {"plane", "pixel points turned by 2^-k about `up` through the eye", 2, kBitsOfDoubles,
+      {"plane",
+       "pixel points turned by 2^-k about `up` through the eye",
+       2,
+       kBitsOfDoubles,
        {"pixel-point", "bounds", "image-plane", "centre-pixel", "pixel-zero-zero", "square-pixels"},
        turned_P},
       {"axes", "U and V turned by 2^-k about W", 2, kBitsOfDoubles, {"frame"}, turned_axes},

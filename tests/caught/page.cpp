@@ -85,9 +85,9 @@ std::string excused_table() {
     std::vector<std::string> laws, candidates;
     for (const std::string_view law : why.laws) laws.push_back(code(law));
     for (const std::string_view candidate : why.candidates) candidates.push_back(code(candidate));
-    const std::string severities =
-        why.from == why.to ? std::to_string(why.from)
-                           : std::to_string(why.from) + " to " + std::to_string(why.to);
+    const std::string severities = why.from == why.to
+                                       ? std::to_string(why.from)
+                                       : std::to_string(why.from) + " to " + std::to_string(why.to);
     table += line_of({code(why.source), severities, joined(laws),
                       candidates.empty() ? "any" : joined(candidates), std::string(why.reason)});
   }
@@ -141,9 +141,9 @@ std::string summary_table(const std::vector<OfSource<Resolution>>& found) {
         return std::to_string(std::count_if(noticed.begin(), noticed.end(),
                                             [&](const auto& one) { return one.first >= least; }));
       };
-      const auto [coarsest, finest] = std::minmax_element(
-          noticed.begin(), noticed.end(),
-          [](const auto& a, const auto& b) { return a.first < b.first; });
+      const auto [coarsest, finest] =
+          std::minmax_element(noticed.begin(), noticed.end(),
+                              [](const auto& a, const auto& b) { return a.first < b.first; });
       const auto shown = [&](const auto& one) {
         return (one.first < 0 ? "nothing" : power(kind, one.first)) + " on " + code(one.second);
       };
@@ -161,8 +161,8 @@ std::string resolution_tables(const std::vector<OfSource<Resolution>>& found) {
     std::vector<std::pair<std::string, std::vector<std::string>>> lines;
     for (const std::string_view law : kind.laws) lines.push_back({code(law), {}});
     for (const auto& [source, rows] : found) {
-      const bool is_asked = std::any_of(rows.begin(), rows.end(),
-                                        [&](const auto& row) { return row.kind == &kind; });
+      const bool is_asked =
+          std::any_of(rows.begin(), rows.end(), [&](const auto& row) { return row.kind == &kind; });
       if (!is_asked) continue;
       head.emplace_back(source->name);
       for (auto& [law, cells] : lines) {
@@ -185,7 +185,10 @@ std::string resolution_tables(const std::vector<OfSource<Resolution>>& found) {
 
 std::string severity_tables(const std::vector<OfSource<Resolution>>& found) {
   const std::vector<std::pair<std::string_view, std::string_view>> shown = {
-      {"s", "parameter"}, {"Q", "hit-point"}, {"band", "class"}, {"D", "direction"},
+      {"s", "parameter"},
+      {"Q", "hit-point"},
+      {"band", "class"},
+      {"D", "direction"},
       {"order", "nearest-sphere"}};
   std::string text;
   for (const auto& [kind, law] : shown) {

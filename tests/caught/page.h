@@ -24,10 +24,10 @@ std::string cell_of(const FirstCaught& row, const properties::CaseSource& source
 std::string cell_of(const Resolution& row);
 
 // The parts of docs/what-is-caught.md, each for a `{{NAME}}` of its template.
-std::string dull_table();                                                    // dull
-std::string excused_table();                                                 // excused
-std::string mutant_tables(const std::vector<OfSource<FirstCaught>>& found);  // mutants
-std::string summary_table(const std::vector<OfSource<Resolution>>& found);   // summary
+std::string dull_table();                                                       // dull
+std::string excused_table();                                                    // excused
+std::string mutant_tables(const std::vector<OfSource<FirstCaught>>& found);     // mutants
+std::string summary_table(const std::vector<OfSource<Resolution>>& found);      // summary
 std::string resolution_tables(const std::vector<OfSource<Resolution>>& found);  // resolution
 std::string severity_tables(const std::vector<OfSource<Resolution>>& found);    // severities
 

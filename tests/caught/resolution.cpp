@@ -37,8 +37,7 @@ void descend(const Law& law, const Case& the_case, const std::vector<Candidate>&
              properties::SharedTruths& truths, std::optional<int>& noticed) {
   for (std::size_t next = noticed ? std::size_t(*noticed) + 1 : 0; next < candidates.size();
        ++next) {
-    Trial trial(the_case, candidates[next],
-                {.truth = truths.under(the_case.scene.conventions)});
+    Trial trial(the_case, candidates[next], {.truth = truths.under(the_case.scene.conventions)});
     if (apply(law, trial).holds()) return;
     noticed = static_cast<int>(next);
   }
@@ -57,8 +56,7 @@ std::vector<Resolution> resolutions(const CaseSource& source, int cases,
     for (const std::string_view name : kind->laws) {
       const Law* const law = properties::find_law(name);
       if (law == nullptr) throw std::invalid_argument("no law is called " + std::string(name));
-      const bool is_wanted =
-          laws.empty() || std::find(laws.begin(), laws.end(), law) != laws.end();
+      const bool is_wanted = laws.empty() || std::find(laws.begin(), laws.end(), law) != laws.end();
       const bool is_asked = suits(*law, source) && (source.has_camera || !kind->of_rays_made);
       if (is_wanted && is_asked) ladder.resolutions.push_back({kind, law});
     }

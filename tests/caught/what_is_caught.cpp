@@ -2,10 +2,14 @@
 // With a number of cases besides, injected errors are judged on so many.
 
 #include <cstdio>
+#include <ctime>
 #include <fstream>
+#include <functional>
 #include <iterator>
 #include <map>
+#include <optional>
 #include <string>
+#include <vector>
 
 #include "tests/caught/page.h"
 
@@ -17,35 +21,43 @@ template <class Row, class Find>
 std::vector<caught::OfSource<Row>> on_each_source(const char* what, Find find) {
   std::vector<caught::OfSource<Row>> found;
   for (const properties::CaseSource& source : properties::case_sources()) {
-    std::fprintf(stderr, "%s: %.*s\n", what, static_cast<int>(source.name.size()),
-                 source.name.data());
+    std::fprintf(stderr, "%s: %s, after %.0f s of processor time\n", what,
+                 std::string(source.name).c_str(),
+                 static_cast<double>(std::clock()) / CLOCKS_PER_SEC);
     found.push_back({&source, find(source)});
   }
   return found;
 }
 
-std::string filled(std::string text, int cases) {
+std::vector<caught::OfSource<caught::Resolution>> small_errors(int cases) {
   std::vector<const caught::ErrorKind*> kinds;
   for (const caught::ErrorKind& kind : caught::error_kinds()) kinds.push_back(&kind);
-  const auto small_errors = on_each_source<caught::Resolution>("resolution", [&](const auto& source) {
+  return on_each_source<caught::Resolution>("small errors", [&](const auto& source) {
     return caught::resolutions(source, cases, kinds);
   });
+}
+
+/// A template with what its marks stand for; only that is worked out.
+std::string filled(std::string text, int cases) {
   const std::vector<mutants::Mutant> all = mutants::all_mutants();
-  const auto mutants = on_each_source<caught::FirstCaught>(
-      "mutants", [&](const auto& source) { return caught::first_caught(source, all); });
-  std::fprintf(stderr, "dull candidates\n");
-  const std::map<std::string, std::string> parts = {
-      {"dull", caught::dull_table()},
-      {"excused", caught::excused_table()},
-      {"mutants", caught::mutant_tables(mutants)},
-      {"summary", caught::summary_table(small_errors)},
-      {"resolution", caught::resolution_tables(small_errors)},
-      {"severities", caught::severity_tables(small_errors)},
+  std::optional<std::vector<caught::OfSource<caught::Resolution>>> kept;
+  const auto errors = [&] { return kept ? *kept : *(kept = small_errors(cases)); };
+  const std::map<std::string, std::function<std::string()>> parts = {
+      {"dull", caught::dull_table},
+      {"excused", caught::excused_table},
+      {"mutants",
+       [&] {
+         return caught::mutant_tables(on_each_source<caught::FirstCaught>(
+             "mutants", [&](const auto& source) { return caught::first_caught(source, all); }));
+       }},
+      {"summary", [&] { return caught::summary_table(errors()); }},
+      {"resolution", [&] { return caught::resolution_tables(errors()); }},
+      {"severities", [&] { return caught::severity_tables(errors()); }},
   };
   for (const auto& [name, part] : parts) {
     const std::string mark = "{{" + name + "}}\n";
     const std::size_t at = text.find(mark);
-    if (at != std::string::npos) text.replace(at, mark.size(), part);
+    if (at != std::string::npos) text.replace(at, mark.size(), part());
   }
   return text;
 }

@@ -74,7 +74,9 @@ std::vector<Dull> dull_classes(const Candidate& right) {
       {"every ray hits where it starts, s = 0",
        {"class", "parameter", "hit-point", "backward-error", "nearest-sphere"},
        answering(right, "hits-at-0",
-                 [](const Ray& ray, const auto&...) { return HitAnswer{0, ray.origin}; })},
+                 [](const Ray& ray, const auto&...) {
+                   return HitAnswer{0, ray.origin};
+                 })},
       {"every ray hits at the world's origin, s = 0",
        {"class", "parameter", "hit-point", "backward-error", "nearest-sphere"},
        always("hits-at-the-origin", {0, {}})},
@@ -97,11 +99,15 @@ std::vector<Dull> dull_values(const Candidate& right) {
       {"every hit is where the ray starts, s = 0",
        {"parameter", "hit-point", "backward-error", "nearest-sphere"},
        knowing_the_class(right, "knows-hits-at-0",
-                         [](const Ray& ray) { return HitAnswer{0, ray.origin}; })},
+                         [](const Ray& ray) {
+                           return HitAnswer{0, ray.origin};
+                         })},
       {"every hit is at the world's origin, s = 1",
        {"parameter", "hit-point", "backward-error", "nearest-sphere"},
        knowing_the_class(right, "knows-hits-at-the-origin",
-                         [](const Ray&) { return HitAnswer{1, {}}; })},
+                         [](const Ray&) {
+                           return HitAnswer{1, {}};
+                         })},
       {"no number says where a hit is",
        {"parameter", "hit-point", "backward-error"},
        knowing_the_class(right, "knows-hits-at-NaN",
@@ -166,10 +172,8 @@ class Before {
 Candidate answering_before(const Candidate& right) {
   Candidate candidate = right;
   candidate.name = "previous-hits";
-  properties::answer_by(candidate,
-                        [before = std::make_shared<Before>(right)](const auto&... asked) {
-                          return before->answer(asked...);
-                        });
+  properties::answer_by(candidate, [before = std::make_shared<Before>(right)](
+                                       const auto&... asked) { return before->answer(asked...); });
   return candidate;
 }
 

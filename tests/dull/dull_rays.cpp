@@ -74,8 +74,8 @@ std::vector<Dull> dull_frames(const Candidate& right) {
        {"frame", "look-at", "up"},
        with_frame(right, "random-axes",
                   [](const Camera& c) {
-                    auto random = random_of({c.eye.x, c.look_at.x, c.look_at.y, c.look_at.z, c.up.x,
-                                             c.up.y, c.up.z});
+                    auto random = random_of(
+                        {c.eye.x, c.look_at.x, c.look_at.y, c.look_at.z, c.up.x, c.up.y, c.up.z});
                     FrameAnswer frame;
                     for (UnitVector3* axis : {&frame.U, &frame.V, &frame.W}) {
                       *axis = unit(random.direction());
@@ -136,12 +136,12 @@ using MakeRay = std::function<Ray(const Camera&, const Pixel&)>;
 Candidate with_rays(const Candidate& right, std::string name, const MakeRay& make) {
   Candidate candidate = right;
   candidate.name = std::move(name);
-  candidate.pixel_rays = candidate.focal_rays =
-      [make](const Camera& camera, const Conventions&, Candidate::Pixels pixels) {
-        std::vector<Ray> rays;
-        for (const Pixel& pixel : pixels) rays.push_back(make(camera, pixel));
-        return rays;
-      };
+  candidate.pixel_rays = candidate.focal_rays = [make](const Camera& camera, const Conventions&,
+                                                       Candidate::Pixels pixels) {
+    std::vector<Ray> rays;
+    for (const Pixel& pixel : pixels) rays.push_back(make(camera, pixel));
+    return rays;
+  };
   return candidate;
 }
 
@@ -151,8 +151,7 @@ Candidate with_previous_rays(const Candidate& right) {
   const auto put_off = [](auto& function) {
     using Rays = std::vector<Ray>;
     function = [ask = function, before = std::make_shared<Before<Camera, Rays>>()](
-                   const Camera& camera, const Conventions& conventions,
-                   Candidate::Pixels pixels) {
+                   const Camera& camera, const Conventions& conventions, Candidate::Pixels pixels) {
       const Rays& old = before->answer(camera, ask(camera, conventions, pixels));
       Rays rays;
       for (std::size_t k = 0; k < pixels.size(); ++k) rays.push_back(old[k % old.size()]);

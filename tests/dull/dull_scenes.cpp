@@ -1,5 +1,5 @@
-// What says dull things of whole scenes: which sphere is seen, which pixels a sphere may be in, what
-// is no scene at all.
+// What says dull things of whole scenes: which sphere is seen, which pixels a sphere may be in,
+// what is no scene at all.
 
 #include <algorithm>
 #include <functional>
@@ -117,10 +117,9 @@ std::vector<Dull> dull_plans(const Candidate& right) {
        planning(right, "plans-nothing", keep)},
       {"a plan that leaves out every sphere as outside the view",
        {"plan-left-out"},
-       planning(right, "drops-all",
-                [](const Scene&, SpherePlan& sphere) {
-                  drop(sphere, scene::LeftOut::kOutsideView);
-                })},
+       planning(
+           right, "drops-all",
+           [](const Scene&, SpherePlan& sphere) { drop(sphere, scene::LeftOut::kOutsideView); })},
       {"a plan whose every rectangle is the first pixel",
        {"plan-rectangles"},
        planning(right, "first-pixel-only",
@@ -172,11 +171,11 @@ std::vector<Dull> dull_refusals(const Candidate& right) {
     };
   };
   std::vector<std::string_view> all_but_refusal = {
-      "frame",        "pixel-point",    "bounds",          "image-plane",     "density",
-      "square-pixels", "pixel-zero-zero", "unit-direction", "direction",       "ray-origin",
-      "class",        "nearest-root",   "parameter",       "backward-error",  "hit-point",
-      "nearest-sphere", "visible-sphere", "image",         "plan-left-out",   "plan-rectangles",
-      "plan-roots",   "focal-and-pixel"};
+      "frame",          "pixel-point",     "bounds",         "image-plane",    "density",
+      "square-pixels",  "pixel-zero-zero", "unit-direction", "direction",      "ray-origin",
+      "class",          "nearest-root",    "parameter",      "backward-error", "hit-point",
+      "nearest-sphere", "visible-sphere",  "image",          "plan-left-out",  "plan-rectangles",
+      "plan-roots",     "focal-and-pixel"};
   Candidate refusing = right;
   refusing.name = "refuses-all";
   change_parts(refusing, refuse);

@@ -25,8 +25,8 @@ std::string described(const Judged& judged) {
             " ill-conditioned " + std::to_string(tally.ill_conditioned);
   }
   for (const Standing standing : {Standing::kUndecided, Standing::kExcused}) {
-    text += ", " + std::string(name(standing)) + " " +
-            std::to_string(judged.verdict.count(standing));
+    text +=
+        ", " + std::string(name(standing)) + " " + std::to_string(judged.verdict.count(standing));
   }
   return text;
 }

@@ -12,7 +12,8 @@ namespace raycheck::dull {
 /// Random numbers that depend on what was asked alone.
 inline properties::Random random_of(std::initializer_list<double> asked) {
   std::uint64_t sum = 0;
-  for (const double x : asked) sum = properties::Random(sum ^ std::bit_cast<std::uint64_t>(x)).bits();
+  for (const double x : asked)
+    sum = properties::Random(sum ^ std::bit_cast<std::uint64_t>(x)).bits();
   return properties::Random(sum);
 }
 

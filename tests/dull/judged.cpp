@@ -24,6 +24,12 @@ Judgement judgement(const Verdict& verdict) {
   return verdict.discrepancies() == 0 && !is_stretched ? Judgement::kRight : Judgement::kExcused;
 }
 
+std::ptrdiff_t excused_decisions(const Verdict& verdict) {
+  const auto kept = verdict.worst(properties::kKeptDiscrepancies);
+  return std::count_if(kept.begin(), kept.end(),
+                       [](const auto& one) { return one.wrong != properties::Wrong::kNot; });
+}
+
 const Law& law_named(std::string_view name) {
   const Law* const law = properties::find_law(name);
   if (law == nullptr) throw std::invalid_argument("no law is called " + std::string(name));
@@ -60,7 +66,7 @@ std::vector<Judged> DullRoom::judge(std::span<const Dull> all, const ChosenSourc
       if (caught::suits(law, *place.source)) result.push_back({&dull, &law, place});
     }
   }
-  caught::for_each_case(place, cases, [&](int number, const Case& the_case) {
+  caught::for_each_case(place, cases, [&](int, const Case& the_case) {
     *looked_at_ = the_case.pixels;
     properties::SharedTruths truths(the_case);
     std::optional<Trial> trial;
@@ -68,14 +74,13 @@ std::vector<Judged> DullRoom::judge(std::span<const Dull> all, const ChosenSourc
     bool all_are_broken = true;
     for (Judged& judged : result) {
       if (!judged.verdict.holds()) continue;
-      if (number >= kFewCases && judged.verdict.discrepancies() >= kManyExcused) continue;
+      if (excused_decisions(judged.verdict) >= kManyExcused) continue;
       all_are_broken = false;
       if (asked != judged.dull) {
         asked = judged.dull;
         trial.emplace(the_case, asked->candidate,
-                      properties::TrialOptions{
-                          .truth = truths.under(asked->candidate.declared.over(
-                              the_case.scene.conventions))});
+                      properties::TrialOptions{.truth = truths.under(asked->candidate.declared.over(
+                                                   the_case.scene.conventions))});
       }
       judged.verdict.merge(apply(*judged.law, *trial));
     }

@@ -40,7 +40,7 @@ class DullRoom {
   std::span<const Dull> all() const { return all_; }
 
   /// Each with each of its laws that suits the place, on the same cases until it is broken, or
-  /// excused kManyExcused times.
+  /// excused kManyExcused decisions.
   std::vector<Judged> judge(const properties::ChosenSource& place, int cases) const;
   /// The right one with every law, within caught::kRoundedDomain.
   std::vector<Judged> judge_right(const properties::ChosenSource& place, int cases) const;
@@ -56,9 +56,9 @@ class DullRoom {
 
 /// So many cases break what is dull, or excuse it.
 inline constexpr int kDullCases = 200;
-/// Who is excused so often in so many cases, and never a defect, is asked no further.
-inline constexpr std::uint64_t kManyExcused = 16;
-inline constexpr int kFewCases = 12;
+/// Who is excused so many wrong decisions, and of none convicted, is asked no further: a search for
+/// inputs close by takes a thousand times as long as a decision.
+inline constexpr std::ptrdiff_t kManyExcused = 4;
 
 /// Why wrong answers of dull candidates are excused somewhere, rightly.
 struct WhyExcused {
