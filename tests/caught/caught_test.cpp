@@ -40,8 +40,8 @@ TEST(WhatIsCaught, OfSmallErrorsIsWhatThePageSays) {
     const properties::Law* const law = properties::find_law(slice.law);
     const ErrorKind* const kinds[] = {&kind};
     const properties::Law* const laws[] = {law};
-    const auto found =
-        resolutions(*properties::find_case_source(slice.source), kResolutionCases, kinds, laws);
+    const properties::CaseSource& source = *properties::find_case_source(slice.source);
+    const auto found = resolutions(source, resolution_cases(source), kinds, laws);
     ASSERT_EQ(found.size(), 1u);
     EXPECT_EQ(cell_in(page(), std::string(slice.kind) + ":", {"`" + std::string(slice.law) + "`"},
                       slice.source),

@@ -29,16 +29,16 @@ std::vector<caught::OfSource<Row>> on_each_source(const char* what, Find find) {
   return found;
 }
 
-std::vector<caught::OfSource<caught::Resolution>> small_errors(int cases) {
+std::vector<caught::OfSource<caught::Resolution>> small_errors(std::optional<int> cases) {
   std::vector<const caught::ErrorKind*> kinds;
   for (const caught::ErrorKind& kind : caught::error_kinds()) kinds.push_back(&kind);
   return on_each_source<caught::Resolution>("small errors", [&](const auto& source) {
-    return caught::resolutions(source, cases, kinds);
+    return caught::resolutions(source, cases.value_or(caught::resolution_cases(source)), kinds);
   });
 }
 
 /// A template with what its marks stand for; only that is worked out.
-std::string filled(std::string text, int cases) {
+std::string filled(std::string text, std::optional<int> cases) {
   const std::vector<mutants::Mutant> all = mutants::all_mutants();
   std::optional<std::vector<caught::OfSource<caught::Resolution>>> kept;
   const auto errors = [&] { return kept ? *kept : *(kept = small_errors(cases)); };
@@ -70,7 +70,7 @@ int main(int argc, char** argv) {
     return 2;
   }
   std::ifstream file(argv[1]);
-  const int cases = argc == 3 ? std::stoi(argv[2]) : caught::kResolutionCases;
+  const auto cases = argc == 3 ? std::optional(std::stoi(argv[2])) : std::nullopt;
   std::fputs(filled({std::istreambuf_iterator<char>(file), {}}, cases).c_str(), stdout);
   return 0;
 }

@@ -58,7 +58,7 @@ class DullRoom {
 inline constexpr int kDullCases = 200;
 /// Who is excused so many wrong decisions, and of none convicted, is asked no further: a search for
 /// inputs close by takes a thousand times as long as a decision.
-inline constexpr std::ptrdiff_t kManyExcused = 4;
+inline constexpr std::ptrdiff_t kManyExcused = 8;
 
 /// Why wrong answers of dull candidates are excused somewhere, rightly.
 struct WhyExcused {

@@ -91,8 +91,8 @@ std::span<const WhyExcused> why_excused() {
       {"up",
        14,
        15,
-       {"class", "nearest-root", "nearest-sphere", "visible-sphere", "growing-radius", "scaling",
-        "axes"},
+       {"class", "nearest-root", "nearest-sphere", "visible-sphere", "growing-radius",
+        "focal-and-pixel", "scaling", "axes"},
        {},
        "16 u of `up` and of the view are as much as the angle between them: the image may be "
        "turned "
