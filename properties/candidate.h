@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "properties/domain.h"
+#include "properties/level.h"
 #include "properties/quantity.h"
 #include "scene/plan/plan.h"
 #include "scene/scene.h"
@@ -116,6 +117,8 @@ struct Promises {
   bool exact_visible = false;
   /// It is asked what is not a problem, too, which it is to refuse.
   bool refuses = true;
+  /// Up to which cases it is to be right, where nobody asks for another level.
+  Level level = Level::kDemanding;
   /// Of the arithmetic that it computes in.
   double unit_roundoff = kDoubleRoundoff;
 };

@@ -1,41 +1,35 @@
 #include "reference/nearby_answer.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstddef>
 #include <utility>
 
-#include "reference/internal/answer_box.h"
+#include "reference/internal/answer_places.h"
 #include "reference/internal/box_optimum.h"
+#include "reference/internal/fate.h"
+#include "reference/internal/inequalities.h"
 #include "scene/validate.h"
 
 namespace raycheck::reference {
 namespace {
 
-/// Shares of an answer's slack in which witnesses are looked for. A double root moves by the root
-/// of what rounding a witness moves the discriminant by: the first leaves room for that, the last
-/// is nearly all that certainly lies within it.
-constexpr std::array<double, 3> kSharesOfSlack = {1 - 0x1p-3, 1 - 0x1p-8, 1 - 0x1p-30};
-
-/// How far inside a condition is just inside it, as a share of how far it can be left.
-constexpr double kInside = 0x1p-20;
+/// How far inside a condition a discriminant is whose root is to be small, as a share of how far it
+/// can be left.
+constexpr double kJustInside = 0x1p-44;
 
 /// How many linear programs follow one another.
 constexpr int kSteps = 8;
+
+/// How often a point is moved to where conditions are met to first order.
+constexpr int kProjections = 32;
+/// And how far past where an inequality is an equation, as a share of the way.
+constexpr double kBeyond = 1 + 0x1p-10;
 
 /// How finely a line through the neighbourhood is looked along: steps to each side of its middle,
 /// and bisections of a step over which something changes its sign.
 constexpr int kLineSteps = 32;
 constexpr int kBisections = 60;
-
-/// What must be so for an answer to be right: `zero`, where given, is 0, and `what` times `sign` is
-/// not negative; or, where the sign is 0, `what` is as small as near a double root.
-struct Condition {
-  std::optional<Decider> zero;
-  Decider what;
-  int sign = 1;
-};
 
 /// The search for inputs near those of a ray and a sphere for which an answer is right.
 class Search {
@@ -46,148 +40,89 @@ class Search {
 
   NearbyAnswer run() {
     bool is_refuted = true;
-    for (const std::vector<Condition>& all : alternatives()) {
-      if (are_refuted(all)) continue;
+    for (const std::vector<Condition>& all : alternatives(box_)) {
+      if (are_refuted(box_, all)) continue;
       is_refuted = false;
       const auto known = [this](Decider decider) { return box_.variation(decider); };
-      for (const std::vector<double>& t : places(all, known)) {
+      for (const std::vector<double>& t : places(box_, all, known)) {
         if (auto witness = box_.change_at(t); box_.is_right(witness)) {
           return {Nearby::kWitness, std::move(witness)};
         }
       }
     }
     if (is_refuted) return {Nearby::kRefuted, {}};
-    for (const std::vector<Condition>& all : alternatives()) {
-      if (are_refuted(all)) continue;
-      auto witness = search_step_by_step(all);
+    is_refuted = true;
+    for (const std::vector<Condition>& all : alternatives(box_)) {
+      std::optional<InputChange> witness;
+      if (are_refuted(box_, all) || are_refuted_by_length(all, witness)) continue;
+      is_refuted = false;
+      if (!witness) witness = search_by_projections(all, box_.middle());
+      if (!witness) witness = search_step_by_step(all);
       if (!witness) witness = search_along_lines(all);
       if (witness) return {Nearby::kWitness, std::move(*witness)};
     }
+    if (is_refuted) return {Nearby::kRefuted, {}};
     return {};
   }
 
  private:
-  /// The ways in which the answer may be right, each a list of what must be so at once.
-  std::vector<std::vector<Condition>> alternatives() const {
-    const bool only_smaller = box_.around().root == scene::Root::kSmaller;
-    if (!box_.answer()) {
-      std::vector<std::vector<Condition>> result = {
-          {{{}, Decider::kDiscriminant, -1}},
-          {{{}, Decider::kConstant, 1}, {{}, Decider::kLinear, -1}}};
-      if (only_smaller) result.push_back({{{}, Decider::kConstant, -1}});
-      return result;
+  /// The same by lengths of vectors, where the neighbourhood is so wide that their squares are not
+  /// nearly linear. A witness may be found on the way.
+  bool are_refuted_by_length(const std::vector<Condition>& all,
+                             std::optional<InputChange>& witness) {
+    const Condition& first = all.front();
+    if (first.zero == Decider::kAtAnswer) {
+      const VectorAndLength off = box_.from_answer();
+      const Shortest least = shortest(off);
+      const Variation room = less_share_along(off, least.direction);
+      if ((room.value + room.most).certain_sign() == -1) return true;
+      witness = search_by_projections(all, least.t);
+      return false;
     }
-    if (!(std::isfinite(*box_.answer()) && *box_.answer() >= 0)) return {};
-    std::vector<std::vector<Condition>> result = {{{Decider::kAtAnswer, Decider::kBeforeMiddle}},
-                                                  {{{}, Decider::kDiscriminant},
-                                                   {{}, Decider::kBeforeMiddle, 0},
-                                                   {{}, Decider::kDiscriminant, 0}}};
-    if (!only_smaller) result.push_back({{Decider::kAtAnswer, Decider::kOtherBehind}});
-    return result;
-  }
-
-  bool are_refuted(const std::vector<Condition>& all) {
-    return std::any_of(all.begin(), all.end(),
-                       [this](const Condition& condition) { return is_refuted(condition); });
-  }
-
-  bool is_refuted(const Condition& condition) {
-    const Variation& f = box_.variation(condition.what);
-    if (!condition.zero) return !may_be(f, condition);
-    const Variation& g = box_.variation(*condition.zero);
-    if (!g.may_be_zero() || !f.may_be_at_least_zero()) return true;
-    const auto optimum = highest_where_zero(linear_form(f), linear_form(g));
-    if (!optimum) return false;
-    // Where g is 0, f is f + multiplier g, which may vary less.
-    const Enclosure multiplier = Enclosure(optimum->multiplier, kVariationBits) * f.most / g.most;
-    std::vector<Enclosure> reach;
-    for (std::size_t k = 0; k < f.reach.size(); ++k) {
-      reach.push_back(f.reach[k] + multiplier * g.reach[k]);
+    if (first.zero || first.what != Decider::kDiscriminant) return false;
+    const VectorAndLength moment = box_.moment();
+    if (first.sign > 0) {
+      std::vector<Variation> double_root =
+          near_double_root([this](Decider decider) { return box_.variation(decider); });
+      const Shortest least = shortest(moment);
+      double_root.push_back(less_share_along(moment, least.direction));
+      const LeastOptimum best = best_place(double_root, box_.middle().size());
+      if (exclude_each_other(double_root, best)) return true;
+      witness = search_near_double_root(best.t);
+      if (!witness) witness = search_near_double_root(least.t);
+      return false;
     }
-    const Variation both{f.value + multiplier * g.value, reach, sum_of_sizes(reach)};
-    return !both.may_be_at_least_zero();
+    return is_shorter(moment, box_.direction(), [&](const std::vector<double>& t) {
+      if (auto change = box_.change_at(t); box_.is_right(change)) witness = std::move(change);
+      return witness.has_value();
+    });
   }
 
-  /// Whether a condition without an equation can be met. A line misses where the discriminant is
-  /// negative, or 0 if tangents count as misses; a root at the origin is a hit of the nearest, a
-  /// miss of the smaller root where that is the other one.
-  bool may_be(const Variation& f, const Condition& condition) {
-    if (condition.sign == 0) {
-      Enclosure most = box_.most_near_double_root();
-      if (condition.what == Decider::kDiscriminant) most *= Enclosure(most);
-      return (abs(f.value) - f.most - most).certain_sign().value_or(-1) <= 0;
+  /// Where the line just touches the sphere, as close to the answer as may be.
+  std::optional<InputChange> search_near_double_root(std::vector<double> t) const {
+    for (int step = 0; step < kSteps; ++step) {
+      if (auto change = box_.change_at(t); box_.is_right(change)) return change;
+      LinearForm touching = linear_form(box_.variation_at(Decider::kDiscriminant, t));
+      touching.value -= kJustInside;
+      LinearForm closer = linear_form(box_.variation_at(Decider::kMiddleOffAnswer, t));
+      const bool is_before = closer.at(t) > 0;
+      closer.value *= is_before ? -1 : 1;
+      for (double& slope : closer.slope) slope *= is_before ? -1 : 1;
+      const auto optimum = highest_where_zero(closer, touching);
+      if (!optimum) break;
+      t = optimum->t;
     }
-    const bool tangent_misses = box_.around().tangent == scene::Tangent::kMiss;
-    const bool zero_counts = condition.what == Decider::kDiscriminant
-                                 ? tangent_misses == (condition.sign < 0)
-                                 : condition.what == Decider::kConstant && condition.sign > 0 &&
-                                       box_.around().root == scene::Root::kSmaller;
-    if (zero_counts && f.may_be_zero()) return true;
-    return condition.sign > 0 ? f.may_be_positive() : f.may_be_negative();
+    return std::nullopt;
   }
 
-  /// Points of the box [-1, 1]^n where the conditions are met if they are anywhere, but for what is
-  /// not linear.
+  /// What is not negative where the answer is near a double root.
   template <class VariationOf>
-  std::vector<std::vector<double>> places(const std::vector<Condition>& all,
-                                          const VariationOf& variation_of) const {
-    std::vector<std::vector<double>> result;
-    const auto slopes = [&](Decider decider, int sign) {
-      LinearForm f = linear_form(variation_of(decider));
-      f.value *= sign;
-      for (double& slope : f.slope) slope *= sign;
-      return f;
-    };
-    for (const Condition& condition : all) {
-      const LinearForm f = slopes(condition.what, condition.sign);
-      if (!condition.zero) {
-        if (condition.sign == 0) continue;
-        result.push_back(highest(f));
-        result.emplace_back(f.slope.size(), 0.0);
-        continue;
-      }
-      for (const double share : kSharesOfSlack) {
-        LinearForm g = slopes(*condition.zero, 1);
-        g.slope.back() *= share;
-        if (auto optimum = highest_where_zero(f, g)) {
-          optimum->t.back() *= share;
-          result.push_back(
-              on_zero(*condition.zero, variation_of(*condition.zero), std::move(optimum->t)));
-        }
-      }
-    }
-    // Just inside a condition, as far inside another as may be: of two, or near a double root.
-    const auto just_inside = [&](LinearForm first, const LinearForm& second) {
-      first.value -= kInside;
-      if (auto optimum = highest_where_zero(second, first)) result.push_back(std::move(optimum->t));
-    };
-    if (all.size() >= 2) {
-      const LinearForm first = slopes(all[0].what, all[0].sign);
-      for (const int sign : {1, -1}) {
-        if (all[1].sign != -sign) just_inside(first, slopes(all[1].what, sign));
-      }
-    }
-    return result;
-  }
-
-  /// Moves one coordinate, that which needs the least of those that can, so that the decider is 0
-  /// to the last bits of it.
-  std::vector<double> on_zero(Decider decider, const Variation& variation,
-                              std::vector<double> t) const {
-    const std::vector<Enclosure>& reach = variation.reach;
-    const Enclosure off = box_.value_at(decider, t);
-    std::size_t moved = t.size();
-    double least = 0;
-    for (std::size_t k = 0; k + 1 < t.size(); ++k) {
-      const double step = (off / reach[k]).lower();
-      const bool is_possible = std::abs(t[k] - step) <= 1;
-      if (is_possible && (moved == t.size() || std::abs(step) < std::abs(least))) {
-        moved = k;
-        least = step;
-      }
-    }
-    if (moved < t.size()) t[moved] -= least;
-    return t;
+  std::vector<Variation> near_double_root(const VariationOf& variation_of) {
+    const Variation discriminant = variation_of(Decider::kDiscriminant);
+    const Variation before = variation_of(Decider::kMiddleOffAnswer);
+    const Enclosure most = box_.most_near_double_root();
+    return {discriminant, shifted(before, 1, most), shifted(before, -1, most),
+            shifted(discriminant, -1, most * most)};
   }
 
   /// Where inputs are ill-conditioned, so that what decides is not linear over the neighbourhood:
@@ -196,12 +131,59 @@ class Search {
     std::vector<double> t = box_.middle();
     for (int step = 0; step < kSteps; ++step) {
       const auto here = [&](Decider decider) { return box_.variation_at(decider, t); };
-      const std::vector<std::vector<double>> found = places(all, here);
+      const std::vector<std::vector<double>> found = places(box_, all, here);
       for (const std::vector<double>& place : found) {
         if (auto change = box_.change_at(place); box_.is_right(change)) return change;
       }
       if (found.empty()) return std::nullopt;
       t = found.front();
+    }
+    return std::nullopt;
+  }
+
+  /// Where the neighbourhood is so wide that its ends are far from what decides: from its middle to
+  /// the nearest point where a condition is met to first order, and on from there. What is nearest
+  /// depends on how changes of different inputs compare: by shares, or as they are.
+  std::optional<InputChange> search_by_projections(const std::vector<Condition>& all,
+                                                   const std::vector<double>& start) const {
+    std::vector<double> sizes = box_.sizes();
+    sizes.push_back(0);
+    if (auto change = search_by_projections(all, start, sizes)) return change;
+    return search_by_projections(all, start, std::vector<double>(sizes.size(), 1));
+  }
+
+  std::optional<InputChange> search_by_projections(const std::vector<Condition>& all,
+                                                   std::vector<double> t,
+                                                   const std::vector<double>& sizes) const {
+    const auto project = [&](Decider decider, int sign) {
+      const LinearForm f = linear_form(box_.variation_at(decider, t));
+      const double value = f.at(t) * (sign == 0 ? 1 : kBeyond);
+      if (sign * value > 0) return;
+      // Along the gradient, but for what is at an end already.
+      std::vector<double> along(t.size());
+      double rise = 0;
+      for (std::size_t k = 0; k < sizes.size(); ++k) {
+        if (sizes[k] == 0) continue;
+        const double slope = f.slope[k] / sizes[k];
+        if (t[k] == (slope * value > 0 ? -1 : 1)) continue;
+        along[k] = slope / sizes[k];
+        rise += slope * slope;
+      }
+      if (rise == 0) return;
+      for (std::size_t k = 0; k < t.size(); ++k) {
+        t[k] = std::clamp(t[k] - value / rise * along[k], -1.0, 1.0);
+      }
+    };
+    for (int step = 0; step < kProjections; ++step) {
+      for (const Condition& condition : all) {
+        project(condition.what, condition.sign);
+        if (condition.zero) project(*condition.zero, 0);
+      }
+      std::vector<double> place = t;
+      if (const auto& zero = all.front().zero) {
+        place = on_zero(box_, *zero, box_.variation_at(*zero, t), std::move(place));
+      }
+      if (auto change = box_.change_at(place); box_.is_right(change)) return change;
     }
     return std::nullopt;
   }
@@ -257,6 +239,7 @@ class Search {
 NearbyAnswer right_nearby(const ExactRay& ray, const scene::Sphere& sphere,
                           const Neighbourhood& around, const std::optional<double>& answer) {
   scene::require_valid(sphere);
+  if (is_far_from_right(ray, sphere, around, answer)) return {Nearby::kRefuted, {}};
   return Search(ray, sphere, around, answer).run();
 }
 

@@ -39,9 +39,12 @@ struct Neighbourhood {
 /// Shape:  a ray, a sphere and an answer -> a witness, a refutation, or neither.
 /// Units:  s in multiples of a given ray's direction, as a length of a camera's.
 /// Domain: as ExactRay; an s that is negative or no number is refuted.
-/// Error:  a witness is verified and a refutation proven, both by balls. Both are looked for where
-///         what decides is linear in the inputs, which over a small neighbourhood it nearly is, and
-///         witnesses along lines where it is not; undecided is the rest.
+/// Error:  a witness is verified and a refutation proven, both by balls, but for what is so far from
+///         right that intervals refute it. Both are looked for where what decides is linear in the
+///         inputs, which over a small neighbourhood it nearly is; over wide ones by lengths of
+///         vectors, witnesses also by projections and along lines. Undecided is the rest: roots
+///         about as far from right as the neighbourhood is wide, and what only an exact tangent
+///         would make right.
 /// Source: mixed forward-backward error (N. J. Higham, Accuracy and Stability of Numerical
 ///         Algorithms, 1.5); mean-value forms (R. E. Moore, Interval Analysis); linear programs of
 ///         one equation over a box, by the breakpoints of their dual (G. B. Dantzig's fractional

@@ -10,6 +10,7 @@
 #include "reference/internal/choice_forms.h"
 #include "reference/internal/choice_judgement.h"
 #include "reference/internal/contenders.h"
+#include "reference/internal/inequalities.h"
 #include "scene/validate.h"
 
 namespace raycheck::reference {
@@ -152,8 +153,8 @@ class Search {
       all.back().what = What::kBeforeMiddle;
       if (is_impossible(whole_->of(all.back()), all.back())) return;
     }
-    const LeastOptimum optimum = best_place(*whole_, all);
-    if (optimum.least < 0 && cannot_be_at_once(*whole_, all, optimum.multipliers)) return;
+    const std::vector<Variation> varied = variations(*whole_, all);
+    if (exclude_each_other(varied, best_place(varied, inputs_->dimension()))) return;
     if (++ways_ > kMostWays) {
       is_refuted_ = false;
       return;
@@ -173,41 +174,18 @@ class Search {
            (varied.range && varied.range->certain_sign() == 1);
   }
 
-  /// Where the conditions, those that are known to first order, are met best.
-  LeastOptimum best_place(const ChoiceForms& forms, const Conditions& all) const {
-    std::vector<LinearForm> lines;
-    for (const ChoiceCondition& condition : all) {
-      const Variation varied = forms.of(condition);
-      if (varied.is_finite()) {
-        lines.push_back(linear_form(varied));
-      } else {
-        lines.push_back({1, std::vector<double>(inputs_->dimension())});
-      }
-    }
-    if (lines.empty()) return {std::vector<double>(inputs_->dimension()), 1, {}};
-    return highest_least(lines);
-  }
-
-  /// Whether a sum of what must not be negative is negative everywhere.
-  bool cannot_be_at_once(const ChoiceForms& forms, const Conditions& all,
-                         const std::vector<double>& multipliers) const {
-    Enclosure value(0);
-    std::vector<Enclosure> reach(inputs_->dimension());
-    for (std::size_t i = 0; i < all.size(); ++i) {
-      if (multipliers[i] == 0) continue;
-      const Variation varied = forms.of(all[i]);
-      const Enclosure factor = Enclosure(multipliers[i], kVariationBits) / varied.most;
-      value += factor * varied.value;
-      for (std::size_t k = 0; k < reach.size(); ++k) reach[k] += factor * varied.reach[k];
-    }
-    return (value + sum_of_sizes(reach)).certain_sign() == -1;
+  static std::vector<Variation> variations(const ChoiceForms& forms, const Conditions& all) {
+    std::vector<Variation> result;
+    for (const ChoiceCondition& condition : all) result.push_back(forms.of(condition));
+    return result;
   }
 
   /// By linear programs, each about the point that the one before found.
   void find_witness(const Conditions& all) {
-    std::vector<double> t = best_place(*whole_, all).t;
+    const std::size_t n = inputs_->dimension();
+    std::vector<double> t = best_place(variations(*whole_, all), n).t;
     for (int step = 0; step < kSteps && !is_witness(t); ++step) {
-      t = best_place(ChoiceForms(*inputs_, Part{t, {}}), all).t;
+      t = best_place(variations(ChoiceForms(*inputs_, Part{t, {}}), all), n).t;
     }
     if (!witness_) open_.push_back(all);
   }
@@ -223,17 +201,18 @@ class Search {
         return;
       }
       const Part part = parts[next];
-      const ChoiceForms forms(*inputs_, part);
-      const bool is_out = std::any_of(all.begin(), all.end(), [&](const auto& condition) {
-        return is_impossible(forms.of(condition), condition);
-      });
+      const std::vector<Variation> varied = variations(ChoiceForms(*inputs_, part), all);
+      bool is_out = false;
+      for (std::size_t i = 0; i < all.size(); ++i) {
+        is_out = is_out || is_impossible(varied[i], all[i]);
+      }
       if (is_out) continue;
-      const LeastOptimum optimum = best_place(forms, all);
-      if (optimum.least < 0 && cannot_be_at_once(forms, all, optimum.multipliers)) continue;
+      const LeastOptimum optimum = best_place(varied, n);
+      if (exclude_each_other(varied, optimum)) continue;
       std::vector<double> t = optimum.t;
       for (std::size_t k = 0; k < n; ++k) t[k] = part.middle[k] + part.half_width[k] * t[k];
       if (is_witness(t)) return;
-      const std::size_t k = most_influential(forms, all);
+      const std::size_t k = most_influential(varied);
       for (const double side : {-0.5, 0.5}) {
         Part half = part;
         half.half_width[k] *= 0.5;
@@ -243,10 +222,9 @@ class Search {
     }
   }
 
-  std::size_t most_influential(const ChoiceForms& forms, const Conditions& all) const {
-    std::vector<double> influence(inputs_->dimension());
-    for (const ChoiceCondition& condition : all) {
-      const Variation varied = forms.of(condition);
+  static std::size_t most_influential(const std::vector<Variation>& all) {
+    std::vector<double> influence(all.front().reach.size());
+    for (const Variation& varied : all) {
       for (std::size_t k = 0; k < influence.size(); ++k) {
         const double share = (abs(varied.reach[k]) / varied.most).upper();
         if (std::isfinite(share)) influence[k] = std::max(influence[k], share);
@@ -266,7 +244,7 @@ class Search {
 
   InputChange change_at(const std::vector<double>& t) const {
     constexpr std::size_t kOfSphere = kSphereInputs;
-    const std::size_t of_ray = inputs_->of_ray.size();
+    const std::size_t of_ray = inputs_->of_ray();
     InputChange change(of_ray);
     for (std::size_t k = 0; k < t.size(); ++k) {
       const std::size_t beyond = k < of_ray ? 0 : k - of_ray;

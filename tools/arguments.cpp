@@ -94,6 +94,9 @@ void add_external(CLI::App& command, ExternalArguments& arguments) {
   command.add_option("--timeout", arguments.seconds, "seconds a candidate has for one reply")
       ->check(CLI::PositiveNumber)
       ->capture_default_str();
+  command.add_option("--bounds", arguments.bounds,
+                     "whose documented bounds hold for candidates: INTERSECT or RAYS/INTERSECT "
+                     "(default: direct/cross)");
 }
 
 void add_renderer(CLI::App& command, ExternalArguments& arguments) {
@@ -117,6 +120,7 @@ std::vector<Contestant> find_contestants(const ExternalArguments& arguments,
   RunOptions options;
   options.layers = chosen_layers(sandbox_of(arguments.sandbox));
   options.limits.seconds = arguments.seconds;
+  if (!arguments.bounds.empty()) options.bounds = find_pair(arguments.bounds);
   options.dialect = dialect.value_or(options.dialect);
   options.excused_image_change = arguments.image_change;
   options.image_threshold = arguments.threshold;

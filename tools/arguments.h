@@ -36,11 +36,12 @@ std::vector<MethodPair> chosen_methods(const std::string& rays,
 void add_sandbox(CLI::App& command, std::string& sandbox);
 Sandbox sandbox_of(const std::string& text);
 
-/// What --candidate, --sandbox and --timeout are given.
+/// What --candidate, --sandbox, --timeout and --bounds are given.
 struct ExternalArguments {
   std::vector<std::string> candidates;
   std::string sandbox = "auto";
   double seconds = Limits{}.seconds;
+  std::string bounds;  ///< Whose; empty: kDefaultMethods'.
   double image_change = properties::kExcusedImageChange;
   double threshold = 0;
 };

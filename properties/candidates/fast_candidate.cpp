@@ -167,6 +167,8 @@ Candidate fast_candidate(const fast::PixelRayMethod& rays, const fast::Intersect
   // lengths scales s.
   promise(Quantity::kBackwardError, 2 * intersect.max_ulp);
   candidate.exact_class = intersect.exact_class;
+  const bool is_stable = rays.not_kept.empty() && intersect.not_kept.empty();
+  candidate.level = is_stable ? Level::kDemanding : Level::kOrdinary;
   candidate.unit_roundoff = std::max(rays.unit_roundoff, intersect.unit_roundoff);
   candidate.needs_unit_direction = intersect.contract.unit_direction;
   candidate.needs_origin_outside = intersect.contract.origin_outside;

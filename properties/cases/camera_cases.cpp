@@ -144,11 +144,11 @@ constexpr CaseSource kCameraSourceTable[] = {
     {"plain-cameras", "axis-aligned cameras of small integers, with ties", true, {}, plain_cameras},
     {"crowds", "ordinary cameras and spheres that hide one another", true, {}, crowds},
     {"far-camera", "ordinary cameras and spheres in view, all 10^k from the world's origin", true,
-     Dial{"log10 of the distance from the world's origin", 10, 15}, far_camera},
+     Dial{"log10 of the distance from the world's origin", 10, 15, 4, 15}, far_camera},
     {"camera-scale", "cameras and spheres in view, every length times 2^k or 2^-k", true,
-     Dial{"log2 of the scaling, up or down", 2, kMostBinades}, camera_scale},
+     Dial{"log2 of the scaling, up or down", 2, kMostBinades, 100, 190}, camera_scale},
     {"up", "up vectors at an angle of 10^-k to the view", true,
-     Dial{"-log10 of the angle between up and the view", 10, 15}, up}};
+     Dial{"-log10 of the angle between up and the view", 10, 15, 4, 15}, up}};
 
 }  // namespace
 

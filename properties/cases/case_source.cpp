@@ -11,21 +11,40 @@
 namespace raycheck::properties {
 namespace {
 
-/// FNV-1a: the same on every machine, as std::hash is not.
-std::uint64_t hash(std::string_view text) {
-  std::uint64_t sum = 0xcbf29ce484222325;
-  for (const char letter : text) {
-    sum = (sum ^ static_cast<unsigned char>(letter)) * 0x100000001b3;
-  }
-  return sum;
-}
-
 int any_severity(const Dial& dial, std::uint64_t seed) {
   Random random(~seed);  // apart from the draws that make the case
   return static_cast<int>(random.integer(0, dial.highest));
 }
 
 }  // namespace
+
+int Dial::highest_of(Level level) const {
+  switch (level) {
+    case Level::kOrdinary:
+      return ordinary;
+    case Level::kDemanding:
+      return demanding;
+    case Level::kExtreme:
+      break;
+  }
+  return highest;
+}
+
+Level Dial::level_of(int severity) const {
+  return severity <= ordinary    ? Level::kOrdinary
+         : severity <= demanding ? Level::kDemanding
+                                 : Level::kExtreme;
+}
+
+std::vector<int> some_severities(int first, int last, int most) {
+  std::vector<int> severities;
+  if (most > 1) {
+    const int step = std::max(1, (last - first + most - 2) / (most - 1));
+    for (int severity = first; severity < last; severity += step) severities.push_back(severity);
+  }
+  severities.push_back(last);
+  return severities;
+}
 
 std::span<const CaseSource> case_sources() {
   static const std::vector<CaseSource> all = [] {
@@ -57,11 +76,24 @@ std::string ChosenSource::name() const {
   return std::string(source->name) + (severity ? "@" + std::to_string(*severity) : "");
 }
 
+std::uint64_t ChosenSource::hash() const {
+  std::uint64_t sum = 0xcbf29ce484222325;
+  for (const char letter : name()) {
+    sum = (sum ^ static_cast<unsigned char>(letter)) * 0x100000001b3;
+  }
+  return sum;
+}
+
+Level ChosenSource::level() const {
+  if (!source->dial) return source->level;
+  return source->dial->level_of(severity.value_or(source->dial->highest));
+}
+
 const ChosenSource& chosen_by(std::span<const ChosenSource> sources, std::uint64_t number) {
   const ChosenSource* chosen = nullptr;
   std::uint64_t heaviest = 0;
   for (const ChosenSource& source : sources) {
-    const std::uint64_t weight = Random(number ^ hash(source.name())).bits();
+    const std::uint64_t weight = Random(number ^ source.hash()).bits();
     if (chosen == nullptr || weight > heaviest) {
       chosen = &source;
       heaviest = weight;

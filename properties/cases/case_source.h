@@ -6,8 +6,10 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "properties/case.h"
+#include "properties/level.h"
 
 namespace raycheck::properties {
 
@@ -17,6 +19,12 @@ struct Dial {
   std::string_view meaning;  ///< What severity counts: "log10 of the distance over the radius".
   int base;                  ///< 10 or 2
   int highest;               ///< Severities are 0..highest.
+  int ordinary;              ///< Severities 0..ordinary are ordinary,
+  int demanding;             ///< those beyond up to this are demanding, the others extreme.
+
+  /// The highest severity of a level.
+  int highest_of(Level level) const;
+  Level level_of(int severity) const;
 };
 
 /// Where random cases come from: every valid case by its seed, the same on every machine. A source
@@ -28,7 +36,11 @@ struct CaseSource {
   std::optional<Dial> dial;
   /// Domain: a severity of the dial; a source without one ignores it.
   Case (*make)(int severity, std::uint64_t seed);
+  Level level = Level::kOrdinary;  ///< Of a source without a dial.
 };
+
+/// Longer ranges of severities are judged at some of them.
+inline constexpr int kMostSeverities = 65;
 
 /// Every source, in the order of reports: those with a camera first.
 std::span<const CaseSource> case_sources();
@@ -39,6 +51,10 @@ const CaseSource* find_case_source(std::string_view name);
 /// A case of a severity that the seed chooses, each as likely as the other.
 Case any_case(const CaseSource& source, std::uint64_t seed);
 
+/// Severities first..last: all of them, or at most so many, evenly spaced but for the last, which
+/// is always among them. Domain: first <= last, most >= 1.
+std::vector<int> some_severities(int first, int last, int most = kMostSeverities);
+
 /// A source, and perhaps the one severity that is wanted of it.
 struct ChosenSource {
   const CaseSource* source = nullptr;
@@ -46,6 +62,10 @@ struct ChosenSource {
 
   Case make(std::uint64_t seed) const;
   std::string name() const;  ///< "SOURCE" or "SOURCE@SEVERITY"
+  /// Of the name, by FNV-1a: the same on every machine, as std::hash is not.
+  std::uint64_t hash() const;
+  /// Of its severity, or of a source without a dial; of one with a dial as a whole the dial's last.
+  Level level() const;
 };
 
 /// The one of several sources that a random number chooses, each as likely as the others (by

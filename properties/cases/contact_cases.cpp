@@ -167,18 +167,23 @@ Case horizon(int severity, std::uint64_t seed) {
 
 constexpr CaseSource kContactSourceTable[] = {
     {"tangency", "impact parameters r (1 +- 10^-k)", false,
-     Dial{"log10 of the radius over the impact parameter's distance from it", 10, 16}, tangency},
+     Dial{"log10 of the radius over the impact parameter's distance from it", 10, 16, 7, 13},
+     tangency},
     {"tangent-ulps", "impact parameters 2^(52-k) ulps off r; at the highest, exactly tangent",
      false,
-     Dial{"log2 of the radius over the impact parameter's distance from it", 2, kExactlyTangent},
+     Dial{"log2 of the radius over the impact parameter's distance from it", 2, kExactlyTangent, 30,
+          50},
      tangent_ulps},
     {"surface", "origins 10^-k half chords off the surface; at the highest, on it", false,
-     Dial{"log10 of the half chord over the distance from the surface", 10, kExactlyOnSurface},
+     Dial{"log10 of the half chord over the distance from the surface", 10, kExactlyOnSurface, 8,
+          kExactlyOnSurface},
      surface},
     {"inside", "origins inside, 10^-k radii off the centre; at the highest, at it", false,
-     Dial{"log10 of the radius over the distance from the centre", 10, kExactlyAtCentre}, inside},
+     Dial{"log10 of the radius over the distance from the centre", 10, kExactlyAtCentre,
+          kExactlyAtCentre, kExactlyAtCentre},
+     inside},
     {"horizon", "rays at the horizon from 10^-k radii above a huge sphere", false,
-     Dial{"log10 of the radius over the altitude", 10, 15}, horizon}};
+     Dial{"log10 of the radius over the altitude", 10, 15, 6, 11}, horizon}};
 
 }  // namespace
 

@@ -143,11 +143,12 @@ Case near_plane(int severity, std::uint64_t seed) {
 
 constexpr CaseSource kPixelSourceTable[] = {
     {"field-of-view", "bounds of 10^k or 10^-k times near", true,
-     Dial{"log10 of the bounds over near, up or down", 10, 15}, field_of_view},
+     Dial{"log10 of the bounds over near, up or down", 10, 15, 3, 15}, field_of_view},
     {"image-size", "images 2^k pixels across, 2^31 - 1 at most", true,
-     Dial{"log2 of the pixels across", 2, kMostPixelsLog2}, image_size},
+     Dial{"log2 of the pixels across", 2, kMostPixelsLog2, 14, kMostPixelsLog2}, image_size},
     {"near-plane", "image planes 10^-k radii off the surface of a sphere", true,
-     Dial{"log10 of the radius over the pixel's distance from the surface", 10, 15}, near_plane}};
+     Dial{"log10 of the radius over the pixel's distance from the surface", 10, 15, 6, 15},
+     near_plane}};
 
 }  // namespace
 

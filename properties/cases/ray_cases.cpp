@@ -149,15 +149,17 @@ constexpr CaseSource kRaySourceTable[] = {
     {"rays", "ordinary rays and spheres", false, {}, rays},
     {"ties", "exact tangents and equal spheres, and their neighbours in ulps", false, {}, ties},
     {"distance", "spheres 10^k radii away", false,
-     Dial{"log10 of the distance over the radius", 10, 15}, distance},
+     Dial{"log10 of the distance over the radius", 10, 15, 4, 15}, distance},
     {"coincident", "equal spheres 10^-k radii apart along the ray; at the highest, coincident",
-     false, Dial{"log10 of the radius over the separation", 10, kExactlyCoincident}, coincident},
+     false, Dial{"log10 of the radius over the separation", 10, kExactlyCoincident, 6, 12},
+     coincident},
     {"far-world", "ordinary rays and spheres, all 10^k from the world's origin", false,
-     Dial{"log10 of the distance from the world's origin", 10, 15}, far_world},
+     Dial{"log10 of the distance from the world's origin", 10, 15, 4, 15}, far_world},
     {"scale", "ordinary rays and spheres, every length times 2^k or 2^-k", false,
-     Dial{"log2 of the scaling, up or down", 2, kMostBinades}, scale},
+     Dial{"log2 of the scaling, up or down", 2, kMostBinades, 100, 190}, scale},
     {"direction-length", "ordinary rays and spheres, the direction times 2^k or 2^-k", false,
-     Dial{"log2 of the direction's length, up or down", 2, kMostBinades}, direction_length}};
+     Dial{"log2 of the direction's length, up or down", 2, kMostBinades, 100, 190},
+     direction_length}};
 
 }  // namespace
 

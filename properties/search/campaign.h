@@ -1,47 +1,121 @@
 #ifndef RAYCHECK_PROPERTIES_SEARCH_CAMPAIGN_H_
 #define RAYCHECK_PROPERTIES_SEARCH_CAMPAIGN_H_
 
+#include <array>
 #include <cstdint>
 #include <iosfwd>
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "properties/cases/case_source.h"
 #include "properties/laws/law.h"
+#include "properties/level.h"
 #include "properties/run_control.h"
 
 namespace raycheck::properties {
+
+/// Cases for each law and candidate: with 300 every mutant is caught by its laws, and so is right
+/// code made wrong by 2^-46 in s, Q or D, by an epsilon of 1e-12, or in a band of 2^-20 at
+/// tangency.
+inline constexpr int kCampaignCases = 500;
+
+struct CampaignOptions {
+  /// Shared evenly among the sources, and within a source among its severities; every source has at
+  /// least one, at its highest severity.
+  int cases = kCampaignCases;
+  std::uint64_t seed = 1;
+  std::optional<double> max_error;
+  bool strict = false;  ///< What is excused or undecided breaks a law, too.
+  /// Severities of this level and of those before it are asked.
+  Level level = Level::kDemanding;
+  /// Where cases come from; empty: every source of the level that suits the law. One without a
+  /// severity stands for its severities of the level, one with a severity for that, of any level.
+  std::vector<ChosenSource> sources;
+};
+
+/// What became of cases, all of which are counted once.
+struct CaseCounts {
+  int cases = 0;       ///< Tried, before an end or a break.
+  int left_out = 0;    ///< Of those, the ones that the law had nothing to say about,
+  int not_judged = 0;  ///< and those outside the candidate's stated domain.
+  std::string reason;  ///< Why the last of those left out was.
+
+  void add(const CaseCounts& other);
+};
+
+/// What a law says of the cases of one source, at one severity where it has a dial. The first case
+/// that breaks it ends them.
+struct CampaignPart {
+  ChosenSource source;
+  CaseCounts counts;
+  Verdict verdict;
+  /// Finds the case that breaks it again: "LAW:CANDIDATE:SOURCE:SEED"; a SOURCE may be
+  /// SOURCE@SEVERITY. Empty where the law is not broken.
+  std::string replay;
+
+  bool is_broken() const { return !replay.empty(); }
+};
 
 /// A case found to break a law, shrunk while it still does.
 struct Failure {
   Case shrunk;
   Verdict verdict;
-  std::string replay;  ///< Finds it again: "LAW:CANDIDATE:SOURCE:SEED"; a SOURCE may be
-                       ///< SOURCE@SEVERITY.
+  std::string replay;
 };
 
-struct CampaignOptions {
-  int cases = 100;
-  std::uint64_t seed = 1;
-  std::optional<double> max_error;
-  /// Where cases come from; empty: every source that suits the law.
-  std::vector<ChosenSource> sources;
-};
+/// A law that was asked about hits, say, on random cases shows too little to hold before so many
+/// hits were found without an excuse, and so of each kind of question: one that answers right at
+/// random, every other time, is found out by ten with a chance of 999 in 1000.
+inline constexpr std::uint64_t kFewestRight = 10;
+
+/// What a law comes to with a candidate.
+enum class Finding { kHolds, kBroken, kUndecided, kTooFewJudged, kNotJudged, kLeftOut };
+inline constexpr std::array<std::string_view, 6> kFindingNames = {
+    "holds", "broken", "undecided", "too few judged", "not judged here", "left out"};
+constexpr std::string_view name(Finding finding) {
+  return kFindingNames[static_cast<std::size_t>(finding)];
+}
 
 struct CampaignResult {
-  int cases = 0;       ///< Cases judged before the campaign ended or failed.
-  int left_out = 0;    ///< Of those, the ones that the law had nothing to say about.
-  std::string reason;  ///< Why the last of them was left out.
-  Verdict verdict;     ///< All cases together, shrinking aside.
+  Level level = Level::kDemanding;
+  std::vector<CampaignPart> parts;  ///< In the order of sources and severities.
+  CaseCounts counts;                ///< Of all parts together,
+  Verdict verdict;                  ///< shrinking aside.
+  /// Of the first part that is broken, among those of the lowest level.
   std::optional<Failure> failure;
+
+  std::uint64_t fewest_right = kFewestRight;  ///< 0 of a replay: its one case is enough.
+
+  Finding finding() const;
+  /// The first kind of question of which fewer answers are right than are needed.
+  std::optional<std::pair<Quantity, Question>> too_few_right() const {
+    return verdict.too_few_right(fewest_right);
+  }
 };
 
-/// Runs a law on random cases (RapidCheck generates and shrinks) until one breaks it without an
-/// excuse. The same options give the same result.
+/// Runs a law on random cases (RapidCheck generates and shrinks) of every source and severity, each
+/// of which has a seed of its own: a break of one ends no other. The same options give the same
+/// result, and a part is the same whatever other parts there are, but for the number of its cases.
 CampaignResult run_campaign(const Law& law, const Candidate& candidate,
                             const CampaignOptions& options, const RunControl& control = {});
+
+/// How far along a family's dial a law holds.
+struct Reach {
+  const CaseSource* family = nullptr;
+  /// The highest severity that was judged before the first broken one; empty where there is none.
+  std::optional<int> holds_to;
+  std::optional<int> broken_at;  ///< Empty: nowhere on the dial.
+  std::string replay;            ///< Of broken_at.
+};
+
+/// Follows the dial of every source that stands for its severities in a campaign of these options,
+/// through the level and beyond it, to the first severity that breaks the law or to the end: on as
+/// many cases at each severity as that campaign has, and on the same ones where it has any.
+std::vector<Reach> reaches(const Law& law, const Candidate& candidate,
+                           const CampaignOptions& options, const RunControl& control = {});
 
 /// The parts of a replay string; throws std::invalid_argument naming the part that is wrong.
 struct Replay {
@@ -54,7 +128,7 @@ Replay parse_replay(std::string_view text);
 
 /// The case of a replay string again, judged and shrunk.
 CampaignResult run_replay(const Replay& replay, const Candidate& candidate,
-                          std::optional<double> max_error = {});
+                          std::optional<double> max_error = {}, bool strict = false);
 
 /// How RapidCheck shows a case.
 void showValue(const Case& the_case, std::ostream& out);

@@ -1,5 +1,9 @@
 #include "reference/internal/answer_box.h"
 
+#include <cmath>
+#include <utility>
+
+#include "reference/internal/answer_inputs.h"
 #include "reference/internal/classify.h"
 #include "reference/internal/condition_impl.h"
 
@@ -48,6 +52,12 @@ std::vector<double> AnswerBox::middle() const {
   return std::vector<double>(static_cast<std::size_t>(inputs) + 1);
 }
 
+std::vector<double> AnswerBox::sizes() const {
+  std::vector<double> result = inputs_of(ray_, {&sphere_, 1});
+  for (double& x : result) x = std::abs(x);
+  return result;
+}
+
 template <class Lift>
 LineAndSphere<typename Lift::Kernel> AnswerBox::pair_of(
     const Lift& lift, const Line<typename Lift::Kernel>& line) const {
@@ -74,33 +84,88 @@ Enclosure AnswerBox::slack_of_answer() const {
          Enclosure(around_.relative_change, kVariationBits);
 }
 
-/// How far each input, and s, takes a decider, by slopes at lifted inputs and within `off` of s.
-template <class BaseLift>
-std::vector<Enclosure> AnswerBox::reach_of(Decider decider, const BaseLift& base,
-                                           const Enclosure& s, const Enclosure& off) const {
+/// How far each input, and s, takes values, by slopes at lifted inputs and within `off` of s.
+template <std::size_t N, class BaseLift, class Values>
+std::array<std::vector<Enclosure>, N> AnswerBox::reaches_of(const Values& values,
+                                                            const BaseLift& base,
+                                                            const Enclosure& s,
+                                                            const Enclosure& off) const {
   const DualLift<BaseLift, kMostInputs> lift{base};
   const auto line = lifted_line(lift, ray_.source());
   const auto pair = pair_of(lift, line);
   const int inputs = lift.count();
   Enclosure around_s = s;
   arb_add_error(around_s.ball(), off.ball());
-  const auto varied = value_of(decider, pair, lift.input(around_s));
+  const auto varied = values(pair, lift.input(around_s));
   const Enclosure change(around_.relative_change, kVariationBits);
-  std::vector<Enclosure> reach;
-  for (int k = 0; k <= inputs; ++k) {
-    reach.push_back(!varied.depends_on(k) ? Enclosure(0)
-                    : k < inputs          ? varied.derivative(k) * lift.input_value(k) * change
-                                          : varied.derivative(k) * half_width_);
+  std::array<std::vector<Enclosure>, N> reaches;
+  for (std::size_t i = 0; i < N; ++i) {
+    for (int k = 0; k <= inputs; ++k) {
+      reaches[i].push_back(!varied[i].depends_on(k) ? Enclosure(0)
+                           : k < inputs ? varied[i].derivative(k) * lift.input_value(k) * change
+                                        : varied[i].derivative(k) * half_width_);
+    }
   }
+  return reaches;
+}
+
+template <class BaseLift>
+std::vector<Enclosure> AnswerBox::reach_of(Decider decider, const BaseLift& base,
+                                           const Enclosure& s, const Enclosure& off) const {
+  const auto value = [&](const auto& pair, const auto& at) {
+    return std::array{value_of(decider, pair, at)};
+  };
+  std::vector<Enclosure> reach = std::move(reaches_of<1>(value, base, s, off)[0]);
+  if (!moves_answer(decider)) reach.back() = Enclosure(0);
   return reach;
+}
+
+template <class Vector, class Length>
+VectorAndLength AnswerBox::over_box(const Vector& vector, const Length& length) const {
+  const auto values = [&](const auto& pair, const auto& s) {
+    const auto v = vector(pair, s);
+    return std::array{v.x(), v.y(), v.z(), length(pair)};
+  };
+  const InputChange none;
+  const ChangedLift lift(kVariationBits, none);
+  const auto line = lifted_line(lift, ray_.source());
+  auto middle = values(pair_of(lift, line), middle_);
+  auto reaches = reaches_of<4>(values, EnclosureLift{kVariationBits, around_.relative_change},
+                               middle_, half_width_);
+  const auto variation = [&](std::size_t i) {
+    Variation result{std::move(middle[i]), std::move(reaches[i])};
+    result.most = sum_of_sizes(result.reach);
+    return result;
+  };
+  return {{variation(0), variation(1), variation(2)}, variation(3)};
+}
+
+VectorAndLength AnswerBox::moment() const {
+  return over_box(
+      [](const auto& pair, const auto& /*s*/) { return CGAL::cross_product(pair.f, pair.line.g); },
+      [](const auto& pair) { return pair.radius * ray_length(pair.line); });
+}
+
+VectorAndLength AnswerBox::from_answer() const {
+  return over_box([](const auto& pair, const auto& s) { return from_point_at(pair, s); },
+                  [](const auto& pair) { return pair.radius; });
+}
+
+std::array<double, 3> AnswerBox::direction() const {
+  const InputChange none;
+  const ChangedLift lift(kVariationBits, none);
+  const auto line = lifted_line(lift, ray_.source());
+  return {line.g.x().lower(), line.g.y().lower(), line.g.z().lower()};
 }
 
 const Variation& AnswerBox::variation(Decider decider) {
   auto& known = variations_[static_cast<std::size_t>(decider)];
   if (!known) {
     const EnclosureLift whole{kVariationBits, around_.relative_change};
-    known = Variation{value_of_changed(decider, {}, middle_),
-                      reach_of(decider, whole, middle_, half_width_)};
+    const bool moves = moves_answer(decider);
+    known = Variation{value_at(decider, middle()),
+                      reach_of(decider, whole, moves ? middle_ : at_answer(),
+                               moves ? half_width_ : Enclosure(0))};
     known->most = sum_of_sizes(known->reach);
   }
   return *known;
@@ -108,16 +173,20 @@ const Variation& AnswerBox::variation(Decider decider) {
 
 Variation AnswerBox::variation_at(Decider decider, const std::vector<double>& t) const {
   const InputChange change = change_at(t);
-  Variation result{value_at(decider, t), reach_of(decider, ChangedLift(kVariationBits, change),
-                                                  parameter_at(t), Enclosure(0))};
+  Variation result{value_at(decider, t),
+                   reach_of(decider, ChangedLift(kVariationBits, change),
+                            moves_answer(decider) ? parameter_at(t) : at_answer(), Enclosure(0))};
   result.most = sum_of_sizes(result.reach);
   result.at = t;
   return result;
 }
 
 Enclosure AnswerBox::value_at(Decider decider, const std::vector<double>& t) const {
-  return value_of_changed(decider, change_at(t), parameter_at(t));
+  return value_of_changed(decider, change_at(t),
+                          moves_answer(decider) ? parameter_at(t) : at_answer());
 }
+
+Enclosure AnswerBox::at_answer() const { return Enclosure(*answer_, kFirstWitnessBits); }
 
 Enclosure AnswerBox::value_of_changed(Decider decider, const InputChange& change,
                                       const Enclosure& s) const {
@@ -127,10 +196,8 @@ Enclosure AnswerBox::value_of_changed(Decider decider, const InputChange& change
 }
 
 Enclosure AnswerBox::most_near_double_root() {
-  const InputChange none;
-  const ChangedLift lift(kVariationBits, none);
-  const Enclosure a = lifted_line(lift, ray_.source()).a;
-  return sqrt(variation(Decider::kAtAnswer).most * a * Enclosure(1 + 0x1p-20, kVariationBits));
+  const EnclosureLift whole{kVariationBits, around_.relative_change};
+  return sqrt(reach_ * line_of(whole, ray_.source()).a);
 }
 
 Enclosure AnswerBox::parameter_at(const std::vector<double>& t) const {

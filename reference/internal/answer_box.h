@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "reference/internal/answer_decider.h"
+#include "reference/internal/vector_length.h"
 #include "reference/nearby_answer.h"
 
 namespace raycheck::reference {
@@ -24,15 +25,25 @@ class AnswerBox {
   const Neighbourhood& around() const { return around_; }
   const std::optional<double>& answer() const { return answer_; }
   std::vector<double> middle() const;
+  /// Of the inputs, without the answer's s.
+  std::vector<double> sizes() const;
 
   /// How a decider varies over the whole box, by the mean-value form: what it cannot be there it is
   /// nowhere.
   const Variation& variation(Decider decider);
+  /// Vectors that tell more where the neighbourhood is not small: f x g and r |g|, which the line
+  /// misses where the vector is longer; and the way from the point at s to the centre, and r.
+  VectorAndLength moment() const;
+  VectorAndLength from_answer() const;
+  /// g, in doubles.
+  std::array<double, 3> direction() const;
+
   /// To first order about a point.
   Variation variation_at(Decider decider, const std::vector<double>& t) const;
   Enclosure value_at(Decider decider, const std::vector<double>& t) const;
-  /// |b - a mu| at most, and the root of the discriminant at most, where both roots lie within
-  /// sqrt(R/a) of s, R what the neighbourhood changes |T - mu g|^2 - r^2 by.
+  /// |b - a mu| at most, and the root of the discriminant at most, where the answer is near a
+  /// double root: both roots lie within sqrt(R/a) of s, R what the neighbourhood changes |T - mu
+  /// g|^2 - r^2 by.
   Enclosure most_near_double_root();
 
   InputChange change_at(const std::vector<double>& t) const;
@@ -43,9 +54,16 @@ class AnswerBox {
   template <class Lift>
   LineAndSphere<typename Lift::Kernel> pair_of(const Lift& lift,
                                                const Line<typename Lift::Kernel>& line) const;
+  template <std::size_t N, class BaseLift, class Values>
+  std::array<std::vector<Enclosure>, N> reaches_of(const Values& values, const BaseLift& base,
+                                                   const Enclosure& s, const Enclosure& off) const;
   template <class BaseLift>
   std::vector<Enclosure> reach_of(Decider decider, const BaseLift& base, const Enclosure& s,
                                   const Enclosure& off) const;
+  template <class Vector, class Length>
+  VectorAndLength over_box(const Vector& vector, const Length& length) const;
+  static bool moves_answer(Decider decider) { return decider != Decider::kMiddleOffAnswer; }
+  Enclosure at_answer() const;
   Enclosure slack_of_answer() const;
   Enclosure parameter_at(const std::vector<double>& t) const;
   Enclosure value_of_changed(Decider decider, const InputChange& change, const Enclosure& s) const;

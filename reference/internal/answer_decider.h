@@ -42,15 +42,36 @@ class ChangedLift {
 
 /// What an answer is right or wrong by, as functions of the inputs: the coefficients, and for a hit
 /// at s, with mu g the way from the origin to there: |T - mu g|^2 - r^2, which is 0 where s is a
-/// root; b - a mu, not negative where that is the smaller one; and a mu - 2 b, not negative where
-/// the other root (2 b/a - mu, by Vieta) is not positive.
-enum class Decider { kDiscriminant, kConstant, kLinear, kAtAnswer, kBeforeMiddle, kOtherBehind };
-inline constexpr std::size_t kDeciderCount = 6;
+/// root; b - a mu, not negative where that is the smaller one; the same with s as it was answered;
+/// and a mu - 2 b, not negative where the other root (2 b/a - mu, by Vieta) is not positive.
+enum class Decider {
+  kDiscriminant,
+  kConstant,
+  kLinear,
+  kAtAnswer,
+  kBeforeMiddle,
+  kMiddleOffAnswer,
+  kOtherBehind
+};
+inline constexpr std::size_t kDeciderCount = 7;
+
+/// s in multiples of g.
+template <class K>
+typename K::FT in_multiples_of_g(const LineAndSphere<K>& pair, const typename K::FT& s) {
+  using FT = typename K::FT;
+  return pair.line.is_unit ? FT(s / ray_length(pair.line)) : s;
+}
+
+/// The way from the point at s to the centre.
+template <class K>
+typename K::Vector_3 from_point_at(const LineAndSphere<K>& pair, const typename K::FT& s) {
+  return to_centre(pair) - in_multiples_of_g(pair, s) * pair.line.g;
+}
 
 template <class K>
 typename K::FT value_of(Decider decider, const LineAndSphere<K>& pair, const typename K::FT& s) {
   using FT = typename K::FT;
-  const auto mu = [&] { return pair.line.is_unit ? FT(s / ray_length(pair.line)) : s; };
+  const auto mu = [&] { return in_multiples_of_g(pair, s); };
   switch (decider) {
     case Decider::kDiscriminant:
       return discriminant(pair);
@@ -59,10 +80,11 @@ typename K::FT value_of(Decider decider, const LineAndSphere<K>& pair, const typ
     case Decider::kLinear:
       return linear_coefficient(pair);
     case Decider::kAtAnswer: {
-      const typename K::Vector_3 off = to_centre(pair) - mu() * pair.line.g;
+      const typename K::Vector_3 off = from_point_at(pair, s);
       return FT(off * off) - pair.radius * pair.radius;
     }
     case Decider::kBeforeMiddle:
+    case Decider::kMiddleOffAnswer:
       return linear_coefficient(pair) - pair.line.a * mu();
     default: {
       const FT b = linear_coefficient(pair);
@@ -96,6 +118,18 @@ inline Enclosure sum_of_sizes(const std::vector<Enclosure>& terms) {
   Enclosure sum(0);
   for (const Enclosure& term : terms) sum += abs(term);
   return sum;
+}
+
+/// `shift` plus or minus a variation, by `sign`.
+inline Variation shifted(const Variation& variation, int sign, const Enclosure& shift) {
+  Variation result = variation;
+  if (sign < 0) {
+    result.value = -result.value;
+    for (Enclosure& reach : result.reach) reach = -reach;
+  }
+  result.value += shift;
+  result.range.reset();
+  return result;
 }
 
 /// The same in doubles, as a share of what it can reach, and at most.

@@ -7,6 +7,12 @@
 
 namespace raycheck::reference {
 
+double LinearForm::at(const std::vector<double>& t) const {
+  double sum = value;
+  for (std::size_t k = 0; k < slope.size(); ++k) sum += slope[k] * t[k];
+  return sum;
+}
+
 std::vector<double> highest(const LinearForm& f) {
   std::vector<double> t;
   for (const double slope : f.slope) t.push_back(slope > 0 ? 1 : slope < 0 ? -1 : 0);

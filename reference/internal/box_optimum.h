@@ -13,6 +13,8 @@ namespace raycheck::reference {
 struct LinearForm {
   double value = 0;
   std::vector<double> slope;
+
+  double at(const std::vector<double>& t) const;
 };
 
 /// A point of the box, and the multiplier that proves it optimal.

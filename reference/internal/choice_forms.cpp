@@ -2,20 +2,10 @@
 
 #include <utility>
 
+#include "reference/internal/answer_inputs.h"
+
 namespace raycheck::reference {
 namespace {
-
-/// Notes what it lifts.
-struct NotingLift {
-  using Kernel = CGAL::Simple_cartesian<double>;
-
-  double operator()(double value) const {
-    noted.push_back(value);
-    return value;
-  }
-
-  std::vector<double>& noted;
-};
 
 /// `sphere` and `favourite` are lifts of two spheres, the latter called where it matters; `off` is
 /// how far the favourite's root is off the middle of its two, times a positive number, where that
@@ -53,11 +43,6 @@ typename K::FT value_of(const ChoiceCondition& condition, const Line<K>& line, S
                        FT(2) * middles_apart * at_first);
 }
 
-double input_of(const scene::Sphere& sphere, std::size_t k) {
-  const auto& [centre, radius] = sphere;
-  return k == 0 ? centre.x : k == 1 ? centre.y : k == 2 ? centre.z : radius;
-}
-
 }  // namespace
 
 Enclosure PartLift::operator()(double value) const {
@@ -71,24 +56,12 @@ Enclosure PartLift::operator()(double value) const {
   return x * (Enclosure(1) + share * change_);
 }
 
-std::vector<double> inputs_of(const ExactRay& ray) {
-  std::vector<double> result;
-  const NotingLift lift{result};
-  const ExactRay::Source& source = ray.source();
-  if (source.camera) {
-    lift_camera<NotingLift::Kernel>(lift, source.camera->camera);
-  } else {
-    lift_ray<NotingLift::Kernel>(lift, source.given);
-  }
-  return result;
-}
-
 ChoiceNumbers::ChoiceNumbers(const ExactRay& its_ray, std::span<const scene::Sphere> its_spheres,
                              double its_relative_change)
     : ray(its_ray),
       spheres(its_spheres.begin(), its_spheres.end()),
       relative_change(its_relative_change),
-      of_ray(inputs_of(its_ray)) {}
+      values(inputs_of(its_ray, its_spheres)) {}
 
 ChoiceForms::ChoiceForms(const ChoiceNumbers& inputs, const Part& part)
     : inputs_(inputs),
@@ -136,15 +109,14 @@ Variation ChoiceForms::of(const ChoiceCondition& condition) const {
         [&] { return lift_by(middle_lift_, middle_lift_, condition.favourite); }, off);
   }
   const Enclosure change(inputs_.relative_change, kVariationBits);
-  const auto of_ray = inputs_.of_ray.size();
+  const std::size_t of_ray = inputs_.of_ray();
   for (int local = 0; local < lift.count(); ++local) {
     const auto k = static_cast<std::size_t>(local);
     if (!varied.depends_on(local)) continue;
-    const bool is_ray = k < of_ray;
-    const std::size_t of_sphere = is_ray ? 0 : (k - of_ray) % kSphereInputs;
     const std::size_t sphere = k < of_ray + kSphereInputs ? condition.sphere : condition.favourite;
-    const std::size_t place = is_ray ? k : inputs_.first_of(sphere) + of_sphere;
-    const double x = is_ray ? inputs_.of_ray[k] : input_of(inputs_.spheres[sphere], of_sphere);
+    const std::size_t place =
+        k < of_ray ? k : inputs_.first_of(sphere) + (k - of_ray) % kSphereInputs;
+    const double x = inputs_.values[place];
     if (x == 0) continue;
     Enclosure reach = varied.derivative(local) * Enclosure(x, kVariationBits) * change;
     if (!part_.half_width.empty()) {

@@ -60,21 +60,21 @@ class PartLift {
   mutable std::size_t next_ = 0;
 };
 
-/// The inputs of a ray, in the order of InputChange.
-std::vector<double> inputs_of(const ExactRay& ray);
-
 /// A ray and the spheres whose inputs the box is of, in their order.
 struct ChoiceNumbers {
   ChoiceNumbers(const ExactRay& its_ray, std::span<const scene::Sphere> its_spheres,
                 double its_relative_change);
 
-  std::size_t dimension() const { return of_ray.size() + 4 * spheres.size(); }
-  std::size_t first_of(std::size_t sphere) const { return of_ray.size() + 4 * sphere; }
+  std::size_t dimension() const { return values.size(); }
+  std::size_t of_ray() const { return first_of(0); }
+  std::size_t first_of(std::size_t sphere) const {
+    return values.size() - kSphereInputs * (spheres.size() - sphere);
+  }
 
   const ExactRay& ray;
   std::vector<scene::Sphere> spheres;
   double relative_change;
-  std::vector<double> of_ray;
+  std::vector<double> values;  ///< Of the inputs, as they are.
 };
 
 /// How conditions vary over a part.

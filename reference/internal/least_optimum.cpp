@@ -19,38 +19,34 @@ constexpr double kRounding = 0x1p-40;
 class Simplex {
  public:
   explicit Simplex(const std::vector<LinearForm>& forms)
-      : forms_(forms), inputs_(forms.front().slope.size()), value_(inputs_ + forms.size() + 1) {
+      : forms_(forms), n_(forms.front().slope.size()), value_(n_ + forms.size() + 1) {
     // From the best corner of the sum of the forms.
-    for (std::size_t k = 0; k < inputs_; ++k) {
+    for (std::size_t k = 0; k < n_; ++k) {
       double sum = 0;
       for (const LinearForm& form : forms_) sum += form.slope[k];
       value_[k] = sum < 0 ? -1 : 1;
       free_.push_back(k);
     }
+    const std::vector<double> corner(value_.begin(), value_.begin() + end_of_t());
     std::size_t least = 0;
     for (std::size_t i = 0; i < forms_.size(); ++i) {
-      if (value_of(forms_[i]) < value_of(forms_[least])) least = i;
+      if (forms_[i].at(corner) < forms_[least].at(corner)) least = i;
     }
-    start_from(least);
+    start_from(least, corner);
   }
 
   LeastOptimum run() {
     for (std::size_t pivot = 0; pivot < kPivotsEach * value_.size(); ++pivot) {
       if (!improve()) break;
     }
-    LeastOptimum result{{value_.begin(), value_.begin() + static_cast<std::ptrdiff_t>(inputs_)},
-                        0,
-                        std::vector<double>(forms_.size())};
+    LeastOptimum result{
+        {value_.begin(), value_.begin() + end_of_t()}, 0, std::vector<double>(forms_.size())};
     for (double& t : result.t) t = std::clamp(t, -1.0, 1.0);
     result.least = std::numeric_limits<double>::infinity();
-    for (const LinearForm& form : forms_) {
-      double at = form.value;
-      for (std::size_t k = 0; k < inputs_; ++k) at += form.slope[k] * result.t[k];
-      result.least = std::min(result.least, at);
-    }
+    for (const LinearForm& form : forms_) result.least = std::min(result.least, form.at(result.t));
     for (std::size_t j = 0; j < free_.size(); ++j) {
-      if (free_[j] >= inputs_) {
-        result.multipliers[free_[j] - inputs_] = std::max(0.0, -rows_[0][j]);
+      if (free_[j] >= n_) {
+        result.multipliers[free_[j] - n_] = std::max(0.0, -rows_[0][j]);
       }
     }
     return result;
@@ -58,31 +54,27 @@ class Simplex {
 
  private:
   std::size_t z() const { return value_.size() - 1; }
-  double value_of(const LinearForm& form) const {
-    double at = form.value;
-    for (std::size_t k = 0; k < inputs_; ++k) at += form.slope[k] * value_[k];
-    return at;
-  }
+  std::ptrdiff_t end_of_t() const { return static_cast<std::ptrdiff_t>(n_); }
 
   /// z = form_least - w_least, and w_i = form_i - form_least + w_least.
-  void start_from(std::size_t least) {
-    free_.push_back(inputs_ + least);
+  void start_from(std::size_t least, const std::vector<double>& corner) {
+    free_.push_back(n_ + least);
     const LinearForm& first = forms_[least];
     basic_.push_back(z());
     rows_.push_back(first.slope);
     rows_.back().push_back(-1);
-    value_[z()] = value_of(first);
+    value_[z()] = first.at(corner);
     for (std::size_t i = 0; i < forms_.size(); ++i) {
       if (i == least) continue;
-      basic_.push_back(inputs_ + i);
+      basic_.push_back(n_ + i);
       rows_.push_back(forms_[i].slope);
-      for (std::size_t k = 0; k < inputs_; ++k) rows_.back()[k] -= first.slope[k];
+      for (std::size_t k = 0; k < n_; ++k) rows_.back()[k] -= first.slope[k];
       rows_.back().push_back(1);
-      value_[inputs_ + i] = value_of(forms_[i]) - value_[z()];
+      value_[n_ + i] = forms_[i].at(corner) - value_[z()];
     }
   }
 
-  bool is_input(std::size_t variable) const { return variable < inputs_; }
+  bool is_input(std::size_t variable) const { return variable < n_; }
 
   /// Moves the variable that raises z fastest, as far as it goes.
   bool improve() {
@@ -142,7 +134,7 @@ class Simplex {
   }
 
   const std::vector<LinearForm>& forms_;
-  std::size_t inputs_;
+  std::size_t n_;
   std::vector<double> value_;              ///< Of every variable.
   std::vector<std::size_t> basic_, free_;  ///< Of the rows and of their columns.
   std::vector<std::vector<double>> rows_;

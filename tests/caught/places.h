@@ -1,7 +1,6 @@
 #ifndef RAYCHECK_TESTS_CAUGHT_PLACES_H_
 #define RAYCHECK_TESTS_CAUGHT_PLACES_H_
 
-#include <algorithm>
 #include <cstdint>
 #include <optional>
 #include <vector>
@@ -12,21 +11,17 @@
 
 namespace raycheck::caught {
 
-/// A source with more severities is looked at in some of them, evenly spaced, and in the last.
-inline constexpr int kMostSeverities = 64;
-inline constexpr int kFewSeverities = 17;
+/// So many severities of a source tell how what is caught depends on them.
+inline constexpr int kFewSeverities = 18;
 
 /// A source at each severity that is looked at, the lowest first; at none where it has no dial.
 inline std::vector<properties::ChosenSource> places_of(const properties::CaseSource& source,
-                                                       int most_severities = kMostSeverities) {
+                                                       int most = properties::kMostSeverities) {
   if (!source.dial) return {{&source, std::nullopt}};
-  const int highest = source.dial->highest;
-  const int step = highest / most_severities + 1;
   std::vector<properties::ChosenSource> places;
-  for (int severity = 0; severity < highest; severity += step) {
+  for (const int severity : properties::some_severities(0, source.dial->highest, most)) {
     places.push_back({&source, severity});
   }
-  places.push_back({&source, highest});
   return places;
 }
 

@@ -15,7 +15,7 @@ namespace raycheck::caught {
 /// So many cases of a source, of kFewSeverities of its severities in turn, are to notice an error.
 /// A case of given rays has one; of a camera it has several, with as many spheres each.
 constexpr int resolution_cases(const properties::CaseSource& source) {
-  return source.has_camera ? 1000 : 10000;
+  return source.has_camera ? 300 : 10000;
 }
 
 /// How small an error a law notices on the cases of a source.

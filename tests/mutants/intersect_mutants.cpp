@@ -212,10 +212,12 @@ std::vector<Mutant> intersect_mutants() {
   std::vector<Mutant> all = {
       {"the textbook's b^2 - 4ac",
        {"class", "parameter", "backward-error", "nearest-sphere"},
-       naive_discriminant()},
+       naive_discriminant(),
+       properties::Level::kDemanding},
       {"the stable quadratic formula with the sign of its square root the wrong way round",
        {"class", "parameter", "backward-error"},
-       with_cancelling_roots()},
+       with_cancelling_roots(),
+       properties::Level::kExtreme},
       from_mistake("first-wins", "the first sphere in the file wins", {"nearest-sphere"}),
       from_mistake("last-wins", "the last sphere in the file wins", {"nearest-sphere"})};
   for (auto& more : {choice_mutants(), value_mutants()})

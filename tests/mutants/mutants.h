@@ -16,6 +16,8 @@ struct Mutant {
   /// The laws that must catch it.
   std::vector<std::string_view> caught_by;
   properties::Candidate candidate;
+  /// The level at which they catch it.
+  properties::Level level = properties::Level::kOrdinary;
 };
 
 /// The candidate that the mutants are made from.

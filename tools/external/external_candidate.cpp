@@ -2,6 +2,7 @@
 
 #include <fmt/core.h>
 
+#include <algorithm>
 #include <mutex>
 #include <optional>
 #include <random>
@@ -150,6 +151,7 @@ Candidate rendering_candidate(const External& external, const LastFailure& last)
   Candidate candidate;
   candidate.name = external.name;
   candidate.refuses = false;
+  candidate.level = properties::Level::kOrdinary;
   candidate.excused_image_change = external.renderer->excused_change;
   candidate.image_threshold = external.renderer->threshold;
   candidate.image = [pictures = external.pictures, last](const scene::Scene& scene,
@@ -202,11 +204,15 @@ Candidate external_candidate(const External& external, const LastFailure& last) 
   candidate.name = external.name;
   candidate.declared = external.introduction.declared;
   candidate.refuses = false;
-  // What plain and stable methods keep is what anyone's can.
-  const Candidate plain = candidate_of(kDefaultMethods);
-  candidate.max_error = plain.max_error;
-  candidate.max_error_end_to_end = plain.max_error_end_to_end;
-  candidate.smallest_length = candidate.smallest_camera_length = kSmallestJudgedLength;
+  candidate.level = external.introduction.level.value_or(properties::Level::kOrdinary);
+  const Candidate bounds = candidate_of(external.bounds);
+  candidate.max_error = bounds.max_error;
+  candidate.max_error_end_to_end = bounds.max_error_end_to_end;
+  candidate.unit_roundoff = bounds.unit_roundoff;
+  candidate.smallest_length =
+      std::max(kSmallestJudgedLength, external.introduction.smallest_length);
+  candidate.smallest_camera_length = candidate.smallest_length;
+  candidate.largest_length = external.introduction.largest_length;
   if (offers("frame")) {
     candidate.frame = [talk](const scene::Camera& camera) {
       return talk->ask(

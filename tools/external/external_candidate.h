@@ -9,6 +9,7 @@
 #include "tools/external/protocol/protocol.h"
 #include "tools/external/renderer.h"
 #include "tools/external/sandbox/process.h"
+#include "tools/methods/methods.h"
 
 namespace raycheck::tools {
 
@@ -20,6 +21,8 @@ struct External {
   std::string name;  ///< "library:PATH.so", as it was asked for.
   Confined program;
   Introduction introduction;
+  /// It documents no bounds: these are what its errors are held to.
+  MethodPair bounds = kDefaultMethods;
   /// A renderer introduces itself by pictures alone.
   std::optional<Renderer> renderer = {};
   /// What the program lies in, where raycheck made that.
@@ -38,8 +41,8 @@ External rendering(std::string name, Renderer renderer);
 /// How a candidate failed when it last did.
 using LastFailure = std::shared_ptr<std::optional<FailureKind>>;
 
-/// A candidate with a process of its own, which is never sent an answer. Its errors are held to the
-/// bounds of kDefaultMethods, which are plain and stable. Where a process fails (ends, stays
+/// A candidate with a process of its own, which is never sent an answer. It is to be right on
+/// ordinary cases where it states no other level. Where a process fails (ends, stays
 /// silent, or replies what is no reply) the functions throw std::runtime_error with the name of the
 /// function; the next request goes to a fresh process. A request that failed is not sent again,
 /// and none is sent after kMostSilences that were answered by silence. Every failure sets `last`.

@@ -200,7 +200,9 @@ External find(const CandidateSpec& spec, const RunOptions& options) {
 
 External find_external(const CandidateSpec& spec, const RunOptions& options) {
   try {
-    return find(spec, options);
+    External external = find(spec, options);
+    external.bounds = options.bounds;
+    return external;
   } catch (const CandidateError& error) {
     throw CandidateError(error.why(), error.said(), spec.text());
   }

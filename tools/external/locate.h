@@ -12,6 +12,7 @@ namespace raycheck::tools {
 struct RunOptions {
   Layers layers;
   Limits limits;
+  MethodPair bounds = kDefaultMethods;
   // Of renderers.
   scene::Dialect dialect = scene::Dialect::kB;
   double excused_image_change = properties::kExcusedImageChange;

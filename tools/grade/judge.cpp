@@ -58,6 +58,7 @@ Candidate masked(Candidate candidate) {
 struct CaseOutcome {
   bool answers = false;  ///< There was something to ask.
   std::uint64_t compared = 0;
+  Verdict verdict;        ///< By all laws.
   ItemReason unanswered;  ///< Why less was answered than asked.
   const Law* broken = nullptr;
   std::optional<Discrepancy> discrepancy;
@@ -87,7 +88,7 @@ CaseOutcome try_case(const std::vector<const Law*>& laws, const Case& the_case,
   Trial own_trial(the_case, own, examinee.options(truth));
   CaseOutcome outcome;
   for (const Law* law : laws) {
-    const Verdict verdict = apply(*law, trial);
+    Verdict verdict = apply(*law, trial);
     // raycheck's own methods draw no pictures, of which every pixel is compared.
     const std::uint64_t expected = examinee.pictures ? 0 : apply(*law, own_trial).compared();
     outcome.compared += verdict.compared();
@@ -108,6 +109,7 @@ CaseOutcome try_case(const std::vector<const Law*>& laws, const Case& the_case,
                             .law = std::string(law->name),
                             .said = verdict.reason_left_out()};
     }
+    outcome.verdict.merge(std::move(verdict));
   }
   return outcome;
 }
@@ -126,12 +128,26 @@ struct Failures {
   std::vector<Case> cases;
 };
 
+/// A quantity of which every answer has an excuse and none is right: excuses alone earn nothing.
+std::optional<properties::Quantity> never_right(const Verdict& verdict) {
+  for (const auto& [quantity, tally] : verdict.tallies()) {
+    properties::Answered all;
+    for (const properties::Answered& answers : tally.answered) {
+      all.asked += answers.asked;
+      all.right += answers.right;
+    }
+    if (all.asked > 0 && all.right == 0) return quantity;
+  }
+  return std::nullopt;
+}
+
 using ReasonToStop = std::function<ItemReason()>;
 
 /// Tries the cases of an item, until there is a reason to stop.
 Failures try_cases(const std::vector<const Law*>& laws, const ItemCases& cases,
                    const Examinee& examinee, const ReasonToStop& reason_to_stop, ItemGrade& grade) {
   Failures failures;
+  Verdict all;
   int failed_altogether = 0;
   for (std::size_t k = 0; k < cases.size(); ++k) {
     if (ItemReason reason = reason_to_stop(); reason.kind != ItemReason::Kind::kNone) {
@@ -141,7 +157,8 @@ Failures try_cases(const std::vector<const Law*>& laws, const ItemCases& cases,
     }
     std::optional<ItemCase> item_case = cases[k];
     if (!item_case) continue;
-    const CaseOutcome outcome = try_case(laws, item_case->the_case, examinee);
+    CaseOutcome outcome = try_case(laws, item_case->the_case, examinee);
+    all.merge(std::move(outcome.verdict));
     if (!outcome.answers) continue;
     ++grade.cases;
     grade.comparisons += outcome.compared;
@@ -163,6 +180,11 @@ Failures try_cases(const std::vector<const Law*>& laws, const ItemCases& cases,
     }
   }
   if (grade.cases == 0) grade.reason = {.kind = ItemReason::Kind::kNothingToCompare};
+  if (const auto quantity = never_right(all); quantity && all.holds()) {
+    grade.held = 0;
+    grade.reason = {.kind = ItemReason::Kind::kNeverRight,
+                    .quantity = std::string(info(*quantity).name)};
+  }
   grade.state =
       grade.cases > 0 && grade.held == grade.cases ? ItemState::kHolds : ItemState::kFails;
   return failures;

@@ -145,6 +145,8 @@ Json reason_json(const ItemReason& reason) {
   } else if (reason.kind == Kind::kUnanswered) {
     json["law"] = reason.law;
     json["said"] = reason.said;
+  } else if (reason.kind == Kind::kNeverRight) {
+    json["quantity"] = reason.quantity;
   }
   return json;
 }
@@ -162,6 +164,8 @@ ItemReason reason_of(const Json& json) {
   } else if (reason.kind == Kind::kUnanswered) {
     reason.law = json.at("law");
     reason.said = json.at("said");
+  } else if (reason.kind == Kind::kNeverRight) {
+    reason.quantity = json.at("quantity");
   }
   return reason;
 }

@@ -86,6 +86,7 @@ struct ItemReason {
     kOtherColours,      ///< A picture's colours are not those of the driver file.
     kUnanswered,        ///< Less is answered than a law asks.
     kNothingToCompare,  ///< There were no cases.
+    kNeverRight,        ///< Every answer about some quantity has an excuse, and none is right.
     kNothingRuns        ///< Nothing of the submission could be run.
   };
   Kind kind = Kind::kNone;
@@ -93,8 +94,9 @@ struct ItemReason {
   ItemState state = ItemState::kFails;  ///< What became of that.
   double seconds = 0;                   ///< That it had.
   std::string law = {}, said = {};      ///< Which law was not answered, and why.
+  std::string quantity = {};            ///< Of which no answer was right.
 };
-inline constexpr std::array<std::string_view, 10> kReasonNames = {"",
+inline constexpr std::array<std::string_view, 11> kReasonNames = {"",
                                                                   "not in pictures",
                                                                   "of renderers",
                                                                   "needs",
@@ -103,6 +105,7 @@ inline constexpr std::array<std::string_view, 10> kReasonNames = {"",
                                                                   "other colours",
                                                                   "unanswered",
                                                                   "nothing to compare",
+                                                                  "never right",
                                                                   "nothing runs"};
 
 struct ItemGrade {

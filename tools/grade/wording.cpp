@@ -91,6 +91,8 @@ std::string reason_text(const ItemReason& reason) {
                          reason.said.empty() ? "answers are missing" : reason.said);
     case Kind::kNothingToCompare:
       return "there was nothing to compare";
+    case Kind::kNeverRight:
+      return fmt::format("{}: no answer is right, all are excused", reason.quantity);
     case Kind::kNothingRuns:
       break;
   }

@@ -53,11 +53,16 @@ std::string list_json(const Catalogue& catalogue, const ViewOptions& /*options*/
   }
   json["sources"] = Json::array();
   for (const properties::CaseSource& source : catalogue.sources) {
-    Json entry = {{"name", source.name}, {"sentence", source.sentence}, {"dial", nullptr}};
+    Json entry = {{"name", source.name},
+                  {"sentence", source.sentence},
+                  {"level", source.dial ? Json(nullptr) : Json(name(source.level))},
+                  {"dial", nullptr}};
     if (source.dial) {
       entry["dial"] = {{"meaning", source.dial->meaning},
                        {"base", source.dial->base},
-                       {"highest", source.dial->highest}};
+                       {"highest", source.dial->highest},
+                       {"highest_ordinary", source.dial->ordinary},
+                       {"highest_demanding", source.dial->demanding}};
     }
     json["sources"].push_back(std::move(entry));
   }

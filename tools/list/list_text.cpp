@@ -22,6 +22,19 @@ std::string bound(double ulp) {
   return ulp < 1e6 ? fmt::format("{}", ulp) : fmt::format("{:.3g}", ulp);
 }
 
+/// Of a dial: what it counts, and which of its severities are of which level.
+std::string levels_text(const properties::CaseSource& source) {
+  if (!source.dial) {
+    if (source.level == properties::Level::kOrdinary) return {};
+    return fmt::format("  {:<17} {}\n", "", name(source.level));
+  }
+  const properties::Dial& dial = *source.dial;
+  std::string levels = fmt::format("ordinary to @{}", dial.ordinary);
+  if (dial.demanding > dial.ordinary) levels += fmt::format(", demanding to @{}", dial.demanding);
+  if (dial.highest > dial.demanding) levels += fmt::format(", extreme to @{}", dial.highest);
+  return fmt::format("  {:<17} {}: {}\n", "", levels, dial.meaning);
+}
+
 template <class Names>
 std::string joined(const Names& names) {
   std::string text;
@@ -60,8 +73,7 @@ std::string list_text(const Catalogue& catalogue, const ViewOptions& /*options*/
   text += "\nsources of random cases (--source), those with severities as NAME or NAME@SEVERITY:\n";
   for (const properties::CaseSource& source : catalogue.sources) {
     text += fmt::format("  {:<17} {}\n", source.name, source.sentence);
-    if (!source.dial) continue;
-    text += fmt::format("  {:<17} @0 to @{}: {}\n", "", source.dial->highest, source.dial->meaning);
+    text += levels_text(source);
   }
   text += "\nconventions (the first is the default):\n";
   text += fmt::format("  rows              {}\n", joined(scene::kRowsNames));

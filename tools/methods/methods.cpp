@@ -33,6 +33,12 @@ const fast::IntersectMethod& find_intersect(const std::string& name) {
   return find(all_intersect_methods(), name, "intersect");
 }
 
+MethodPair find_pair(const std::string& name) {
+  const std::size_t slash = name.find('/');
+  if (slash == std::string::npos) return {kDefaultMethods.rays, &find_intersect(name)};
+  return {&find_rays(name.substr(0, slash)), &find_intersect(name.substr(slash + 1))};
+}
+
 std::vector<const fast::IntersectMethod*> all_intersect_methods() {
   std::vector<const fast::IntersectMethod*> all;
   const auto append = [&all](std::span<const fast::IntersectMethod* const> methods) {

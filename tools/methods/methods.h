@@ -25,6 +25,9 @@ inline constexpr MethodPair kDefaultMethods = {&fast::kDirectRays, &fast::kCross
 const fast::PixelRayMethod& find_rays(const std::string& name);
 const fast::IntersectMethod& find_intersect(const std::string& name);
 
+/// The pair called "RAYS/INTERSECT", or "INTERSECT" with the default rays; throws as above.
+MethodPair find_pair(const std::string& name);
+
 /// A method of either kind, to be judged in its own stage.
 struct StagedMethod {
   properties::Stage stage = properties::Stage::kRays;

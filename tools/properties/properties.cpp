@@ -2,7 +2,9 @@
 
 #include <fmt/core.h>
 
+#include <algorithm>
 #include <stdexcept>
+#include <utility>
 
 namespace raycheck::tools {
 namespace {
@@ -68,25 +70,39 @@ PropertiesReport replay(const PropertiesOptions& options) {
     if (candidate.name != parsed.candidate) continue;
     PropertiesReport report;
     report.cases = 1;
-    report.campaigns.push_back(
-        {parsed.law, candidate.name, run_replay(parsed, candidate, options.max_error)});
+    report.strict = options.strict;
+    properties::CampaignResult result =
+        run_replay(parsed, candidate, options.max_error, options.strict);
+    const properties::Finding finding = result.finding();
+    report.campaigns.push_back({parsed.law, candidate.name, std::move(result), finding});
     return report;
   }
   throw std::invalid_argument("replay: no candidate is called '" + parsed.candidate + "'");
 }
 
-}  // namespace
-
-std::uint64_t PropertiesReport::failures() const {
-  std::uint64_t count = 0;
-  for (const CampaignReport& campaign : campaigns) count += campaign.result.failure ? 1 : 0;
-  return count;
+/// Beside each family's the baseline's: both follow the same dials.
+std::vector<Frontier> beside(std::vector<properties::Reach> candidate,
+                             std::vector<properties::Reach> baseline) {
+  std::vector<Frontier> both;
+  const std::size_t count = std::min(candidate.size(), baseline.size());
+  for (std::size_t k = 0; k < count; ++k) {
+    both.push_back({std::move(candidate[k]), std::move(baseline[k])});
+  }
+  return both;
 }
 
-std::uint64_t PropertiesReport::compared() const {
-  std::uint64_t count = 0;
-  for (const CampaignReport& campaign : campaigns) count += campaign.result.verdict.compared();
-  return count;
+}  // namespace
+
+std::uint64_t PropertiesReport::count(properties::Finding finding) const {
+  return static_cast<std::uint64_t>(
+      std::count_if(campaigns.begin(), campaigns.end(),
+                    [&](const CampaignReport& campaign) { return campaign.finding == finding; }));
+}
+
+bool PropertiesReport::is_conclusive() const {
+  using properties::Finding;
+  return count(Finding::kHolds) + count(Finding::kBroken) > 0 &&
+         count(Finding::kUndecided) + count(Finding::kTooFewJudged) == 0;
 }
 
 PropertiesReport run_properties(const PropertiesOptions& options,
@@ -95,21 +111,37 @@ PropertiesReport run_properties(const PropertiesOptions& options,
   PropertiesReport report;
   report.seed = options.seed;
   report.cases = options.cases;
+  report.strict = options.strict;
   CampaignOptions campaign;
   campaign.cases = options.cases;
   campaign.seed = options.seed;
   campaign.max_error = options.max_error;
+  campaign.strict = options.strict;
   campaign.sources = chosen_sources(options.sources);
   const bool chosen = !options.contestants.empty();
   const auto judged = chosen ? options.contestants : contestants(each_method_once());
+  for (const Contestant& contestant : judged) {
+    const External* const external = external_of(contestant);
+    if (external == nullptr || external->renderer || options.max_error) continue;
+    report.borrowed.push_back({external->name, candidate_of(external->bounds).name});
+  }
+  const Candidate baseline = candidate_of(kDefaultMethods);
+  if (options.frontier) report.baseline = baseline.name;
   const auto laws = filtered_laws(options.filter);
   for (const Law* law : laws) {
     for (const Contestant& contestant : judged) {
       if (control.interrupted() || !is_worth_asking(*law, contestant, chosen)) continue;
       const Candidate candidate = campaigner(contestant);
       control.progress(fmt::format("{} on {}", law->name, candidate.name));
-      report.campaigns.push_back(
-          {law, candidate.name, run_campaign(*law, candidate, campaign, control)});
+      campaign.level = options.level.value_or(candidate.level);
+      CampaignReport one = {law, candidate.name, run_campaign(*law, candidate, campaign, control),
+                            properties::Finding::kHolds};
+      one.finding = one.result.finding();
+      if (options.frontier) {
+        one.frontier = beside(reaches(*law, candidate, campaign, control),
+                              reaches(*law, baseline, campaign, control));
+      }
+      report.campaigns.push_back(std::move(one));
     }
   }
   report.interrupted = control.interrupted();

@@ -14,12 +14,21 @@ namespace raycheck::tools {
 
 struct PropertiesOptions {
   std::string filter;  ///< Laws whose name contains it; empty: all.
-  int cases = 100;
+  int cases = properties::kCampaignCases;
   std::uint64_t seed = 1;
-  std::string replay;                   ///< Empty: a campaign.
-  std::vector<Contestant> contestants;  ///< Empty: each method once.
-  std::vector<std::string> sources;     ///< Empty: every source that suits the law.
+  std::string replay;                      ///< Empty: a campaign.
+  std::vector<Contestant> contestants;     ///< Empty: each method once.
+  std::vector<std::string> sources;        ///< Empty: every source that suits the law.
+  std::optional<properties::Level> level;  ///< Empty: each candidate's own.
   std::optional<double> max_error;
+  bool frontier = false;  ///< Follow the dials beyond the level.
+  bool strict = false;    ///< What is excused or undecided breaks a law, too.
+};
+
+/// How far along a dial a law holds with a candidate, and with the baseline.
+struct Frontier {
+  properties::Reach candidate;
+  properties::Reach baseline;
 };
 
 /// One law on one candidate.
@@ -27,16 +36,29 @@ struct CampaignReport {
   const properties::Law* law;
   std::string candidate;
   properties::CampaignResult result;
+  properties::Finding finding;
+  std::vector<Frontier> frontier = {};  ///< Empty where it was not asked for.
+};
+
+/// Someone else's implementation, which documents no bounds.
+struct BorrowedBounds {
+  std::string candidate;
+  std::string methods;  ///< Whose bounds it is held to: "direct/cross".
 };
 
 struct PropertiesReport {
   std::vector<CampaignReport> campaigns;
+  std::vector<BorrowedBounds> borrowed;
   std::optional<std::uint64_t> seed;  ///< Empty for a replay.
   int cases = 0;
+  std::string baseline;  ///< Whose frontier stands beside; empty: none was asked for.
   bool interrupted = false;
+  bool strict = false;
 
-  std::uint64_t failures() const;
-  std::uint64_t compared() const;
+  std::uint64_t count(properties::Finding finding) const;
+  std::uint64_t failures() const { return count(properties::Finding::kBroken); }
+  /// Whether something was judged, and nothing is left undecided or judged too rarely.
+  bool is_conclusive() const;
 };
 
 /// Runs the campaigns, or replays one failure. Throws std::invalid_argument naming the field.

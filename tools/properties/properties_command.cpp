@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <memory>
 #include <stdexcept>
 
@@ -11,23 +12,34 @@ namespace {
 
 struct PropertiesArguments {
   std::string filter;
-  int cases = 100;
+  int cases = properties::kCampaignCases;
   std::uint64_t seed = 1;
   std::string replay;
   std::string rays;
   std::vector<std::string> intersect;
   ExternalArguments external;
   std::vector<std::string> sources;
+  std::string level;
   std::optional<double> max_ulp;
+  bool frontier = false;
+  bool strict = false;
   std::string format;
 };
 
+/// Domain: one of kLevelNames.
+properties::Level level_called(const std::string& name) {
+  const auto& names = properties::kLevelNames;
+  return static_cast<properties::Level>(std::find(names.begin(), names.end(), name) -
+                                        names.begin());
+}
+
 int run_properties_command(const PropertiesArguments& arguments) {
-  if (!arguments.replay.empty() && !(arguments.filter.empty() && arguments.sources.empty() &&
-                                     arguments.rays.empty() && arguments.intersect.empty())) {
+  if (!arguments.replay.empty() &&
+      !(arguments.filter.empty() && arguments.sources.empty() && arguments.rays.empty() &&
+        arguments.intersect.empty() && arguments.level.empty() && !arguments.frontier)) {
     throw std::invalid_argument(
-        "--replay: names its law, methods and source; leave out --filter, --source, --rays, "
-        "--intersect");
+        "--replay: names its law, methods and source; leave out --filter, --source, --level, "
+        "--frontier, --rays, --intersect");
   }
   PropertiesOptions options;
   options.filter = arguments.filter;
@@ -35,7 +47,10 @@ int run_properties_command(const PropertiesArguments& arguments) {
   options.seed = arguments.seed;
   options.replay = arguments.replay;
   options.sources = arguments.sources;
+  if (!arguments.level.empty()) options.level = level_called(arguments.level);
   options.max_error = arguments.max_ulp;
+  options.frontier = arguments.frontier;
+  options.strict = arguments.strict;
   options.contestants = find_contestants(arguments.external);
   if (!arguments.rays.empty() || !arguments.intersect.empty()) {
     const auto pairs = contestants(chosen_methods(arguments.rays, arguments.intersect));
@@ -43,7 +58,7 @@ int run_properties_command(const PropertiesArguments& arguments) {
   }
   const PropertiesReport report = run_properties(options, run_control("laws"));
   print_view(kPropertiesViews, arguments.format, report);
-  return exit_code(report.interrupted, report.failures() > 0, report.compared() > 0);
+  return exit_code(report.interrupted, report.failures() > 0, report.is_conclusive());
 }
 
 }  // namespace
@@ -54,7 +69,9 @@ Command add_properties(CLI::App& program) {
   CLI::App& command = *program.add_subcommand(
       "properties", "Try the laws on random cases, shrinking what breaks them");
   command.add_option("--filter", arguments.filter, "laws whose name contains this");
-  command.add_option("--cases", arguments.cases, "cases for each law and candidate")
+  command
+      .add_option("--cases", arguments.cases,
+                  "cases for each law and candidate, shared among sources and severities")
       ->check(CLI::Range(1, 1000000000))
       ->capture_default_str();
   add_seed(command, arguments.seed);
@@ -67,6 +84,16 @@ Command add_properties(CLI::App& program) {
   command.add_option("--source", arguments.sources,
                      "only cases of this source, or of this severity (SOURCE@SEVERITY); several "
                      "times for several");
+  command
+      .add_option("--level", arguments.level,
+                  "which severities of a source are asked: ordinary, demanding (those too) or "
+                  "extreme (all); default: what the candidate states, else ordinary for someone "
+                  "else's and demanding for raycheck's methods")
+      ->check(CLI::IsMember(std::vector<std::string>(properties::kLevelNames.begin(),
+                                                     properties::kLevelNames.end())));
+  command.add_flag("--frontier", arguments.frontier,
+                   "show beside direct/cross how far beyond the level each law holds; breaks none");
+  add_strict(command, arguments.strict);
   command
       .add_option("--max-ulp", arguments.max_ulp,
                   "the bound on every error (default: the method's documented bounds)")

@@ -1,4 +1,9 @@
 #include <fmt/core.h>
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <iterator>
+#include <span>
 
 #include "properties/cases/case_text.h"
 #include "tools/properties/properties_views.h"
@@ -7,9 +12,70 @@
 namespace raycheck::tools {
 namespace {
 
+using properties::CampaignPart;
+using properties::CampaignResult;
+using properties::Finding;
+using properties::Reach;
+using properties::Standing;
+
+/// The parts of each source, in the order of sources.
+std::vector<std::span<const CampaignPart>> by_source(const CampaignResult& result) {
+  std::vector<std::span<const CampaignPart>> groups;
+  const std::span<const CampaignPart> all = result.parts;
+  for (std::size_t first = 0, end = 0; first < all.size(); first = end) {
+    while (end < all.size() && all[end].source.source == all[first].source.source) ++end;
+    groups.push_back(all.subspan(first, end - first));
+  }
+  return groups;
+}
+
+/// "rays, all of up, distance@3..7, tangency@6,9..12": runs of severities that were judged one
+/// after the other.
+std::string broken_text(const CampaignResult& result) {
+  std::string text;
+  for (const auto& parts : by_source(result)) {
+    const auto broken = std::count_if(parts.begin(), parts.end(),
+                                      [](const CampaignPart& part) { return part.is_broken(); });
+    if (broken == 0) continue;
+    const bool is_all = broken == std::ssize(parts) && broken > 1;
+    std::string runs;
+    for (std::size_t k = 0; k < parts.size(); ++k) {
+      if (is_all || !parts[k].is_broken()) continue;
+      const std::size_t first = k;
+      while (k + 1 < parts.size() && parts[k + 1].is_broken()) ++k;
+      if (!parts[k].source.severity) continue;
+      runs += fmt::format("{}{}", runs.empty() ? "@" : ",", *parts[first].source.severity);
+      if (k > first) runs += fmt::format("..{}", *parts[k].source.severity);
+    }
+    text += fmt::format("{}{}{}{}", text.empty() ? "" : ", ", is_all ? "all of " : "",
+                        parts[0].source.source->name, runs);
+  }
+  return text;
+}
+
+/// How far the families reach that break later on: "distance up to @2, scale up to @54".
+std::string holding_text(const CampaignResult& result) {
+  std::string text;
+  for (const auto& parts : by_source(result)) {
+    const auto broken = std::find_if(parts.begin(), parts.end(),
+                                     [](const CampaignPart& part) { return part.is_broken(); });
+    if (broken == parts.end() || broken == parts.begin()) continue;
+    text += fmt::format("{}{} up to @{}", text.empty() ? "" : ", ", parts[0].source.source->name,
+                        *std::prev(broken)->source.severity);
+  }
+  return text;
+}
+
 std::string failure_text(const CampaignReport& campaign, bool colours) {
-  const properties::Failure& failure = *campaign.result.failure;
-  std::string text = fmt::format("    the law: {}\n", campaign.law->sentence);
+  const CampaignResult& result = campaign.result;
+  const properties::Failure& failure = *result.failure;
+  std::string text;
+  if (result.parts.size() > 1) {
+    text += fmt::format("    broken on {}\n", broken_text(result));
+    const std::string holding = holding_text(result);
+    if (!holding.empty()) text += fmt::format("    holds on {}\n", holding);
+  }
+  text += fmt::format("    the law: {}\n", campaign.law->sentence);
   for (const auto& discrepancy : failure.verdict.worst(1)) {
     text += indented(discrepancy_text(discrepancy, colours), "    ");
   }
@@ -21,37 +87,91 @@ std::string failure_text(const CampaignReport& campaign, bool colours) {
   return text;
 }
 
+/// "distance up to @7, horizon nowhere, all of inside and surface"
+std::string reaches_text(const std::vector<Frontier>& frontier, Reach Frontier::*whose) {
+  std::string some, all;
+  for (const Frontier& of_family : frontier) {
+    const Reach& reach = of_family.*whose;
+    const std::string_view family = reach.family->name;
+    if (!reach.broken_at && reach.holds_to == reach.family->dial->highest) {
+      all += fmt::format("{}{}", all.empty() ? "all of " : ", ", family);
+      continue;
+    }
+    some += some.empty() ? "" : ", ";
+    if (!reach.broken_at && !reach.holds_to) {
+      some += fmt::format("{} not judged", family);
+    } else if (!reach.holds_to) {
+      some += fmt::format("{} nowhere", family);
+    } else {
+      some += fmt::format("{} up to @{}", family, *reach.holds_to);
+      if (!reach.broken_at) some += ", where what is judged ends";
+    }
+  }
+  return some + (some.empty() || all.empty() ? "" : "; ") + all;
+}
+
+std::string frontier_text(const CampaignReport& campaign, const std::string& baseline) {
+  return fmt::format("    frontier: {}\n    that of {}: {}\n",
+                     reaches_text(campaign.frontier, &Frontier::candidate), baseline,
+                     reaches_text(campaign.frontier, &Frontier::baseline));
+}
+
+std::string finding_text(const CampaignReport& campaign, bool colours) {
+  if (campaign.finding == Finding::kBroken) return red("BROKEN", colours);
+  return std::string(name(campaign.finding));
+}
+
+/// "1000 cases, 1712 comparisons, 3 excused, 12 left out: the scene has no sphere"
+std::string counts_text(const CampaignResult& result) {
+  const properties::CaseCounts& counts = result.counts;
+  std::string text =
+      fmt::format("{}, {}", count_text(static_cast<std::uint64_t>(counts.cases), "case"),
+                  count_text(result.verdict.compared(), "comparison"));
+  for (const Standing standing : {Standing::kExcused, Standing::kUndecided}) {
+    const std::uint64_t count = result.verdict.count(standing);
+    if (count > 0) text += fmt::format(", {} {}", count, name(standing));
+  }
+  if (counts.not_judged > 0) {
+    text += fmt::format(", {} outside its domain not judged", counts.not_judged);
+  }
+  if (counts.left_out > 0) text += fmt::format(", {} left out: {}", counts.left_out, counts.reason);
+  return text;
+}
+
+std::string too_few_text(const CampaignResult& result) {
+  const auto [quantity, question] = *result.too_few_right();
+  return fmt::format(
+      "    of {}, question \"{}\", fewer than {} answers are right without an excuse\n",
+      info(quantity).name, name(question), result.fewest_right);
+}
+
+std::string campaign_text(const CampaignReport& campaign, bool colours) {
+  const CampaignResult& result = campaign.result;
+  std::string text = fmt::format("{:<16} {:<26} {}", campaign.law->name, campaign.candidate,
+                                 finding_text(campaign, colours));
+  if (campaign.finding == Finding::kLeftOut) {
+    return text + fmt::format(": {}\n", result.counts.reason);
+  }
+  text += fmt::format(" on {} ({})\n", name(result.level), counts_text(result));
+  return campaign.finding == Finding::kTooFewJudged ? text + too_few_text(result) : text;
+}
+
 }  // namespace
 
 std::string properties_text(const PropertiesReport& report, const ViewOptions& options) {
   std::string text;
+  for (const BorrowedBounds& bounds : report.borrowed) {
+    text += fmt::format("{} documents no bounds: held to those of {} (--bounds)\n",
+                        bounds.candidate, bounds.methods);
+  }
   for (const CampaignReport& campaign : report.campaigns) {
-    const properties::CampaignResult& result = campaign.result;
-    const std::uint64_t compared = result.verdict.compared();
-    std::string outcome = "holds";
-    if (result.failure) {
-      outcome = red("BROKEN", options.colours);
-    } else if (compared == 0) {
-      outcome = "left out";
-    }
-    text += fmt::format("{:<16} {:<26} {}", campaign.law->name, campaign.candidate, outcome);
-    if (compared == 0 && !result.failure) {
-      text += fmt::format(": {}\n", result.reason);
-      continue;
-    }
-    text += fmt::format(" ({}, {}", count_text(static_cast<std::uint64_t>(result.cases), "case"),
-                        count_text(compared, "comparison"));
-    const std::uint64_t excused = result.verdict.count(properties::Standing::kExcused);
-    if (excused > 0) text += fmt::format(", {} excused", excused);
-    if (result.left_out > 0) {
-      text += fmt::format(", {} left out: {}", result.left_out, result.reason);
-    }
-    text += ")\n";
-    if (result.failure) text += failure_text(campaign, options.colours);
+    text += campaign_text(campaign, options.colours);
+    if (campaign.result.failure) text += failure_text(campaign, options.colours);
+    if (!campaign.frontier.empty()) text += frontier_text(campaign, report.baseline);
   }
   if (report.interrupted) text += "INTERRUPTED: the laws above are those that were tried.\n";
-  const std::uint64_t failures = report.failures();
-  text += fmt::format("{}, {} broken\n", count_text(report.campaigns.size(), "campaign"), failures);
+  text += fmt::format("{}, {} broken\n", count_text(report.campaigns.size(), "campaign"),
+                      report.failures());
   return text;
 }
 

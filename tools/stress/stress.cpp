@@ -47,11 +47,7 @@ std::pair<int, int> range_of(const CaseSource& family, const StressOptions& opti
 
 std::vector<int> severities_of(const CaseSource& family, const StressOptions& options) {
   const auto [from, to] = range_of(family, options);
-  const int step = (to - from) / kMostSeverities + 1;
-  std::vector<int> severities;
-  for (int severity = from; severity < to; severity += step) severities.push_back(severity);
-  severities.push_back(to);
-  return severities;
+  return properties::some_severities(from, to);
 }
 
 /// The stages that a family's cases ask something of.

@@ -54,10 +54,8 @@ struct StressReport {
   std::uint64_t compared() const;
 };
 
-/// A family with more severities is judged at some of them, evenly spaced, and at the last.
-inline constexpr int kMostSeverities = 64;
-
-/// Judges methods on families of cases of growing severity, each stage alone.
+/// Judges methods on families of cases of growing severity, each stage alone; families of more than
+/// properties::kMostSeverities at some of them.
 /// Throws std::invalid_argument naming the field.
 StressReport run_stress(const StressOptions& options, const properties::RunControl& control = {});
 

@@ -7,7 +7,10 @@
 #include <chrono>
 #include <cstdlib>
 #include <filesystem>
+#include <fstream>
+#include <iterator>
 #include <nlohmann/json.hpp>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -65,6 +68,91 @@ TEST(Candidate, is_right_as_a_library) {
   std::filesystem::remove_all(folder);
 }
 
+TEST(Candidate, holds_every_law_on_ordinary_cases) {
+  const std::string folder = temporary_file("ordinary", "") + ".d";
+  const std::string library = built_submission("right.cpp", "right", folder);
+  const Outcome as_library = run("properties --candidate library:" + library);
+  EXPECT_EQ(as_library.exit_code, 0) << as_library.out << as_library.err;
+  EXPECT_NE(as_library.out.find("documents no bounds: held to those of direct/cross"),
+            std::string::npos);
+  const Outcome in_python =
+      run("properties --cases 300 --candidate 'command:python3 tests/candidates/right.py'");
+  EXPECT_EQ(in_python.exit_code, 0) << in_python.out << in_python.err;
+  std::filesystem::remove_all(folder);
+}
+
+/// The same tool on right.cpp with something put in the place of something else.
+json altered(const std::string& from, const std::string& to, const std::string& more) {
+  const std::string root = RAYCHECK_SOURCE_DIR;
+  std::ifstream file(root + "/tests/candidates/right.cpp");
+  std::string source{std::istreambuf_iterator<char>(file), {}};
+  for (std::size_t at = source.find(from); at != std::string::npos;
+       at = source.find(from, at + to.size())) {
+    source.replace(at, from.size(), to);
+  }
+  const std::string path = temporary_file("altered.cpp", source);
+  const Outcome outcome = run("properties --format json --candidate source:" + path + " " + more);
+  std::filesystem::remove(path);
+  EXPECT_TRUE(json::accept(outcome.out)) << outcome.exit_code << "\n" << outcome.err;
+  return json::parse(outcome.out);
+}
+
+std::set<std::string> broken_laws(const json& report) {
+  std::set<std::string> laws;
+  for (const json& campaign : report["campaigns"]) {
+    if (campaign["finding"] == "broken") laws.insert(campaign["law"]);
+  }
+  return laws;
+}
+
+TEST(Candidate, that_is_a_little_wrong_breaks_its_own_laws_in_the_first_report) {
+  using Laws = std::set<std::string>;
+  const auto breaks = [](const std::string& from, const std::string& to) {
+    return broken_laws(altered(from, to, "--cases 300"));
+  };
+  EXPECT_EQ(breaks("return Hit{s, out(", "return Hit{s * (1 + 0x1p-46), out("),
+            (Laws{"parameter"}));
+  EXPECT_EQ(breaks("out(origin + s * d)}", "out((origin + s * d) * (1 + 0x1p-46))}"),
+            (Laws{"hit-point"}));
+  const Laws of_epsilon = breaks("if (s < 0) return", "if (s < 1e-12) return");
+  EXPECT_TRUE(of_epsilon.contains("class") && of_epsilon.contains("scaling"));
+  EXPECT_FALSE(of_epsilon.contains("parameter") || of_epsilon.contains("direction"));
+  const Laws of_direction = breaks(".normalized())", ".normalized() + Vector3(0x1p-46, 0, 0))");
+  EXPECT_TRUE(of_direction.contains("direction"));
+  EXPECT_FALSE(of_direction.contains("class") || of_direction.contains("pixel-point"));
+  const Laws of_band = breaks("if (discriminant < 0 ", "if (discriminant < a * r * r * 0x1p-20 ");
+  EXPECT_TRUE(of_band.contains("class"));
+  EXPECT_FALSE(of_band.contains("parameter") || of_band.contains("direction"));
+}
+
+TEST(Candidate, is_held_to_the_level_and_the_lengths_that_it_states) {
+  const auto stated = [](const std::string& contract, const std::string& more) {
+    return altered(".nearest = nearest)", ".nearest = nearest, " + contract + ")",
+                   "--filter class --cases 200 " + more)["campaigns"][0];
+  };
+  const json demanding = stated(".level = Level::demanding", "");
+  EXPECT_EQ(demanding["level"], "demanding");
+  EXPECT_EQ(demanding["finding"], "holds");
+  EXPECT_EQ(demanding["not_judged"], 0);
+  EXPECT_EQ(stated(".level = Level::demanding", "--level ordinary")["level"], "ordinary");
+  const json short_ones =
+      stated(".smallest_length = 1e-9, .largest_length = 1e9", "--source scale@100");
+  EXPECT_EQ(short_ones["finding"], "not judged here");
+  EXPECT_EQ(short_ones["not_judged"], 200);
+}
+
+TEST(Candidate, is_held_to_whose_bounds_are_asked_for) {
+  const std::string worse = "s *= 1 + 0x1p-30; return Hit{s, out(";
+  const std::string asked = "--filter parameter --cases 200 --source rays";
+  const json by_default = altered("return Hit{s, out(", worse, asked);
+  EXPECT_EQ(by_default["campaigns"][0]["finding"], "broken");
+  EXPECT_EQ(by_default["borrowed_bounds"][0]["methods"], "direct/cross");
+  const json single =
+      altered("return Hit{s, out(", worse, asked + " --bounds direct/single-quadratic");
+  EXPECT_EQ(single["campaigns"][0]["finding"], "holds");
+  EXPECT_EQ(single["borrowed_bounds"][0]["methods"], "direct/single-quadratic");
+}
+
 TEST(Candidate, is_right_as_a_folder_and_as_a_project) {
   const std::string folder = temporary_file("right", "") + ".d/";
   std::filesystem::create_directory(folder);
@@ -105,10 +193,12 @@ TEST(Candidate, is_right_in_java) {
 TEST(Candidate, keeps_the_laws_of_campaigns_and_replays_what_breaks_them) {
   const std::string candidate = "--candidate 'command:python3 tests/candidates/right.py'";
   const Outcome holds =
-      run("properties --filter nearest-root --source rays --cases 20 " + candidate);
+      run("properties --filter nearest-root --source rays --cases 60 " + candidate);
   EXPECT_EQ(holds.exit_code, 0) << holds.out << holds.err;
   const Outcome broken = run(
-      "properties --filter class --source direction-length --cases 200 --format json " + candidate);
+      "properties --filter class --source direction-length --level extreme --cases 200 --format "
+      "json " +
+      candidate);
   EXPECT_EQ(broken.exit_code, 1) << broken.out << broken.err;
   const std::string replay = json::parse(broken.out)["campaigns"][0]["replay"];
   const Outcome again = run("properties --replay '" + replay + "' " + candidate);
@@ -287,7 +377,7 @@ TEST(Renderer, that_makes_no_picture_fails_with_the_reason) {
 TEST(Renderer, keeps_the_law_of_images_on_random_scenes) {
   const std::string folder = temporary_file("renderers", "") + ".d";
   const auto judged_as = [&](const std::string& mistake) {
-    return run("properties --filter image --source cameras --cases 20 --candidate 'renderer:" +
+    return run("properties --filter image --source cameras --cases 40 --candidate 'renderer:" +
                built_submission("rt.cpp", mistake, folder) + " {scene} {image}'");
   };
   const Outcome right = judged_as("none");

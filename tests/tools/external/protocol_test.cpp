@@ -30,6 +30,16 @@ TEST(Introduction, SaysWhatIsOfferedAndFixed) {
   EXPECT_EQ(found.declared.rows, scene::Rows::kTopFirst);
   EXPECT_EQ(found.declared.tangent, scene::Tangent::kEither);
   EXPECT_FALSE(found.declared.samples);
+  EXPECT_FALSE(found.level);
+  EXPECT_EQ(found.smallest_length, 0);
+}
+
+TEST(Introduction, StatesALevelAndADomainOfLengths) {
+  const Introduction found = parse_introduction(
+      "raycheck 1 mine\nfunction intersect\nlevel demanding\nlengths 1e-30 0x1p100\nready\n");
+  EXPECT_EQ(found.level, properties::Level::kDemanding);
+  EXPECT_EQ(found.smallest_length, 1e-30);
+  EXPECT_EQ(found.largest_length, 0x1p100);
 }
 
 TEST(Introduction, ThatIsNoneNamesItsLine) {
@@ -42,6 +52,13 @@ TEST(Introduction, ThatIsNoneNamesItsLine) {
   EXPECT_NE(wrong("raycheck 1 mine\nfunction fly\nready\n").find("line 2"), std::string::npos);
   EXPECT_NE(wrong("raycheck 1 mine\nconvention rows up\nready\n").find("no such convention"),
             std::string::npos);
+  EXPECT_NE(wrong("raycheck 1 mine\nlevel easy\nready\n").find("no such level"), std::string::npos);
+  for (const char* lengths : {"2 1", "-1 1", "nan 1", "0 nan"}) {
+    EXPECT_NE(wrong("raycheck 1 mine\nlengths " + std::string(lengths) + "\nready\n")
+                  .find("no range of lengths"),
+              std::string::npos)
+        << lengths;
+  }
   EXPECT_NE(wrong("raycheck 1 mine too\nready\n").find("too many words"), std::string::npos);
 }
 

@@ -55,6 +55,37 @@ TEST(RightSubmission, in_cpp_has_full_marks) {
   expect_full_marks(grading, {grading.submit_built("built", "rays.cpp", "none")}, 2, seeds());
 }
 
+/// At exact tangents either class has a witness.
+TEST(DullSubmission, whose_every_answer_is_excused_has_no_points) {
+  const Grading grading;
+  const std::string rubric = grading.write("tangents.toml", R"(
+[[form]]
+has = "*.py"
+candidate = "command:python3 {file}"
+
+[[item]]
+name = "tangents"
+points = 10
+tolerance = { ulp = 16 }
+[item.functions]
+laws = ["class"]
+rays = "given"
+sources = ["tangent-ulps@53"]
+cases = 20
+)");
+  grading.write("misses/rays.py",
+                "import raycheck_candidate as rc\n"
+                "rc.run('dull', intersect=lambda ray, sphere, asked: None)\n");
+  const Outcome outcome =
+      grading.grade(rubric, {grading.path("misses")}, "out", "--format json --seed 1");
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+  const json item = json::parse(outcome.out)["submissions"][0]["items"][0];
+  EXPECT_EQ(item["score"], 0) << item.dump(2);
+  EXPECT_EQ(item["state"], "fails");
+  EXPECT_EQ(item["reason"]["kind"], "never right");
+  EXPECT_EQ(item["reason"]["quantity"], "class");
+}
+
 TEST(RightSubmission, in_python_has_full_marks) {
   const Grading grading;
   ASSERT_GT(seeds(), 0);

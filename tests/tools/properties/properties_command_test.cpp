@@ -22,7 +22,8 @@ TEST(PropertiesCommand, reports_that_cross_holds_the_class_law) {
 
 TEST(PropertiesCommand, reports_a_broken_law_with_a_case_that_check_and_replay_accept) {
   const Outcome result =
-      run("properties --filter class --source distance --intersect quadratic --format json");
+      run("properties --filter class --source distance --level extreme --intersect quadratic "
+          "--format json");
   EXPECT_EQ(result.exit_code, 1);
   const json report = json::parse(result.out);
   const json& campaign = report["campaigns"][0];
@@ -53,6 +54,46 @@ TEST(PropertiesCommand, exits_with_4_when_nothing_was_checked) {
   EXPECT_EQ(run("properties --filter pixel-point --rays focal --cases 5").exit_code, 4);
 }
 
+TEST(PropertiesCommand, exits_with_4_when_too_little_was_judged) {
+  const Outcome few = run("properties --filter class --source rays --cases 6 --intersect cross");
+  EXPECT_EQ(few.exit_code, 4) << few.out;
+  EXPECT_NE(few.out.find("too few judged"), std::string::npos) << few.out;
+  EXPECT_NE(few.out.find("fewer than 10 answers are right"), std::string::npos) << few.out;
+}
+
+TEST(PropertiesCommand, exits_with_4_when_all_lies_outside_the_domain) {
+  const Outcome outside = run("properties --filter parameter --source scale@600 --intersect cross");
+  EXPECT_EQ(outside.exit_code, 4) << outside.out;
+  EXPECT_NE(outside.out.find("not judged here"), std::string::npos) << outside.out;
+}
+
+TEST(PropertiesCommand, breaks_laws_for_excuses_when_it_is_strict) {
+  const std::string asked = "properties --filter class --source tangency@16 --intersect cross";
+  EXPECT_EQ(run(asked).exit_code, 0);
+  EXPECT_EQ(run(asked + " --strict").exit_code, 1);
+}
+
+TEST(PropertiesCommand, judges_methods_by_the_level_that_is_theirs) {
+  const json report = json::parse(
+      run("properties --filter class --cases 50 --intersect cross --intersect quadratic --format "
+          "json")
+          .out);
+  EXPECT_EQ(report["campaigns"][0]["level"], "demanding");
+  EXPECT_EQ(report["campaigns"][1]["level"], "ordinary");
+}
+
+TEST(PropertiesCommand, shows_how_far_beyond_the_level_a_law_holds) {
+  const std::string asked = "properties --filter class --source distance --intersect quadratic ";
+  const Outcome shown = run(asked + "--frontier");
+  EXPECT_EQ(shown.exit_code, 0) << shown.out;
+  EXPECT_NE(shown.out.find("frontier: distance up to @"), std::string::npos) << shown.out;
+  EXPECT_NE(shown.out.find("that of direct/cross: all of distance"), std::string::npos);
+  const Outcome broken = run(asked + "--level extreme");
+  EXPECT_EQ(broken.exit_code, 1);
+  EXPECT_NE(broken.out.find("    broken on distance@"), std::string::npos) << broken.out;
+  EXPECT_NE(broken.out.find("    holds on distance up to @"), std::string::npos) << broken.out;
+}
+
 TEST(PropertiesCommand, fails_with_2_and_says_why) {
   const auto fails = [](const std::string& arguments, const std::string& why) {
     const Outcome result = run("properties " + arguments);
@@ -63,6 +104,8 @@ TEST(PropertiesCommand, fails_with_2_and_says_why) {
   fails("--cases 0", "--cases");
   fails("--source moon", "source moon: no source");
   fails("--source distance@16", "source distance@16: severities of 'distance' are 0 to 15");
+  fails("--level easy", "--level");
+  fails("--replay class:direct/cross:distance:1 --level extreme", "--level");
   fails("--replay class:direct/cross:distance", "LAW:");
   fails("--replay klass:direct/cross:distance:1", "klass");
   fails("--replay class:direct/none:distance:1", "direct/none");
@@ -81,9 +124,11 @@ TEST(List, names_every_method_law_and_convention) {
   for (const json& source : report["sources"]) {
     if (source["name"] == "cameras") {
       EXPECT_TRUE(source["dial"].is_null());
+      EXPECT_EQ(source["level"], "ordinary");
     }
     if (source["name"] == "distance") {
       EXPECT_EQ(source["dial"]["highest"], 15);
+      EXPECT_LT(source["dial"]["highest_ordinary"], source["dial"]["highest_demanding"]);
     }
   }
 }

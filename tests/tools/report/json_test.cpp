@@ -43,8 +43,10 @@ const std::vector<Reports>& all_reports() {
         "check" + scene("probe") + kRenderer}},
       {"properties",
        {"properties --cases 5",
-        "properties --filter class --source distance "
-        "--intersect quadratic --cases 100"}},
+        "properties --filter class --source distance --intersect quadratic --cases 100 "
+        "--level demanding --frontier",
+        "properties --filter class --cases 100 --candidate "
+        "'command:python3 tests/candidates/right.py'"}},
       {"explain",
        {"explain" + scene("ten-spheres") + " --pixel 8,8",
         "explain --ray 1,1,3,4,3,0 --sphere 5,5,5,3"}},

@@ -128,6 +128,19 @@ Introduction parse_introduction(std::string_view text) {
       } else {
         words.fail("declares no such convention");
       }
+    } else if (kind == "level") {
+      const std::string_view level = words.word();
+      const auto& names = properties::kLevelNames;
+      const auto found = std::find(names.begin(), names.end(), level);
+      if (found == names.end()) words.fail("states no such level");
+      introduction.level = static_cast<properties::Level>(found - names.begin());
+    } else if (kind == "lengths") {
+      introduction.smallest_length = words.number();
+      introduction.largest_length = words.number();
+      if (!(introduction.smallest_length >= 0 &&
+            introduction.smallest_length < introduction.largest_length)) {
+        words.fail("states no range of lengths");
+      }
     } else {
       words.fail("is no part of an introduction");
     }

@@ -5,6 +5,8 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <limits>
+#include <optional>
 #include <set>
 #include <stdexcept>
 #include <string>
@@ -29,6 +31,10 @@ struct Introduction {
   std::string name;  ///< "-": none
   std::set<std::string> functions;
   properties::DeclaredConventions declared;
+  std::optional<properties::Level> level;  ///< Up to which cases it is to be right.
+  /// It is to be judged on scenes whose nonzero lengths lie between these.
+  double smallest_length = 0;
+  double largest_length = std::numeric_limits<double>::infinity();
 };
 inline constexpr std::string_view kGreeting = "raycheck 1\n";
 inline constexpr std::string_view kReady = "ready";

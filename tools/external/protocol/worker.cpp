@@ -256,6 +256,20 @@ void answer(const raycheck_candidate& candidate, const Request& request, Reply& 
   }
 }
 
+/// What libraries of version 1 do not have.
+void introduce_contract(const raycheck_candidate& candidate, Reply& reply) {
+  constexpr std::array<const char*, 4> kLevels = {nullptr, "ordinary", "demanding", "extreme"};
+  if (candidate.level < 0 || candidate.level > 3) {
+    give_up("no such level: " + std::to_string(candidate.level));
+  }
+  if (const char* const level = kLevels[static_cast<std::size_t>(candidate.level)]) {
+    reply << "level " << level << "\n";
+  }
+  if (candidate.smallest_length != 0 || candidate.largest_length != 0) {
+    reply << "lengths " << candidate.smallest_length << " " << candidate.largest_length << "\n";
+  }
+}
+
 void introduce(const raycheck_candidate& candidate, Reply& reply) {
   reply << "raycheck 1 " << (candidate.name != nullptr ? candidate.name : "-") << "\n";
   const std::array<std::pair<const char*, bool>, 6> functions = {
@@ -278,6 +292,7 @@ void introduce(const raycheck_candidate& candidate, Reply& reply) {
     }
     reply << "convention " << kConventions[k] << " " << kConventionNames[k][value] << "\n";
   }
+  if (candidate.version >= 2) introduce_contract(candidate, reply);
   reply << "ready\n";
   reply.send();
 }
@@ -291,9 +306,10 @@ const raycheck_candidate& load(const char* path) {
   if (functions == nullptr) give_up("the library has no raycheck_candidate_functions()");
   const raycheck_candidate* const candidate = functions();
   if (candidate == nullptr) give_up("raycheck_candidate_functions() returns nothing");
-  if (candidate->version != RAYCHECK_CANDIDATE_VERSION) {
+  if (candidate->version < 1 || candidate->version > RAYCHECK_CANDIDATE_VERSION) {
     give_up("the library is for version " + std::to_string(candidate->version) +
-            " of <raycheck/candidate.h>, this is " + std::to_string(RAYCHECK_CANDIDATE_VERSION));
+            " of <raycheck/candidate.h>, this is for those up to " +
+            std::to_string(RAYCHECK_CANDIDATE_VERSION));
   }
   return *candidate;
 }

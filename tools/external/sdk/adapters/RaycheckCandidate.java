@@ -55,6 +55,10 @@ public abstract class RaycheckCandidate {
   }
   /** Conventions that the functions fix: "rows top-first", and so on. */
   public List<String> declared() { return List.of(); }
+  /** Up to which cases it is to be right: "ordinary", "demanding" or "extreme"; null: ordinary. */
+  public String level() { return null; }
+  /** Scenes with a nonzero length that is smaller or larger are not judged; null: all are. */
+  public double[] lengths() { return null; }
 
   private record Name(String java, String asked) {}
   private static final List<Name> FUNCTIONS = List.of(new Name("frame", "frame"),
@@ -87,6 +91,11 @@ public abstract class RaycheckCandidate {
       if (offers(function.java)) said.append("function ").append(function.asked).append('\n');
     }
     for (String convention : declared()) said.append("convention ").append(convention).append('\n');
+    if (level() != null) said.append("level ").append(level()).append('\n');
+    if (lengths() != null) {
+      said.append("lengths ").append(text(lengths()[0])).append(' ');
+      said.append(text(lengths()[1])).append('\n');
+    }
     send(replies, said.append("ready\n"));
     for (Request request; (request = read(lines)) != null;) {
       StringBuilder reply = new StringBuilder("reply " + request.id + "\n");

@@ -18,8 +18,9 @@ and then `raycheck check SCENE --candidate "command:python3 mine.py"`. The funct
     nearest(ray, spheres, conventions) -> index or None
 
 Vectors are tuples (x, y, z), pixels (i, j), rays (origin, direction), spheres (centre, radius).
-Conventions that the functions fix are declared: rc.run("mine", rows="top-first", ...). What the
-functions print goes to the standard error. The lines exchanged are those of docs/candidates.md.
+Conventions that the functions fix are declared: rc.run("mine", rows="top-first", ...). So may be
+up to which cases they are to be right, level="ordinary" (the default), "demanding" or "extreme",
+and between which lengths, lengths=(1e-100, 1e100). What the functions print goes to the standard error. The lines exchanged are those of docs/candidates.md.
 """
 import collections
 import sys
@@ -93,7 +94,8 @@ def _answer(functions, request):
     return [_line(function(request["camera"], asked, pixel)) for pixel in request["pixels"]]
 
 
-def run(name="-", rows=None, samples=None, origin=None, root=None, tangent=None, **functions):
+def run(name="-", rows=None, samples=None, origin=None, root=None, tangent=None, level=None,
+        lengths=None, **functions):
     """Answers raycheck until it has no more requests."""
     unknown = set(functions) - set(_FUNCTIONS)
     if unknown:
@@ -106,6 +108,8 @@ def run(name="-", rows=None, samples=None, origin=None, root=None, tangent=None,
                 "tangent": tangent}
     said = [f"raycheck 1 {name}"] + [f"function {function}" for function in functions]
     said += [f"convention {which} {value}" for which, value in declared.items() if value]
+    said += [f"level {level}"] if level else []
+    said += [f"lengths {_line(*lengths)}"] if lengths else []
     print("\n".join(said + ["ready"]), file=replies, flush=True)
     for line in lines:
         request = _read(lines, line.split())

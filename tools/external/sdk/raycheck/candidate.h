@@ -20,7 +20,7 @@
 extern "C" {
 #endif
 
-#define RAYCHECK_CANDIDATE_VERSION 1
+#define RAYCHECK_CANDIDATE_VERSION 2
 
 typedef struct raycheck_vector {
   double x, y, z;
@@ -69,6 +69,15 @@ typedef struct raycheck_conventions {
   int32_t rows, samples, origin, root, tangent;
 } raycheck_conventions;
 
+/* Up to which random cases `raycheck properties` holds the candidate to the laws: those that any
+   plain, careful code in doubles is right on, those that take a stable method, or all. */
+enum {
+  RAYCHECK_LEVEL_UNSTATED = 0, /* ordinary */
+  RAYCHECK_LEVEL_ORDINARY = 1,
+  RAYCHECK_LEVEL_DEMANDING = 2,
+  RAYCHECK_LEVEL_EXTREME = 3
+};
+
 typedef struct raycheck_candidate {
   uint32_t version; /* RAYCHECK_CANDIDATE_VERSION */
   const char* name; /* of letters, digits and -_. ; null: the file's */
@@ -92,6 +101,11 @@ typedef struct raycheck_candidate {
   /* The sphere with the least s, an index, or -1. */
   int64_t (*nearest)(const raycheck_ray*, const raycheck_sphere* spheres, size_t count,
                      const raycheck_conventions*);
+
+  /* From version 2 on. */
+  int32_t level;
+  /* Scenes with a nonzero length that is smaller or larger are not judged; both 0: all are. */
+  double smallest_length, largest_length;
 } raycheck_candidate;
 
 #if defined(__GNUC__)

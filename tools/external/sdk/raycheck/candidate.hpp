@@ -57,6 +57,7 @@ enum class Samples { as_asked, edges, centres };
 enum class Origin { as_asked, pixel, focal };
 enum class Root { as_asked, nearest, smaller };
 enum class Tangent { as_asked, hit, miss, either };
+enum class Level { unstated, ordinary, demanding, extreme };
 struct Conventions {
   Rows rows = Rows::as_asked;
   Samples samples = Samples::as_asked;
@@ -80,6 +81,9 @@ struct Functions {
   std::optional<Hit> (*intersect)(const Ray&, const Sphere&, const Conventions&) = nullptr;
   std::optional<std::size_t> (*nearest)(const Ray&, const std::vector<Sphere>&,
                                         const Conventions&) = nullptr;
+  Level level = Level::unstated;
+  /// Scenes with a nonzero length that is smaller or larger are not judged; both 0: all are.
+  double smallest_length = 0, largest_length = 0;
 };
 
 namespace detail {
@@ -146,7 +150,10 @@ inline const raycheck_candidate* offer(const Functions& given) {
                given.focal_ray ? focal_ray : nullptr,
                given.intersect ? intersect : nullptr,
                nullptr,
-               given.nearest ? nearest : nullptr};
+               given.nearest ? nearest : nullptr,
+               static_cast<int32_t>(given.level),
+               given.smallest_length,
+               given.largest_length};
   return &candidate;
 }
 
