@@ -180,7 +180,7 @@ std::span<const ErrorKind> error_kinds() {
        {"direction", "parameter", "hit-point", "class", "scaling", "axes"},
        tilted_D,
        true},
-      {"|D|",
+      {"length",
        "D times 1 + 2^-k",
        2,
        kBitsOfDoubles,
