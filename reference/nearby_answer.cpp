@@ -234,13 +234,21 @@ class Search {
   AnswerBox box_;
 };
 
+/// A function of its own, so that no operation moves to where doubles round as the caller has them.
+[[gnu::noinline]] NearbyAnswer search(const ExactRay& ray, const scene::Sphere& sphere,
+                                      const Neighbourhood& around,
+                                      const std::optional<double>& answer) {
+  return Search(ray, sphere, around, answer).run();
+}
+
 }  // namespace
 
 NearbyAnswer right_nearby(const ExactRay& ray, const scene::Sphere& sphere,
                           const Neighbourhood& around, const std::optional<double>& answer) {
   scene::require_valid(sphere);
   if (is_far_from_right(ray, sphere, around, answer)) return {Nearby::kRefuted, {}};
-  return Search(ray, sphere, around, answer).run();
+  const NearestGuard guard;
+  return search(ray, sphere, around, answer);
 }
 
 }  // namespace raycheck::reference

@@ -269,6 +269,12 @@ class Search {
   int ways_ = 0;
 };
 
+/// A function of its own, so that no operation moves to where doubles round as the caller has them.
+[[gnu::noinline]] NearbyAnswer search(const ExactRay& ray, std::span<const scene::Sphere> spheres,
+                                      const Neighbourhood& around, const FirstMet& claim) {
+  return Search(ray, spheres, around, claim).run();
+}
+
 }  // namespace
 
 NearbyAnswer right_nearby(const ExactRay& ray, std::span<const scene::Sphere> spheres,
@@ -277,7 +283,8 @@ NearbyAnswer right_nearby(const ExactRay& ray, std::span<const scene::Sphere> sp
   if (claim.what == FirstMet::What::kSphere && claim.sphere >= spheres.size()) {
     throw std::invalid_argument("the scene has no such sphere");
   }
-  return Search(ray, spheres, around, claim).run();
+  const NearestGuard guard;
+  return search(ray, spheres, around, claim);
 }
 
 }  // namespace raycheck::reference

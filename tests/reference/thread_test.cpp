@@ -56,7 +56,7 @@ std::vector<std::string> everything(const ExactCamera& camera, const ExactRay& r
     const Neighbourhood around{scene::Root::kNearest, scene::Tangent::kHit, 0x1p-6};
     const NearbyAnswer missed = right_nearby(ray, sphere, around, std::nullopt);
     said.push_back(std::to_string(static_cast<int>(missed.found)));
-    for (const double share : missed.witness) said.push_back(std::to_string(share));
+    for (const double share : missed.witness) said.push_back(scene::hexfloat(share));
     const Intersection at = ray.intersect(sphere);
     say(condition_of_axial_distance(ray, sphere));
     say(condition_of_half_chord_sq(ray, sphere));
