@@ -1,0 +1,101 @@
+// Sound code passes the level that it should, whatever the seed.
+
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "properties/candidates/fast_candidate.h"
+#include "properties/cases/case_text.h"
+#include "properties/search/campaign.h"
+#include "tests/mutants/careful.h"
+
+namespace raycheck::mutants {
+namespace {
+
+using namespace properties;
+
+/// Cases of each law and seed: one or two of each severity of each source.
+constexpr int kCasesOfSeed = 100;
+
+/// How many seeds are tried; by hand RAYCHECK_LEVEL_SEEDS=1000.
+int seeds() {
+  const char* const given = std::getenv("RAYCHECK_LEVEL_SEEDS");
+  return given != nullptr ? std::atoi(given) : 10;
+}
+
+struct Sound {
+  std::string name;
+  Level level;
+  std::vector<std::string_view> laws;  ///< Empty: all.
+};
+void PrintTo(const Sound& sound, std::ostream* out) { *out << sound.name; }
+
+/// What the textbook's forms can do; s loses digits with the distance already on ordinary cases.
+const std::vector<std::string_view> kDecisions = {"class", "nearest-root", "nearest-sphere",
+                                                  "growing-radius"};
+
+std::vector<Sound> sound_code() {
+  std::vector<Sound> all = {{"careful", Level::kOrdinary, {}}};
+  for (const fast::IntersectMethod* method : fast::intersect_methods()) {
+    if (method->unit_roundoff != kDoubleRoundoff) continue;
+    const bool is_textbook = !method->not_kept.empty();
+    all.push_back({std::string(method->name), is_textbook ? Level::kOrdinary : Level::kDemanding,
+                   is_textbook ? kDecisions : std::vector<std::string_view>{}});
+  }
+  return all;
+}
+
+Candidate candidate_named(const std::string& name) {
+  if (name == "careful") return careful_candidate(name);
+  for (const fast::IntersectMethod* method : fast::intersect_methods()) {
+    if (method->name == name) return fast_candidate(fast::kDirectRays, *method);
+  }
+  throw std::invalid_argument(name);
+}
+
+class SoundCode : public testing::TestWithParam<Sound> {};
+
+TEST_P(SoundCode, PassesItsLevelWithEverySeed) {
+  ASSERT_GT(seeds(), 0);
+  const Candidate candidate = candidate_named(GetParam().name);
+  std::vector<std::string_view> names = GetParam().laws;
+  if (names.empty()) {
+    for (const Law& law : laws()) {
+      if (speaks_of_intersections(law) || GetParam().name == "careful") names.push_back(law.name);
+    }
+  }
+  for (const std::string_view name : names) {
+    Verdict all;
+    for (int seed = 1; seed <= seeds(); ++seed) {
+      CampaignOptions options;
+      options.cases = kCasesOfSeed;
+      options.level = GetParam().level;
+      options.seed = static_cast<std::uint64_t>(seed);
+      CampaignResult result = run_campaign(*find_law(name), candidate, options);
+      EXPECT_FALSE(result.failure.has_value())
+          << name << ", seed " << seed << ": " << result.failure->replay << "\n"
+          << scene_text(result.failure->shrunk);
+      all.merge(std::move(result.verdict));
+    }
+    EXPECT_EQ(all.count(Standing::kUndecided), 0u) << name;
+    if (all.compared() > 0) {
+      EXPECT_FALSE(all.too_few_right(kFewestRight)) << name;
+    }
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Levels, SoundCode, testing::ValuesIn(sound_code()),
+                         [](const testing::TestParamInfo<Sound>& the_test) {
+                           std::string name = the_test.param.name;
+                           for (char& letter : name) {
+                             if (letter == '-') letter = '_';
+                           }
+                           return name;
+                         });
+
+}  // namespace
+}  // namespace raycheck::mutants
