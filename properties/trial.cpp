@@ -229,7 +229,7 @@ Excuse excuse_of(reference::NearbyAnswer nearby, double relative_change) {
     case reference::Nearby::kWitness:
       return {ExcuseKind::kWitness, relative_change, std::move(nearby.witness)};
     case reference::Nearby::kRefuted:
-      return {};
+      return {ExcuseKind::kNone, relative_change};
     default:
       return {ExcuseKind::kUndecided, relative_change};
   }
