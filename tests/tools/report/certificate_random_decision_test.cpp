@@ -1,0 +1,189 @@
+// Certificates of critical decisions, wrong on purpose: tools/verify_certificates.py confirms the
+// witness of each that is excused, and proves of each defect anew that nothing nearby excuses it.
+// RAYCHECK_DECISIONS says how many of each are tried.
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstdint>
+#include <cstdlib>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "properties/candidates/fast_candidate.h"
+#include "properties/laws/law.h"
+#include "tests/reference/random_cases.h"
+#include "tests/tools/report/certificate_script.h"
+#include "tools/report/certificate.h"
+
+namespace raycheck::tools {
+namespace {
+
+using properties::Candidate;
+using properties::Case;
+using properties::Discrepancy;
+using properties::HitAnswer;
+using reference::ExactRay;
+using reference::HitClass;
+using reference::Intersection;
+using reference::Random;
+using reference::Sizes;
+using reference::WhichRoot;
+using scene::Sphere;
+
+std::size_t wanted() {
+  const char* const given = std::getenv("RAYCHECK_DECISIONS");
+  constexpr std::size_t kDefault = 500;
+  return given == nullptr ? kDefault : std::strtoul(given, nullptr, 10);
+}
+
+scene::Conventions any_conventions(Random& random) {
+  scene::Conventions conventions = reference::random_conventions(random);
+  if (random.one_in(2)) conventions.root = scene::Root::kSmaller;
+  conventions.tangent = random.one_in(2)   ? scene::Tangent::kHit
+                        : random.one_in(2) ? scene::Tangent::kMiss
+                                           : scene::Tangent::kEither;
+  return conventions;
+}
+
+/// A sphere that the ray almost touches, or almost starts on.
+Sphere critical_sphere(Random& random, const ExactRay& ray) {
+  Sphere sphere = reference::random_sphere(random, Sizes::kOrdinary);
+  const auto enclosed = ray.enclose(128);
+  const double impact_sq = sphere.radius * sphere.radius - enclosed.half_chord_sq(sphere).upper();
+  const double v = enclosed.axial_distance(sphere).upper();
+  const double distance_sq = random.one_in(2) ? impact_sq : impact_sq + v * v;
+  sphere.radius = reference::nudged(std::sqrt(std::max(0.0, distance_sq)), random.integer(-40, 40));
+  return sphere;
+}
+
+/// What a decision turned round would answer, or something close to it.
+std::optional<double> wrong_answer(Random& random, const ExactRay& ray, const Sphere& sphere,
+                                   const scene::Conventions& conventions) {
+  const Intersection at = ray.intersect(sphere, conventions.root);
+  double s = 0;
+  if (!counts_as_hit(at.hit_class, conventions.tangent)) {
+    const auto enclosed = ray.enclose(128);
+    const bool is_camera = ray.source().camera != nullptr;
+    s = enclosed.axial_distance(sphere).upper() / (is_camera ? 1 : enclosed.length().upper());
+    if (random.one_in(4)) s = 0;
+  } else {
+    if (random.one_in(2)) return std::nullopt;
+    const bool is_smaller = at.root == WhichRoot::kSmaller;
+    s = ray.rounded_parameter(
+        sphere, {at.hit_class, is_smaller ? WhichRoot::kLarger : WhichRoot::kSmaller});
+  }
+  if (random.one_in(3)) s = reference::nudged(s, random.integer(-40, 40));
+  return std::max(0.0, s);
+}
+
+Candidate that_answers(const std::optional<double>& s) {
+  Candidate candidate = properties::fast_candidate(fast::kDirectRays, fast::kCross);
+  candidate.intersect = [s](Candidate::Rays rays, Candidate::Spheres spheres,
+                            const scene::Conventions& /*conventions*/) {
+    properties::SphereHits hits;
+    for (std::size_t k = 0; s && k < rays.size(); ++k) hits.push_back({k, HitAnswer{*s, {}}});
+    return std::vector(spheres.size(), hits);
+  };
+  return candidate;
+}
+
+/// The wrong decisions of a case, as certificates by their standing.
+struct Certified {
+  std::vector<Json> excused, defects;
+  std::size_t undecided = 0;
+
+  void add(const Case& the_case, const Candidate& candidate) {
+    properties::Trial trial(the_case, candidate);
+    for (const char* law : {"class", "nearest-root"}) {
+      for (const Discrepancy& d : apply(*properties::find_law(law), trial).worst(1)) {
+        const Json one = certificate(the_case.scene, trial.conventions(), d, "wrong on purpose");
+        switch (d.excuse.standing()) {
+          case properties::Standing::kExcused:
+            excused.push_back(one);
+            break;
+          case properties::Standing::kDefect:
+            defects.push_back(one);
+            break;
+          default:
+            ++undecided;
+        }
+      }
+    }
+  }
+};
+
+Case any_case(Random& random, bool has_camera) {
+  Case result;
+  result.scene.conventions = any_conventions(random);
+  if (has_camera) {
+    result.scene.camera = reference::random_camera(random, Sizes::kOrdinary);
+    result.pixels = {reference::random_pixel(random, *result.scene.camera)};
+  } else {
+    const Sizes sizes = random.one_in(4) ? Sizes::kSmallIntegers : Sizes::kOrdinary;
+    result.scene.rays = {reference::random_ray(random, sizes)};
+  }
+  return result;
+}
+
+ExactRay ray_of(const Case& the_case) {
+  const scene::Scene& scene = the_case.scene;
+  if (!scene.camera) return ExactRay(scene.rays.front());
+  return {reference::ExactCamera(*scene.camera, scene.conventions), the_case.pixels.front()};
+}
+
+Certified critical_decisions(std::uint64_t seed, bool has_camera, std::size_t of_each) {
+  Random random(seed);
+  Certified certified;
+  for (std::size_t k = 0; k < 100 * of_each; ++k) {
+    Case the_case = any_case(random, has_camera);
+    const ExactRay ray = ray_of(the_case);
+    const Sphere sphere = critical_sphere(random, ray);
+    if (!scene::defects(sphere).empty()) continue;
+    the_case.scene.spheres = {sphere};
+    const auto answer = wrong_answer(random, ray, sphere, the_case.scene.conventions);
+    certified.add(the_case, that_answers(answer));
+    if (certified.excused.size() >= of_each && certified.defects.size() >= of_each) break;
+  }
+  if (certified.excused.size() > of_each) certified.excused.resize(of_each);
+  if (certified.defects.size() > of_each) certified.defects.resize(of_each);
+  return certified;
+}
+
+/// How many of the certificates are said to come to this.
+std::size_t count(const std::vector<Json>& certificates, const std::string& standing) {
+  const std::vector<std::string> lines = script_on(certificates);
+  std::size_t found = 0;
+  for (std::size_t k = 0; k < certificates.size() && k < lines.size(); ++k) {
+    const bool is_so =
+        lines[k].rfind("confirmed", 0) == 0 && lines[k].find(", " + standing) != std::string::npos;
+    if (is_so) {
+      ++found;
+    } else {
+      ADD_FAILURE() << lines[k] << "\n" << certificates[k];
+    }
+  }
+  return found;
+}
+
+TEST(CertifiedDecisions, OfGivenRaysHaveWitnessesThatAreConfirmed) {
+  const Certified certified = critical_decisions(1, false, wanted());
+  EXPECT_EQ(count(certified.excused, "and right for the inputs of its witness"), wanted());
+}
+
+TEST(CertifiedDecisions, OfGivenRaysAreProvedToBeDefects) {
+  const Certified certified = critical_decisions(1, false, wanted());
+  EXPECT_EQ(count(certified.defects, "and nowhere nearby right"), wanted());
+  EXPECT_EQ(certified.undecided, 0u);
+}
+
+TEST(CertifiedDecisions, OfCamerasHaveWitnessesThatAreConfirmed) {
+  const std::size_t of_each = wanted() / 10;
+  const Certified certified = critical_decisions(2, true, of_each);
+  EXPECT_EQ(count(certified.excused, "and right for the inputs of its witness"), of_each);
+}
+
+}  // namespace
+}  // namespace raycheck::tools
