@@ -17,6 +17,7 @@ U = Fraction(1, 2**53)  # the unit of relative errors
 NARROW = Fraction(1, 2**60)  # brackets are no wider, relative to what they bracket
 TOLERANCE = Fraction(1, 1000)  # of a stated error: it is an upper bound, and printed to 3 digits
 ROOT_BITS = (320, 5000)  # of square roots that decide on changed inputs: if not the first, the last
+MOST_SECTORS = 256  # of a plane, in which a vector is looked at
 INFINITE = Fraction(2) ** 2046  # the square of an error that counts as infinite
 SOME_SPHERE = "a sphere"  # what a picture shows that does not tell which
 CONVENTIONS = {
@@ -726,12 +727,10 @@ def exclude_each_other(f, g, g_is_zero=False):
     return False
 
 
-def is_longer(vector, most_sq):
-    """Whether a vector of three variations is longer everywhere than the root of `most_sq`: along
-    the direction of the shortest that is found, guessed in floats."""
-    size = max(max(map(abs, (v.value, v.spread))) for v in vector)
-    if size == 0:
-        return False
+def room_along(vector, most_sq):
+    """Negative wherever a vector of three variations is longer than the root of `most_sq` along one
+    direction, that of the shortest that is found, guessed in floats."""
+    size = max(max(map(abs, (v.value, v.spread))) for v in vector) or 1
     share = lambda x: float(sum(ends(x)) / 2 / size)
     at = [share(v.value) for v in vector]
     reach = [[share(x) for x in of_one] for of_one in zip(*(v.reach for v in vector))]
@@ -743,8 +742,8 @@ def is_longer(vector, most_sq):
                 to = min(1.0, max(-1.0, t[k] - dot(at, step) / square))
                 at, t[k] = plus(at, times(to - t[k], step)), to
     u = list(map(Fraction, at))
-    along = vector[0].shifted(u[0], 0).plus(u[1], vector[1]).plus(u[2], vector[2])
-    return along.low > 0 and along.low**2 > norm_sq(u) * most_sq
+    along = vector[0].shifted(-u[0], 0).plus(-u[1], vector[1]).plus(-u[2], vector[2])
+    return along.shifted(1, ends(root_of(norm_sq(u) * most_sq, ROOT_BITS[0]))[1])
 
 
 def vector_variations(box, form):
@@ -764,11 +763,50 @@ def off_form(axis, T, g, r, s):
     return (T[axis] - s * g[axis]), [*u, *[-1 * s * x for x in u], 0, -1 * g[axis]]
 
 
+def unit_vector(quarters, t):
+    """A direction of the plane: a quarter turn for t from 0 to 1, after so many others."""
+    x, y = (1 - t**2) / (1 + t**2), 2 * t / (1 + t**2)
+    for _ in range(quarters):
+        x, y = -y, x
+    return x, y
+
+
+def is_shorter(vector, across, least_sq):
+    """Whether a vector of three variations, nearly perpendicular to `across`, is shorter everywhere
+    than the root of `least_sq`: in sectors of the plane, each halved where that is not shown."""
+    size = max(map(abs, across))
+    axis = [float(x / size) for x in across]
+    least_axis = min(range(3), key=lambda k: abs(axis[k]))
+    other = [float(k == least_axis) for k in range(3)]
+    frame = [axis, cross(axis, other), cross(axis, cross(axis, other))]
+    frame = [[Fraction(x / dot(v, v) ** 0.5) for x in v] for v in frame]
+    # By a frame F nearly orthonormal, |F v|^2 >= (1 - defect) |v|^2.
+    defect = max(sum(abs(dot(v, w) - (v is w)) for w in frame) for v in frame)
+    along = lambda v: vector[0].shifted(v[0], 0).plus(v[1], vector[1]).plus(v[2], vector[2])
+    rest, first, second = map(along, frame)
+    least_sq = least_sq * (1 - defect) - max(abs(rest.low), abs(rest.high)) ** 2
+    sectors = [(quarters, Fraction(0), Fraction(1)) for quarters in range(4)]
+    for quarters, low, high in sectors:
+        # p = x u + y v, x and y >= 0, is no longer than x + y = p.(u + v) / (1 + u.v).
+        u, v = unit_vector(quarters, low), unit_vector(quarters, high)
+        x, y = plus(u, v)
+        longest = first.shifted(x, 0).plus(y, second).high / (1 + dot(u, v))
+        if longest > 0 and longest**2 >= least_sq:
+            if len(sectors) >= MOST_SECTORS:
+                return False
+            middle = (low + high) / 2
+            sectors += [(quarters, low, middle), (quarters, middle, high)]
+    return True
+
+
 def is_met_everywhere(box, conventions):
     """No ray and sphere of the box miss each other."""
     discriminant, b = box.variation(discriminant_form), box.variation(linear_form)
     if discriminant.low < 0 or (discriminant.low == 0 and conventions["tangent"] == "miss"):
-        return False
+        _, g, r, _ = box.whole
+        least_sq = r.low**2 * norm_sq(g).low
+        if r.low <= 0 or not is_shorter(vector_variations(box, moment_form), box.middle[1], least_sq):
+            return False
     c = box.variation(constant_form)
     if conventions["root"] == "smaller":
         return c.low >= 0 and b.low >= 0
@@ -779,7 +817,7 @@ def is_hit_nowhere(s, box_of, slack, reach, conventions):
     """No ray and sphere of the box meet at s, or as near to it as counts."""
     box = box_of(max(s - slack, Fraction(0)), s + slack)
     _, g, r, _ = box.whole
-    if not is_longer(vector_variations(box, off_form), r.high**2):
+    if room_along(vector_variations(box, off_form), r.high**2).high >= 0:
         root = box.variation(at_answer_form)
         ways = [before_middle_form]
         if conventions["root"] == "nearest":
@@ -799,9 +837,9 @@ def is_no_double_root(box, reach, r, a_most):
     small = discriminant.shifted(-1, most_sq / 4)
     if any(f.high < 0 for f in (discriminant, not_before, not_behind, small)):
         return True
-    if any(exclude_each_other(f, g) for f in (discriminant, small) for g in (not_before, not_behind)):
-        return True
-    return is_longer(vector_variations(box, moment_form), (r**2).high * a_most)
+    room = room_along(vector_variations(box, moment_form), (r**2).high * a_most)
+    of_length, of_place = (discriminant, small, room), (not_before, not_behind)
+    return any(exclude_each_other(f, g) for f in of_length for g in of_place)
 
 
 def is_right_nowhere(certificate, ray):
