@@ -860,16 +860,16 @@ def is_right_nowhere(certificate, ray):
     return is_hit_nowhere(s, box_of, slack, reach, conventions)
 
 
-# What a wrong decision is proved to come to, as it is counted and as it is said of one.
-STANDINGS = {
-    "witnesses confirmed": "and right for the inputs of its witness",
-    "defects proved": "and nowhere nearby right",
-    "defects not proved": "said to be nowhere nearby right",
-}
+# What is said of wrong decisions, by whether they are excused by a witness or said to be defects.
+BY_WITNESS, PROVED, NOT_PROVED = (
+    "right for its witness",
+    "proved wrong for all inputs nearby",
+    "not proved wrong for all inputs nearby",
+)
 
 
 def confirm_standing(certificate, ray):
-    """Of a wrong decision; None where it is undecided or was not looked into."""
+    """What is shown of a wrong decision; None where nothing is claimed that can be."""
     excuse = certificate["excuse"]
     if excuse is None:
         is_proved = (
@@ -877,11 +877,11 @@ def confirm_standing(certificate, ray):
             and certificate["quantity"] != "nearest sphere"
             and is_right_nowhere(certificate, ray)
         )
-        return "defects proved" if is_proved else "defects not proved"
+        return PROVED if is_proved else NOT_PROVED
     if excuse["kind"] != "witness":
         return None
     confirm_witness(certificate, ray)
-    return "witnesses confirmed"
+    return BY_WITNESS
 
 
 def confirm(certificate):
@@ -941,7 +941,7 @@ def judge(certificate):
 
 def main(paths):
     counts = {"confirmed": 0, "REFUTED": 0, "not certified": 0}
-    decisions = {standing: 0 for standing in STANDINGS}
+    decisions = {BY_WITNESS: 0, PROVED: 0, NOT_PROVED: 0}
     for path in paths:
         with open(path, encoding="utf-8") as file:
             for certificate in map(json.loads, file):
@@ -950,10 +950,12 @@ def main(paths):
                 text = f"{state}  {title(certificate)}" + (f": {why}" if why else "")
                 if standing:
                     decisions[standing] += 1
-                    text += f", {STANDINGS[standing]}"
+                    text += f"; {standing}"
                 print(text)
-    for each in (counts, decisions):
-        print(", ".join(f"{count} {state.lower()}" for state, count in each.items()))
+    print(", ".join(f"{count} {state.lower()}" for state, count in counts.items()))
+    if any(decisions.values()):
+        parts = (f"{count} {standing}" for standing, count in decisions.items() if count)
+        print("wrong decisions: " + ", ".join(parts))
     return 1 if counts["REFUTED"] else 0
 
 

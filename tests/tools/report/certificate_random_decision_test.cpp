@@ -173,9 +173,9 @@ Certified critical_decisions(Kind kind, std::size_t of_each) {
   return certified;
 }
 
-constexpr const char* kExcused = "and right for the inputs of its witness";
-constexpr const char* kDefect = "and nowhere nearby right";
-constexpr const char* kUnproved = "said to be nowhere nearby right";
+constexpr const char* kExcused = "right for its witness";
+constexpr const char* kDefect = "proved wrong for all inputs nearby";
+constexpr const char* kUnproved = "not proved wrong for all inputs nearby";
 
 /// Expects that certificates are confirmed, and of all but so many that they come to this.
 void expect_confirmed(const std::vector<Json>& certificates, const std::string& standing,
@@ -184,7 +184,7 @@ void expect_confirmed(const std::vector<Json>& certificates, const std::string& 
   std::size_t others = 0;
   for (std::size_t k = 0; k < certificates.size() && k < lines.size(); ++k) {
     EXPECT_EQ(lines[k].rfind("confirmed", 0), 0u) << lines[k] << "\n" << certificates[k];
-    if (lines[k].find(", " + standing) != std::string::npos) continue;
+    if (lines[k].find("; " + standing) != std::string::npos) continue;
     if (++others > exceptions) ADD_FAILURE() << lines[k] << "\n" << certificates[k];
   }
 }
