@@ -485,6 +485,19 @@ def root_of(x, bits):
     return low if is_exact else Interval(low, high)
 
 
+def outward(x):
+    """An Interval with ends of fewer digits; a number as it is."""
+    if not isinstance(x, Interval):
+        return x
+    rounded_ends = []
+    for sign, end in ((1, x.low), (-1, x.high)):
+        n, d = Fraction(sign * end).as_integer_ratio()
+        shift = ROOT_BITS[0] - abs(n).bit_length() + d.bit_length()
+        down = Fraction((n << max(shift, 0)) // (d << max(-shift, 0)))
+        rounded_ends.append(sign * down / Fraction(2) ** shift)
+    return Interval(*rounded_ends)
+
+
 class Dual:
     """A number and its derivatives by relative changes of inputs, by the names of these."""
 
@@ -496,7 +509,7 @@ class Dual:
         slopes = {name: mine * slope for name, slope in self.slopes.items()}
         for name, slope in (other.slopes if isinstance(other, Dual) else {}).items():
             slopes[name] = theirs * slope + slopes.get(name, 0)
-        return Dual(value, slopes)
+        return Dual(outward(value), {name: outward(slope) for name, slope in slopes.items()})
 
     def __neg__(self):
         return self.linear(-self.value, -1)
@@ -536,14 +549,15 @@ def most(x):
     return max(map(abs, ends(x)))
 
 
-def slack_of(s, ray, centre, amount):
-    """How far an answer's s may be off: its share of s and of the way to the centre."""
-    way = max(map(least, minus(centre, ray.start)))
+def slack_of(s, ray, centre, amount, bound):
+    """How far an answer's s may be off, at least or at most: its share of s and of the way to the
+    centre."""
+    way = max(map(bound, minus(centre, ray.start)))
     return amount * (s + (way / max(map(abs, ray.g)) if ray.is_given else way))
 
 
-def reach_of(s, certificate, ray, amount, bits):
-    """R: what the changes add to |T - s g|^2 - r^2, to first order, or a little less."""
+def reach_of(s, certificate, ray, amount, bits, bound):
+    """R: what the changes add to |T - s g|^2 - r^2, to first order, at least or at most."""
     (sphere,) = certificate["inputs"]["spheres"]
     if ray.is_given:
         centre, radius = numbers(sphere["centre"]), number(sphere["radius"])
@@ -553,7 +567,7 @@ def reach_of(s, certificate, ray, amount, bits):
     (sphere,) = inputs["spheres"]
     way = [x / ray.unit * s for x in ray.g]
     at_answer = norm_sq(minus(minus(sphere["centre"], ray.start), way)) - sphere["radius"] ** 2
-    return amount * sum(map(least, at_answer.slopes.values()))
+    return amount * sum(map(bound, at_answer.slopes.values()))
 
 
 def is_answer_right(certificate, ray, changed, changed_ray, bits):
@@ -570,7 +584,7 @@ def is_answer_right(certificate, ray, changed, changed_ray, bits):
     if s < 0:
         return False
     centre = numbers(certificate["inputs"]["spheres"][0]["centre"])
-    slack = slack_of(s, ray, centre, amount)
+    slack = slack_of(s, ray, centre, amount, least)
     low, high = ((s + off) / changed_ray.unit for off in (-slack, slack))
     if is_root_between(ends(low)[1], ends(high)[0], root, a, b, c):
         return True
@@ -578,7 +592,7 @@ def is_answer_right(certificate, ray, changed, changed_ray, bits):
     half = root_of(discriminant, bits)
     met = b - half if root == "smaller" else b + half
     apart = most(a * (s / changed_ray.unit) - met) + 2 * most(half)
-    return apart**2 <= reach_of(s, certificate, ray, amount, bits) * least(a)
+    return apart**2 <= reach_of(s, certificate, ray, amount, bits, least) * least(a)
 
 
 def is_choice_right(certificate, changed, ray, bits):
@@ -675,7 +689,7 @@ class Variation:
     def __init__(self, value, reach):
         self.value, self.reach = value, reach
         self.spread = sum(map(most, reach))
-        self.low, self.high = value - self.spread, value + self.spread
+        self.low, self.high = ends(value)[0] - self.spread, ends(value)[1] + self.spread
 
     def shifted(self, sign, shift):
         return Variation(sign * self.value + shift, [sign * x for x in self.reach])
@@ -685,28 +699,54 @@ class Variation:
         return Variation(self.value + factor * other.value, reach)
 
 
-class Box:
-    """What T, g, r and s may be: s as far as it may be off, or fixed."""
+class Nearby:
+    """A ray and a sphere whose inputs change by at most the certificate's neighbourhood: T, g, r
+    and |g|, in the middle and over the whole box; how they change with each input, as Duals."""
 
-    def __init__(self, ray, centre, radius, amount, s_low, s_high):
-        middle = minus(centre, ray.start) + ray.g + [radius, (s_low + s_high) / 2]
-        sizes = plus(map(abs, ray.start), map(abs, centre)) + [*map(abs, ray.g), radius]
-        self.half = times(amount, sizes) + [(s_high - s_low) / 2]
-        self.middle = self.arguments(middle)
-        self.whole = self.arguments([Interval(x - h, x + h) for x, h in zip(middle, self.half)])
+    def __init__(self, certificate):
+        amount = Fraction(certificate["neighbourhood"])
+        self.middle = self.arguments(certificate, lambda name, x: Dual(x, {}))
+        self.whole = self.arguments(certificate, lambda name, x: around(x, amount * abs(x), name))
 
     @staticmethod
-    def arguments(numbers_in_order):
-        return numbers_in_order[0:3], numbers_in_order[3:6], *numbers_in_order[6:8]
+    def arguments(certificate, change):
+        inputs = change_inputs(certificate, change)
+        roots = lambda _, square: root_of(square, ROOT_BITS[0])
+        ray = ray_of(inputs, certificate["conventions"], roots)
+        (sphere,) = inputs["spheres"]
+        T = minus(sphere["centre"], ray.start)
+        return [*T, *ray.g, sphere["radius"]], ray.unit
+
+    def box(self, s_low, s_high):
+        """What T, g, r and mu may be: s, in multiples of g, in a range."""
+        half = (s_high - s_low) / 2
+        sizes = (Dual(s_low + half, {}), self.middle), (around(s_low + half, half, "s"), self.whole)
+        return Box(*([*numbers, s / unit] for s, (numbers, unit) in sizes))
+
+
+def around(x, half, name):
+    """All from x - half to x + half."""
+    return Dual(Interval(x - half, x + half), {name: half} if half else {})
+
+
+class Box:
+    def __init__(self, middle, whole):
+        self.middle, self.whole = (self.arguments(numbers) for numbers in (middle, whole))
+        self.steps = [x.slopes for x in whole]
+
+    @staticmethod
+    def arguments(numbers):
+        values = [value_of(x) for x in numbers]
+        return values[0:3], values[3:6], *values[6:8]
 
     def variation(self, form):
         """By the mean-value form: value in the middle, derivatives over the whole box."""
-        slopes = form(*self.whole)[1]
-        return Variation(form(*self.middle)[0], times_each(self.half, slopes))
-
-
-def times_each(factors, slopes):
-    return [slope * factor for slope, factor in zip(slopes, factors)]
+        reach = {}
+        for slope, steps in zip(form(*self.whole)[1], self.steps):
+            for name, step in steps.items():
+                reach[name] = reach.get(name, 0) + slope * step
+        names = sorted({name for steps in self.steps for name in steps})
+        return Variation(form(*self.middle)[0], [reach[name] for name in names])
 
 
 def exclude_each_other(f, g, g_is_zero=False):
@@ -730,7 +770,7 @@ def exclude_each_other(f, g, g_is_zero=False):
 def room_along(vector, most_sq):
     """Negative wherever a vector of three variations is longer than the root of `most_sq` along one
     direction, that of the shortest that is found, guessed in floats."""
-    size = max(max(map(abs, (v.value, v.spread))) for v in vector) or 1
+    size = max(max(most(v.value), v.spread) for v in vector) or 1
     share = lambda x: float(sum(ends(x)) / 2 / size)
     at = [share(v.value) for v in vector]
     reach = [[share(x) for x in of_one] for of_one in zip(*(v.reach for v in vector))]
@@ -774,8 +814,8 @@ def unit_vector(quarters, t):
 def is_shorter(vector, across, least_sq):
     """Whether a vector of three variations, nearly perpendicular to `across`, is shorter everywhere
     than the root of `least_sq`: in sectors of the plane, each halved where that is not shown."""
-    size = max(map(abs, across))
-    axis = [float(x / size) for x in across]
+    size = max(map(most, across))
+    axis = [float(ends(x)[0] / size) for x in across]
     least_axis = min(range(3), key=lambda k: abs(axis[k]))
     other = [float(k == least_axis) for k in range(3)]
     frame = [axis, cross(axis, other), cross(axis, cross(axis, other))]
@@ -845,19 +885,21 @@ def is_no_double_root(box, reach, r, a_most):
 def is_right_nowhere(certificate, ray):
     """Whether the answer is proved to be wrong for all inputs of the neighbourhood."""
     amount, conventions = Fraction(certificate["neighbourhood"]), certificate["conventions"]
-    (sphere,) = certificate["inputs"]["spheres"]
-    centre, radius = numbers(sphere["centre"]), number(sphere["radius"])
-    box_of = lambda low, high: Box(ray, centre, radius, amount, low, high)
+    try:
+        nearby = Nearby(certificate)
+    except Refuted:  # so wide that a camera of it may have no axes
+        return False
     if not certificate["got"]:
-        return is_met_everywhere(box_of(Fraction(0), Fraction(0)), conventions)
+        return is_met_everywhere(nearby.box(Fraction(0), Fraction(0)), conventions)
     if isinstance(certificate["got"][0], str):  # no number
         return True
     s = number(certificate["got"][0])
     if s < 0:
         return True
-    slack = slack_of(s, ray, centre, amount)
-    reach = amount * first_order_reach(s, ray, centre, radius)
-    return is_hit_nowhere(s, box_of, slack, reach, conventions)
+    centre = numbers(certificate["inputs"]["spheres"][0]["centre"])
+    slack = slack_of(s, ray, centre, amount, most)
+    reach = reach_of(s, certificate, ray, amount, ROOT_BITS[0], most)
+    return is_hit_nowhere(s, nearby.box, slack, reach, conventions)
 
 
 # What is said of wrong decisions, by whether they are excused by a witness or said to be defects.
@@ -872,12 +914,8 @@ def confirm_standing(certificate, ray):
     """What is shown of a wrong decision; None where nothing is claimed that can be."""
     excuse = certificate["excuse"]
     if excuse is None:
-        is_proved = (
-            ray.is_given
-            and certificate["quantity"] != "nearest sphere"
-            and is_right_nowhere(certificate, ray)
-        )
-        return PROVED if is_proved else NOT_PROVED
+        is_choice = certificate["quantity"] == "nearest sphere"
+        return PROVED if not is_choice and is_right_nowhere(certificate, ray) else NOT_PROVED
     if excuse["kind"] != "witness":
         return None
     confirm_witness(certificate, ray)

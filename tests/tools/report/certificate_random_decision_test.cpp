@@ -258,10 +258,14 @@ TEST(CertifiedDecisions, BetweenSpheresHaveWitnessesThatAreConfirmed) {
   expect_confirmed(certified.excused, kExcused);
 }
 
-TEST(CertifiedDecisions, OfCamerasHaveWitnessesThatAreConfirmed) {
-  const Certified certified = critical_decisions(Kind::kCamera, wanted() / 10);
-  ASSERT_EQ(certified.excused.size(), wanted() / 10);
+TEST(CertifiedDecisions, OfCamerasAreExcusedOrDefectsForAnyone) {
+  const std::size_t of_each = wanted() / 10;
+  const Certified certified = critical_decisions(Kind::kCamera, of_each);
+  ASSERT_EQ(certified.excused.size(), of_each);
+  ASSERT_EQ(certified.defects.size(), of_each);
   expect_confirmed(certified.excused, kExcused);
+  expect_confirmed(certified.defects, kDefect);
+  expect_not_proved(certified.excused);
 }
 
 }  // namespace
