@@ -857,12 +857,11 @@ def is_hit_nowhere(s, box_of, slack, reach, conventions):
     """No ray and sphere of the box meet at s, or as near to it as counts."""
     box = box_of(max(s - slack, Fraction(0)), s + slack)
     _, g, r, _ = box.whole
-    if room_along(vector_variations(box, off_form), r.high**2).high >= 0:
-        root = box.variation(at_answer_form)
-        ways = [before_middle_form]
-        if conventions["root"] == "nearest":
-            ways.append(other_behind_form)
-        if not all(exclude_each_other(box.variation(way), root, g_is_zero=True) for way in ways):
+    root, ways = box.variation(at_answer_form), [before_middle_form]
+    if conventions["root"] == "nearest":
+        ways.append(other_behind_form)
+    if not all(exclude_each_other(box.variation(way), root, g_is_zero=True) for way in ways):
+        if room_along(vector_variations(box, off_form), r.high**2).high >= 0:
             return False
     return is_no_double_root(box_of(s, s), reach, r, norm_sq(g).high)
 
@@ -877,9 +876,11 @@ def is_no_double_root(box, reach, r, a_most):
     small = discriminant.shifted(-1, most_sq / 4)
     if any(f.high < 0 for f in (discriminant, not_before, not_behind, small)):
         return True
+    of_place = (not_before, not_behind)
+    if any(exclude_each_other(f, g) for f in (discriminant, small) for g in of_place):
+        return True
     room = room_along(vector_variations(box, moment_form), (r**2).high * a_most)
-    of_length, of_place = (discriminant, small, room), (not_before, not_behind)
-    return any(exclude_each_other(f, g) for f in of_length for g in of_place)
+    return any(exclude_each_other(room, g) for g in of_place)
 
 
 def is_right_nowhere(certificate, ray):
