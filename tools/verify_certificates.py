@@ -644,9 +644,9 @@ def confirm_witness(certificate, ray):
     require(found, "the answer is not right for the inputs of its witness")
 
 
-# That there are no such inputs is proved of given rays by mean-value forms. Their inputs matter by
-# T = C - L, g, r and s alone: numbers in a box. Each function below takes the four and gives its
-# value and its derivatives by T, g, r and s.
+# That there are no such inputs is proved by mean-value forms over the box of all that are nearby.
+# They matter by T = C - L, g, r and s, in multiples of g, alone. Each function below takes the four
+# and gives its value and its derivatives by them.
 
 
 def discriminant_form(T, g, r, s):
