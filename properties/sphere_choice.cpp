@@ -22,14 +22,13 @@ Wrong wrong_of(const Choice& choice) {
 
 Excuse excuse(Trial& trial, std::size_t ray, Index got, double change) {
   using reference::FirstMet;
-  const scene::Conventions& conventions = trial.conventions();
   const FirstMet claim{!got                 ? FirstMet::What::kNothing
                        : got == kSomeSphere ? FirstMet::What::kSomething
                                             : FirstMet::What::kSphere,
                        got.value_or(0)};
-  return excuse_of(right_nearby(trial.exact_ray(ray), trial.scene().spheres,
-                                {conventions.root, conventions.tangent, change}, claim),
-                   change);
+  return trial.excuse_of(
+      right_nearby(trial.exact_ray(ray), trial.scene().spheres, trial.neighbourhood(change), claim),
+      change);
 }
 
 SpheresMet spheres_met(Trial& trial) {

@@ -184,9 +184,12 @@ bool Trial::promises_growth(Quantity quantity) const {
          documented_bound(candidate_, quantity, case_.scene.camera.has_value());
 }
 
-bool Trial::grown_bound_allows(Quantity quantity, double error, double bound,
-                               double condition) const {
+bool Trial::grown_bound_allows(Quantity quantity, double error, double bound, double condition,
+                               const std::function<double()>& backward) const {
   if (candidate_.is_unconditional[static_cast<std::size_t>(quantity)]) return false;
+  if (std::isinf(condition) && backward) {
+    return bound > 0 && backward() <= this->bound(Quantity::kBackwardError);
+  }
   // An infinite error is one of a value whose exact one is 0, or that is not finite.
   return std::isfinite(error) ? error <= bound * bound_growth(condition)
                               : bound > 0 && std::isinf(condition);
@@ -204,7 +207,8 @@ void Trial::examine(Verdict& verdict, Quantity quantity, const Place& place, dou
   }
   if (error <= bound) return;
   if (!discrepancy.condition) discrepancy.condition = condition();
-  const bool is_allowed = grown_bound_allows(quantity, error, bound, *discrepancy.condition);
+  const bool is_allowed =
+      grown_bound_allows(quantity, error, bound, *discrepancy.condition, backward);
   if (is_allowed && inside_domain_ && promises_growth(quantity) && std::isfinite(error)) {
     verdict.count_ill_conditioned(quantity);
     return;
@@ -224,19 +228,24 @@ void Trial::examine(Verdict& verdict, Quantity quantity, const Place& place, dou
   verdict.add(std::move(discrepancy));
 }
 
-Excuse excuse_of(reference::NearbyAnswer nearby, double relative_change) {
+reference::Neighbourhood Trial::neighbourhood(double relative_change) const {
+  return {conventions_.root, conventions_.tangent, relative_change, undecided_ < kMostLongSearches};
+}
+
+Excuse Trial::excuse_of(reference::NearbyAnswer nearby, double relative_change) const {
   switch (nearby.found) {
     case reference::Nearby::kWitness:
       return {ExcuseKind::kWitness, relative_change, std::move(nearby.witness)};
     case reference::Nearby::kRefuted:
       return {ExcuseKind::kNone, relative_change};
     default:
+      ++undecided_;
       return {ExcuseKind::kUndecided, relative_change};
   }
 }
 
 Excuse Trial::excuse(std::initializer_list<RayAnswer> answers) const {
-  const reference::Neighbourhood around{conventions_.root, conventions_.tangent, excused_change()};
+  const reference::Neighbourhood around = neighbourhood(excused_change());
   std::optional<Excuse> weakest;
   for (const RayAnswer& answer : answers) {
     if (!is_wrong(answer, conventions_)) continue;

@@ -26,6 +26,10 @@ struct TrialOptions {
   std::shared_ptr<Truth> truth = nullptr;
 };
 
+/// Once so many searches for a witness ended undecided in a trial, which costs most, the others are
+/// short: where inputs are so ill-conditioned, one more seldom ends otherwise.
+inline constexpr int kMostLongSearches = 8;
+
 /// How a ray and a sphere are said to meet.
 struct RayAnswer {
   const reference::ExactRay& ray;
@@ -128,6 +132,10 @@ class Trial {
   /// What excuses answers that are wrong or contradict each other: of each that is wrong, inputs
   /// within excused_change() of its own for which it is right. Where one has none, nothing does.
   Excuse excuse(std::initializer_list<RayAnswer> answers) const;
+  /// Where a witness is searched, and whether at length.
+  reference::Neighbourhood neighbourhood(double relative_change) const;
+  /// The excuse of what was found there.
+  Excuse excuse_of(reference::NearbyAnswer nearby, double relative_change) const;
 
  private:
   bool promises_exactly(Quantity quantity) const;
@@ -136,8 +144,10 @@ class Trial {
   /// error that it then allows is no discrepancy. The user's does not grow; what it would allow is
   /// excused.
   bool promises_growth(Quantity quantity) const;
-  /// Whether an error above a bound is within what the bound grows to.
-  bool grown_bound_allows(Quantity quantity, double error, double bound, double condition) const;
+  /// Whether an error above a bound is within what the bound grows to: without end where the
+  /// condition number is infinite, unless there is a backward error to go by.
+  bool grown_bound_allows(Quantity quantity, double error, double bound, double condition,
+                          const std::function<double()>& backward) const;
   /// measure() of an error that is weighed, or above its bound.
   void examine(Verdict& verdict, Quantity quantity, const Place& place, double error, double bound,
                const std::function<double()>& condition,
@@ -154,15 +164,14 @@ class Trial {
   TrialOptions options_;
   bool inside_domain_;
 
+  mutable int undecided_ = 0;  ///< Searches that ended so.
+
   std::optional<FrameAnswer> frame_;
   std::optional<std::vector<scene::Point3>> pixel_points_;
   std::optional<std::vector<scene::Ray>> rays_;
   std::optional<std::vector<SphereHits>> hits_;
   std::optional<std::vector<std::optional<std::size_t>>> nearest_;
 };
-
-/// The excuse of what a search for inputs close by found.
-Excuse excuse_of(reference::NearbyAnswer nearby, double relative_change);
 
 /// A tangent that the convention leaves open.
 constexpr bool is_unjudged(const reference::Intersection& intersection, scene::Tangent tangent) {

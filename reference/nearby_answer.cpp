@@ -28,7 +28,7 @@ constexpr double kBeyond = 1 + 0x1p-10;
 
 /// How finely a line through the neighbourhood is looked along: steps to each side of its middle,
 /// and bisections of a step over which something changes its sign.
-constexpr int kLineSteps = 32;
+constexpr int kLineSteps = 8;
 constexpr int kBisections = 60;
 
 /// The search for inputs near those of a ray and a sphere for which an answer is right.
@@ -51,6 +51,7 @@ class Search {
       }
     }
     if (is_refuted) return {Nearby::kRefuted, {}};
+    if (!box_.around().at_length) return {};
     is_refuted = true;
     for (const std::vector<Condition>& all : alternatives(box_)) {
       std::optional<InputChange> witness;

@@ -29,6 +29,9 @@ struct Neighbourhood {
   scene::Root root = scene::Root::kNearest;
   scene::Tangent tangent = scene::Tangent::kHit;
   double relative_change = 0;  ///< Of each input, at most.
+  /// Whether to go on, by steps and in parts, where the deciders are not nearly linear: it takes up
+  /// to a hundred times as long.
+  bool at_length = true;
 };
 
 /// Whether a ray and a sphere of the neighbourhood meet as an answer says: not at all (empty), or
@@ -39,7 +42,8 @@ struct Neighbourhood {
 /// Shape:  a ray, a sphere and an answer -> a witness, a refutation, or neither.
 /// Units:  s in multiples of a given ray's direction, as a length of a camera's.
 /// Domain: as ExactRay; an s that is negative or no number is refuted.
-/// Error:  a witness is verified and a refutation proven, both by balls, but for what is so far from
+/// Error:  a witness is verified and a refutation proven, both by balls, but for what is so far
+/// from
 ///         right that intervals refute it. Both are looked for where what decides is linear in the
 ///         inputs, which over a small neighbourhood it nearly is; over wide ones by lengths of
 ///         vectors, witnesses also by projections and along lines. Undecided is the rest: roots

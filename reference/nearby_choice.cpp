@@ -83,7 +83,7 @@ class Search {
       for (const int root : hit_roots()) take(hit(0, root), 1, root, {});
     }
     // Another sphere in the way is taken in before this costs more.
-    if (offender_ && !open_.empty()) is_refuted_ = false;
+    if ((offender_ || !question_.around.at_length) && !open_.empty()) is_refuted_ = false;
     for (const Conditions& all : open_) {
       if (!witness_ && is_refuted_) search_parts(all);
     }
@@ -184,7 +184,8 @@ class Search {
   void find_witness(const Conditions& all) {
     const std::size_t n = inputs_->dimension();
     std::vector<double> t = best_place(variations(*whole_, all), n).t;
-    for (int step = 0; step < kSteps && !is_witness(t); ++step) {
+    const int steps = question_.around.at_length ? kSteps : 1;
+    for (int step = 0; step < steps && !is_witness(t); ++step) {
       t = best_place(variations(ChoiceForms(*inputs_, Part{t, {}}), all), n).t;
     }
     if (!witness_) open_.push_back(all);

@@ -400,11 +400,13 @@ TEST(Rooms, LetTheEdgeAndViewsAloneNameOptions) {
 }
 
 TEST(Rooms, AreMirroredByTheTests) {
+  // What is wrong on purpose, and what comes of it.
+  const Rooms of_tests_alone = {"mutants", "dull", "caught"};
   for (const auto& entry : fs::recursive_directory_iterator(root() / "tests")) {
     if (!entry.path().filename().string().ends_with("_test.cpp")) continue;
     const std::string folder =
         fs::relative(entry.path(), root() / "tests").parent_path().generic_string();
-    if (folder.empty() || folder == "mutants") continue;
+    if (folder.empty() || of_tests_alone.contains(folder)) continue;
     EXPECT_TRUE(fs::is_directory(root() / folder)) << entry.path() << " mirrors no room";
   }
 }

@@ -163,8 +163,10 @@ void judge_residuals(Trial& trial, Verdict& verdict, const Encounter& at) {
           const Enclosure3 origin = ray.enclose(256).origin();
           const Enclosure radius(sphere.radius, 256);
           const Enclosure size = norm(point) + norm(centre) + norm(origin) + radius;
+          // At a double root s moves the point along the surface.
+          const double of_point = reference::condition_of_point(ray, sphere, *at.exact);
           return (size / scale(point - origin, radius)).upper() *
-                 reference::condition_of_point(ray, sphere, *at.exact);
+                 (std::isinf(of_point) ? 1 : of_point);
         },
         [&](Discrepancy& d) { d.got = numbers(answer); });
   };
@@ -181,6 +183,7 @@ void judge_hit_point(Trial& trial, Verdict& verdict) {
     trial.measure(
         verdict, Quantity::kHitPoint, trial.place(at.ray, at.sphere),
         reference::hit_point_error(ray, sphere, *at.exact, at.answer->point),
+        trial.bound(Quantity::kHitPoint),
         // Every method adds s D to L, a step that loses |L|/|Q| of its own.
         [&] {
           return reference::condition_of_point(ray, sphere, *at.exact) +
@@ -189,7 +192,8 @@ void judge_hit_point(Trial& trial, Verdict& verdict) {
         [&](Discrepancy& d) {
           d.got = numbers(at.answer->point);
           d.exact = numbers(ray.rounded_point(sphere, *at.exact));
-        });
+        },
+        [&] { return backward_error(trial, at); });
     judge_residuals(trial, verdict, at);
   });
 }

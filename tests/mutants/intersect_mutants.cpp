@@ -1,6 +1,8 @@
+#include <algorithm>
 #include <cmath>
 #include <functional>
 #include <string>
+#include <tuple>
 #include <utility>
 
 #include "fast/intersect.h"
@@ -68,6 +70,38 @@ Candidate with_choice(std::string name,
               }
               return hits;
             });
+  return candidate;
+}
+
+/// The roots of a s^2 + b s + c by q = -(b - sign(b) sqrt(b^2 - 4ac))/2, which cancels where the
+/// other sign would not; for an origin on the surface q is 0, and c/q no number.
+Hit hit_by_cancelling_roots(const Ray& ray, const Sphere& sphere, const Conventions& conventions) {
+  const auto dot = [](const scene::Vector3& u, const scene::Vector3& v) {
+    return u.x * v.x + u.y * v.y + u.z * v.z;
+  };
+  const scene::Vector3 from_centre = ray.origin - sphere.centre;
+  const double a = dot(ray.direction, ray.direction);
+  const double b = 2 * dot(from_centre, ray.direction);
+  const double c = dot(from_centre, from_centre) - sphere.radius * sphere.radius;
+  fast::Roots roots;
+  roots.half_chord_sq = b * b - 4 * a * c;
+  if (!properties::meets(roots, conventions)) return {};
+  const double q = -(b - std::copysign(std::sqrt(roots.half_chord_sq), b)) / 2;
+  std::tie(roots.smaller, roots.larger) = std::minmax({q / a, c / q});
+  if (std::isnan(c / q)) return {};
+  return properties::usual_choice(ray, roots, conventions);
+}
+
+Candidate with_cancelling_roots() {
+  Candidate candidate = named("cancelling-roots");
+  answer_by(candidate, [base = unmutated_hits()](Candidate::Rays rays, const Sphere& sphere,
+                                                 const Conventions& conventions) {
+    std::vector<Hit> hits = base(rays, sphere, conventions);
+    for (std::size_t k = 0; k < hits.size(); ++k) {
+      hits[k] = hit_by_cancelling_roots(rays[k], sphere, conventions);
+    }
+    return hits;
+  });
   return candidate;
 }
 
@@ -180,6 +214,10 @@ std::vector<Mutant> intersect_mutants() {
        {"class", "parameter", "backward-error", "nearest-sphere"},
        naive_discriminant(),
        properties::Level::kDemanding},
+      {"the stable quadratic formula with the sign of its square root the wrong way round",
+       {"class", "parameter", "backward-error"},
+       with_cancelling_roots(),
+       properties::Level::kExtreme},
       from_mistake("first-wins", "the first sphere in the file wins", {"nearest-sphere"}),
       from_mistake("last-wins", "the last sphere in the file wins", {"nearest-sphere"})};
   for (auto& more : {choice_mutants(), value_mutants()})

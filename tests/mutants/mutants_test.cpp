@@ -85,6 +85,21 @@ INSTANTIATE_TEST_SUITE_P(Mutants, EachMutant, testing::ValuesIn(names()),
                            return name;
                          });
 
+/// What a user's first report on origins near a surface says.
+TEST(Mutants, OfTheStableFormulaBreakNearTheSurface) {
+  const Mutant mutant = mutant_named("cancelling-roots");
+  const auto is_broken = [&](const char* law, int severity) {
+    CampaignOptions near;
+    near.sources = {chosen_source("surface@" + std::to_string(severity))};
+    return run_campaign(*find_law(law), mutant.candidate, near).failure.has_value();
+  };
+  EXPECT_TRUE(is_broken("class", 16));
+  for (int severity = 12; severity < 16; ++severity) {
+    EXPECT_TRUE(is_broken("parameter", severity)) << severity;
+    EXPECT_TRUE(is_broken("backward-error", severity)) << severity;
+  }
+}
+
 TEST(Mutants, HaveNamesOfTheirOwn) {
   const auto all = names();
   EXPECT_EQ(std::set<std::string>(all.begin(), all.end()).size(), all.size());

@@ -1,6 +1,7 @@
 #include "tools/grade/judge.h"
 
 #include <algorithm>
+#include <limits>
 #include <functional>
 #include <memory>
 #include <utility>
@@ -215,6 +216,9 @@ Judge::Judge(const Rubric& rubric, Candidate candidate, bool pictures, std::uint
       end_(Clock::now() + std::chrono::duration_cast<Clock::duration>(
                               std::chrono::duration<double>(rubric.seconds))) {
   candidate_.declared = rubric.conventions.over(candidate_.declared);
+  // A domain that a submission states for itself would excuse it from what the rubric asks.
+  candidate_.smallest_length = std::min(candidate_.smallest_length, kSmallestJudgedLength);
+  candidate_.largest_length = std::numeric_limits<double>::infinity();
 }
 
 ItemReason Judge::reason_to_stop() const {

@@ -47,7 +47,7 @@ class RubricReader {
     const Table file{root, "rubric", "", 1};
     fields_.require_known(
         file, {"title", "seconds", "reply_seconds", "build_seconds", "dialect", "image_change",
-               "t_threshold", "conventions", "tolerance", "form", "item"});
+               "t_threshold", "bounds", "conventions", "tolerance", "form", "item"});
     Rubric rubric;
     rubric.path = path_.string();
     rubric.title = given_text(file, "title", path_.stem().string());
@@ -57,6 +57,13 @@ class RubricReader {
     fields_.choose(file, "dialect", kDialectNames, rubric.dialect);
     set_not_negative(file, "image_change", rubric.image_change);
     set_not_negative(file, "t_threshold", rubric.t_threshold);
+    if (const auto field = fields_.optional(file, "bounds")) {
+      try {
+        rubric.bounds = find_pair(fields_.text(*field));
+      } catch (const std::invalid_argument& error) {
+        fields_.fail(*field, error.what());
+      }
+    }
     if (const auto field = fields_.optional(file, "conventions")) {
       scene::read_conventions(fields_, fields_.table(*field), rubric.conventions);
     }

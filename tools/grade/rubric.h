@@ -13,6 +13,7 @@
 #include "properties/laws/law.h"
 #include "scene/files/scene_file.h"
 #include "tools/external/candidate_spec.h"
+#include "tools/methods/methods.h"
 
 namespace raycheck::tools {
 
@@ -39,7 +40,7 @@ inline constexpr std::array<std::string_view, 4> kVisibilityNames = {"visible", 
 enum class Detail { kFull, kActualOnly, kNothing };
 inline constexpr std::array<std::string_view, 3> kDetailNames = {"full", "actual-only", "nothing"};
 
-/// What errors are allowed; neither given: the documented bounds of direct/cross.
+/// What errors are allowed; neither given: those of the rubric's `bounds`.
 struct Tolerance {
   /// Errors up to so many units (ulp, u), and classes that a relative change of the inputs by as
   /// many u may flip.
@@ -108,6 +109,7 @@ struct Rubric {
   scene::Dialect dialect = scene::Dialect::kB;
   double image_change = properties::kExcusedImageChange;
   double t_threshold = 0;
+  MethodPair bounds = kDefaultMethods;  ///< Whose documented bounds submissions are held to.
   std::vector<Form> forms;
   std::vector<Item> items;
   /// The files besides its own that it names, by the names it uses.

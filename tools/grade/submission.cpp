@@ -164,6 +164,7 @@ RunnableSubmission prepare(const Submission& submission, const Rubric& rubric,
   options.limits.seconds = rubric.reply_seconds;
   options.build_seconds = rubric.build_seconds;
   options.dialect = rubric.dialect;
+  options.bounds = rubric.bounds;
   options.excused_image_change = rubric.image_change;
   options.image_threshold = rubric.t_threshold;
   open_to_others(folder->path());

@@ -42,6 +42,7 @@ const std::vector<Wrong> kWrong = {
     {"title = \"A rubric\"", "conventions = { samples = \"corners\" }",
      "1: conventions.samples = \"corners\": must be one of edges, centres"},
     {"title = \"A rubric\"", "t_threshold = -1", "1: t_threshold = -1: must be 0 or more"},
+    {"title = \"A rubric\"", "bounds = \"direct/none\"", "1: bounds = \"direct/none\": intersect none"},
     {"has =", "hass =", "3: form[0].hass = \"rays.py\": unknown key; form knows has, "},
     {"rays.py", "a/rays.py", "3: form[0].has = \"a/rays.py\": names a file of the submission's"},
     {"candidate = \"command:python3 {file}\"\n", "", "2: form[0].candidate: is missing"},

@@ -1,0 +1,192 @@
+#include "tests/caught/exact_candidate.h"
+
+#include "properties/candidates/fast_candidate.h"
+#include "reference/exact_camera.h"
+#include "reference/exact_ray.h"
+#include "scene/plan/plan.h"
+#include "scene/validate.h"
+
+namespace raycheck::caught {
+namespace {
+
+using properties::Candidate;
+using properties::FrameAnswer;
+using properties::SphereHits;
+using reference::Enclosure;
+using reference::ExactCamera;
+using reference::ExactRay;
+using scene::Camera;
+using scene::Conventions;
+using scene::Pixel;
+using scene::Point3;
+using scene::Ray;
+using scene::Scene;
+using scene::Sphere;
+
+constexpr int kBits = 256;
+
+/// `length` is that of what s counts multiples of.
+Sighting sighting(const ExactRay& ray, const Sphere& sphere, const Conventions& conventions,
+                  const reference::EnclosedRay& enclosed, const Enclosure& length) {
+  Sighting result;
+  const reference::Intersection at = ray.intersect(sphere, conventions.root);
+  if (reference::counts_as_hit(at.hit_class, conventions.tangent)) {
+    result.hit = {ray.rounded_parameter(sphere, at), ray.rounded_point(sphere, at)};
+  }
+  const Enclosure radius(sphere.radius, kBits);
+  const Enclosure off = abs(enclosed.half_chord_sq(sphere)) / (radius * radius);
+  result.to_tangency = off.upper() / 2;
+  result.middle = (enclosed.axial_distance(sphere) / length).upper();
+  return result;
+}
+
+Sight sight(const ExactRay& ray, const std::vector<Sphere>& spheres,
+            const Conventions& conventions) {
+  Sight result;
+  const reference::EnclosedRay enclosed = ray.enclose(kBits);
+  const Enclosure length = ray.source().camera ? Enclosure(1) : enclosed.length();
+  for (const Sphere& sphere : spheres) {
+    result.spheres.push_back(sighting(ray, sphere, conventions, enclosed, length));
+  }
+  if (const auto first = ray.nearest(spheres, conventions)) result.nearest = first->index;
+  return result;
+}
+
+template <class T>
+std::vector<T> list_of(std::span<const T> values) {
+  return {values.begin(), values.end()};
+}
+
+/// One of the functions that are asked about pixels of a camera.
+template <class Answer, class Make>
+auto of_pixels(Make make) {
+  using Kept = Remembered<std::vector<Answer>, Camera, Conventions, std::vector<Pixel>>;
+  return [make, kept = std::make_shared<Kept>()](
+             const Camera& camera, const Conventions& conventions, Candidate::Pixels pixels) {
+    return (*kept)(
+        [&] {
+          const ExactCamera exact(camera, conventions);
+          std::vector<Answer> answers;
+          for (const Pixel& pixel : pixels) answers.push_back(make(ExactRay(exact, pixel)));
+          return answers;
+        },
+        camera, conventions, list_of(pixels));
+  };
+}
+
+Ray rounded_ray(const ExactRay& ray) {
+  const scene::UnitVector3 D = ray.rounded_direction();
+  return {ray.rounded_origin(), {D.x, D.y, D.z}};
+}
+
+FrameAnswer rounded_frame(const Camera& camera) {
+  // One row of pixels has no edges; the frame is the same.
+  Conventions conventions;
+  conventions.samples = scene::Samples::kCentres;
+  const reference::RoundedFrame frame = ExactCamera(camera, conventions).rounded_frame();
+  return {frame.U, frame.V, frame.W};
+}
+
+}  // namespace
+
+const std::vector<Sight>& Sights::of(const Rays& rays, const Spheres& spheres,
+                                     const Conventions& conventions) {
+  return of_rays_(
+      [&] {
+        std::vector<Sight> result;
+        for (const Ray& ray : rays) result.push_back(sight(ExactRay(ray), spheres, conventions));
+        return result;
+      },
+      rays, spheres, conventions);
+}
+
+const std::vector<Sight>& Sights::of(const Scene& scene, const Conventions& conventions,
+                                     const Pixels& pixels) {
+  return of_pixels_(
+      [&] {
+        const ExactCamera camera(scene.camera.value(), conventions);
+        std::vector<Sight> result;
+        for (const Pixel& pixel : pixels) {
+          result.push_back(sight(ExactRay(camera, pixel), scene.spheres, conventions));
+        }
+        return result;
+      },
+      scene, conventions, pixels);
+}
+
+properties::ImageAnswer image_of(const Scene& scene, const Sights::Pixels& pixels,
+                                 const std::vector<std::optional<properties::SeenAnswer>>& seen) {
+  const Camera& camera = *scene.camera;
+  properties::ImageAnswer image(static_cast<std::size_t>(camera.width * camera.height));
+  for (std::size_t k = 0; k < seen.size(); ++k) {
+    if (!seen[k]) continue;
+    image[static_cast<std::size_t>(pixels[k].j * camera.width + pixels[k].i)] = seen[k]->sphere;
+  }
+  return image;
+}
+
+Candidate exact_candidate(const std::shared_ptr<Sights>& sights,
+                          const std::shared_ptr<Sights::Pixels>& looked_at) {
+  Candidate candidate;
+  candidate.name = "exact";
+  const Candidate plain = properties::fast_candidate(fast::kDirectRays, fast::kCross);
+  candidate.max_error = plain.max_error;
+  candidate.max_error_end_to_end = plain.max_error_end_to_end;
+  candidate.frame =
+      [kept = std::make_shared<Remembered<FrameAnswer, Camera>>()](const Camera& camera) {
+        return (*kept)([&] { return rounded_frame(camera); }, camera);
+      };
+  candidate.pixel_points =
+      of_pixels<Point3>([](const ExactRay& ray) { return ray.rounded_pixel_point(); });
+  const auto from = [](scene::Origin origin) {
+    return [make = of_pixels<Ray>(rounded_ray), origin](
+               const Camera& camera, Conventions conventions, Candidate::Pixels pixels) {
+      conventions.origin = origin;
+      return make(camera, conventions, pixels);
+    };
+  };
+  candidate.pixel_rays = from(scene::Origin::kPixel);
+  candidate.focal_rays = from(scene::Origin::kFocal);
+  candidate.intersect = [sights](Candidate::Rays rays, Candidate::Spheres spheres,
+                                 const Conventions& conventions) {
+    for (const Sphere& sphere : spheres) scene::require_valid(sphere);
+    const auto& seen = sights->of(list_of(rays), list_of(spheres), conventions);
+    std::vector<SphereHits> answers(spheres.size());
+    for (std::size_t ray = 0; ray < seen.size(); ++ray) {
+      for (std::size_t sphere = 0; sphere < spheres.size(); ++sphere) {
+        const auto& hit = seen[ray].spheres[sphere].hit;
+        if (hit) answers[sphere].push_back({ray, *hit});
+      }
+    }
+    return answers;
+  };
+  candidate.nearest = [sights](Candidate::Rays rays, Candidate::Spheres spheres,
+                               const Conventions& conventions) {
+    std::vector<std::optional<std::size_t>> answers;
+    for (const Sight& one : sights->of(list_of(rays), list_of(spheres), conventions)) {
+      answers.push_back(one.nearest);
+    }
+    return answers;
+  };
+  candidate.plan = [](const Scene& scene, const Conventions& conventions, scene::Wanted wanted) {
+    return scene::plan_scene(scene, conventions, wanted);
+  };
+  candidate.visible = [sights](const Scene& scene, const Conventions& conventions,
+                               Candidate::Pixels pixels) {
+    std::vector<std::optional<properties::SeenAnswer>> answers;
+    for (const Sight& one : sights->of(scene, conventions, list_of(pixels))) {
+      answers.emplace_back();
+      if (!one.nearest) continue;
+      answers.back() = {*one.nearest, one.spheres[*one.nearest].hit->parameter};
+    }
+    return answers;
+  };
+  candidate.most_image_pixels = 1 << 14;
+  candidate.image = [see = candidate.visible, looked_at](const Scene& scene,
+                                                         const Conventions& conventions) {
+    return image_of(scene, *looked_at, see(scene, conventions, *looked_at));
+  };
+  return candidate;
+}
+
+}  // namespace raycheck::caught

@@ -1,0 +1,41 @@
+#ifndef RAYCHECK_TESTS_CAUGHT_PAGE_H_
+#define RAYCHECK_TESTS_CAUGHT_PAGE_H_
+
+#include <functional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "properties/cases/case_source.h"
+#include "tests/caught/first_severity.h"
+#include "tests/caught/resolution.h"
+
+namespace raycheck::caught {
+
+/// A part of a table of the page: what one source adds to it.
+template <class Row>
+struct OfSource {
+  const properties::CaseSource* source;
+  std::vector<Row> rows;
+};
+
+/// How a cell of the tables of mutants, or of resolutions, is written.
+std::string cell_of(const FirstCaught& row, const properties::CaseSource& source);
+std::string cell_of(const Resolution& row);
+
+// The parts of docs/what-is-caught.md, each for a `{{NAME}}` of its template.
+std::string dull_table();                                                       // dull
+std::string excused_table();                                                    // excused
+std::string mutant_tables(const std::vector<OfSource<FirstCaught>>& found);     // mutants
+std::string summary_table(const std::vector<OfSource<Resolution>>& found);      // summary
+std::string resolution_tables(const std::vector<OfSource<Resolution>>& found);  // resolution
+std::string severity_tables(const std::vector<OfSource<Resolution>>& found);    // severities
+
+/// The cell of a page in the table below a heading, by the first words of its row and by its
+/// column; throws std::invalid_argument where there is none.
+std::string cell_in(const std::string& page, const std::string& heading,
+                    const std::vector<std::string>& row, std::string_view column);
+
+}  // namespace raycheck::caught
+
+#endif  // RAYCHECK_TESTS_CAUGHT_PAGE_H_

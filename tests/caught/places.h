@@ -1,0 +1,44 @@
+#ifndef RAYCHECK_TESTS_CAUGHT_PLACES_H_
+#define RAYCHECK_TESTS_CAUGHT_PLACES_H_
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "properties/cases/case_source.h"
+#include "properties/cases/random.h"
+#include "properties/laws/law.h"
+
+namespace raycheck::caught {
+
+/// So many severities of a source tell how what is caught depends on them.
+inline constexpr int kFewSeverities = 18;
+
+/// A source at each severity that is looked at, the lowest first; at none where it has no dial.
+inline std::vector<properties::ChosenSource> places_of(const properties::CaseSource& source,
+                                                       int most = properties::kMostSeverities) {
+  if (!source.dial) return {{&source, std::nullopt}};
+  std::vector<properties::ChosenSource> places;
+  for (const int severity : properties::some_severities(0, source.dial->highest, most)) {
+    places.push_back({&source, severity});
+  }
+  return places;
+}
+
+/// Whether a law has anything to say about cases of a source.
+inline bool suits(const properties::Law& law, const properties::CaseSource& source) {
+  return source.has_camera || !properties::speaks_of_cameras(law);
+}
+
+/// Calls visit(number, case) for so many cases of a place, the same every time, while it says true.
+template <class Visit>
+void for_each_case(const properties::ChosenSource& place, int cases, Visit visit) {
+  properties::Random seeds(1);
+  for (int k = 0; k < cases; ++k) {
+    if (!visit(k, place.make(seeds.bits()))) return;
+  }
+}
+
+}  // namespace raycheck::caught
+
+#endif  // RAYCHECK_TESTS_CAUGHT_PLACES_H_

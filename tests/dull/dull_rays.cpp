@@ -1,0 +1,211 @@
+// What says dull things of cameras: axes, pixel points, rays.
+
+#include <functional>
+#include <limits>
+#include <memory>
+#include <string>
+#include <utility>
+
+#include "tests/dull/dull.h"
+#include "tests/dull/hash.h"
+
+namespace raycheck::dull {
+namespace {
+
+using properties::Candidate;
+using properties::FrameAnswer;
+using scene::Camera;
+using scene::Conventions;
+using scene::Pixel;
+using scene::Point3;
+using scene::Ray;
+using scene::UnitVector3;
+using scene::Vector3;
+
+constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
+
+/// What was made for the question before another.
+template <class Asked, class Answer>
+class Before {
+ public:
+  const Answer& answer(const Asked& asked, Answer now) {
+    if (!last_ || !(*asked_ == asked)) {
+      before_ = last_ ? *std::exchange(last_, now) : *(last_ = now);
+      asked_ = asked;
+    }
+    return *before_;
+  }
+
+ private:
+  std::optional<Asked> asked_;
+  std::optional<Answer> last_, before_;
+};
+
+Candidate with_frame(const Candidate& right, std::string name,
+                     const std::function<FrameAnswer(const Camera&)>& frame) {
+  Candidate candidate = right;
+  candidate.name = std::move(name);
+  candidate.frame = frame;
+  return candidate;
+}
+
+UnitVector3 unit(const Vector3& v) { return {v.x, v.y, v.z}; }
+
+std::vector<Dull> dull_frames(const Candidate& right) {
+  const auto always = [&](std::string name, const FrameAnswer& frame) {
+    return with_frame(right, std::move(name), [frame](const Camera&) { return frame; });
+  };
+  const auto before = std::make_shared<Before<Camera, FrameAnswer>>();
+  return {
+      {"the axes of the world are the camera's",
+       {"frame"},
+       always("world-axes", {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}})},
+      {"the axes are zero", {"frame"}, always("zero-axes", {})},
+      {"the axes are no numbers",
+       {"frame"},
+       always("NaN-axes", {{kNaN, kNaN, kNaN}, {kNaN, kNaN, kNaN}, {kNaN, kNaN, kNaN}})},
+      {"the axes of the camera before",
+       {"frame"},
+       with_frame(right, "previous-axes",
+                  [before, ask = right.frame](const Camera& camera) {
+                    return before->answer(camera, ask(camera));
+                  })},
+      {"random axes, the same for the same camera",
+       {"frame", "look-at", "up"},
+       with_frame(right, "random-axes",
+                  [](const Camera& c) {
+                    auto random = random_of(
+                        {c.eye.x, c.look_at.x, c.look_at.y, c.look_at.z, c.up.x, c.up.y, c.up.z});
+                    FrameAnswer frame;
+                    for (UnitVector3* axis : {&frame.U, &frame.V, &frame.W}) {
+                      *axis = unit(random.direction());
+                    }
+                    return frame;
+                  })},
+  };
+}
+
+using MakePoint = std::function<Point3(const Camera&, const Pixel&)>;
+
+Candidate with_points(const Candidate& right, std::string name, const MakePoint& make) {
+  Candidate candidate = right;
+  candidate.name = std::move(name);
+  candidate.pixel_points = [make](const Camera& camera, const Conventions&,
+                                  Candidate::Pixels pixels) {
+    std::vector<Point3> points;
+    for (const Pixel& pixel : pixels) points.push_back(make(camera, pixel));
+    return points;
+  };
+  return candidate;
+}
+
+auto random_of_pixel(const Camera& camera, const Pixel& pixel) {
+  return random_of({camera.eye.x, camera.left, camera.top, static_cast<double>(camera.width),
+                    static_cast<double>(pixel.i), static_cast<double>(pixel.j)});
+}
+
+std::vector<Dull> dull_points(const Candidate& right) {
+  return {
+      {"every pixel is at the eye",
+       {"pixel-point", "bounds", "image-plane", "pixel-zero-zero", "square-pixels"},
+       with_points(right, "points-at-eye", [](const Camera& c, const Pixel&) { return c.eye; })},
+      {"every pixel is where the camera looks",
+       {"pixel-point", "bounds", "image-plane"},
+       with_points(right, "points-at-look-at",
+                   [](const Camera& c, const Pixel&) { return c.look_at; })},
+      {"no pixel is anywhere",
+       {"pixel-point", "bounds", "image-plane", "centre-pixel", "pixel-zero-zero", "density",
+        "square-pixels"},
+       with_points(right, "points-at-NaN",
+                   [](const Camera&, const Pixel&) {
+                     return Point3{kNaN, kNaN, kNaN};
+                   })},
+      {"pixels anywhere, each always at the same place",
+       {"pixel-point", "bounds", "image-plane", "centre-pixel", "pixel-zero-zero", "density",
+        "square-pixels"},
+       with_points(right, "random-points",
+                   [](const Camera& camera, const Pixel& pixel) {
+                     const Vector3 P = random_of_pixel(camera, pixel).in_cube(10);
+                     return Point3{P.x, P.y, P.z};
+                   })},
+  };
+}
+
+using MakeRay = std::function<Ray(const Camera&, const Pixel&)>;
+
+Candidate with_rays(const Candidate& right, std::string name, const MakeRay& make) {
+  Candidate candidate = right;
+  candidate.name = std::move(name);
+  candidate.pixel_rays = candidate.focal_rays = [make](const Camera& camera, const Conventions&,
+                                                       Candidate::Pixels pixels) {
+    std::vector<Ray> rays;
+    for (const Pixel& pixel : pixels) rays.push_back(make(camera, pixel));
+    return rays;
+  };
+  return candidate;
+}
+
+Candidate with_previous_rays(const Candidate& right) {
+  Candidate candidate = right;
+  candidate.name = "previous-rays";
+  const auto put_off = [](auto& function) {
+    using Rays = std::vector<Ray>;
+    function = [ask = function, before = std::make_shared<Before<Camera, Rays>>()](
+                   const Camera& camera, const Conventions& conventions, Candidate::Pixels pixels) {
+      const Rays& old = before->answer(camera, ask(camera, conventions, pixels));
+      Rays rays;
+      for (std::size_t k = 0; k < pixels.size(); ++k) rays.push_back(old[k % old.size()]);
+      return rays;
+    };
+  };
+  put_off(candidate.pixel_rays);
+  put_off(candidate.focal_rays);
+  return candidate;
+}
+
+std::vector<Dull> dull_ray_makers(const Candidate& right) {
+  return {
+      {"every pixel's ray starts at the world's origin, along x",
+       {"direction", "ray-origin", "axes"},
+       with_rays(right, "constant-rays",
+                 [](const Camera&, const Pixel&) {
+                   return Ray{{}, {1, 0, 0}};
+                 })},
+      {"every pixel's ray is the camera's view, from the eye to where it looks",
+       {"direction", "unit-direction"},
+       with_rays(right, "view-rays",
+                 [](const Camera& c, const Pixel&) {
+                   return Ray{c.eye, c.look_at - c.eye};
+                 })},
+      {"rays without a direction",
+       {"direction", "unit-direction", "ray-origin"},
+       with_rays(right, "zero-rays", [](const Camera&, const Pixel&) { return Ray{}; })},
+      {"rays that are no numbers",
+       {"direction", "unit-direction", "ray-origin"},
+       with_rays(right, "NaN-rays",
+                 [](const Camera&, const Pixel&) {
+                   return Ray{{kNaN, kNaN, kNaN}, {kNaN, kNaN, kNaN}};
+                 })},
+      {"the rays of the camera before", {"direction", "ray-origin"}, with_previous_rays(right)},
+      {"unit rays from anywhere to anywhere, the same for the same camera and pixel",
+       {"direction", "ray-origin", "axes", "scaling"},
+       with_rays(right, "random-rays",
+                 [](const Camera& camera, const Pixel& pixel) {
+                   auto random = random_of_pixel(camera, pixel);
+                   const Vector3 at = random.in_cube(10);
+                   return Ray{{at.x, at.y, at.z}, random.direction()};
+                 })},
+  };
+}
+
+}  // namespace
+
+std::vector<Dull> dull_rays(const Candidate& right) {
+  std::vector<Dull> all = dull_frames(right);
+  for (std::vector<Dull> more : {dull_points(right), dull_ray_makers(right)}) {
+    for (Dull& one : more) all.push_back(std::move(one));
+  }
+  return all;
+}
+
+}  // namespace raycheck::dull

@@ -1,0 +1,125 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <set>
+#include <string>
+
+#include "tests/caught/places.h"
+#include "tests/dull/judged.h"
+
+namespace raycheck::dull {
+namespace {
+
+using namespace properties;
+
+const DullRoom& room() {
+  static const DullRoom the_room;
+  return the_room;
+}
+
+std::string described(const Judged& judged) {
+  std::string text = judged.dull->candidate.name + ", " + std::string(judged.law->name) + ", " +
+                     judged.where.name() + ":";
+  for (const auto& [quantity, tally] : judged.verdict.tallies()) {
+    text += " " + std::string(info(quantity).name) + " compared " + std::to_string(tally.cases) +
+            " ill-conditioned " + std::to_string(tally.ill_conditioned);
+  }
+  for (const Standing standing : {Standing::kUndecided, Standing::kExcused}) {
+    text +=
+        ", " + std::string(name(standing)) + " " + std::to_string(judged.verdict.count(standing));
+  }
+  return text;
+}
+
+std::vector<std::string> source_names() {
+  std::vector<std::string> names;
+  for (const CaseSource& source : case_sources()) names.emplace_back(source.name);
+  return names;
+}
+
+class OnEachSource : public testing::TestWithParam<std::string> {
+ protected:
+  const CaseSource& source() const { return *find_case_source(GetParam()); }
+};
+
+TEST_P(OnEachSource, WhatIsDullBreaksItsLawsAtEverySeverityOrItIsSaidWhyNot) {
+  std::set<const WhyExcused*> used;
+  for (const ChosenSource& place : caught::places_of(source())) {
+    for (const Judged& judged : room().judge(place, kDullCases)) {
+      if (judged.judgement == Judgement::kBroken && judged.dull->candidate.name != "refuses-all") {
+        const Wrong wrong = judged.verdict.worst(1).front().wrong;
+        EXPECT_TRUE(wrong != Wrong::kRefused && wrong != Wrong::kFailed) << described(judged);
+      }
+      if (judged.judgement != Judgement::kExcused) continue;
+      const auto why =
+          std::find_if(why_excused().begin(), why_excused().end(),
+                       [&](const WhyExcused& reason) { return reason.is_about(judged); });
+      EXPECT_NE(why, why_excused().end()) << described(judged);
+      if (why != why_excused().end()) used.insert(&*why);
+    }
+  }
+  for (const WhyExcused& reason : why_excused()) {
+    if (reason.source == source().name) {
+      EXPECT_TRUE(used.contains(&reason)) << "not needed: " << reason.reason;
+    }
+  }
+}
+
+TEST_P(OnEachSource, WhatIsRightBreaksNoLawAtAnySeverity) {
+  constexpr int kRightCases = 20;
+  for (const ChosenSource& place : caught::places_of(source(), caught::kFewSeverities)) {
+    for (const Judged& judged : room().judge_right(place, kRightCases)) {
+      EXPECT_NE(judged.judgement, Judgement::kBroken) << described(judged);
+    }
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Dull, OnEachSource, testing::ValuesIn(source_names()),
+                         [](const testing::TestParamInfo<std::string>& the_test) {
+                           std::string name = the_test.param;
+                           std::replace(name.begin(), name.end(), '-', '_');
+                           return name;
+                         });
+
+TEST(DullCandidates, HaveNamesOfTheirOwn) {
+  std::set<std::string> names;
+  for (const Dull& dull : room().all()) names.insert(dull.candidate.name);
+  EXPECT_EQ(names.size(), room().all().size());
+}
+
+/// As docs/what-is-caught.md says: each law alone has a dull candidate that it lets pass.
+TEST(DullCandidates, PassSomeLaws) {
+  const std::pair<std::string, std::vector<const char*>> kPassed[] = {
+      {"misses",
+       {"nearest-root", "parameter", "backward-error", "hit-point", "scaling", "axes",
+        "growing-radius"}},
+      {"world-axes", {"look-at", "up"}},
+      {"points-at-look-at", {"density"}},
+      {"refuses-all", {"refusal"}},
+      {"plans-nothing", {"plan-left-out", "plan-rectangles", "plan-roots"}}};
+  for (const auto& [name, passed] : kPassed) {
+    const auto dull = std::find_if(room().all().begin(), room().all().end(),
+                                   [&](const Dull& one) { return one.candidate.name == name; });
+    ASSERT_NE(dull, room().all().end()) << name;
+    for (const char* law : passed) {
+      for (const char* source : {"rays", "cameras"}) {
+        caught::for_each_case(chosen_source(source), 50, [&](int, const Case& the_case) {
+          Trial trial(the_case, dull->candidate);
+          EXPECT_TRUE(apply(*find_law(law), trial).holds()) << name << ", " << law;
+          return true;
+        });
+      }
+    }
+  }
+}
+
+TEST(DullCandidates, BreakEveryLaw) {
+  std::set<std::string_view> broken;
+  for (const Dull& dull : room().all()) {
+    broken.insert(dull.broken_by.begin(), dull.broken_by.end());
+  }
+  for (const Law& law : laws()) EXPECT_TRUE(broken.contains(law.name)) << law.name;
+}
+
+}  // namespace
+}  // namespace raycheck::dull

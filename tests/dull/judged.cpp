@@ -1,0 +1,103 @@
+#include "tests/dull/judged.h"
+
+#include <algorithm>
+#include <stdexcept>
+
+#include "properties/truth.h"
+#include "tests/caught/places.h"
+
+namespace raycheck::dull {
+namespace {
+
+using properties::Case;
+using properties::ChosenSource;
+using properties::Law;
+using properties::Trial;
+using properties::Verdict;
+
+Judgement judgement(const Verdict& verdict) {
+  if (!verdict.holds()) return Judgement::kBroken;
+  if (verdict.compared() == 0) return Judgement::kNotAsked;
+  const bool is_stretched =
+      std::any_of(verdict.tallies().begin(), verdict.tallies().end(),
+                  [](const auto& tally) { return tally.second.ill_conditioned > 0; });
+  return verdict.discrepancies() == 0 && !is_stretched ? Judgement::kRight : Judgement::kExcused;
+}
+
+std::ptrdiff_t excused_decisions(const Verdict& verdict) {
+  const auto kept = verdict.worst(properties::kKeptDiscrepancies);
+  return std::count_if(kept.begin(), kept.end(),
+                       [](const auto& one) { return one.wrong != properties::Wrong::kNot; });
+}
+
+const Law& law_named(std::string_view name) {
+  const Law* const law = properties::find_law(name);
+  if (law == nullptr) throw std::invalid_argument("no law is called " + std::string(name));
+  return *law;
+}
+
+}  // namespace
+
+DullRoom::DullRoom()
+    : looked_at_(std::make_shared<caught::Sights::Pixels>()),
+      right_(caught::exact_candidate(std::make_shared<caught::Sights>(), looked_at_)),
+      all_(all_dull(right_)) {}
+
+std::vector<Judged> DullRoom::judge(const ChosenSource& place, int cases) const {
+  return judge(all_, place, cases);
+}
+
+std::vector<Judged> DullRoom::judge_right(const ChosenSource& place, int cases) const {
+  static const Dull right = [this] {
+    Dull it{"the right one", {}, right_};
+    static_cast<properties::Domain&>(it.candidate) = caught::kRoundedDomain;
+    for (const Law& law : properties::laws()) it.broken_by.push_back(law.name);
+    return it;
+  }();
+  return judge(std::span(&right, 1), place, cases);
+}
+
+std::vector<Judged> DullRoom::judge(std::span<const Dull> all, const ChosenSource& place,
+                                    int cases) const {
+  std::vector<Judged> result;
+  for (const Dull& dull : all) {
+    for (const std::string_view name : dull.broken_by) {
+      const Law& law = law_named(name);
+      if (caught::suits(law, *place.source)) result.push_back({&dull, &law, place});
+    }
+  }
+  caught::for_each_case(place, cases, [&](int, const Case& the_case) {
+    *looked_at_ = the_case.pixels;
+    properties::SharedTruths truths(the_case);
+    std::optional<Trial> trial;
+    const Dull* asked = nullptr;
+    bool all_are_broken = true;
+    for (Judged& judged : result) {
+      if (!judged.verdict.holds()) continue;
+      if (excused_decisions(judged.verdict) >= kManyExcused) continue;
+      all_are_broken = false;
+      if (asked != judged.dull) {
+        asked = judged.dull;
+        trial.emplace(the_case, asked->candidate,
+                      properties::TrialOptions{.truth = truths.under(asked->candidate.declared.over(
+                                                   the_case.scene.conventions))});
+      }
+      judged.verdict.merge(apply(*judged.law, *trial));
+    }
+    return !all_are_broken;
+  });
+  for (Judged& judged : result) judged.judgement = judgement(judged.verdict);
+  return result;
+}
+
+bool WhyExcused::is_about(const Judged& judged) const {
+  const int severity = judged.where.severity.value_or(0);
+  const auto is_among = [](const auto& names, std::string_view name) {
+    return std::find(names.begin(), names.end(), name) != names.end();
+  };
+  return judged.where.source->name == source && from <= severity && severity <= to &&
+         is_among(laws, judged.law->name) &&
+         (candidates.empty() || is_among(candidates, judged.dull->candidate.name));
+}
+
+}  // namespace raycheck::dull

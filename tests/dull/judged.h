@@ -1,0 +1,77 @@
+#ifndef RAYCHECK_TESTS_DULL_JUDGED_H_
+#define RAYCHECK_TESTS_DULL_JUDGED_H_
+
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "properties/cases/case_source.h"
+#include "properties/laws/law.h"
+#include "tests/caught/exact_candidate.h"
+#include "tests/dull/dull.h"
+
+namespace raycheck::dull {
+
+/// What a law made of a dull candidate at one severity of a source.
+enum class Judgement {
+  kBroken,    ///< Within the cases tried.
+  kRight,     ///< Every answer that it compared is the right one: dull is right here.
+  kNotAsked,  ///< It compared nothing.
+  kExcused,   ///< Answers are wrong, all of them excused.
+};
+
+struct Judged {
+  const Dull* dull;
+  const properties::Law* law;
+  properties::ChosenSource where;
+  Judgement judgement = Judgement::kExcused;
+  properties::Verdict verdict = {};  ///< All cases together.
+};
+
+/// The dull candidates, and the right one that they are made of.
+class DullRoom {
+ public:
+  DullRoom();
+  const properties::Candidate& right() const { return right_; }
+  std::span<const Dull> all() const { return all_; }
+
+  /// Each with each of its laws that suits the place, on the same cases until it is broken, or
+  /// excused kManyExcused decisions.
+  std::vector<Judged> judge(const properties::ChosenSource& place, int cases) const;
+  /// The right one with every law, within caught::kRoundedDomain.
+  std::vector<Judged> judge_right(const properties::ChosenSource& place, int cases) const;
+
+ private:
+  std::vector<Judged> judge(std::span<const Dull> all, const properties::ChosenSource& place,
+                            int cases) const;
+
+  std::shared_ptr<caught::Sights::Pixels> looked_at_;
+  properties::Candidate right_;
+  std::vector<Dull> all_;
+};
+
+/// So many cases break what is dull, or excuse it.
+inline constexpr int kDullCases = 200;
+/// Who is excused so many wrong decisions, and of none convicted, is asked no further: a search for
+/// inputs close by takes a thousand times as long as a decision.
+inline constexpr std::ptrdiff_t kManyExcused = 8;
+
+/// Why wrong answers of dull candidates are excused somewhere, rightly.
+struct WhyExcused {
+  std::string_view source;
+  int from, to;  ///< Severities.
+  std::vector<std::string_view> laws;
+  std::vector<std::string_view> candidates;  ///< Empty: any.
+  std::string_view reason;
+
+  bool is_about(const Judged& judged) const;
+};
+std::span<const WhyExcused> why_excused();
+
+}  // namespace raycheck::dull
+
+#endif  // RAYCHECK_TESTS_DULL_JUDGED_H_
