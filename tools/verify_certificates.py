@@ -499,7 +499,7 @@ def outward(x):
 
 
 class Dual:
-    """A number and its derivatives by relative changes of inputs, by the names of these."""
+    """A number and its derivatives by what changes inputs, by the names of these."""
 
     def __init__(self, value, slopes):
         self.value, self.slopes = value, slopes
@@ -825,6 +825,8 @@ def is_shorter(vector, across, least_sq):
     along = lambda v: vector[0].shifted(v[0], 0).plus(v[1], vector[1]).plus(v[2], vector[2])
     rest, first, second = map(along, frame)
     least_sq = least_sq * (1 - defect) - max(abs(rest.low), abs(rest.high)) ** 2
+    if least_sq <= 0:
+        return False
     sectors = [(quarters, Fraction(0), Fraction(1)) for quarters in range(4)]
     for quarters, low, high in sectors:
         # p = x u + y v, x and y >= 0, is no longer than x + y = p.(u + v) / (1 + u.v).
@@ -886,10 +888,7 @@ def is_no_double_root(box, reach, r, a_most):
 def is_right_nowhere(certificate, ray):
     """Whether the answer is proved to be wrong for all inputs of the neighbourhood."""
     amount, conventions = Fraction(certificate["neighbourhood"]), certificate["conventions"]
-    try:
-        nearby = Nearby(certificate)
-    except Refuted:  # so wide that a camera of it may have no axes
-        return False
+    nearby = Nearby(certificate)
     if not certificate["got"]:
         return is_met_everywhere(nearby.box(Fraction(0), Fraction(0)), conventions)
     if isinstance(certificate["got"][0], str):  # no number
@@ -916,7 +915,10 @@ def confirm_standing(certificate, ray):
     excuse = certificate["excuse"]
     if excuse is None:
         is_choice = certificate["quantity"] == "nearest sphere"
-        return PROVED if not is_choice and is_right_nowhere(certificate, ray) else NOT_PROVED
+        try:
+            return PROVED if not is_choice and is_right_nowhere(certificate, ray) else NOT_PROVED
+        except (Refuted, OverflowError):  # so wide that a camera of it may have no axes, say
+            return NOT_PROVED
     if excuse["kind"] != "witness":
         return None
     confirm_witness(certificate, ray)
