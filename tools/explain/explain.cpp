@@ -143,8 +143,9 @@ const Step* ExplainReport::find(const std::string& symbol) const {
 }
 
 bool ExplainReport::has_discrepancy() const {
-  return std::any_of(methods.begin(), methods.end(),
-                     [](const MethodReport& method) { return !method.goes_wrong_at.empty(); });
+  return std::any_of(methods.begin(), methods.end(), [](const MethodReport& method) {
+    return !method.goes_wrong_at.empty() && method.standing == properties::Standing::kDefect;
+  });
 }
 
 ExplainReport explain(const ExplainOptions& options) {

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "properties/excuse.h"
 #include "reference/closed_form.h"
 #include "reference/exact_ray.h"
 #include "scene/scene.h"
@@ -50,6 +51,8 @@ struct MethodReport {
   std::optional<double> parameter;  ///< Empty: a miss.
   std::optional<double> ulp_error;  ///< Empty unless both hit.
   bool class_error = false;
+  /// Of a class or a root that is wrong: whether inputs close by make it right.
+  properties::Standing standing = properties::Standing::kDefect;
   std::string goes_wrong_at;  ///< The first wrong step's symbol; empty: none.
 };
 

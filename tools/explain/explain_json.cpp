@@ -40,6 +40,7 @@ Json method_json(const MethodReport& method) {
   json["s"] = hexfloat_or_null(method.parameter);
   json["ulp_error"] = error_json(method.ulp_error);
   json["class_error"] = method.class_error;
+  json["standing"] = method.goes_wrong_at.empty() ? Json(nullptr) : Json(name(method.standing));
   return json;
 }
 

@@ -10,6 +10,8 @@
 #include "properties/quantity.h"
 #include "reference/condition.h"
 #include "reference/error_measure.h"
+#include "reference/nearby_answer.h"
+#include "reference/ray_error.h"
 #include "scene/validate.h"
 
 namespace raycheck::tools {
@@ -128,6 +130,27 @@ MethodReport judge_rays(const fast::PixelRayMethod& method, const scene::Convent
   return report;
 }
 
+namespace {
+
+/// Of a wrong class or root, as the laws have it.
+properties::Standing standing_of(const fast::IntersectMethod& method, const Subject& subject,
+                                 const scene::Sphere& sphere, const scene::Conventions& conventions,
+                                 const std::optional<double>& answer) {
+  const reference::Neighbourhood around{
+      conventions.root, conventions.tangent,
+      properties::kExcusedChange * method.unit_roundoff / properties::kDoubleRoundoff};
+  switch (right_nearby(subject.exact, sphere, around, answer).found) {
+    case reference::Nearby::kWitness:
+      return properties::Standing::kExcused;
+    case reference::Nearby::kRefuted:
+      return properties::Standing::kDefect;
+    default:
+      return properties::Standing::kUndecided;
+  }
+}
+
+}  // namespace
+
 MethodReport judge_intersection(const fast::IntersectMethod& method, const scene::Ray& ray,
                                 const scene::Sphere& sphere, const scene::Conventions& conventions,
                                 const Subject& subject, const SphereReport& exact) {
@@ -208,6 +231,12 @@ MethodReport judge_intersection(const fast::IntersectMethod& method, const scene
        *report.ulp_error > (method.max_ulp + subject.inherited_bound) *
                                properties::bound_growth(reference::condition_of_parameter(
                                    subject.exact, sphere, exact.intersection)));
+  const bool is_other_root =
+      hit && exact.is_hit &&
+      is_at_other_root(subject.exact, sphere, exact.intersection, *report.parameter);
+  if (report.class_error || is_other_root) {
+    report.standing = standing_of(method, subject, sphere, conventions, report.parameter);
+  }
   if (wrong) {
     // Right for the ray it was given: what went wrong is that ray.
     const bool right_alone = hit == own_hit && !s.wrong;

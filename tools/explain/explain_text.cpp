@@ -71,6 +71,9 @@ std::string verdict_of(const MethodReport& method, const ExplainReport& report, 
                             : "miss";
     if (method.ulp_error) text += fmt::format(", off by {} ulp", error_text(method.ulp_error));
     if (method.class_error) text += method.parameter ? ", a false hit" : ", missed";
+    if (method.standing != properties::Standing::kDefect) {
+      text += fmt::format(" ({})", name(method.standing));
+    }
   } else {
     const MethodStep& last = method.steps.back();
     text = fmt::format("rays: D off by {} {}", error_text(last.error), last.unit);

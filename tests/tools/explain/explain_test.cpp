@@ -80,12 +80,20 @@ TEST(Explain, reports_the_step_at_which_the_textbook_goes_wrong) {
   const Outcome result =
       run("explain --ray 0,1.7,0,1,-0.0007305260126504702,0 --sphere "
           "0,-6371000,0,6371000 --format json");
-  EXPECT_EQ(result.exit_code, 1);
+  EXPECT_EQ(result.exit_code, 0);
   const json report = json::parse(result.out);
   EXPECT_EQ(number(report["exact"]["s"]), 4654.1799293292679);
   for (const json& method : report["methods"]) {
     if (method["name"] == "quadratic") {
       EXPECT_EQ(method["goes_wrong_at"], "d^2");
+      EXPECT_EQ(method["standing"], "excused");  // a planet that is 3 u smaller is missed
+    }
+  }
+  const Outcome far = run("explain --ray -1e9,0.5,0,1,0,0 --sphere 0,0,0,1 --format json");
+  EXPECT_EQ(far.exit_code, 1);
+  for (const json& method : json::parse(far.out)["methods"]) {
+    if (method["name"] == "quadratic") {
+      EXPECT_EQ(method["standing"], "defect");
     }
   }
 }
