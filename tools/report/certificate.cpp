@@ -199,8 +199,8 @@ Json neighbourhood_json(const Discrepancy& d) {
   const bool is_decision = d.quantity == Quantity::kClass || d.quantity == Quantity::kRoot ||
                            d.quantity == Quantity::kNearestSphere;
   const ExcuseKind kind = d.excuse.kind;
-  const bool was_asked = kind == ExcuseKind::kNone || kind == ExcuseKind::kWitness ||
-                         kind == ExcuseKind::kUndecided;
+  const bool was_asked =
+      kind == ExcuseKind::kNone || kind == ExcuseKind::kWitness || kind == ExcuseKind::kUndecided;
   return is_decision && was_asked ? Json(d.excuse.amount) : Json(nullptr);
 }
 
