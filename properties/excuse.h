@@ -41,9 +41,9 @@ constexpr std::string_view name(ExcuseKind kind) {
 /// Why a discrepancy is not held against the method, if anything.
 struct Excuse {
   ExcuseKind kind = ExcuseKind::kNone;
-  /// By the kind: the relative change of the inputs within which a witness was found, or neither
-  /// that nor a refutation; the threshold that the exact s does not exceed; the condition number
-  /// that allows the error. 0 for the others.
+  /// By the kind: the relative change of the inputs within which a witness was found, or a
+  /// refutation (kNone; 0 where nothing excuses), or neither; the threshold that the exact s does
+  /// not exceed; the condition number that allows the error. 0 for the others.
   double amount = 0;
   /// Of a witness: the inputs, changed so, for which the answer is right.
   reference::InputChange witness = {};

@@ -237,7 +237,7 @@ Excuse Trial::excuse_of(reference::NearbyAnswer nearby, double relative_change) 
     case reference::Nearby::kWitness:
       return {ExcuseKind::kWitness, relative_change, std::move(nearby.witness)};
     case reference::Nearby::kRefuted:
-      return {};
+      return {ExcuseKind::kNone, relative_change};
     default:
       ++undecided_;
       return {ExcuseKind::kUndecided, relative_change};

@@ -11,10 +11,13 @@ be read.
 import json
 import sys
 from fractions import Fraction
+from math import isqrt
 
 U = Fraction(1, 2**53)  # the unit of relative errors
 NARROW = Fraction(1, 2**60)  # brackets are no wider, relative to what they bracket
 TOLERANCE = Fraction(1, 1000)  # of a stated error: it is an upper bound, and printed to 3 digits
+ROOT_BITS = (320, 5000)  # of square roots that decide on changed inputs: if not the first, the last
+MOST_SECTORS = 256  # of a plane, in which a vector is looked at
 INFINITE = Fraction(2) ** 2046  # the square of an error that counts as infinite
 SOME_SPHERE = "a sphere"  # what a picture shows that does not tell which
 CONVENTIONS = {
@@ -30,6 +33,10 @@ class Refuted(Exception):
     """What a certificate says is not so, or its brackets do not show it."""
 
 
+class Undecided(Refuted):
+    """Brackets are too wide to show what is so."""
+
+
 def require(fact, what):
     if not fact:
         raise Refuted(what)
@@ -37,6 +44,8 @@ def require(fact, what):
 
 def number(pair):
     """[integer, exponent] is integer * 2^exponent; an integer beyond 2^53 is a string."""
+    if not isinstance(pair, list):  # an input that was changed
+        return pair
     return int(pair[0]) * Fraction(2) ** pair[1]
 
 
@@ -144,7 +153,8 @@ class Interval:
 
     def __gt__(self, other):
         low, high = ends(other)
-        require(self.low > high or self.high <= low, "the brackets are too wide to decide a sign")
+        if not (self.low > high or self.high <= low):
+            raise Undecided("the brackets are too wide to decide a sign")
         return self.low > high
 
     def __lt__(self, other):
@@ -197,11 +207,11 @@ def given_ray(stated):
     return Ray(origin, origin, g, dot(g, g), Fraction(1), is_given=True)
 
 
-def camera_axes(camera, roots):
+def camera_axes(camera, root):
     w = minus(numbers(camera["eye"]), numbers(camera["look_at"]))
     u = cross(numbers(camera["up"]), w)
-    w_length = square_root(roots["|E - A|"], dot(w, w))
-    u_length = square_root(roots["|up x (E - A)|"], dot(u, u))
+    w_length = root("|E - A|", dot(w, w))
+    u_length = root("|up x (E - A)|", dot(u, u))
     W, U = [x / w_length for x in w], [x / u_length for x in u]
     return U, cross(W, U), W
 
@@ -212,9 +222,9 @@ def position(low, high, index, count, conventions):
     return number(low) + share * (number(high) - number(low))
 
 
-def camera_ray(camera, pixel, conventions, roots):
+def camera_ray(camera, pixel, conventions, root):
     """n W + alpha U + beta V, from E or from P. Its square is n^2 + alpha^2 + beta^2."""
-    (U, V, W), (i, row) = camera_axes(camera, roots), pixel
+    (U, V, W), (i, row) = camera_axes(camera, root), pixel
     if conventions["rows"] == "top-first":
         row = camera["height"] - 1 - row
     n = number(camera["near"])
@@ -224,7 +234,21 @@ def camera_ray(camera, pixel, conventions, roots):
     a = n**2 + alpha**2 + beta**2
     eye = numbers(camera["eye"])
     start = plus(eye, g) if conventions["origin"] == "pixel" else eye
-    return Ray(eye, start, g, a, square_root(roots["|P - E|"], a), is_given=False)
+    return Ray(eye, start, g, a, root("|P - E|", a), is_given=False)
+
+
+def stated_roots(proof):
+    """The square roots of a camera, as a certificate states them."""
+    return lambda name, square: square_root(proof["roots"][name], square)
+
+
+def ray_of(inputs, conventions, root):
+    """`root` gives the square roots of a camera, by what they are called and their squares."""
+    if "ray" in inputs:
+        return given_ray(inputs["ray"])
+    if "pixel" in inputs:
+        return camera_ray(inputs["camera"], inputs["pixel"], conventions, root)
+    return None
 
 
 # What a certificate states, against what was computed.
@@ -319,13 +343,19 @@ def angle_sq(got, g):
     return norm_sq(cross(got, g)) / cosine**2 / U**2 if cosine > 0 else INFINITE
 
 
+def first_order_reach(s, ray, centre, radius):
+    """What a relative change of all inputs of a given ray adds to |T - s g|^2 - r^2, at most."""
+    way = times(s, ray.g)
+    off = minus(plus(ray.start, way), centre)
+    sizes = [sum(map(abs, parts)) for parts in zip(ray.start, centre, way)]
+    return 2 * dot(list(map(abs, off)), sizes) + 2 * radius**2
+
+
 def backward_sq(s, ray, met):
     """The square of the relative change of the inputs that makes s a root, in units of u."""
-    way = times(s, ray.g)
-    off = minus(plus(ray.start, way), met.centre)
-    sizes = [sum(map(abs, parts)) for parts in zip(ray.start, met.centre, way)]
-    scale = 2 * dot(list(map(abs, off)), sizes) + 2 * met.radius**2
-    return relative_sq((norm_sq(off) - met.radius**2) ** 2, scale**2)
+    off = minus(plus(ray.start, times(s, ray.g)), met.centre)
+    reach = first_order_reach(s, ray, met.centre, met.radius)
+    return relative_sq((norm_sq(off) - met.radius**2) ** 2, reach**2)
 
 
 def orthonormality_sq(axes, norms):
@@ -344,7 +374,7 @@ def measured(certificate, ray, meetings, got):
     if quantity == "orthonormality":
         return [], lambda: [orthonormality_sq([got[0:3], got[3:6], got[6:9]], proof["norms"])]
     if quantity == "frame":
-        axes = camera_axes(certificate["inputs"]["camera"], proof["roots"])
+        axes = camera_axes(certificate["inputs"]["camera"], stated_roots(proof))
         exact = dict(zip("UVW", axes))[certificate["what"]]
     elif quantity == "pixel point":
         exact = plus(ray.base, ray.g)
@@ -408,35 +438,521 @@ def confirm_nearest(certificate, meetings):
             require(low > high if k in got else low >= high, "another sphere is met before")
 
 
+# A wrong decision is excused by inputs close by for which it is right, or is a defect where there
+# are none. Every input x may become x (1 + share), |share| <= amount.
+
+
+def named_inputs(inputs, of_many_spheres):
+    """Where each input is that may change: what holds it, and its key there, by its name."""
+    holders = [("", inputs["ray"] if "ray" in inputs else inputs["camera"])]
+    for k, sphere in enumerate(inputs["spheres"]):
+        holders.append((f"spheres[{k}]." if of_many_spheres else "", sphere))
+    places = {}
+    for prefix, holder in holders:
+        for key, value in holder.items():
+            if not isinstance(value, list):  # a count of pixels
+                continue
+            if isinstance(value[0], list):
+                for k, axis in enumerate("xyz"):
+                    places[f"{prefix}{key}.{axis}"] = (value, k)
+            else:
+                places[prefix + key] = (holder, key)
+    return places
+
+
+def change_inputs(certificate, change):
+    """The inputs, each as change(its name, its number) makes it."""
+    inputs = json.loads(json.dumps(certificate["inputs"]))
+    is_choice = certificate["quantity"] == "nearest sphere"
+    for name, (holder, key) in named_inputs(inputs, is_choice).items():
+        holder[key] = change(name, number(holder[key]))
+    return inputs
+
+
+def root_of(x, bits):
+    """The square root of a number, of all of an Interval, or of a Dual."""
+    if isinstance(x, Dual):
+        root = root_of(x.value, bits)
+        return Dual(root, {name: slope / (2 * root) for name, slope in x.slopes.items()})
+    if isinstance(x, Interval):
+        return Interval(ends(root_of(max(x.low, 0), bits))[0], ends(root_of(x.high, bits))[1])
+    n, d = Fraction(x).as_integer_ratio()
+    shift = max(0, 2 * bits - n.bit_length() + d.bit_length() + 1) // 2
+    whole, rest = divmod(n << 2 * shift, d)
+    low = isqrt(whole)
+    is_exact = rest == 0 and low * low == whole
+    low, high = Fraction(low, 1 << shift), Fraction(low + 1, 1 << shift)
+    return low if is_exact else Interval(low, high)
+
+
+def outward(x):
+    """An Interval with ends of fewer digits; a number as it is."""
+    if not isinstance(x, Interval):
+        return x
+    rounded_ends = []
+    for sign, end in ((1, x.low), (-1, x.high)):
+        n, d = Fraction(sign * end).as_integer_ratio()
+        shift = ROOT_BITS[0] - abs(n).bit_length() + d.bit_length()
+        down = Fraction((n << max(shift, 0)) // (d << max(-shift, 0)))
+        rounded_ends.append(sign * down / Fraction(2) ** shift)
+    return Interval(*rounded_ends)
+
+
+class Dual:
+    """A number and its derivatives by what changes inputs, by the names of these."""
+
+    def __init__(self, value, slopes):
+        self.value, self.slopes = value, slopes
+
+    def linear(self, value, mine, other=None, theirs=0):
+        """A value that changes by so much of each."""
+        slopes = {name: mine * slope for name, slope in self.slopes.items()}
+        for name, slope in (other.slopes if isinstance(other, Dual) else {}).items():
+            slopes[name] = theirs * slope + slopes.get(name, 0)
+        return Dual(outward(value), {name: outward(slope) for name, slope in slopes.items()})
+
+    def __neg__(self):
+        return self.linear(-self.value, -1)
+
+    def __add__(self, other):
+        return self.linear(self.value + value_of(other), 1, other, 1)
+
+    def __sub__(self, other):
+        return self.linear(self.value - value_of(other), 1, other, -1)
+
+    def __mul__(self, other):
+        return self.linear(self.value * value_of(other), value_of(other), other, self.value)
+
+    def __truediv__(self, other):
+        ratio, inverse = self.value / value_of(other), 1 / value_of(other)
+        return self.linear(ratio, inverse, other, -ratio * inverse)
+
+    def __pow__(self, two):
+        return self * self
+
+    __radd__ = __add__
+    __rmul__ = __mul__
+
+
+def value_of(x):
+    return x.value if isinstance(x, Dual) else x
+
+
+def least(x):
+    """|x| at least."""
+    low, high = ends(x)
+    return max(low, -high, Fraction(0))
+
+
+def most(x):
+    """|x| at most."""
+    return max(map(abs, ends(x)))
+
+
+def slack_of(s, ray, centre, amount, bound):
+    """How far an answer's s may be off, at least or at most: its share of s and of the way to the
+    centre."""
+    way = max(map(bound, minus(centre, ray.start)))
+    return amount * (s + (way / max(map(abs, ray.g)) if ray.is_given else way))
+
+
+def reach_of(s, certificate, ray, amount, bits, bound):
+    """R: what the changes add to |T - s g|^2 - r^2, to first order, at least or at most."""
+    (sphere,) = certificate["inputs"]["spheres"]
+    if ray.is_given:
+        centre, radius = numbers(sphere["centre"]), number(sphere["radius"])
+        return amount * first_order_reach(s, ray, centre, radius)
+    inputs = change_inputs(certificate, lambda name, x: Dual(x, {name: x}))
+    ray = ray_of(inputs, certificate["conventions"], lambda _, square: root_of(square, bits))
+    (sphere,) = inputs["spheres"]
+    way = [x / ray.unit * s for x in ray.g]
+    at_answer = norm_sq(minus(minus(sphere["centre"], ray.start), way)) - sphere["radius"] ** 2
+    return amount * sum(map(bound, at_answer.slopes.values()))
+
+
+def is_answer_right(certificate, ray, changed, changed_ray, bits):
+    """Whether a ray and a sphere that were changed meet as was answered, or not at all."""
+    conventions, amount = certificate["conventions"], Fraction(certificate["excuse"]["amount"])
+    (sphere,) = changed["spheres"]
+    a, b, c, discriminant = equation(changed_ray, sphere["centre"], sphere["radius"])
+    root = root_met(b, c, discriminant, conventions)
+    if not (root and certificate["got"]):
+        return bool(root) == bool(certificate["got"])
+    if isinstance(certificate["got"][0], str):  # no number
+        return False
+    s = number(certificate["got"][0])
+    if s < 0:
+        return False
+    centre = numbers(certificate["inputs"]["spheres"][0]["centre"])
+    slack = slack_of(s, ray, centre, amount, least)
+    low, high = ((s + off) / changed_ray.unit for off in (-slack, slack))
+    if is_root_between(ends(low)[1], ends(high)[0], root, a, b, c):
+        return True
+    # Near a double root: a (|mu - mu'| + |mu' - mu''|)^2 <= R.
+    half = root_of(discriminant, bits)
+    met = b - half if root == "smaller" else b + half
+    apart = most(a * (s / changed_ray.unit) - met) + 2 * most(half)
+    return apart**2 <= reach_of(s, certificate, ray, amount, bits, least) * least(a)
+
+
+def is_choice_right(certificate, changed, ray, bits):
+    """Whether a ray and spheres that were changed meet first what was said. Ties do."""
+    conventions, got = certificate["conventions"], certificate["got"]
+    met = {}
+    for k, sphere in enumerate(changed["spheres"]):
+        _, b, c, discriminant = equation(ray, sphere["centre"], sphere["radius"])
+        root = root_met(b, c, discriminant, conventions)
+        if root and conventions["tangent"] == "either" and not discriminant > 0:
+            return False  # not judged
+        if root:
+            half = root_of(discriminant, bits)
+            met[k] = (b - half if root == "smaller" else b + half), (b, discriminant, root)
+    if not got or got == [SOME_SPHERE]:
+        return bool(met) == bool(got)
+    said = int(number(got[0]))
+    if said not in met:
+        return False
+    at, equal = met[said]
+    return all(each == equal or not at > other for other, each in met.values())
+
+
+def confirm_witness(certificate, ray):
+    """The answer is right for the inputs of its witness."""
+    excuse, shares = certificate["excuse"], {}
+    amount = Fraction(excuse["amount"])
+    require(amount == Fraction(certificate["neighbourhood"]), "the neighbourhood is another")
+    for entry in excuse["witness"]:
+        name, share = entry["input"], Fraction(float.fromhex(entry["share"]))
+        require(abs(share) <= amount, "the witness changes an input by more than its amount")
+        require(name not in shares, "the witness changes an input twice")
+        shares[name] = share
+    known = named_inputs(certificate["inputs"], certificate["quantity"] == "nearest sphere")
+    require(set(shares) <= set(known), "the witness changes what is not an input")
+    changed = change_inputs(certificate, lambda name, x: x * (1 + shares.get(name, 0)))
+
+    def is_right(bits):
+        roots = lambda _, square: root_of(square, bits)
+        changed_ray = ray_of(changed, certificate["conventions"], roots)
+        if certificate["quantity"] == "nearest sphere":
+            return is_choice_right(certificate, changed, changed_ray, bits)
+        return is_answer_right(certificate, ray, changed, changed_ray, bits)
+
+    try:
+        found = is_right(ROOT_BITS[0])
+    except Undecided:
+        found = is_right(ROOT_BITS[1])
+    require(found, "the answer is not right for the inputs of its witness")
+
+
+# That there are no such inputs is proved by mean-value forms over the box of all that are nearby.
+# They matter by T = C - L, g, r and s, in multiples of g, alone. Each function below takes the four
+# and gives its value and its derivatives by them.
+
+
+def discriminant_form(T, g, r, s):
+    moment, a = cross(T, g), norm_sq(g)
+    by_g = minus(times(r**2, g), cross(moment, T))
+    slopes = [*times(-2, cross(g, moment)), *times(2, by_g), 2 * (a * r), 0]
+    return a * r**2 - norm_sq(moment), slopes
+
+
+def constant_form(T, g, r, s):
+    return norm_sq(T) - r**2, [*times(2, T), 0, 0, 0, -2 * r, 0]
+
+
+def linear_form(T, g, r, s):
+    return dot(T, g), [*g, *T, 0, 0]
+
+
+def at_answer_form(T, g, r, s):
+    """|T - s g|^2 - r^2: 0 where s is a root."""
+    off = minus(T, times(s, g))
+    slopes = [*times(2, off), *times(-2 * s, off), -2 * r, -2 * dot(off, g)]
+    return norm_sq(off) - r**2, slopes
+
+
+def before_middle_form(T, g, r, s):
+    """b - a s: not negative where s is the smaller root."""
+    a = norm_sq(g)
+    return dot(T, g) - s * a, [*g, *minus(T, times(2 * s, g)), 0, -a]
+
+
+def other_behind_form(T, g, r, s):
+    """a s - 2 b: not negative where the other root is not positive."""
+    a = norm_sq(g)
+    return s * a - 2 * dot(T, g), [*times(-2, g), *times(2, minus(times(s, g), T)), 0, a]
+
+
+class Variation:
+    """value + sum of t_k reach_k, |t_k| <= 1, holds what a function is anywhere in a box."""
+
+    def __init__(self, value, reach):
+        self.value, self.reach = value, reach
+        self.spread = sum(map(most, reach))
+        self.low, self.high = ends(value)[0] - self.spread, ends(value)[1] + self.spread
+
+    def shifted(self, sign, shift):
+        return Variation(sign * self.value + shift, [sign * x for x in self.reach])
+
+    def plus(self, factor, other):
+        reach = [x + factor * y for x, y in zip(self.reach, other.reach)]
+        return Variation(self.value + factor * other.value, reach)
+
+
+class Nearby:
+    """A ray and a sphere whose inputs change by at most the certificate's neighbourhood: T, g, r
+    and |g|, in the middle and over the whole box; how they change with each input, as Duals."""
+
+    def __init__(self, certificate):
+        amount = Fraction(certificate["neighbourhood"])
+        self.middle = self.arguments(certificate, lambda name, x: Dual(x, {}))
+        self.whole = self.arguments(certificate, lambda name, x: around(x, amount * abs(x), name))
+
+    @staticmethod
+    def arguments(certificate, change):
+        inputs = change_inputs(certificate, change)
+        roots = lambda _, square: root_of(square, ROOT_BITS[0])
+        ray = ray_of(inputs, certificate["conventions"], roots)
+        (sphere,) = inputs["spheres"]
+        T = minus(sphere["centre"], ray.start)
+        return [*T, *ray.g, sphere["radius"]], ray.unit
+
+    def box(self, s_low, s_high):
+        """What T, g, r and mu may be: s, in multiples of g, in a range."""
+        half = (s_high - s_low) / 2
+        sizes = (Dual(s_low + half, {}), self.middle), (around(s_low + half, half, "s"), self.whole)
+        return Box(*([*numbers, s / unit] for s, (numbers, unit) in sizes))
+
+
+def around(x, half, name):
+    """All from x - half to x + half."""
+    return Dual(Interval(x - half, x + half), {name: half} if half else {})
+
+
+class Box:
+    def __init__(self, middle, whole):
+        self.middle, self.whole = (self.arguments(numbers) for numbers in (middle, whole))
+        self.steps = [x.slopes for x in whole]
+
+    @staticmethod
+    def arguments(numbers):
+        values = [value_of(x) for x in numbers]
+        return values[0:3], values[3:6], *values[6:8]
+
+    def variation(self, form):
+        """By the mean-value form: value in the middle, derivatives over the whole box."""
+        reach = {}
+        for slope, steps in zip(form(*self.whole)[1], self.steps):
+            for name, step in steps.items():
+                reach[name] = reach.get(name, 0) + slope * step
+        names = sorted({name for steps in self.steps for name in steps})
+        return Variation(form(*self.middle)[0], [reach[name] for name in names])
+
+
+def exclude_each_other(f, g, g_is_zero=False):
+    """Whether f and g are nowhere both >= 0 (g = 0): f + m g < 0 everywhere for some m >= 0 (any
+    m). Which m is a guess in floats, where a term of the sum turns; the proof is of that m."""
+    if f.high < 0 or g.high < 0 or (g_is_zero and g.low > 0):
+        return True
+    if f.spread == 0 or g.spread == 0:
+        return False
+    share = lambda x, spread: float(sum(ends(x)) / 2 / spread)
+    slopes = [(share(x, f.spread), share(y, g.spread)) for x, y in zip(f.reach, g.reach)]
+    f_value, g_value = share(f.value, f.spread), share(g.value, g.spread)
+    high = lambda m: f_value + m * g_value + sum(abs(x + m * y) for x, y in slopes)
+    guesses = [-x / y for x, y in slopes if y != 0]
+    for m in sorted((m for m in guesses if abs(m) < 2**500 and (g_is_zero or m > 0)), key=high)[:2]:
+        if f.plus(Fraction(m) * f.spread / g.spread, g).high < 0:
+            return True
+    return False
+
+
+def room_along(vector, most_sq):
+    """Negative wherever a vector of three variations is longer than the root of `most_sq` along one
+    direction, that of the shortest that is found, guessed in floats."""
+    size = max(max(most(v.value), v.spread) for v in vector) or 1
+    share = lambda x: float(sum(ends(x)) / 2 / size)
+    at = [share(v.value) for v in vector]
+    reach = [[share(x) for x in of_one] for of_one in zip(*(v.reach for v in vector))]
+    t = [0.0] * len(reach)
+    for _ in range(40):
+        for k, step in enumerate(reach):
+            square = dot(step, step)
+            if square > 0:
+                to = min(1.0, max(-1.0, t[k] - dot(at, step) / square))
+                at, t[k] = plus(at, times(to - t[k], step)), to
+    u = list(map(Fraction, at))
+    along = vector[0].shifted(-u[0], 0).plus(-u[1], vector[1]).plus(-u[2], vector[2])
+    return along.shifted(1, ends(root_of(norm_sq(u) * most_sq, ROOT_BITS[0]))[1])
+
+
+def vector_variations(box, form):
+    """Of three functions, given as one that takes an axis too."""
+    return [box.variation(lambda *arguments, k=k: form(k, *arguments)) for k in range(3)]
+
+
+def moment_form(axis, T, g, r, s):
+    """T x g: as long as r |g| where the line touches the sphere."""
+    u = [Fraction(k == axis) for k in range(3)]
+    return cross(T, g)[axis], [*cross(g, u), *cross(u, T), 0, 0]
+
+
+def off_form(axis, T, g, r, s):
+    """T - s g: as long as r where s is a root."""
+    u = [Fraction(k == axis) for k in range(3)]
+    return (T[axis] - s * g[axis]), [*u, *[-1 * s * x for x in u], 0, -1 * g[axis]]
+
+
+def unit_vector(quarters, t):
+    """A direction of the plane: a quarter turn for t from 0 to 1, after so many others."""
+    x, y = (1 - t**2) / (1 + t**2), 2 * t / (1 + t**2)
+    for _ in range(quarters):
+        x, y = -y, x
+    return x, y
+
+
+def is_shorter(vector, across, least_sq):
+    """Whether a vector of three variations, nearly perpendicular to `across`, is shorter everywhere
+    than the root of `least_sq`: in sectors of the plane, each halved where that is not shown."""
+    size = max(map(most, across))
+    axis = [float(ends(x)[0] / size) for x in across]
+    least_axis = min(range(3), key=lambda k: abs(axis[k]))
+    other = [float(k == least_axis) for k in range(3)]
+    frame = [axis, cross(axis, other), cross(axis, cross(axis, other))]
+    frame = [[Fraction(x / dot(v, v) ** 0.5) for x in v] for v in frame]
+    # By a frame F nearly orthonormal, |F v|^2 >= (1 - defect) |v|^2.
+    defect = max(sum(abs(dot(v, w) - (v is w)) for w in frame) for v in frame)
+    along = lambda v: vector[0].shifted(v[0], 0).plus(v[1], vector[1]).plus(v[2], vector[2])
+    rest, first, second = map(along, frame)
+    least_sq = least_sq * (1 - defect) - max(abs(rest.low), abs(rest.high)) ** 2
+    if least_sq <= 0:
+        return False
+    sectors = [(quarters, Fraction(0), Fraction(1)) for quarters in range(4)]
+    for quarters, low, high in sectors:
+        # p = x u + y v, x and y >= 0, is no longer than x + y = p.(u + v) / (1 + u.v).
+        u, v = unit_vector(quarters, low), unit_vector(quarters, high)
+        x, y = plus(u, v)
+        longest = first.shifted(x, 0).plus(y, second).high / (1 + dot(u, v))
+        if longest > 0 and longest**2 >= least_sq:
+            if len(sectors) >= MOST_SECTORS:
+                return False
+            middle = (low + high) / 2
+            sectors += [(quarters, low, middle), (quarters, middle, high)]
+    return True
+
+
+def is_met_everywhere(box, conventions):
+    """No ray and sphere of the box miss each other."""
+    discriminant, b = box.variation(discriminant_form), box.variation(linear_form)
+    if discriminant.low < 0 or (discriminant.low == 0 and conventions["tangent"] == "miss"):
+        _, g, r, _ = box.whole
+        least_sq = r.low**2 * norm_sq(g).low
+        if r.low <= 0 or not is_shorter(vector_variations(box, moment_form), box.middle[1], least_sq):
+            return False
+    c = box.variation(constant_form)
+    if conventions["root"] == "smaller":
+        return c.low >= 0 and b.low >= 0
+    return c.high <= 0 or b.low >= 0
+
+
+def is_hit_nowhere(s, box_of, slack, reach, conventions):
+    """No ray and sphere of the box meet at s, or as near to it as counts."""
+    box = box_of(max(s - slack, Fraction(0)), s + slack)
+    _, g, r, _ = box.whole
+    root, ways = box.variation(at_answer_form), [before_middle_form]
+    if conventions["root"] == "nearest":
+        ways.append(other_behind_form)
+    if not all(exclude_each_other(box.variation(way), root, g_is_zero=True) for way in ways):
+        if room_along(vector_variations(box, off_form), r.high**2).high >= 0:
+            return False
+    return is_no_double_root(box_of(s, s), reach, r, norm_sq(g).high)
+
+
+def is_no_double_root(box, reach, r, a_most):
+    """Near a double root both are within sqrt(R/a) of s: |b - a s| <= sqrt(R a), and as half the
+    distance of the roots is at most half of that, 0 <= 4 (b^2 - a c) <= R a."""
+    most_sq = reach * a_most
+    away = ends(root_of(most_sq, ROOT_BITS[0]))[1]
+    discriminant, before = box.variation(discriminant_form), box.variation(before_middle_form)
+    not_before, not_behind = before.shifted(-1, away), before.shifted(1, away)
+    small = discriminant.shifted(-1, most_sq / 4)
+    if any(f.high < 0 for f in (discriminant, not_before, not_behind, small)):
+        return True
+    of_place = (not_before, not_behind)
+    if any(exclude_each_other(f, g) for f in (discriminant, small) for g in of_place):
+        return True
+    room = room_along(vector_variations(box, moment_form), (r**2).high * a_most)
+    return any(exclude_each_other(room, g) for g in of_place)
+
+
+def is_right_nowhere(certificate, ray):
+    """Whether the answer is proved to be wrong for all inputs of the neighbourhood."""
+    amount, conventions = Fraction(certificate["neighbourhood"]), certificate["conventions"]
+    nearby = Nearby(certificate)
+    if not certificate["got"]:
+        return is_met_everywhere(nearby.box(Fraction(0), Fraction(0)), conventions)
+    if isinstance(certificate["got"][0], str):  # no number
+        return True
+    s = number(certificate["got"][0])
+    if s < 0:
+        return True
+    centre = numbers(certificate["inputs"]["spheres"][0]["centre"])
+    slack = slack_of(s, ray, centre, amount, most)
+    reach = reach_of(s, certificate, ray, amount, ROOT_BITS[0], most)
+    return is_hit_nowhere(s, nearby.box, slack, reach, conventions)
+
+
+# What is said of wrong decisions, by whether they are excused by a witness or said to be defects.
+BY_WITNESS, PROVED, NOT_PROVED = (
+    "right for its witness",
+    "proved wrong for all inputs nearby",
+    "not proved wrong for all inputs nearby",
+)
+
+
+def confirm_standing(certificate, ray):
+    """What is shown of a wrong decision; None where nothing is claimed that can be."""
+    excuse = certificate["excuse"]
+    if excuse is None:
+        is_choice = certificate["quantity"] == "nearest sphere"
+        try:
+            return PROVED if not is_choice and is_right_nowhere(certificate, ray) else NOT_PROVED
+        except (Refuted, OverflowError):  # so wide that a camera of it may have no axes, say
+            return NOT_PROVED
+    if excuse["kind"] != "witness":
+        return None
+    confirm_witness(certificate, ray)
+    return BY_WITNESS
+
+
 def confirm(certificate):
-    """Raises Refuted unless the certificate's inputs prove what it states."""
+    """What a wrong decision is proved to come to, or None. Raises Refuted unless the certificate's
+    inputs prove what it states."""
     inputs, proof = certificate["inputs"], certificate["proof"]
     conventions, quantity = certificate["conventions"], certificate["quantity"]
     for name, values in CONVENTIONS.items():
         require(conventions[name] in values, f"there is no such convention of {name}")
     require(certificate["pixel"] == inputs.get("pixel"), "the pixel is another")
-    ray = None
-    if "ray" in inputs:
-        ray = given_ray(inputs["ray"])
-    elif "pixel" in inputs:
-        ray = camera_ray(inputs["camera"], inputs["pixel"], conventions, proof["roots"])
+    ray = ray_of(inputs, conventions, stated_roots(proof))
     spheres, stated = inputs.get("spheres", []), proof.get("spheres", [])
     require(len(spheres) == len(stated), "a sphere's proof is missing")
     meetings = [Meeting(ray, *each, conventions) for each in zip(spheres, stated)]
     if quantity == "nearest sphere":
-        return confirm_nearest(certificate, meetings)
+        confirm_nearest(certificate, meetings)
+        return confirm_standing(certificate, ray)
     is_finite = not any(isinstance(x, str) for x in certificate["got"])
     got = numbers(certificate["got"]) if is_finite else None
     if quantity in ("class", "root"):
         (met,) = meetings
         confirm_met(certificate, met, got)
-    else:
-        require(certificate["wrong"] is None, "an error is measured, not a decision")
-        unit = "ulp" if quantity == "parameter" else "u"
-        require(certificate["unit"] == unit, "the unit is another")
-        exact, squares = measured(certificate, ray, meetings, got)
-        require_exact(certificate["exact"], exact)
-        require_error(certificate["error"], squares() if is_finite else [INFINITE])
+        return confirm_standing(certificate, ray)
+    require(certificate["wrong"] is None, "an error is measured, not a decision")
+    unit = "ulp" if quantity == "parameter" else "u"
+    require(certificate["unit"] == unit, "the unit is another")
+    exact, squares = measured(certificate, ray, meetings, got)
+    require_exact(certificate["exact"], exact)
+    require_error(certificate["error"], squares() if is_finite else [INFINITE])
+    return None
 
 
 def title(certificate):
@@ -453,27 +969,34 @@ def title(certificate):
 
 
 def judge(certificate):
-    """What becomes of a certificate, and why."""
+    """What becomes of a certificate, why, and what a wrong decision comes to."""
     if not certificate["certified"]:
-        return "not certified", certificate["reason"]
+        return "not certified", certificate["reason"], None
     try:
-        confirm(certificate)
+        return "confirmed", "", confirm(certificate)
     except Refuted as reason:
-        return "REFUTED", str(reason)
+        return "REFUTED", str(reason), None
     except (ArithmeticError, AttributeError, LookupError, TypeError, ValueError) as error:
-        return "REFUTED", f"malformed: {error!r}"
-    return "confirmed", ""
+        return "REFUTED", f"malformed: {error!r}", None
 
 
 def main(paths):
     counts = {"confirmed": 0, "REFUTED": 0, "not certified": 0}
+    decisions = {BY_WITNESS: 0, PROVED: 0, NOT_PROVED: 0}
     for path in paths:
         with open(path, encoding="utf-8") as file:
             for certificate in map(json.loads, file):
-                state, why = judge(certificate)
+                state, why, standing = judge(certificate)
                 counts[state] += 1
-                print(f"{state}  {title(certificate)}" + (f": {why}" if why else ""))
+                text = f"{state}  {title(certificate)}" + (f": {why}" if why else "")
+                if standing:
+                    decisions[standing] += 1
+                    text += f"; {standing}"
+                print(text)
     print(", ".join(f"{count} {state.lower()}" for state, count in counts.items()))
+    if any(decisions.values()):
+        parts = (f"{count} {standing}" for standing, count in decisions.items() if count)
+        print("wrong decisions: " + ", ".join(parts))
     return 1 if counts["REFUTED"] else 0
 
 

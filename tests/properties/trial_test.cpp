@@ -117,7 +117,7 @@ TEST(Trial, ExcusesAtASurfaceTheOtherRootAndNoMiss) {
   const Case surface = ray_case({{-1, 0, 0}, {1, 0, 0}}, {{0, 0, 0}, 1});
   const Verdict missed = judge("class", surface, that_answers({}));
   ASSERT_EQ(missed.discrepancies(), 1u);
-  EXPECT_EQ(missed.worst(1).front().excuse, Excuse{});
+  EXPECT_EQ(missed.worst(1).front().excuse, (Excuse{ExcuseKind::kNone, kExcusedChange}));
   const Verdict leaving = judge("nearest-root", surface, that_answers(HitAnswer{2, {1, 0, 0}}));
   ASSERT_EQ(leaving.discrepancies(), 1u);
   const Excuse excuse = leaving.worst(1).front().excuse;

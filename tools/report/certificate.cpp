@@ -193,6 +193,17 @@ std::string not_provable(const Discrepancy& d, bool from_camera) {
   return {};
 }
 
+/// The relative change of the inputs within which a wrong decision was asked to be right.
+Json neighbourhood_json(const Discrepancy& d) {
+  using properties::ExcuseKind;
+  const bool is_decision = d.quantity == Quantity::kClass || d.quantity == Quantity::kRoot ||
+                           d.quantity == Quantity::kNearestSphere;
+  const ExcuseKind kind = d.excuse.kind;
+  const bool was_asked =
+      kind == ExcuseKind::kNone || kind == ExcuseKind::kWitness || kind == ExcuseKind::kUndecided;
+  return is_decision && was_asked ? Json(d.excuse.amount) : Json(nullptr);
+}
+
 constexpr const char* kTie =
     "a value is 0, or equal to another, only by virtue of square roots: brackets cannot show it";
 
@@ -228,6 +239,7 @@ Json certificate(const scene::Scene& scene, const scene::Conventions& convention
   json["what"] = d.what;
   json["wrong"] = d.wrong == properties::Wrong::kNot ? Json(nullptr) : Json(name(d.wrong));
   json["excuse"] = excuse_json(d);
+  json["neighbourhood"] = neighbourhood_json(d);
   json["error"] = error_json(d.error);
   json["got"] = got_json(d);
   json["exact"] = json_of(d.exact);

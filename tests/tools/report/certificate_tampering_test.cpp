@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <sstream>
+#include <stdexcept>
 #include <string>
 #include <utility>
 #include <vector>
@@ -119,6 +120,61 @@ TEST(TamperedCertificates, of_the_nearest_sphere_are_refuted) {
                                {"/inputs/spheres/1/radius/0"},
                                {"/proof/spheres/1/s/0", R"("99999999999999999999")"},
                                {"/proof/spheres/0/root", "null"}});
+}
+
+/// Of a scene, the first certificate of a quantity that has a witness.
+ordered_json with_witness(const std::string& scene, const std::string& quantity) {
+  for (auto& one : certificates_of(scene + " --all --top 30")) {
+    const ordered_json& excuse = one.at("excuse");
+    const bool has_witness = !excuse.is_null() && excuse.at("kind") == "witness";
+    if (has_witness && one.at("quantity") == quantity) return one;
+  }
+  throw std::runtime_error("no witness of a " + quantity);
+}
+
+TEST(TamperedCertificates, of_a_witness_are_refuted) {
+  const auto false_hit = with_witness("tests/regressions/tangent-one-ulp-outside.toml", "class");
+  expect_refuted(false_hit, {{"/excuse/witness", "[]"},
+                             {"/excuse/witness/0/share", R"("0x1.1p-49")"},
+                             {"/excuse/witness/0/share", R"("-0x1.0000000000001p-49")"},
+                             {"/excuse/witness/1/share", R"("-0x1p-49")"},
+                             {"/excuse/witness/1/input", R"("origin.z")"},
+                             {"/excuse/witness/1/input", R"("origin.x")"},
+                             {"/excuse/witness/1/input", R"("eye.y")"},
+                             {"/excuse/witness/1/input", R"("spheres[0].radius")"},
+                             {"/excuse/witness/3/share", R"("-0x1p-49")"},
+                             {"/excuse/amount", "1e-9"},
+                             {"/neighbourhood", "1e-15"},
+                             {"/got", "[[5, 1]]"},
+                             {"/got", "[[-5, 0]]"},
+                             {"/got", R"(["nan"])"}});
+  const auto missed = with_witness("tests/regressions/planet-horizon.toml", "class");
+  expect_refuted(missed, {{"/excuse/witness", R"([{"input": "radius", "share": "0x1p-49"}])"},
+                          {"/excuse/witness", "[]"}});
+  const auto root = with_witness("tests/regressions/pixel-on-surface-loses-near-root.toml", "root");
+  expect_refuted(root, {{"/excuse/witness", "[]"},
+                        {"/excuse/witness/5/share", R"("-0x1p-49")"},
+                        {"/excuse/witness/12/share", R"("0x1p-49")"},
+                        {"/excuse/witness/0/input", R"("width")"},
+                        {"/conventions/root", R"("smaller")"}});
+  const auto choice = with_witness(kNearestByAnUlp, "nearest sphere");
+  expect_refuted(choice, {{"/excuse/witness", "[]"},
+                          {"/excuse/witness/9/share", R"("-0x1p-49")"},
+                          {"/excuse/witness/9/input", R"("radius")"},
+                          {"/excuse/witness/9/input", R"("spheres[2].radius")"}});
+}
+
+TEST(TamperedCertificates, of_a_defect_are_not_proved) {
+  const auto defect =
+      of_quantity(certificates_of(std::string(kFalseHit) + " --intersect quadratic"), "class");
+  const auto said = [](const ordered_json& one) { return script_on({one}).out; };
+  EXPECT_NE(said(defect).find("; proved wrong for all inputs nearby"), std::string::npos);
+  ordered_json wide = defect;
+  wide["neighbourhood"] = 1e-3;
+  EXPECT_NE(said(wide).find("; not proved wrong for all inputs nearby"), std::string::npos);
+  auto excused = with_witness("tests/regressions/tangent-one-ulp-outside.toml", "class");
+  excused["excuse"] = nullptr;
+  EXPECT_NE(said(excused).find("; not proved wrong for all inputs nearby"), std::string::npos);
 }
 
 TEST(TamperedCertificates, of_a_unit_or_a_kind_of_error_are_refuted) {
