@@ -151,7 +151,8 @@ constexpr CaseSource kCameraSourceTable[] = {
      // right.cpp breaks `scaling` from @391 on, the laws of the camera from @510 on; see scale.
      Dial{"log2 of the scaling, up or down", 2, kMostBinades, 100, 190}, camera_scale},
     {"up", "up vectors at an angle of 10^-k to the view", true,
-     // A plain up x W is off the right angle to W by 10^k u, as no change of the inputs makes it: at
+     // A plain up x W is off the right angle to W by 10^k u, as no change of the inputs makes it:
+     // at
      // @3 one s in 15,000 of right.cpp exceeds its bound. direct/cross holds to the end.
      Dial{"-log10 of the angle between up and the view", 10, 15, 2, 15}, up}};
 

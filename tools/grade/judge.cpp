@@ -1,8 +1,8 @@
 #include "tools/grade/judge.h"
 
 #include <algorithm>
-#include <limits>
 #include <functional>
+#include <limits>
 #include <memory>
 #include <utility>
 
