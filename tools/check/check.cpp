@@ -289,6 +289,7 @@ CheckReport check(const CheckOptions& options, const RunControl& control) {
   report.warnings = std::move(loaded.warnings);
   report.top = options.top;
   report.strict = options.strict;
+  report.max_error = options.max_error;
   if (!report.scene.camera && options.pixels) {
     throw std::invalid_argument("pixels: " + options.path +
                                 " has given rays and no pixels; all its rays are judged");

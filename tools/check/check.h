@@ -71,6 +71,7 @@ struct CheckReport {
   std::size_t top = 0;
   bool interrupted = false;
   bool strict = false;
+  std::optional<double> max_error;  ///< A bound in place of the documented ones.
 
   std::uint64_t discrepancies() const;
   std::uint64_t count(properties::Standing standing) const;

@@ -13,6 +13,8 @@ Json candidate_json(const CandidateReport& candidate, std::size_t top) {
   json["intersect"] = methods != nullptr ? Json(methods->intersect->name) : Json(nullptr);
   const External* const external = external_of(candidate.contestant);
   json["isolated_by"] = external != nullptr ? Json(external->program.layers.text()) : Json(nullptr);
+  json["bounds_of"] =
+      external != nullptr ? Json(candidate_of(external->bounds).name) : Json(nullptr);
   json["conventions"] = conventions_json(candidate.conventions);
   json["ns_per_ray"] = {{"make", error_json(candidate.timing.make)},
                         {"intersect", error_json(candidate.timing.intersect)}};
@@ -56,6 +58,7 @@ std::string check_json(const CheckReport& report, const ViewOptions& /*options*/
     json["candidates"].push_back(candidate_json(candidate, report.top));
   }
   json["discrepancies"] = report.discrepancies();
+  json["max_ulp"] = error_json(report.max_error);
   json["strict"] = report.strict;
   json["holds"] = report.holds();
   json["left_out"] = report.left_out;

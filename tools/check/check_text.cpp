@@ -114,6 +114,10 @@ std::string check_text(const CheckReport& report, const ViewOptions& options) {
         fmt::format("\n{}  {}\n", candidate.name,
                     external == nullptr ? timing_text(candidate.timing, report.scene.spheres.size())
                                         : "isolated by: " + external->program.layers.text());
+    if (external != nullptr && !external->renderer && !report.max_error) {
+      text += fmt::format("  documents no bounds: held to those of {} (--bounds)\n",
+                          candidate_of(external->bounds).name);
+    }
     if (!(candidate.conventions == report.scene.conventions)) {
       text += fmt::format("  judged under its own conventions: {}\n",
                           conventions_text(candidate.conventions));

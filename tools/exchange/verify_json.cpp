@@ -14,7 +14,8 @@ std::string verify_json(const VerifyReport& report, const ViewOptions& /*options
   json["strict"] = report.strict;
   json["holds"] = report.holds();
   json.update(candidate_json(report.candidate, report.top));
-  for (const char* key : {"rays", "intersect", "isolated_by", "ns_per_ray", "explanations"}) {
+  for (const char* key :
+       {"rays", "intersect", "isolated_by", "bounds_of", "ns_per_ray", "explanations"}) {
     json.erase(key);  // of methods, of processes and of renderers
   }
   for (Json& one : json["worst"]) one["id"] = report.ids.at(one["ray"].get<std::size_t>());
