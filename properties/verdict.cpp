@@ -127,10 +127,14 @@ bool Verdict::holds(bool strictly) const {
 }
 
 std::optional<std::pair<Quantity, Question>> Verdict::too_few_right(std::uint64_t fewest) const {
+  constexpr auto kOfValues = static_cast<std::size_t>(Question::kValue);
+  std::uint64_t right_values = 0;
+  for (const auto& [quantity, tally] : tallies_) right_values += tally.answered[kOfValues].right;
   for (const auto& [quantity, tally] : tallies_) {
     for (std::size_t k = 0; k < kQuestionCount; ++k) {
       const Answered& answers = tally.answered[k];
-      if (answers.asked > 0 && answers.right < fewest) {
+      const std::uint64_t right = k == kOfValues ? right_values : answers.right;
+      if (answers.asked > 0 && right < fewest) {
         return std::pair(quantity, static_cast<Question>(k));
       }
     }

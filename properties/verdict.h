@@ -66,6 +66,10 @@ class Verdict {
   }
   /// Counts answers that are right.
   void judged_right(Quantity quantity, Question question, std::uint64_t count);
+  /// Counts a question to which an answer is not right, though it breaks nothing here.
+  void not_right(Quantity quantity, Question question) {
+    ++tallies_[quantity].answers_to(question).asked;
+  }
   /// Counts an answer that is wrong.
   void judged_wrong(Quantity quantity, Question question, const Place& place, Wrong wrong,
                     Standing standing);
@@ -86,7 +90,8 @@ class Verdict {
   /// No defect; `strictly`, nothing that was judged differs from the truth.
   bool holds(bool strictly = false) const;
   /// The first quantity and question that was asked, but answered rightly, without an excuse, fewer
-  /// than so many times: of that a law has shown too little to hold.
+  /// than so many times: of that a law has shown too little to hold. Values are one question,
+  /// whatever the quantity.
   std::optional<std::pair<Quantity, Question>> too_few_right(std::uint64_t fewest) const;
   const std::string& reason_left_out() const { return left_out_; }
 

@@ -112,6 +112,10 @@ void judge_class(Trial& trial, Verdict& verdict) {
   if (unjudged > 0) verdict.leave_out("exactly tangent pairs: tangent = either");
 }
 
+void leave_out_without_hits(Verdict& verdict) {
+  if (verdict.compared() == 0) verdict.leave_out("no hit of the candidate's is one");
+}
+
 void judge_root(Trial& trial, Verdict& verdict) {
   for_each_encounter(trial, [&](const Encounter& at) {
     if (at.answer == nullptr || at.exact == nullptr) return;
@@ -121,6 +125,7 @@ void judge_root(Trial& trial, Verdict& verdict) {
         [&] { return excuse(trial, at); },
         [&](Discrepancy& d) { describe_parameters(trial, at, d); });
   });
+  leave_out_without_hits(verdict);
 }
 
 void judge_parameter(Trial& trial, Verdict& verdict) {
@@ -134,6 +139,7 @@ void judge_parameter(Trial& trial, Verdict& verdict) {
         [&](Discrepancy& d) { describe_parameters(trial, at, d); },
         [&] { return backward_error(trial, at); });
   });
+  leave_out_without_hits(verdict);
 }
 
 void judge_backward_error(Trial& trial, Verdict& verdict) {
@@ -144,6 +150,7 @@ void judge_backward_error(Trial& trial, Verdict& verdict) {
         backward_error(trial, at), [] { return 1; },
         [&](Discrepancy& d) { d.got = {at.answer->parameter}; });
   });
+  leave_out_without_hits(verdict);
 }
 
 /// How the candidate's point is off its sphere and its ray, in units of u of r and of s |D|. Both
@@ -196,6 +203,7 @@ void judge_hit_point(Trial& trial, Verdict& verdict) {
         [&] { return backward_error(trial, at); });
     judge_residuals(trial, verdict, at);
   });
+  leave_out_without_hits(verdict);
 }
 
 /// The same pixel's answers from both origins.

@@ -48,21 +48,26 @@ void compare_hits(Trial& trial, Trial& transformed, Verdict& verdict, const std:
       const scene::Sphere& the_sphere = trial.scene().spheres[sphere];
       const scene::Sphere& other_sphere = transformed.scene().spheres[sphere];
       const bool differ = (hit == nullptr) != (other == nullptr);
-      if (differ && is_unjudged(trial.exact_intersection(k, sphere), trial.conventions().tangent)) {
-        continue;
-      }
+      const bool unjudged =
+          is_unjudged(trial.exact_intersection(k, sphere), trial.conventions().tangent);
+      if (differ && unjudged) continue;
       const auto excuse = [&] {
         return trial.excuse({answer_of(trial.exact_ray(k), the_sphere, hit),
                              answer_of(transformed.exact_ray(k), other_sphere, other)});
       };
-      trial.judge(verdict, Quantity::kClass, hit == nullptr ? Question::kMiss : Question::kHit,
-                  place,
+      const bool is_hit = trial.exact_hit(k, sphere);
+      const Question question = is_hit ? Question::kHit : Question::kMiss;
+      // Two answers that are wrong alike agree, but are not right.
+      if (!differ && !unjudged && (hit != nullptr) != is_hit) {
+        verdict.not_right(Quantity::kClass, question);
+        continue;
+      }
+      trial.judge(verdict, Quantity::kClass, question, place,
                   !differ          ? Wrong::kNot
                   : hit != nullptr ? Wrong::kMissed
                                    : Wrong::kFalseHit,
                   excuse, describe);
       if (hit == nullptr || other == nullptr) continue;
-      const bool is_hit = trial.exact_hit(k, sphere);
       double error =
           reference::ulp_error(other->parameter, Enclosure(hit->parameter * factor, 128));
       if (std::isinf(error) && is_hit && std::isfinite(other->parameter)) {

@@ -192,6 +192,7 @@ CampaignResult run_campaign(const Law& law, const Candidate& candidate,
           law, candidate, {severities[k], cases, options.seed, options.max_error, options.strict},
           control);
       if (part.counts.cases == 0) return result;  // interrupted
+      result.level = std::max(result.level, part.source.level());
       result.counts.add(part.counts);
       result.verdict.merge(part.verdict);
       result.parts.push_back(std::move(part));
@@ -218,7 +219,7 @@ std::vector<Reach> reaches(const Law& law, const Candidate& candidate,
     const Dial& dial = *source.source->dial;
     const int last = dial.highest_of(options.level);
     std::vector<ChosenSource> severities = severities_of(source, options.level, share);
-    const int cases = share_of_all(share, severities.size(), 0);
+    const int cases = std::max(kFewestOfReach, share_of_all(share, severities.size(), 0));
     if (last < dial.highest) {
       for (const int severity : some_severities(last + 1, dial.highest)) {
         severities.push_back({source.source, severity});

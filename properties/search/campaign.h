@@ -17,8 +17,8 @@
 
 namespace raycheck::properties {
 
-/// Cases for each law and candidate: with 300 every mutant is caught by its laws, and so is right
-/// code made wrong by 2^-46 in s, Q or D, by an epsilon of 1e-12, or in a band of 2^-20 at
+/// Cases for each law and candidate: 300 are enough that every mutant is caught by its laws, and so
+/// is right code made wrong by 2^-46 in s, Q or D, by an epsilon of 1e-12, or in a band of 2^-20 at
 /// tangency.
 inline constexpr int kCampaignCases = 500;
 
@@ -111,9 +111,12 @@ struct Reach {
   std::string replay;            ///< Of broken_at.
 };
 
+/// How far a law holds is not said by fewer cases at a severity.
+inline constexpr int kFewestOfReach = 20;
+
 /// Follows the dial of every source that stands for its severities in a campaign of these options,
-/// through the level and beyond it, to the first severity that breaks the law or to the end: on as
-/// many cases at each severity as that campaign has, and on the same ones where it has any.
+/// through the level and beyond it, to the first severity that breaks the law or to the end: on
+/// kFewestOfReach cases at each severity, or as many as that campaign has, the same ones first.
 std::vector<Reach> reaches(const Law& law, const Candidate& candidate,
                            const CampaignOptions& options, const RunControl& control = {});
 

@@ -19,9 +19,9 @@ std::span<const WhyExcused> why_excused() {
        53,
        {"parameter", "hit-point", "scaling", "axes"},
        {},
-       "at an exact tangent the condition number of s is infinite, so that a bound that grows with "
-       "it "
-       "allows any s; `backward-error` alone convicts it"},
+       "at an exact tangent an s whose backward error is within its bound is allowed: it may be "
+       "off "
+       "by half of its bits"},
       {"tangency",
        14,
        16,

@@ -88,7 +88,7 @@ std::string quantities_table(const CandidateReport& candidate) {
 
 std::string too_few_text(const CandidateReport& candidate) {
   if (!candidate.inside_domain) {
-    return "  not judged here: the scene lies outside the method's stated domain\n";
+    return "  not judged here: a length of the scene lies outside the domain that is judged\n";
   }
   const auto too_few = candidate.too_few_judged();
   if (!too_few) return "";

@@ -59,14 +59,29 @@ std::string holding_text(const CampaignResult& result) {
   for (const auto& parts : by_source(result)) {
     const auto broken = std::find_if(parts.begin(), parts.end(),
                                      [](const CampaignPart& part) { return part.is_broken(); });
-    if (broken == parts.end() || broken == parts.begin()) continue;
+    if (broken == parts.end()) continue;
+    const auto held =
+        std::find_if(std::make_reverse_iterator(broken), parts.rend(),
+                     [](const CampaignPart& part) { return part.verdict.compared() > 0; });
+    if (held == parts.rend()) continue;
     text += fmt::format("{}{} up to @{}", text.empty() ? "" : ", ", parts[0].source.source->name,
-                        *std::prev(broken)->source.severity);
+                        *held->source.severity);
   }
   return text;
 }
 
-std::string failure_text(const CampaignReport& campaign, bool colours) {
+/// Someone else's has to be named again to be asked again.
+std::string replay_text(const PropertiesReport& report, const CampaignReport& campaign) {
+  const bool is_external = std::any_of(
+      report.borrowed.begin(), report.borrowed.end(),
+      [&](const BorrowedBounds& bounds) { return bounds.candidate == campaign.candidate; });
+  const std::string& replay = campaign.result.failure->replay;
+  return is_external ? fmt::format("--candidate '{}' --replay '{}'", campaign.candidate, replay)
+                     : fmt::format("--replay {}", replay);
+}
+
+std::string failure_text(const PropertiesReport& report, const CampaignReport& campaign,
+                         bool colours) {
   const CampaignResult& result = campaign.result;
   const properties::Failure& failure = *result.failure;
   std::string text;
@@ -79,7 +94,7 @@ std::string failure_text(const CampaignReport& campaign, bool colours) {
   for (const auto& discrepancy : failure.verdict.worst(1)) {
     text += indented(discrepancy_text(discrepancy, colours), "    ");
   }
-  text += fmt::format("    replay: raycheck properties --replay {}\n", failure.replay);
+  text += fmt::format("    replay: raycheck properties {}\n", replay_text(report, campaign));
   text += "    the shrunk case, as a scene for `raycheck check`:\n";
   const std::string reason =
       fmt::format("breaks the law {} with {}", campaign.law->name, campaign.candidate);
@@ -166,12 +181,20 @@ std::string properties_text(const PropertiesReport& report, const ViewOptions& o
   }
   for (const CampaignReport& campaign : report.campaigns) {
     text += campaign_text(campaign, options.colours);
-    if (campaign.result.failure) text += failure_text(campaign, options.colours);
-    if (!campaign.frontier.empty()) text += frontier_text(campaign, report.baseline);
+    if (campaign.result.failure) text += failure_text(report, campaign, options.colours);
+    const bool is_asked = campaign.finding != Finding::kLeftOut;
+    if (is_asked && !campaign.frontier.empty()) text += frontier_text(campaign, report.baseline);
   }
   if (report.interrupted) text += "INTERRUPTED: the laws above are those that were tried.\n";
-  text += fmt::format("{}, {} broken\n", count_text(report.campaigns.size(), "campaign"),
+  text += fmt::format("{}, {} broken", count_text(report.campaigns.size(), "campaign"),
                       report.failures());
+  for (const Finding finding : {Finding::kUndecided, Finding::kTooFewJudged, Finding::kNotJudged}) {
+    const auto count =
+        std::count_if(report.campaigns.begin(), report.campaigns.end(),
+                      [&](const CampaignReport& campaign) { return campaign.finding == finding; });
+    if (count > 0) text += fmt::format(", {} {}", count, name(finding));
+  }
+  text += "\n";
   return text;
 }
 
