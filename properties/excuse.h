@@ -24,6 +24,18 @@ constexpr std::string_view name(Standing standing) {
   return kStandingNames[static_cast<std::size_t>(standing)];
 }
 
+/// What a wrong decision comes to by what was found about inputs close by.
+constexpr Standing standing_of(reference::Nearby found) {
+  switch (found) {
+    case reference::Nearby::kWitness:
+      return Standing::kExcused;
+    case reference::Nearby::kRefuted:
+      return Standing::kDefect;
+    default:
+      return Standing::kUndecided;
+  }
+}
+
 enum class ExcuseKind {
   kNone,
   kUndecided,

@@ -79,6 +79,9 @@ constexpr double bound_growth(double condition) {
 /// class: what the roundings of a handful of operations amount to. (A method that computes in
 /// another precision is excused as many of its own u.)
 inline constexpr double kExcusedChange = 16 * kDoubleRoundoff;
+constexpr double excused_change(double unit_roundoff) {
+  return kExcusedChange * unit_roundoff / kDoubleRoundoff;
+}
 
 }  // namespace raycheck::properties
 

@@ -233,10 +233,10 @@ reference::Neighbourhood Trial::neighbourhood(double relative_change) const {
 }
 
 Excuse Trial::excuse_of(reference::NearbyAnswer nearby, double relative_change) const {
-  switch (nearby.found) {
-    case reference::Nearby::kWitness:
+  switch (standing_of(nearby.found)) {
+    case Standing::kExcused:
       return {ExcuseKind::kWitness, relative_change, std::move(nearby.witness)};
-    case reference::Nearby::kRefuted:
+    case Standing::kDefect:
       return {ExcuseKind::kNone, relative_change};
     default:
       ++undecided_;

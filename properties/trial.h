@@ -57,10 +57,8 @@ class Trial {
   const scene::Conventions& conventions() const { return conventions_; }
   std::size_t ray_count() const;
   Place place(std::size_t ray, std::optional<std::size_t> sphere = {}) const;
-  /// kExcusedChange, in the roundoff of the candidate's arithmetic.
-  double excused_change() const {
-    return kExcusedChange * candidate_.unit_roundoff / kDoubleRoundoff;
-  }
+  /// In the roundoff of the candidate's arithmetic.
+  double excused_change() const { return properties::excused_change(candidate_.unit_roundoff); }
   /// Whether the case lies in the candidate's stated domain.
   bool inside_domain() const { return inside_domain_; }
   /// Whether answers about a quantity are judged: in that domain, or where a promise of the exact

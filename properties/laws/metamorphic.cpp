@@ -136,9 +136,11 @@ void judge_scaling(Trial& trial, Verdict& verdict) {
   const bool hits = no_hits.empty();
   const bool directions = trial.scene().camera.has_value();
   if (!hits && !directions) return verdict.leave_out(std::string(no_hits));
+  bool is_tried = false;
   for (const int exponent : {-120, -40, 3, 40, 120}) {
     const auto scene = scaled(trial.scene(), exponent);
     if (!scene || !is_inside_domain(trial.candidate(), *scene)) continue;
+    is_tried = true;
     const Case transformed_case{*scene, trial.pixels()};
     Trial transformed(transformed_case, trial.candidate());
     const std::string what = "scaled by 2^" + std::to_string(exponent);
@@ -150,9 +152,7 @@ void judge_scaling(Trial& trial, Verdict& verdict) {
       compare_hits(trial, transformed, verdict, what, std::ldexp(1.0, exponent));
     }
   }
-  if (verdict.compared() == 0) {
-    return verdict.leave_out("no scaled scene stays in the method's stated domain");
-  }
+  if (!is_tried) verdict.leave_out("no scaled scene stays in the method's stated domain");
 }
 
 /// A map of world axes to world axes: coordinates are moved, never rounded.

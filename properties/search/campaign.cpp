@@ -171,7 +171,7 @@ Finding CampaignResult::finding() const {
                   [](const CampaignPart& part) { return part.is_broken(); })) {
     return Finding::kBroken;
   }
-  if (verdict.compared() == 0) {
+  if (verdict.compared() == 0 && !too_few_right()) {
     return counts.not_judged > 0 ? Finding::kNotJudged : Finding::kLeftOut;
   }
   if (verdict.count(Standing::kUndecided) > 0) return Finding::kUndecided;

@@ -1,6 +1,13 @@
 #include "tests/dull/judged.h"
 
 namespace raycheck::dull {
+namespace {
+
+constexpr const char* kManyAtTheSurface =
+    "rays start within a few roundings of every sphere's surface, so that which of those that are "
+    "hit is nearest depends on these";
+
+}  // namespace
 
 std::span<const WhyExcused> why_excused() {
   static const std::vector<WhyExcused> kReasons = {
@@ -10,18 +17,15 @@ std::span<const WhyExcused> why_excused() {
        {"class", "nearest-root", "nearest-sphere"},
        {},
        "the impact parameter is within 2^-48 of the radius, and 16 u, 2^-49, of each input moves "
-       "it "
-       "as far: a tangent is a miss for a radius a rounding smaller, its roots are as near "
-       "together "
-       "as their distance from s = 0 is uncertain"},
+       "it as far: a tangent is a miss for a radius a rounding smaller, its roots are as near "
+       "together as their distance from s = 0 is uncertain"},
       {"tangent-ulps",
        53,
        53,
        {"parameter", "hit-point", "scaling", "axes"},
        {},
        "at an exact tangent an s whose backward error is within its bound is allowed: it may be "
-       "off "
-       "by half of its bits"},
+       "off by half of its bits"},
       {"tangency",
        14,
        16,
@@ -35,16 +39,13 @@ std::span<const WhyExcused> why_excused() {
        {"class", "nearest-root", "parameter", "hit-point"},
        {},
        "the eye is within 10^-15 radii of the surface and the rays level: 16 u takes it inside, "
-       "and "
-       "the line off the sphere"},
+       "and the line off the sphere"},
       {"surface",
        14,
        15,
        {"nearest-sphere"},
        {"knows-hits-at-0", "knows-hits-at-the-origin"},
-       "rays start within a few roundings of every sphere's surface, so that which of those that "
-       "are "
-       "hit is nearest depends on these"},
+       kManyAtTheSurface},
       {"surface",
        15,
        15,
@@ -65,8 +66,7 @@ std::span<const WhyExcused> why_excused() {
        {"class", "nearest-root", "nearest-sphere"},
        {},
        "16 u of 10^14 radii is a fifth of a radius, of 10^15 more than one: which root, which "
-       "sphere "
-       "and soon whether any is met depends on the last bits of the inputs"},
+       "sphere and soon whether any is met depends on the last bits of the inputs"},
       {"far-world",
        15,
        15,
@@ -86,8 +86,7 @@ std::span<const WhyExcused> why_excused() {
        {"image"},
        {},
        "an image is excused by relative changes of 10^-6, which 10^6 away is the size of the "
-       "scene: "
-       "no picture that is kept in single precision can show it"},
+       "scene: no picture that is kept in single precision can show it"},
       {"up",
        14,
        15,
@@ -95,8 +94,7 @@ std::span<const WhyExcused> why_excused() {
         "focal-and-pixel", "scaling", "axes"},
        {},
        "16 u of `up` and of the view are as much as the angle between them: the image may be "
-       "turned "
-       "by any angle"},
+       "turned by any angle"},
       {"up",
        5,
        15,
@@ -109,9 +107,7 @@ std::span<const WhyExcused> why_excused() {
        15,
        {"nearest-sphere"},
        {"knows-hits-at-0", "knows-hits-at-the-origin"},
-       "rays start within a few roundings of every sphere's surface, so that which of those that "
-       "are "
-       "hit is nearest depends on these"},
+       kManyAtTheSurface},
       {"coincident",
        15,
        16,

@@ -210,9 +210,8 @@ void audit(const IntersectMethod& method, const properties::CaseSource& source, 
     const Ray& ray = the_case.scene.rays.front();
     const scene::Conventions& conventions = the_case.scene.conventions;
     const reference::ExactRay exact(ray);
-    const reference::Neighbourhood around{
-        conventions.root, conventions.tangent,
-        properties::kExcusedChange * method.unit_roundoff / properties::kDoubleRoundoff};
+    const reference::Neighbourhood around{conventions.root, conventions.tangent,
+                                          properties::excused_change(method.unit_roundoff)};
     for (const Sphere& sphere : the_case.scene.spheres) {
       const reference::Intersection at = exact.intersect(sphere, conventions.root);
       const auto hit = method.intersect_one(ray, sphere, conventions.root, conventions.tangent);

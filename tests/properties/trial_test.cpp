@@ -139,6 +139,20 @@ TEST(Trial, DoesNotExcuseAFarSphereThatIsMissed) {
   EXPECT_TRUE(worst.got.empty());
 }
 
+/// At a double root the condition number of s is infinite: it may be off by half of its bits, and
+/// not by more.
+TEST(Trial, HoldsAnErrorAtADoubleRootAgainstTheBackwardError) {
+  const auto holds = [](std::string_view law, double s) {
+    return judge(law, at_height(1), that_answers(HitAnswer{s, {s - 5, 1, 0}})).holds();
+  };
+  for (const char* law : {"parameter", "hit-point"}) {
+    EXPECT_TRUE(holds(law, 5)) << law;
+    EXPECT_TRUE(holds(law, 5 + 0x1p-26)) << law;
+    EXPECT_FALSE(holds(law, 5 + 0x1p-20)) << law;
+    EXPECT_FALSE(holds(law, 1)) << law;
+  }
+}
+
 TEST(Trial, JudgesATangentByItsConvention) {
   const HitAnswer hit{5, {0, 1, 0}};
   for (const auto& [tangent, answer_is_right, judged] :

@@ -174,6 +174,9 @@ TEST(Verdict, NamesTheFirstQuestionThatWasAnsweredRightlyTooFewTimes) {
   measured.measured(Quantity::kParameter, at_ray(0), kBound + 1, kBound);
   const std::pair too_few_values(Quantity::kParameter, Question::kValue);
   EXPECT_EQ(measured.too_few_right(1), too_few_values);
+  Verdict both = measured;
+  both.measured(Quantity::kHitPoint, at_ray(0), kBound, kBound);
+  EXPECT_FALSE(both.too_few_right(1));  // values of one kind or another
   measured.count_ill_conditioned(Quantity::kParameter);
   EXPECT_FALSE(measured.too_few_right(1));
 }

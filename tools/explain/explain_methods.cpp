@@ -130,27 +130,6 @@ MethodReport judge_rays(const fast::PixelRayMethod& method, const scene::Convent
   return report;
 }
 
-namespace {
-
-/// Of a wrong class or root, as the laws have it.
-properties::Standing standing_of(const fast::IntersectMethod& method, const Subject& subject,
-                                 const scene::Sphere& sphere, const scene::Conventions& conventions,
-                                 const std::optional<double>& answer) {
-  const reference::Neighbourhood around{
-      conventions.root, conventions.tangent,
-      properties::kExcusedChange * method.unit_roundoff / properties::kDoubleRoundoff};
-  switch (right_nearby(subject.exact, sphere, around, answer).found) {
-    case reference::Nearby::kWitness:
-      return properties::Standing::kExcused;
-    case reference::Nearby::kRefuted:
-      return properties::Standing::kDefect;
-    default:
-      return properties::Standing::kUndecided;
-  }
-}
-
-}  // namespace
-
 MethodReport judge_intersection(const fast::IntersectMethod& method, const scene::Ray& ray,
                                 const scene::Sphere& sphere, const scene::Conventions& conventions,
                                 const Subject& subject, const SphereReport& exact) {
@@ -235,7 +214,11 @@ MethodReport judge_intersection(const fast::IntersectMethod& method, const scene
       hit && exact.is_hit &&
       is_at_other_root(subject.exact, sphere, exact.intersection, *report.parameter);
   if (report.class_error || is_other_root) {
-    report.standing = standing_of(method, subject, sphere, conventions, report.parameter);
+    // As the laws have it.
+    const reference::Neighbourhood around{conventions.root, conventions.tangent,
+                                          properties::excused_change(method.unit_roundoff)};
+    report.standing = properties::standing_of(
+        right_nearby(subject.exact, sphere, around, report.parameter).found);
   }
   if (wrong) {
     // Right for the ray it was given: what went wrong is that ray.

@@ -62,6 +62,34 @@ TEST(Campaign, JudgesEveryCaseOfALawThatHolds) {
   EXPECT_GT(result.verdict.compared(), 200u);
 }
 
+TEST(Campaign, SaysTheLevelOfWhatWasAsked) {
+  CampaignOptions one = options(10);
+  one.level = Level::kOrdinary;
+  one.sources = {chosen_source("rays")};
+  EXPECT_EQ(run_campaign(*find_law("class"), kGood, one).level, Level::kOrdinary);
+  one.sources = {chosen_source("tangent-ulps@53")};
+  EXPECT_EQ(run_campaign(*find_law("class"), kGood, one).level, Level::kExtreme);
+}
+
+/// Answers that are wrong alike agree; no hit of them is right, whether there are misses or not.
+TEST(Campaign, SaysOfAnswersThatAreWrongAlikeThatTooFewAreRight) {
+  Candidate misses = kGood;
+  misses.intersect = [](Candidate::Rays, Candidate::Spheres spheres, const scene::Conventions&) {
+    return std::vector<SphereHits>(spheres.size());
+  };
+  for (const char* law : {"scaling", "axes"}) {
+    for (const char* source : {"rays", "inside@16"}) {
+      CampaignOptions some = options(100);
+      some.sources = {chosen_source(source)};
+      const CampaignResult result = run_campaign(*find_law(law), misses, some);
+      EXPECT_EQ(result.finding(), Finding::kTooFewJudged) << law << ", " << source;
+      const std::pair hits(Quantity::kClass, Question::kHit);
+      EXPECT_EQ(result.too_few_right(), hits) << law << ", " << source;
+      EXPECT_EQ(run_campaign(*find_law(law), kGood, some).finding(), Finding::kHolds) << law;
+    }
+  }
+}
+
 /// Whether a verdict, and how it came about, is the same.
 void expect_same(const CampaignPart& a, const CampaignPart& b) {
   EXPECT_EQ(a.source.name(), b.source.name());

@@ -14,7 +14,7 @@
 #include <string>
 #include <vector>
 
-#include "tests/tools/program.h"
+#include "tests/tools/external/judged.h"
 
 namespace raycheck::tests {
 namespace {
@@ -25,26 +25,6 @@ const std::string kCamera = "scene/examples/ten-spheres.toml";
 const std::string kRays = "scene/examples/lecture-examples.toml";
 
 const std::string kTopFirst = "scene/examples/example-6-top-first.toml";
-const std::string kProbe = "scene/examples/probe.toml";
-
-std::string renderer(const std::string& mistake) {
-  return "renderer:python3 tests/candidates/rt.py " + mistake + " {scene} {image}";
-}
-
-Outcome check(const std::string& scene, const std::string& candidate,
-              const std::string& more = "") {
-  return run("check " + scene + " --format json " + more + " --candidate '" + candidate + "'");
-}
-
-json judged(const std::string& scene, const std::string& candidate, const std::string& more = "") {
-  const Outcome outcome = check(scene, candidate, more);
-  EXPECT_TRUE(outcome.exit_code == 0 || outcome.exit_code == 1)
-      << candidate << ": " << outcome.exit_code << "\n"
-      << outcome.err;
-  if (outcome.out.empty()) return {};
-  return json::parse(outcome.out)["candidates"][0];
-}
-
 void expect_right(const std::string& scene, const std::string& candidate) {
   const json report = judged(scene, candidate);
   EXPECT_EQ(report["discrepancies"], 0) << candidate << "\n" << report.dump(2);
@@ -201,6 +181,15 @@ TEST(Candidate, keeps_the_laws_of_campaigns_and_replays_what_breaks_them) {
       candidate);
   EXPECT_EQ(broken.exit_code, 1) << broken.out << broken.err;
   const std::string replay = json::parse(broken.out)["campaigns"][0]["replay"];
+  // As the report for people has it.
+  const Outcome shown =
+      run("properties --filter class --source direction-length --level extreme --cases 200 " +
+          candidate);
+  const std::size_t line = shown.out.find("replay: raycheck ");
+  ASSERT_NE(line, std::string::npos) << shown.out;
+  const std::size_t command = line + std::string("replay: raycheck ").size();
+  const Outcome repeated = run(shown.out.substr(command, shown.out.find('\n', command) - command));
+  EXPECT_EQ(repeated.exit_code, 1) << repeated.out << repeated.err;
   const Outcome again = run("properties --replay '" + replay + "' " + candidate);
   EXPECT_EQ(again.exit_code, 1) << again.out << again.err;
 }
@@ -222,12 +211,6 @@ TEST(Candidate, lies_in_a_folder_that_is_closed_to_others) {
   EXPECT_EQ(judged(kRays, "command:python3 " + folder + "/right.py")["isolated_by"],
             open["isolated_by"]);
   std::filesystem::remove_all(folder);
-}
-
-TEST(Renderer, of_one_colour_is_said_not_to_be_judged_by_sphere) {
-  const json report = judged(kProbe, renderer("grey"));
-  EXPECT_EQ(report["discrepancies"], 0);
-  EXPECT_NE(report["left_out"].dump().find("a colour is none of the spheres'"), std::string::npos);
 }
 
 TEST(Candidate, is_judged_beside_methods) {
@@ -308,86 +291,6 @@ TEST(Candidate, that_fails_leaves_the_others_judged) {
   EXPECT_EQ(report["candidates"][1]["discrepancies"], 0);
 }
 
-TEST(Renderer, is_right_on_every_scene_that_its_driver_can_hold) {
-  for (const char* scene : {"probe", "ten-spheres", "example-4", "sphere-around-eye",
-                            "sphere-between-eye-and-plane", "far-sphere"}) {
-    const json report = judged("scene/examples/" + std::string(scene) + ".toml", renderer("right"));
-    EXPECT_EQ(report["discrepancies_by_standing"]["defect"], 0) << scene;
-    EXPECT_EQ(report["discrepancies_by_standing"]["undecided"], 0) << scene;
-    EXPECT_GT(report["quantities"][0]["cases"], 60) << scene;
-    EXPECT_TRUE(report["explanations"].empty()) << scene;
-  }
-}
-
-TEST(Renderer, whose_colours_are_dimmed_still_has_its_mask_judged) {
-  EXPECT_EQ(judged(kProbe, renderer("dim"))["discrepancies"], 0);
-  EXPECT_GT(judged(kProbe, renderer("dim-upside-down"))["discrepancies"], 0);
-}
-
-struct Mistake {
-  const char* name;
-  const char* sentence;
-};
-void PrintTo(const Mistake& mistake, std::ostream* out) { *out << mistake.name; }
-
-class EachMistake : public testing::TestWithParam<Mistake> {};
-
-TEST_P(EachMistake, IsNamed) {
-  const json report = judged(kProbe, renderer(GetParam().name));
-  EXPECT_GT(report["discrepancies_by_standing"]["defect"], 0);
-  ASSERT_EQ(report["explanations"].size(), 1u) << report["explanations"].dump(2);
-  const json& one = report["explanations"][0];
-  EXPECT_NE(one["sentence"].get<std::string>().find(GetParam().sentence), std::string::npos)
-      << one.dump(2);
-  EXPECT_EQ(one["wrong"], one["explained"]);
-}
-
-INSTANTIATE_TEST_SUITE_P(Classic, EachMistake,
-                         testing::Values(Mistake{"upside-down", "rows are upside down"},
-                                         Mistake{"mirrored", "columns are mirrored"},
-                                         Mistake{"turned", "turned by half a turn"},
-                                         Mistake{"centres", "sampled at their centres"},
-                                         Mistake{"focal", "start at the eye"},
-                                         Mistake{"near-root-only", "only the near root"},
-                                         Mistake{"first-wins", "the first sphere in the file"},
-                                         Mistake{"last-wins", "the last sphere in the file"},
-                                         Mistake{"top-from-right", "top is taken from right"},
-                                         Mistake{"width-height", "width and height are exchanged"},
-                                         Mistake{"w-flipped", "W has the wrong sign"},
-                                         Mistake{"no-up", "up is taken for (0, 1, 0)"}),
-                         [](const auto& the_test) {
-                           std::string name(the_test.param.name);
-                           std::replace(name.begin(), name.end(), '-', '_');
-                           return name;
-                         });
-
-TEST(Renderer, that_makes_no_picture_fails_with_the_reason) {
-  const auto expect_said = [](const std::string& mistake, const std::string& what) {
-    const json report = judged(kProbe, renderer(mistake), "--timeout 5");
-    EXPECT_GT(report["discrepancies"], 0);
-    EXPECT_NE(report["worst"].dump().find(what), std::string::npos) << report["worst"].dump(2);
-  };
-  expect_said("transposed", "26 x 40 pixels, the scene 40 x 26: width and height are exchanged");
-  expect_said("no-picture", "it made no picture");
-  expect_said("half", "its PPM has a word that is no number, or ends");
-  expect_said("crash", "exited with 1");
-  expect_said("hang", "did not end within 5 s");
-  expect_said("link", "its picture {image} is no file");
-}
-
-TEST(Renderer, keeps_the_law_of_images_on_random_scenes) {
-  const std::string folder = temporary_file("renderers", "") + ".d";
-  const auto judged_as = [&](const std::string& mistake) {
-    return run("properties --filter image --source crowds --cases 40 --candidate 'renderer:" +
-               built_submission("rt.cpp", mistake, folder) + " {scene} {image}'");
-  };
-  const Outcome right = judged_as("none");
-  EXPECT_EQ(right.exit_code, 0) << right.out << right.err;
-  const Outcome wrong = judged_as("mirrored");
-  EXPECT_EQ(wrong.exit_code, 1) << wrong.out << wrong.err;
-  std::filesystem::remove_all(folder);
-}
-
 TEST(Candidate, is_kept_as_asked) {
   const std::string right = "command:python3 tests/candidates/right.py";
   EXPECT_EQ(judged(kRays, right, "--sandbox none")["isolated_by"], "limits only");
@@ -399,19 +302,6 @@ TEST(Candidate, is_kept_as_asked) {
     EXPECT_NE(kept.find("seccomp, bubblewrap"), std::string::npos) << kept;
   }
   EXPECT_EQ(check(kRays, right, "--sandbox perhaps").exit_code, 2);
-}
-
-TEST(Renderer, reads_the_dialect_that_it_is_written_in) {
-  const json report = judged(kProbe, renderer("dialect-c"), "--dialect C");
-  EXPECT_EQ(report["discrepancies"], 0);
-}
-
-TEST(Renderer, is_excused_for_hits_within_its_threshold) {
-  // It takes no hit below 0.5: the sphere that the image plane cuts.
-  EXPECT_FALSE(judged(kProbe, renderer("threshold"))["discrepancies"] == 0);
-  const json report = judged(kProbe, renderer("threshold"), "--t-threshold 0.5");
-  EXPECT_EQ(report["discrepancies"], report["discrepancies_by_standing"]["excused"]);
-  EXPECT_GT(report["discrepancies"], 0);
 }
 
 TEST(Candidate, fails_with_2_and_says_why) {
