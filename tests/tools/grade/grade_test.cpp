@@ -86,6 +86,36 @@ cases = 20
   EXPECT_EQ(item["reason"]["quantity"], "class");
 }
 
+/// Lengths that a submission states would take it out of what the rubric asks.
+TEST(DullSubmission, that_states_a_domain_without_any_case_has_no_points) {
+  const Grading grading;
+  const std::string rubric = grading.write("rays.toml", R"(
+[[form]]
+has = "*.py"
+candidate = "command:python3 {file}"
+
+[[item]]
+name = "hits"
+points = 10
+[item.functions]
+laws = ["class"]
+rays = "given"
+sources = ["rays"]
+cases = 20
+)");
+  grading.write(
+      "misses/rays.py",
+      "import raycheck_candidate as rc\n"
+      "rc.run('dull', intersect=lambda ray, sphere, asked: None, lengths=(1e-300, 1e-9))\n");
+  const Outcome outcome =
+      grading.grade(rubric, {grading.path("misses")}, "out", "--format json --seed 1");
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+  const json item = json::parse(outcome.out)["submissions"][0]["items"][0];
+  EXPECT_EQ(item["state"], "fails") << item.dump(2);
+  EXPECT_EQ(item["score"], 0);
+  EXPECT_EQ(item["failing"]["law"], "class");
+}
+
 TEST(RightSubmission, in_python_has_full_marks) {
   const Grading grading;
   ASSERT_GT(seeds(), 0);
