@@ -64,6 +64,10 @@ std::optional<double> parse_number(std::string_view text) {
 
 std::string shortest(double value) { return std::isnan(value) ? "nan" : characters(value); }
 
+double to_digits(double value, int digits) {
+  return *parse_number(characters(value, std::chars_format::scientific, digits - 1));
+}
+
 std::string hexfloat(double value) {
   if (!std::isfinite(value)) return shortest(value);
   return (std::signbit(value) ? "-0x" : "0x") + characters(std::abs(value), std::chars_format::hex);

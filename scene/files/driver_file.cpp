@@ -4,22 +4,13 @@
 #include <map>
 #include <set>
 
+#include "scene/files/driver_entries.h"
 #include "scene/files/located_fields.h"
 #include "scene/files/scene_file.h"
 #include "scene/number.h"
 
 namespace raycheck::scene {
 namespace {
-
-constexpr std::string_view kSpace = " \t\v\f";
-constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
-
-// One line of the file: a keyword and the words after it.
-struct Entry {
-  std::string keyword;
-  std::vector<std::string> words;
-  std::size_t line = 0;
-};
 
 struct Bounds {
   double left = 0;
@@ -30,11 +21,12 @@ struct Bounds {
   bool is_mirrored() const { return left > right || bottom > top; }
 };
 
-constexpr std::array<const char*, 3> kDialectNames = {"dialect A", "dialect B", "dialect C"};
+using Entry = DriverEntry;
+
 constexpr std::array<const char*, 3> kBoundsOrders = {
     "left bottom right top", "left right bottom top", "left right bottom top"};
 
-const char* name(Dialect dialect) { return kDialectNames[static_cast<std::size_t>(dialect)]; }
+std::string called(Dialect dialect) { return "dialect " + std::string(name(dialect)); }
 
 const char* bounds_order(Dialect dialect) {
   return kBoundsOrders[static_cast<std::size_t>(dialect)];
@@ -45,64 +37,60 @@ Bounds bounds_of(const std::vector<double>& numbers, Dialect dialect) {
   return {numbers[0], numbers[1], numbers[2], numbers[3]};
 }
 
-std::string joined(const Entry& entry) {
-  std::string text;
-  for (const std::string& word : entry.words) text += (text.empty() ? "" : " ") + word;
-  return text;
-}
-
-std::vector<Entry> entries_of(std::string_view text) {
-  if (text.starts_with(kByteOrderMark)) text.remove_prefix(kByteOrderMark.size());
-  std::vector<Entry> entries;
-  for (std::size_t line = 1; !text.empty(); ++line) {
-    const std::size_t length = std::min(text.find_first_of("\r\n"), text.size());
-    std::string_view rest = text.substr(0, std::min(text.find('#'), length));
-    const std::size_t line_end = text.substr(length).starts_with("\r\n") ? 2 : 1;
-    text.remove_prefix(std::min(length + line_end, text.size()));
-    Entry entry{"", {}, line};
-    while (rest.find_first_not_of(kSpace) != std::string_view::npos) {
-      rest.remove_prefix(rest.find_first_not_of(kSpace));
-      const std::string_view word = rest.substr(0, rest.find_first_of(kSpace));
-      rest.remove_prefix(word.size());
-      if (entry.keyword.empty()) {
-        entry.keyword = word;
-      } else {
-        entry.words.emplace_back(word);
-      }
-    }
-    if (!entry.keyword.empty()) entries.push_back(std::move(entry));
-  }
-  return entries;
-}
-
 class DriverReader {
  public:
   explicit DriverReader(std::string_view file) : located_(file) {}
 
   LoadedScene read(std::string_view text, std::optional<Dialect> asked) {
-    for (Entry& entry : entries_of(text)) take(std::move(entry));
+    for (Entry& entry : driver_entries(text)) take(std::move(entry));
     loaded_.scene.conventions.rows = Rows::kTopFirst;
     loaded_.scene.camera = camera(asked);
-    located_.require_valid(loaded_.scene);
+    loaded_.not_needed = not_needed();
+    located_.require_valid(loaded_.scene,
+                           [this](const std::string& field) { return line_of(field); });
     return std::move(loaded_);
   }
 
  private:
   void take(Entry entry) {
     if (entry.keyword == "sphere") {
-      const std::vector<double> numbers = numbers_of(entry, 4);
-      const std::string field = "sphere[" + std::to_string(loaded_.scene.spheres.size()) + "]";
-      located_.put(field + ".centre", entry.line);
-      located_.put(field + ".radius", entry.line);
+      const std::vector<double> numbers = numbers_of(entry, kSphereNumbers);
+      sphere_lines_.push_back(entry.line);
       loaded_.scene.spheres.push_back({{numbers[0], numbers[1], numbers[2]}, numbers[3]});
+      take_material(entry);
+    } else if (kOfShading.contains(entry.keyword)) {
+      const auto [counted, is_new] = of_shading_.try_emplace(entry.keyword, 0);
+      if (is_new) first_seen_.push_back(entry.keyword);
+      ++counted->second;
     } else if (!kOnce.contains(entry.keyword)) {
       warn_once(entry, "unknown keyword, ignored");
     } else {
       const auto [earlier, is_new] = once_.try_emplace(entry.keyword, entry);
       if (is_new) return;
-      located_.fail(entry.line, entry.keyword, joined(entry),
+      located_.fail(entry.line, entry.keyword, entry.joined(),
                     "is given twice, first on line " + std::to_string(earlier->second.line));
     }
+  }
+
+  /// What follows a sphere's place and size: numbers are its material.
+  void take_material(const Entry& entry) {
+    if (entry.words.size() <= kSphereNumbers) return;
+    const bool are_numbers =
+        std::all_of(entry.words.begin() + kSphereNumbers, entry.words.end(),
+                    [](const std::string& word) { return parse_number(word).has_value(); });
+    has_materials_ = has_materials_ || are_numbers;
+    if (!are_numbers) warn_of_extra(entry, kSphereNumbers);
+  }
+
+  /// "ambient", "2 lights"
+  std::vector<std::string> not_needed() const {
+    std::vector<std::string> all;
+    for (const std::string& keyword : first_seen_) {
+      const int count = of_shading_.at(keyword);
+      all.push_back(count == 1 ? keyword : std::to_string(count) + " " + keyword + "s");
+    }
+    if (has_materials_) all.emplace_back("numbers after a sphere's first 4");
+    return all;
   }
 
   Camera camera(std::optional<Dialect> asked) {
@@ -112,7 +100,7 @@ class DriverReader {
     if (whole) {
       for (const char* const keyword : {"eye", "look", "up", "d"}) {
         if (const Entry* const part = find(keyword)) {
-          located_.fail(part->line, keyword, joined(*part),
+          located_.fail(part->line, keyword, part->joined(),
                         "contradicts the camera line, line " + std::to_string(whole->line) +
                             ", which already holds it");
         }
@@ -126,6 +114,7 @@ class DriverReader {
     camera.look_at = {view[3], view[4], view[5]};
     camera.up = {view[6], view[7], view[8]};
     const Dialect dialect = dialect_of(view[9], asked);
+    loaded_.dialect = dialect;
     camera.near = dialect == Dialect::kA ? -view[9] : view[9];
     take_bounds(dialect, camera);
     const Entry& resolution = required("res");
@@ -166,17 +155,18 @@ class DriverReader {
     if (whole && d > 0) located_.fail(entry.line, "d", value, "dialect C needs d < 0");
     const Dialect decided = whole ? Dialect::kC : d > 0 ? Dialect::kA : Dialect::kB;
     if (!asked || *asked == decided) return decided;
-    const std::string named = std::string(name(*asked)) + " (asked for) ";
+    const std::string named = called(*asked) + " (asked for) ";
     if (whole) {
-      located_.fail(entry.line, "camera", joined(entry),
+      located_.fail(entry.line, "camera", entry.joined(),
                     named + "has no camera line; this file is dialect C");
     }
     if (*asked == Dialect::kC) {
       located_.fail(entry.line, "d", value,
-                    named + "needs a camera line instead; this file is " + name(decided));
+                    named + "needs a camera line instead; this file is " + called(decided));
     }
-    located_.fail(entry.line, "d", value,
-                  named + "needs d " + (d > 0 ? "< 0" : "> 0") + "; this file is " + name(decided));
+    located_.fail(
+        entry.line, "d", value,
+        named + "needs d " + (d > 0 ? "< 0" : "> 0") + "; this file is " + called(decided));
   }
 
   void take_bounds(Dialect dialect, Camera& camera) {
@@ -185,15 +175,15 @@ class DriverReader {
     const Bounds bounds = bounds_of(numbers, dialect);
     const Dialect other = dialect == Dialect::kA ? Dialect::kB : Dialect::kA;
     if (bounds.is_degenerate() && !bounds_of(numbers, other).is_degenerate()) {
-      located_.fail(entry.line, "bounds", joined(entry),
-                    std::string("has no area in ") + name(dialect) + "'s order (" +
-                        bounds_order(dialect) + "), but has in " + name(other) + "'s (" +
-                        bounds_order(other) + "): reorder the numbers; dialect " +
+      located_.fail(entry.line, "bounds", entry.joined(),
+                    "has no area in " + called(dialect) + "'s order (" + bounds_order(dialect) +
+                        "), but has in " + called(other) + "'s (" + bounds_order(other) +
+                        "): reorder the numbers; dialect " +
                         (other == Dialect::kA ? "A needs d > 0" : "B needs d < 0"));
     }
     if (bounds.is_mirrored() && !bounds_of(numbers, other).is_mirrored()) {
-      warn_once(entry, std::string("mirror the image in ") + name(dialect) + "'s order (" +
-                           bounds_order(dialect) + "), would not in " + name(other) + "'s (" +
+      warn_once(entry, "mirror the image in " + called(dialect) + "'s order (" +
+                           bounds_order(dialect) + "), would not in " + called(other) + "'s (" +
                            bounds_order(other) + ")");
     }
     camera.left = bounds.left;
@@ -214,13 +204,24 @@ class DriverReader {
   }
 
   void put(const std::string& camera_field, const Entry& entry) {
-    located_.put("camera." + camera_field, entry.line);
+    lines_["camera." + camera_field] = entry.line;
+  }
+
+  /// "sphere[12].radius" is on the line of that sphere.
+  std::optional<std::size_t> line_of(const std::string& field) const {
+    const auto known = lines_.find(field);
+    if (known != lines_.end()) return known->second;
+    constexpr std::string_view kSphere = "sphere[";
+    if (!field.starts_with(kSphere)) return std::nullopt;
+    const std::string_view rest = std::string_view(field).substr(kSphere.size());
+    const auto index = parse_integer(rest.substr(0, rest.find(']')));
+    return sphere_lines_.at(static_cast<std::size_t>(index.value()));
   }
 
   const std::string& word(const Entry& entry, std::size_t index, std::size_t needed) const {
     if (index < entry.words.size()) return entry.words[index];
     located_.fail(
-        entry.line, entry.keyword, joined(entry),
+        entry.line, entry.keyword, entry.joined(),
         "needs " + std::to_string(needed) + " numbers, has " + std::to_string(entry.words.size()));
   }
 
@@ -232,7 +233,7 @@ class DriverReader {
       if (!number) fail_at(entry, i, "is not a number");
       numbers.push_back(*number);
     }
-    warn_of_extra(entry, needed);
+    if (entry.keyword != "sphere") warn_of_extra(entry, needed);
     return numbers;
   }
 
@@ -254,15 +255,27 @@ class DriverReader {
 
   void warn_once(const Entry& entry, const std::string& what) {
     if (!warned_.insert(entry.keyword).second) return;
+    if (warned_.size() > kMostWarnings) return;
     loaded_.warnings.push_back(located_.located(
-        entry.line,
-        entry.keyword + ": " + what + " (first on line " + std::to_string(entry.line) + ")"));
+        entry.line, entry.keyword, what + " (first on line " + std::to_string(entry.line) + ")"));
   }
 
   inline static const std::set<std::string> kOnce = {"eye",    "look", "up",    "d",
                                                      "bounds", "res",  "camera"};
+  /// What the course's scenes say of light and of meshes.
+  inline static const std::set<std::string> kOfShading = {"ambient", "light", "model",
+                                                          "recursionLevel", "recursionlevel"};
+  static constexpr std::size_t kSphereNumbers = 4;
+  /// Of a file of other words, most lines begin with one that is not known.
+  static constexpr std::size_t kMostWarnings = 20;
+
   LocatedFields located_;
   LoadedScene loaded_;
+  std::map<std::string, std::size_t> lines_;  ///< Of the camera's fields.
+  std::vector<std::size_t> sphere_lines_;
+  std::map<std::string, int> of_shading_;
+  std::vector<std::string> first_seen_;  ///< Of those keywords, in the file's order.
+  bool has_materials_ = false;
   std::map<std::string, Entry> once_;
   std::set<std::string> warned_;
 };

@@ -1,50 +1,59 @@
 #include "scene/files/located_fields.h"
 
+#include <algorithm>
 #include <charconv>
 #include <system_error>
+#include <vector>
 
 #include "scene/files/scene_file.h"
+#include "scene/text.h"
 #include "scene/validate.h"
 
 namespace raycheck::scene {
 namespace {
 
 constexpr std::size_t kMaxShown = 120;
+constexpr std::size_t kMostListed = 20;  ///< Problems of one scene.
 
 std::string on_one_line(std::string_view text) {
-  std::string shown(text.substr(0, kMaxShown));
-  for (char& c : shown) {
-    if (static_cast<unsigned char>(c) < 0x20 || c == 0x7f) c = '?';
-  }
-  if (text.size() > kMaxShown) shown += "...";
-  return shown;
+  if (text.size() <= kMaxShown) return visible_line(text);
+  std::size_t end = kMaxShown;
+  // Not in the middle of a character.
+  while (end > 0 && (static_cast<unsigned char>(text[end]) & 0xC0) == 0x80) --end;
+  return visible_line(text.substr(0, end)) + "...";
 }
 
 }  // namespace
 
-std::string LocatedFields::located(std::size_t line, std::string_view text) const {
-  return file_ + ":" + std::to_string(line) + ": " + std::string(text);
+std::string LocatedFields::located(std::size_t line, std::string_view field,
+                                   std::string_view what) const {
+  return visible_line(file_) + ":" + std::to_string(line) + ": " + on_one_line(field) + ": " +
+         std::string(what);
 }
 
 void LocatedFields::fail(std::size_t line, std::string_view field, std::string_view value,
                          std::string_view what) const {
-  throw SceneFileError(
-      located(line, on_one_line(field) + " = " + on_one_line(value) + ": " + std::string(what)));
+  throw SceneFileError(visible_line(file_) + ":" + std::to_string(line) + ": " +
+                       on_one_line(field) + " = " + on_one_line(value) + ": " + std::string(what));
 }
 
 void LocatedFields::fail(std::size_t line, std::string_view field, std::string_view what) const {
-  throw SceneFileError(located(line, on_one_line(field) + ": " + std::string(what)));
+  throw SceneFileError(located(line, field, what));
 }
 
-void LocatedFields::require_valid(const Scene& scene) const {
+void LocatedFields::require_valid(const Scene& scene, const LineOf& line_of) const {
+  const std::vector<Defect> found = defects(scene);
+  if (found.empty()) return;
   std::string message;
-  for (const Defect& defect : defects(scene)) {
-    const auto known = lines_.find(defect.field);
-    if (!message.empty()) message += '\n';
-    message += located(known == lines_.end() ? 1 : known->second,
-                       defect.field + " = " + defect.value + ": " + defect.what);
+  for (std::size_t k = 0; k < std::min(found.size(), kMostListed); ++k) {
+    const auto& [field, value, what] = found[k];
+    if (k > 0) message += '\n';
+    message += located(line_of(field).value_or(1), field + " = " + value, what);
   }
-  if (!message.empty()) throw SceneFileError(message);
+  if (found.size() > kMostListed) {
+    message += "\nand " + std::to_string(found.size() - kMostListed) + " more problems";
+  }
+  throw SceneFileError(message);
 }
 
 std::optional<std::int64_t> parse_integer(std::string_view text) {

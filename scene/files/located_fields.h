@@ -3,7 +3,7 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <map>
+#include <functional>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -12,15 +12,12 @@
 
 namespace raycheck::scene {
 
-/// Where in a file each field was given, so that every error can name its line. Lines count from 1.
-/// Errors have the form `FILE:LINE: FIELD = VALUE: what is wrong`, with control characters replaced
-/// and long values cut, so that each stays on one line.
+/// What errors say of a file: every one names its line. Lines count from 1.
+/// Errors have the form `FILE:LINE: FIELD = VALUE: what is wrong`, with control characters spelled
+/// (scene/text.h) and long values cut, so that each stays on one line.
 class LocatedFields {
  public:
   explicit LocatedFields(std::string_view file) : file_(file) {}
-
-  /// Notes that `field`, as scene/validate.h spells it, was given on `line`.
-  void put(const std::string& field, std::size_t line) { lines_[field] = line; }
 
   /// Throws SceneFileError.
   [[noreturn]] void fail(std::size_t line, std::string_view field, std::string_view value,
@@ -28,15 +25,17 @@ class LocatedFields {
   /// Throws SceneFileError about something that has no value.
   [[noreturn]] void fail(std::size_t line, std::string_view field, std::string_view what) const;
 
-  /// Throws SceneFileError listing every problem of the scene, one a line, unless there is none.
-  void require_valid(const Scene& scene) const;
+  /// The line on which a field, as scene/validate.h spells it, was given; empty where it was not.
+  using LineOf = std::function<std::optional<std::size_t>(const std::string& field)>;
+  /// Throws SceneFileError listing the first problems of the scene, one a line, unless there is
+  /// none.
+  void require_valid(const Scene& scene, const LineOf& line_of) const;
 
-  /// "FILE:LINE: text".
-  std::string located(std::size_t line, std::string_view text) const;
+  /// "FILE:LINE: FIELD: what"
+  std::string located(std::size_t line, std::string_view field, std::string_view what) const;
 
  private:
   std::string file_;
-  std::map<std::string, std::size_t> lines_;
 };
 
 /// Reads all of `text` as a whole number in decimal digits with an optional sign.

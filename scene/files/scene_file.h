@@ -1,6 +1,8 @@
 #ifndef RAYCHECK_SCENE_FILES_SCENE_FILE_H_
 #define RAYCHECK_SCENE_FILES_SCENE_FILE_H_
 
+#include <array>
+#include <cstddef>
 #include <filesystem>
 #include <optional>
 #include <stdexcept>
@@ -17,6 +19,10 @@ namespace raycheck::scene {
 /// B (2019): `d` < 0 is near itself, `bounds left right bottom top`.
 /// C (2020-21): one line `camera ex ey ez lx ly lz ux uy uz d`, otherwise as B.
 enum class Dialect { kA, kB, kC };
+inline constexpr std::array<std::string_view, 3> kDialectNames = {"A", "B", "C"};
+constexpr std::string_view name(Dialect dialect) {
+  return kDialectNames[static_cast<std::size_t>(dialect)];
+}
 
 /// A file that cannot be read as a scene; what() names file, line, field and value.
 class SceneFileError : public std::runtime_error {
@@ -28,6 +34,9 @@ class SceneFileError : public std::runtime_error {
 struct LoadedScene {
   Scene scene;
   std::vector<std::string> warnings;
+  std::optional<Dialect> dialect = {};  ///< Of a driver file.
+  /// What a driver file says that only shading needs, which is nothing odd: "ambient", "2 lights".
+  std::vector<std::string> not_needed = {};
 };
 
 /// Reads a scene file: TOML when the name ends in ".toml", otherwise a driver file.

@@ -32,10 +32,11 @@ std::optional<double> number_in(const toml::node& node) {
 }  // namespace
 
 toml::table parse_toml(std::string_view text, std::string_view file) {
+  const LocatedFields located(file);
   try {
-    return toml::parse(with_numbers_quoted(text));
+    return toml::parse(with_numbers_quoted(text, located));
   } catch (const toml::parse_error& error) {
-    LocatedFields(file).fail(error.source().begin.line, "not valid TOML", error.description());
+    located.fail(error.source().begin.line, "not valid TOML", error.description());
   }
 }
 
@@ -43,7 +44,6 @@ void TomlFields::require_known(const Table& from, std::initializer_list<std::str
   std::optional<Field> unknown;
   for (const auto& [key, node] : from.keys) {
     const Field field{node, from.prefix + std::string(key.str()), key.source().begin.line};
-    located_.put(field.name, field.line);
     const bool is_known = std::find(known.begin(), known.end(), key.str()) != known.end();
     if (!is_known && (!unknown || field.line < unknown->line)) unknown.emplace(field);
   }

@@ -20,10 +20,11 @@ class SceneReader {
     }
     for (const Table& each : fields_.tables(file, "sphere")) scene.spheres.push_back(sphere(each));
     for (const Table& each : fields_.tables(file, "ray")) scene.rays.push_back(ray(each));
-    if (scene.camera && !scene.rays.empty()) {
-      fields_.located().put("scene", fields_.optional(file, "ray")->line);
-    }
-    fields_.located().require_valid(scene);
+    fields_.located().require_valid(scene, [&](const std::string& field) {
+      // What is wrong with the scene is that it has rays beside a camera.
+      const auto given = root.at_path(field == "scene" ? "ray[0]" : field);
+      return given ? std::optional<std::size_t>(given.node()->source().begin.line) : std::nullopt;
+    });
     return scene;
   }
 

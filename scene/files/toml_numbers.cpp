@@ -1,5 +1,6 @@
 #include "scene/files/toml_numbers.h"
 
+#include <algorithm>
 #include <cstddef>
 #include <optional>
 
@@ -36,7 +37,7 @@ std::optional<std::string> as_number(std::string_view token) {
 
 class Quoter {
  public:
-  explicit Quoter(std::string_view text) : text_(text) {}
+  Quoter(std::string_view text, const LocatedFields& located) : text_(text), located_(located) {}
 
   std::string quoted() {
     while (at_ < text_.size()) {
@@ -51,6 +52,7 @@ class Quoter {
         expects_value_ = false;
       } else {
         follow(c);
+        count(c);
         copy_until(at_ + 1);
       }
     }
@@ -65,12 +67,28 @@ class Quoter {
     if (c == ',') expects_value_ = inside == '[';
     if ((c == '[' || c == '{') && expects_value_) {
       nesting_ += c;
+      if (nesting_.size() > kMostNested) fail("lists and tables inside each other");
       expects_value_ = c == '[';
     }
     if ((c == ']' && inside == '[') || (c == '}' && inside == '{')) {
       nesting_.pop_back();
       expects_value_ = false;
     }
+  }
+
+  /// The dots since what last ended a key or a value: a key has no more parts than that and one.
+  void count(char c) {
+    constexpr std::string_view kEnds = "\n=,[]{}";
+    if (kEnds.find(c) != std::string_view::npos) dots_ = 0;
+    if (c == '.' && ++dots_ >= kMostNested) fail("parts of a key");
+  }
+
+  [[noreturn]] void fail(const std::string& what) const {
+    const auto lines =
+        std::count(text_.begin(), text_.begin() + static_cast<std::ptrdiff_t>(at_), '\n');
+    located_.fail(static_cast<std::size_t>(lines) + 1, "nesting",
+                  "more than " + std::to_string(kMostNested) + " " + what + "; at most " +
+                      std::to_string(kMostNested) + " are read");
   }
 
   void copy_until(std::size_t end) {
@@ -108,14 +126,18 @@ class Quoter {
   }
 
   std::string_view text_;
+  const LocatedFields& located_;
   std::size_t at_ = 0;
   std::string out_;
   std::string nesting_;
+  std::size_t dots_ = 0;
   bool expects_value_ = false;
 };
 
 }  // namespace
 
-std::string with_numbers_quoted(std::string_view toml) { return Quoter(toml).quoted(); }
+std::string with_numbers_quoted(std::string_view toml, const LocatedFields& located) {
+  return Quoter(toml, located).quoted();
+}
 
 }  // namespace raycheck::scene

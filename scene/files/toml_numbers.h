@@ -1,10 +1,17 @@
 #ifndef RAYCHECK_SCENE_FILES_TOML_NUMBERS_H_
 #define RAYCHECK_SCENE_FILES_TOML_NUMBERS_H_
 
+#include <cstddef>
 #include <string>
 #include <string_view>
 
+#include "scene/files/located_fields.h"
+
 namespace raycheck::scene {
+
+/// The most lists and tables inside each other, and the most parts of a key (a.b.c has 3): toml++
+/// calls itself for each, so that a line of many overruns the stack.
+inline constexpr std::size_t kMostNested = 32;
 
 /// The TOML text with every bare decimal and hexfloat that stands as a value put in quotes, without
 /// its digit-separating underscores; lines keep their numbers. A TOML parser then hands on the
@@ -12,7 +19,8 @@ namespace raycheck::scene {
 /// decimals that underflow or exceed 128 characters, and reads hexfloats through 32-bit integers.
 /// Keys, strings, comments, dates, words and integers in other bases stay as they are, and so does
 /// all that is not TOML, for the parser to name.
-std::string with_numbers_quoted(std::string_view toml);
+/// Errors: SceneFileError naming the line where something is nested deeper than kMostNested.
+std::string with_numbers_quoted(std::string_view toml, const LocatedFields& located);
 
 }  // namespace raycheck::scene
 

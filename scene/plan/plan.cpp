@@ -7,6 +7,7 @@
 #include <stdexcept>
 #include <tuple>
 
+#include "scene/interruption.h"
 #include "scene/validate.h"
 
 namespace raycheck::scene {
@@ -170,6 +171,7 @@ void leave_out_hidden(const std::vector<Sphere>& spheres, std::vector<SpherePlan
   std::vector<PixelRectangle> covered;
   for (const std::size_t by : occluders) covered.push_back(plans[by].pixels);
   for (std::size_t k = 0; k < spheres.size(); ++k) {
+    poll();
     for (std::size_t o = 0; o < occluders.size() && !plans[k].left_out; ++o) {
       const std::size_t by = occluders[o];
       if (by != k && covered[o].contains(plans[k].pixels) &&
@@ -232,7 +234,10 @@ ScenePlan plan_scene(const Scene& scene, const Conventions& conventions, Wanted 
   const Planner planner(scene, plan);
   std::vector<SpherePlan> spheres(scene.spheres.size());
   std::transform(scene.spheres.begin(), scene.spheres.end(), spheres.begin(),
-                 [&](const Sphere& sphere) { return planner.plan(sphere); });
+                 [&](const Sphere& sphere) {
+                   poll();
+                   return planner.plan(sphere);
+                 });
   if (items.hidden && wanted == Wanted::kNearest) leave_out_hidden(scene.spheres, spheres);
   plan.spheres = std::move(spheres);
   return plan;

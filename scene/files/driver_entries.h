@@ -1,0 +1,27 @@
+#ifndef RAYCHECK_SCENE_FILES_DRIVER_ENTRIES_H_
+#define RAYCHECK_SCENE_FILES_DRIVER_ENTRIES_H_
+
+#include <cstddef>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace raycheck::scene {
+
+/// One line of a driver file that says something: a keyword and the words after it.
+struct DriverEntry {
+  std::string keyword;
+  std::vector<std::string> words;
+  std::size_t line = 0;  ///< From 1.
+
+  /// The words after the keyword, one space apart.
+  std::string joined() const;
+};
+
+/// The entries of a driver file, without its comments (from # to the end of a line), with line ends
+/// of any system.
+std::vector<DriverEntry> driver_entries(std::string_view text);
+
+}  // namespace raycheck::scene
+
+#endif  // RAYCHECK_SCENE_FILES_DRIVER_ENTRIES_H_
