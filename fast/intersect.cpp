@@ -5,6 +5,7 @@
 
 #include "fast/internal/batch_arrays.h"
 #include "fast/ray_by_ray.h"
+#include "scene/interruption.h"
 #include "scene/validate.h"
 
 namespace raycheck::fast {
@@ -76,6 +77,7 @@ std::vector<std::optional<std::size_t>> nearest_spheres(const IntersectMethod& m
   std::vector<double> parameter(rays.size());
   Hits hits;
   for (std::size_t index = 0; index < spheres.size(); ++index) {
+    scene::poll();
     method.intersect(rays, spheres[index], root, tangent, hits);
     for (std::size_t k = 0; k < rays.size(); ++k) {
       if (!hits.hit[k]) continue;

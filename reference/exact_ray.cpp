@@ -6,6 +6,7 @@
 
 #include "reference/internal/classify.h"
 #include "reference/internal/ray_impl.h"
+#include "scene/interruption.h"
 #include "scene/validate.h"
 
 namespace raycheck::reference {
@@ -149,8 +150,10 @@ void ExactRay::keep_nearest(std::span<const scene::Sphere> spheres, std::size_t 
 std::optional<NearestSphere> ExactRay::nearest(std::span<const scene::Sphere> spheres,
                                                const scene::Conventions& conventions,
                                                Rung* highest) const {
+  constexpr std::size_t kBetweenPolls = 256;
   std::optional<NearestSphere> best;
   for (std::size_t k = 0; k < spheres.size(); ++k) {
+    if (k % kBetweenPolls == 0) scene::poll();
     const Intersection here = intersect(spheres[k], conventions.root, Engine::kFiltered, highest);
     if (!counts_as_hit(here.hit_class, conventions.tangent)) continue;
     keep_nearest(spheres, k, here, best, highest);

@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "reference/visibility/visibility_impl.h"
+#include "scene/interruption.h"
 
 namespace raycheck::reference {
 
@@ -38,6 +39,12 @@ Visibility::Impl::Impl(const scene::Scene& its_scene, scene::ScenePlan its_plan)
       height(scene.camera->height),
       near(middle(plan.eye.near())),
       positions(plan.spheres.size()) {
+  for (const auto& [field, side] : {std::pair("camera.width", width), {"camera.height", height}}) {
+    if (side <= kMostVisibleSide) continue;
+    throw std::invalid_argument(std::string(field) + " = " + std::to_string(side) +
+                                ": what is seen is worked out of at most " +
+                                std::to_string(kMostVisibleSide));
+  }
   std::vector<Bounds> columns, rows;
   for (std::int64_t i = 0; i < width; ++i) {
     columns.push_back(plan.eye.alpha(static_cast<double>(i)));
@@ -75,6 +82,7 @@ Visibility::Impl::Impl(const scene::Scene& its_scene, scene::ScenePlan its_plan)
                           fits(std::sqrt(sizes.A), plane) &&
                           fits(std::max({std::abs(eye.x), std::abs(eye.y), std::abs(eye.z)}), 0);
   for (const std::size_t k : order) {
+    scene::poll();
     const scene::EyeSphere& seen = plan.spheres[k].seen;
     const bool answers_fit = fits(std::sqrt(seen.distance_sq.high) + seen.radius.high, lengths);
     spheres.push_back(filtered(plan.spheres[k], k, sizes));
@@ -82,6 +90,17 @@ Visibility::Impl::Impl(const scene::Scene& its_scene, scene::ScenePlan its_plan)
     spheres.back().exact =
         spheres.back().exact || !scales_fit || !answers_fit || !plan.items.filter;
     positions[k] = spheres.size() - 1;
+  }
+  std::uint64_t parts = 0;
+  for (const scene::PixelRectangle& pixels : rectangles) {
+    const auto [first, last] = blocks(pixels.j_begin, pixels.j_end, Tile::kHeight);
+    parts += last - first;
+  }
+  if (parts > kMostVisibleParts) {
+    throw std::invalid_argument("spheres: they reach into " + std::to_string(parts) +
+                                " bands of rows between them, where what is seen is worked out of "
+                                "at most " +
+                                std::to_string(kMostVisibleParts) + "; give fewer rows or spheres");
   }
   distribute(
       spheres.size(), static_cast<std::size_t>((height - 1) / kBandRows + 1),

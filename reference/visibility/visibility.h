@@ -42,7 +42,9 @@ struct DecidedBy {
 /// Shape:  rows j_begin <= j < j_end of a camera's image -> one answer a pixel, in (j, i) order.
 /// Units:  scene lengths.
 /// Domain: what its plan was made for: fewer than 2^31 spheres; a plan of another scene is an error
-///         that is not noticed. Arrays that do not fit throw std::invalid_argument.
+///         that is not noticed. Arrays that do not fit throw std::invalid_argument, and so do, with
+///         the camera's field, more than kMostVisibleSide columns or rows.
+/// Memory: some 100 bytes a column and a row, and kMostVisibleParts places.
 /// Error:  no decision is wrong. A tangent counts as a hit unless the convention is `miss`. s is
 ///         within kVisibleParameterError |Q - E|, far from silhouettes within some u of it, and
 ///         correctly rounded where the filter did not decide; Q is within kVisibleParameterError
@@ -80,6 +82,11 @@ class Visibility {
 /// The largest error of s, as a share of the distance between the eye and the hit point; or the
 /// least double, where that is larger.
 inline constexpr double kVisibleParameterError = 0x1p-20;
+
+/// So many columns, or rows, are the most: they are 100 MiB.
+inline constexpr std::int64_t kMostVisibleSide = std::int64_t{1} << 22;
+/// Spheres are listed in every band of kBandRows rows that they reach; so many places are the most.
+inline constexpr std::uint64_t kMostVisibleParts = std::uint64_t{1} << 27;
 
 /// Visibility::nearest by several threads. Bands are independent of each other, so that the answer
 /// does not depend on how many.

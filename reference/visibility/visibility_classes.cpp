@@ -5,6 +5,7 @@
 #include <string>
 
 #include "reference/visibility/visibility_impl.h"
+#include "scene/interruption.h"
 
 namespace raycheck::reference {
 namespace {
@@ -20,6 +21,7 @@ void classes_of_band(const Visibility::Impl& impl, const RowsInTiles& rows, std:
   const FilteredSphere& sphere = impl.spheres[position];
   Tile in_tile;
   for (std::size_t tile = first; tile < last; ++tile) {
+    scene::poll();
     clear(in_tile, 0, Tile::kHeight, Tile::kWidth);
     const SphereInTile entry{&sphere, rows.within_tile(pixels, band, tile)};
     const TileRays rays = rows.rays_of(band, tile);

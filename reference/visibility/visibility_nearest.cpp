@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "reference/visibility/visibility_impl.h"
+#include "scene/interruption.h"
 
 namespace raycheck::reference {
 namespace {
@@ -44,6 +45,7 @@ class NearestOfRows {
           },
           tiles_);
       for (std::size_t tile = 0; tile + 1 < tiles_.begin.size(); ++tile) {
+        scene::poll();
         list_spheres(band, tile, in_band);
         clear(tile_, at_.row_begin(), at_.row_end(), at_.columns_of(tile));
         const TileRays rays = at_.rays_of(band, tile);
