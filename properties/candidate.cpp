@@ -1,5 +1,7 @@
 #include "properties/candidate.h"
 
+#include "scene/validate.h"
+
 namespace raycheck::properties {
 
 namespace {
@@ -25,6 +27,13 @@ scene::Conventions DeclaredConventions::over(scene::Conventions conventions) con
 
 DeclaredConventions DeclaredConventions::over(DeclaredConventions others) const {
   return put_over(*this, others);
+}
+
+bool is_problem(const Case& the_case, const DeclaredConventions& declared) {
+  if (!declared.samples) return true;
+  scene::Scene scene = the_case.scene;
+  scene.conventions = declared.over(scene.conventions);
+  return scene::defects(scene).empty();
 }
 
 std::optional<double> documented_bound(const Promises& promises, Quantity quantity,

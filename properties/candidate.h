@@ -11,6 +11,7 @@
 #include <string>
 #include <vector>
 
+#include "properties/case.h"
 #include "properties/domain.h"
 #include "properties/level.h"
 #include "properties/quantity.h"
@@ -67,6 +68,10 @@ struct DeclaredConventions {
   scene::Conventions over(scene::Conventions conventions) const;
   DeclaredConventions over(DeclaredConventions others) const;
 };
+
+/// Whether a case stays a problem under the conventions that an implementation fixes: one sample
+/// between two edges is none.
+bool is_problem(const Case& the_case, const DeclaredConventions& declared);
 
 /// What an implementation can be asked; an empty function: it has no such thing. Functions refuse
 /// input that is not a problem with std::invalid_argument; of what they throw otherwise, what()

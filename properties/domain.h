@@ -19,6 +19,10 @@ struct Domain {
   double largest_camera_length = std::numeric_limits<double>::infinity();
 };
 
+/// Of smaller lengths what comes out may be subnormal, of too few digits for any bound in units of
+/// its size.
+inline constexpr double kSmallestJudgedLength = 0x1p-960;
+
 /// How far from 1 the length of a direction may be that counts as unit: what its roundings make.
 inline constexpr double kUnitTolerance = 0x1p-50;
 

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "reference/ray_error.h"
+#include "scene/interruption.h"
 #include "scene/validate.h"
 
 namespace raycheck::properties {
@@ -248,6 +249,7 @@ Excuse Trial::excuse(std::initializer_list<RayAnswer> answers) const {
   const reference::Neighbourhood around = neighbourhood(excused_change());
   std::optional<Excuse> weakest;
   for (const RayAnswer& answer : answers) {
+    scene::poll();
     if (!is_wrong(answer, conventions_)) continue;
     Excuse one = excuse_of(right_nearby(answer.ray, answer.sphere, around, answer.s),
                            around.relative_change);

@@ -1,8 +1,10 @@
 #include "properties/truth.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "reference/condition.h"
+#include "scene/interruption.h"
 
 namespace raycheck::properties {
 
@@ -32,14 +34,16 @@ const reference::ExactRay& Truth::ray(std::size_t ray) {
 }
 
 std::vector<Meeting>& Truth::known_meetings(std::size_t sphere) {
+  scene::poll();
   auto& kept = meetings_[sphere];
   if (!kept) {
-    kept.emplace();
+    std::vector<Meeting> found;
     for (std::size_t k = 0; k < rays_.size(); ++k) {
       if (!may_meet(k, sphere)) continue;
       const auto at = ray(k).intersect(case_.scene.spheres[sphere], conventions_.root);
-      if (at.hit_class != reference::HitClass::kMiss) kept->push_back({k, at});
+      if (at.hit_class != reference::HitClass::kMiss) found.push_back({k, at});
     }
+    kept = std::move(found);
   }
   return *kept;
 }
@@ -61,6 +65,7 @@ double Truth::condition_of_parameter(std::size_t ray_index, std::size_t sphere) 
   Meeting& meeting = *find(ray_index, sphere);
   auto& kept = meeting.condition_of_parameter;
   if (!kept) {
+    scene::poll();
     kept = reference::condition_of_parameter(ray(ray_index), case_.scene.spheres[sphere],
                                              meeting.intersection);
   }

@@ -101,9 +101,21 @@ void Verdict::merge(Verdict other) {
   if (kept_.size() >= 2 * kKeptDiscrepancies) prune();
 }
 
+void Verdict::keep_counts() {
+  for (auto& [quantity, tally] : tallies_) tally.errors = tally.conditions = {};
+  kept_ = {};
+}
+
 void Verdict::shift_rays(std::size_t first) {
-  for (auto& [quantity, tally] : tallies_) tally.worst_place.ray += first;
-  for (Discrepancy& discrepancy : kept_) discrepancy.place.ray += first;
+  relocate([first](Place place) {
+    place.ray += first;
+    return place;
+  });
+}
+
+void Verdict::relocate(const std::function<Place(const Place&)>& new_place) {
+  for (auto& [quantity, tally] : tallies_) tally.worst_place = new_place(tally.worst_place);
+  for (Discrepancy& discrepancy : kept_) discrepancy.place = new_place(discrepancy.place);
 }
 
 void Verdict::prune() {

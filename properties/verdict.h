@@ -4,6 +4,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <map>
 #include <optional>
 #include <string>
@@ -76,8 +77,12 @@ class Verdict {
   /// Adds a discrepancy with the law that this verdict speaks for.
   void add(Discrepancy discrepancy);
   void merge(Verdict other);
+  /// Forgets the errors, the condition numbers and the discrepancies, and keeps their counts.
+  void keep_counts();
   /// Adds to every ray index: this verdict's case was a part, from that ray on, of a larger one.
   void shift_rays(std::size_t first);
+  /// Puts everything elsewhere: this verdict's rays stood for pixels, say.
+  void relocate(const std::function<Place(const Place&)>& new_place);
 
   const std::map<Quantity, Tally>& tallies() const { return tallies_; }
   /// The worst ones kept, in the order of worst_first().

@@ -7,6 +7,7 @@
 
 #include "fast/camera_frame.h"
 #include "fast/visible.h"
+#include "scene/interruption.h"
 
 namespace raycheck::properties {
 namespace {
@@ -72,6 +73,7 @@ std::vector<std::optional<SeenAnswer>> seen_through(const scene::Scene& scene,
   std::vector<std::optional<SeenAnswer>> answers;
   fast::SeenPixels seen;
   for (const auto& [i, j] : pixels) {
+    scene::poll();
     const scene::PixelRectangle around = {
         std::max<std::int64_t>(0, i - kAround), std::min(scene.camera->width, i + kAround + 1),
         std::max<std::int64_t>(0, j - kAround), std::min(scene.camera->height, j + kAround + 1)};
@@ -124,6 +126,7 @@ Candidate fast_candidate(const fast::PixelRayMethod& rays, const fast::Intersect
     fast::Hits hits;
     std::vector<SphereHits> answers(spheres.size());
     for (std::size_t k = 0; k < spheres.size(); ++k) {
+      scene::poll();
       intersect.intersect(batch, spheres[k], conventions.root, conventions.tangent, hits);
       answers[k] = list_of(hits);
     }

@@ -52,11 +52,13 @@ std::uint64_t SceneCases::rays_in_scene() const {
 
 Case SceneCases::from(std::uint64_t first, std::uint64_t end) const {
   Case chunk;
-  chunk.scene = scene_;
   if (scene_.camera) {
+    chunk.scene = scene_;
     const PixelGrid grid(*scene_.camera, judged_);
     for (std::uint64_t k = first; k < end; ++k) chunk.pixels.push_back(grid[k]);
   } else {
+    chunk.scene.spheres = scene_.spheres;
+    chunk.scene.conventions = scene_.conventions;
     chunk.scene.rays.assign(scene_.rays.begin() + static_cast<std::ptrdiff_t>(first),
                             scene_.rays.begin() + static_cast<std::ptrdiff_t>(end));
   }

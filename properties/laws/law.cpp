@@ -3,10 +3,12 @@
 #include <algorithm>
 #include <exception>
 #include <limits>
+#include <new>
 #include <stdexcept>
 #include <string>
 
 #include "properties/laws/law_list.h"
+#include "scene/interruption.h"
 
 namespace raycheck::properties {
 
@@ -29,6 +31,11 @@ const Law* find_law(std::string_view name) {
   return found == laws().end() ? nullptr : &*found;
 }
 
+bool wants_given_rays(const Law& law, const Trial& trial) {
+  return needs_any(law.needs, Needs::kRays) && !trial.has_rays() &&
+         (trial.candidate().intersect || trial.candidate().nearest);
+}
+
 namespace {
 
 /// A law's verdict on a candidate that gave no answer, `message` being what it threw.
@@ -43,6 +50,7 @@ Verdict verdict_on_failure(const Law& law, const Trial& trial, Wrong wrong, cons
 }  // namespace
 
 Verdict apply(const Law& law, Trial& trial) {
+  scene::poll();
   try {
     Verdict verdict(law.name);
     const std::string_view missing = what_is_missing(law.needs, trial);
@@ -52,6 +60,8 @@ Verdict apply(const Law& law, Trial& trial) {
       verdict.leave_out(std::string(missing));
     }
     return verdict;
+  } catch (const std::bad_alloc&) {
+    throw;  // no fault of the candidate
   } catch (const std::invalid_argument& error) {
     return verdict_on_failure(law, trial, Wrong::kRefused, error.what());
   } catch (const std::exception& error) {

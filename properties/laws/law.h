@@ -50,6 +50,10 @@ constexpr bool judges_decisions(const Law& law) {
   return law.judges_values && is_decision(law.quantity);
 }
 
+/// Whether a law is about rays that a candidate meets with spheres and does not make: there it is
+/// asked about raycheck's own (properties/given_rays.h).
+bool wants_given_rays(const Law& law, const Trial& trial);
+
 /// Every law, in the order of reports.
 std::span<const Law> laws();
 

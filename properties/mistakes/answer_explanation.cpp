@@ -1,270 +1,130 @@
 #include "properties/mistakes/answer_explanation.h"
 
 #include <algorithm>
-#include <cmath>
-#include <limits>
 #include <optional>
-#include <stdexcept>
 #include <utility>
 
-#include "properties/candidates/fast_candidate.h"
-#include "properties/mistakes/mistake_list.h"
-#include "properties/trial.h"
+#include "properties/mistakes/answer_examination.h"
 
 namespace raycheck::properties {
 namespace {
 
-using scene::Vector3;
-
-/// Any step's answer: which sphere, or whether one, and what vectors there are.
-struct Answer {
-  std::optional<std::size_t> choice;
-  std::array<Vector3, 3> vectors;
-};
-using Answers = std::vector<Answer>;
-
-template <class Triple>
-Vector3 vector(const Triple& v) {
-  return {v.x, v.y, v.z};
-}
-
-template <class Change>
-double size_of(const Vector3& v, const Change& change) {
-  return std::max({change(v.x), change(v.y), change(v.z)});
-}
-
-bool agree(const Vector3& a, const Vector3& b, double tolerance) {
-  const auto finite = [](double x) { return std::isfinite(x) ? std::abs(x) : 0; };
-  const double allowed = tolerance * std::max(size_of(a, finite), size_of(b, finite));
-  const auto same = [allowed](double x, double y) {
-    return (std::isnan(x) && std::isnan(y)) || x == y || std::abs(x - y) <= allowed;
-  };
-  return same(a.x, b.x) && same(a.y, b.y) && same(a.z, b.z);
-}
-
-bool agree(const Answer& a, const Answer& b, double tolerance) {
-  return a.choice == b.choice &&
-         std::equal(a.vectors.begin(), a.vectors.end(), b.vectors.begin(),
-                    [tolerance](auto& x, auto& y) { return agree(x, y, tolerance); });
-}
-
-/// A case under the conventions by which the candidate is judged, and its right rays.
-struct Question {
-  Case the_case;
-  std::vector<scene::Ray> rays;
-};
-
-Answers hit_answers(const Question& question, const Trial& trial) {
-  const auto found =
-      trial.intersect(question.rays, question.the_case.scene.spheres, trial.conventions());
-  Answers answers;
-  for (const SphereHits& hits : found) {
-    const std::size_t first = answers.size();
-    answers.resize(first + question.rays.size());
-    for (const auto& [ray, hit] : hits) {
-      answers[first + ray] = {0, {Vector3{hit.parameter, 0, 0}, vector(hit.point)}};
-    }
-  }
-  return answers;
-}
-
-/// Empty where the candidate has no such function.
-std::optional<Answers> ask(Step step, const Question& question, const Candidate& candidate) {
-  Trial trial(question.the_case, candidate);
-  const scene::Scene& scene = question.the_case.scene;
-  Answers answers;
-  switch (step) {
-    case Step::kFrame: {
-      if (!scene.camera || !candidate.frame) return {};
-      const auto& [U, V, W] = trial.frame();
-      return Answers{{{}, {vector(U), vector(V), vector(W)}}};
-    }
-    case Step::kPixelPoint:
-      if (!scene.camera || !candidate.pixel_points) return {};
-      for (const scene::Point3& P : trial.pixel_points()) answers.push_back({{}, {vector(P)}});
-      return answers;
-    case Step::kRay:
-      if (!scene.camera || !trial.has_rays()) return {};
-      for (const auto& [origin, direction] : trial.rays()) {
-        answers.push_back({{}, {vector(origin), direction}});
-      }
-      return answers;
-    case Step::kIntersect:
-      if (!candidate.intersect) return {};
-      return hit_answers(question, trial);
-    case Step::kNearest:
-      break;
-  }
-  if (!candidate.nearest) return {};
-  for (const auto& sphere : trial.rank(question.rays, scene.spheres)) {
-    answers.push_back({sphere, {}});
-  }
-  return answers;
-}
-
-/// The same; empty too where the candidate refuses or fails.
-std::optional<Answers> try_to_ask(Step step, const Question& question, const Candidate& candidate) {
-  try {
-    return ask(step, question, candidate);
-  } catch (const std::runtime_error&) {
-    return {};
-  } catch (const std::invalid_argument&) {
-    return {};
-  }
-}
-
-/// What a candidate answered to a question at a step, what is right, and what other right formulas
-/// make of it.
-struct Comparison {
-  const Question* question;
-  Answers answers, right;
-  std::vector<Answers> also_right;
-};
-
-/// The answers that differ from those expected, but for those that are right in another way.
-std::uint64_t count_different(const Comparison& comparison, const Answers& expected,
-                              double tolerance) {
-  std::uint64_t count = 0;
-  for (std::size_t k = 0; k < comparison.answers.size(); ++k) {
-    const Answer& answer = comparison.answers[k];
-    const auto is_like = [&](const Answers& other) { return agree(answer, other[k], tolerance); };
-    if (is_like(expected)) continue;
-    if (!is_like(comparison.right) &&
-        std::any_of(comparison.also_right.begin(), comparison.also_right.end(), is_like)) {
-      continue;
-    }
-    ++count;
-  }
-  return count;
-}
-
-/// The methods of fast/ beside direct/cross, but for those that are less precise than a candidate.
-std::vector<Candidate> other_right_candidates(const Candidate& candidate) {
-  std::vector<Candidate> others;
-  const double coarsest = std::max(candidate.unit_roundoff, kDoubleRoundoff);
-  const auto add = [&](const fast::PixelRayMethod& rays, const fast::IntersectMethod& intersect) {
-    Candidate other = fast_candidate(rays, intersect);
-    if (other.unit_roundoff <= coarsest) others.push_back(std::move(other));
-  };
-  for (const auto* rays : fast::pixel_ray_methods()) {
-    if (rays != &fast::kDirectRays) add(*rays, fast::kCross);
-  }
-  for (const auto* intersect : fast::intersect_methods()) {
-    if (intersect != &fast::kCross) add(fast::kDirectRays, *intersect);
-  }
-  return others;
-}
-
-/// A candidate's answers to cases, each step's worked out when first asked for.
-class Examination {
- public:
-  Examination(std::span<const Case> cases, const Candidate& candidate)
-      : candidate_(candidate), others_(other_right_candidates(candidate)) {
-    for (const Case& the_case : cases) {
-      if (!is_inside_domain(candidate, the_case.scene)) continue;
-      questions_.push_back({the_case, {}});
-      Question& question = questions_.back();
-      scene::Conventions& conventions = question.the_case.scene.conventions;
-      conventions = candidate.declared.over(conventions);
-      question.rays = Trial(question.the_case, right_).rays();
-    }
-  }
-
-  const std::vector<Comparison>& at(Step step) {
-    auto& known = comparisons_[static_cast<std::size_t>(step)];
-    if (known) return *known;
-    known.emplace();
-    for (const Question& question : questions_) {
-      std::optional<Answers> answers = try_to_ask(step, question, candidate_);
-      if (!answers) continue;
-      Comparison comparison = {
-          &question, std::move(*answers), ask(step, question, right_).value(), {}};
-      if (count_different(comparison, comparison.right, kAnswerTolerances.front()) > 0) {
-        comparison.also_right = ask_others(step, question);
-      }
-      known->push_back(std::move(comparison));
-    }
-    return *known;
-  }
-
-  std::uint64_t errors(Step step, double tolerance) {
-    std::uint64_t count = 0;
-    for (const Comparison& comparison : at(step))
-      count += count_different(comparison, comparison.right, tolerance);
-    return count;
-  }
-
-  /// The answers up to a step that are not as a mistake makes them; any number above `most` where
-  /// they are more.
-  std::uint64_t contradicted(const Mistake& mistake, Step first, Step last, double tolerance,
-                             std::uint64_t most) {
-    std::uint64_t count = 0;
-    for (auto step = static_cast<int>(last); step >= static_cast<int>(first); --step) {
-      for (const Comparison& comparison : at(static_cast<Step>(step))) {
-        if (count > most) return count;
-        const auto made =
-            try_to_ask(static_cast<Step>(step), *comparison.question, mistake.candidate);
-        count += count_different(comparison, made ? *made : comparison.right, tolerance);
-      }
-    }
-    return count;
-  }
-
- private:
-  std::vector<Answers> ask_others(Step step, Question question) const {
-    std::vector<Answers> answers;
-    scene::Conventions& conventions = question.the_case.scene.conventions;
-    const auto add = [&](const Candidate& other) {
-      if (!(other.declared.over(conventions) == conventions)) return;
-      if (auto its = try_to_ask(step, question, other)) answers.push_back(std::move(*its));
-    };
-    for (const Candidate& other : others_) add(other);
-    if (conventions.tangent == scene::Tangent::kEither && step >= Step::kIntersect) {
-      conventions.tangent = scene::Tangent::kMiss;
-      add(right_);
-    }
-    return answers;
-  }
-
-  const Candidate& candidate_;
-  const Candidate right_ = right_candidate();
-  const std::vector<Candidate> others_;
-  std::vector<Question> questions_;
-  std::array<std::optional<std::vector<Comparison>>, kStepCount> comparisons_;
-};
-
-std::vector<Explanation> explain(Examination& examination, Step step, std::uint64_t errors,
-                                 double tolerance) {
-  // Hits are asked about right rays: no mistake in these shows in them.
-  const Step first = step < Step::kIntersect ? Step::kFrame : Step::kIntersect;
-  std::vector<Explanation> best;
-  std::uint64_t fewest = most_unexplained(errors);
+/// What explains the answers of a part, which begins with a step, up to another step of it.
+std::vector<const Mistake*> suspects_at(Examination& examination, Step first, Step step,
+                                        std::uint64_t& fewest, double tolerance) {
+  std::vector<const Mistake*> best;
   for (const Mistake& mistake : mistakes()) {
     if (mistake.step < first || mistake.step > step) continue;
     const std::uint64_t left = examination.contradicted(mistake, first, step, tolerance, fewest);
     if (left > fewest) continue;
     if (left < fewest) best.clear();
     fewest = left;
-    best.push_back({mistake.sentence, errors, errors - left});
+    const bool is_known =
+        !mistake.family.empty() && !best.empty() && best.back()->family == mistake.family;
+    if (!is_known) best.push_back(&mistake);
   }
   return best;
 }
 
-}  // namespace
+/// A part of what a candidate is asked: no mistake in another shows in it.
+struct Part {
+  Step first, last;
+};
 
-std::vector<Explanation> explanations(std::span<const Case> cases, const Candidate& candidate) {
-  Examination examination(cases, candidate);
+/// The mistakes at the first step of a part that has errors, if any.
+struct Finding {
+  AnswerCause cause;
+  std::vector<const Mistake*> mistakes;
+  double tolerance = 0;
+  bool is_known() const { return !cause.alternatives.empty(); }
+};
+
+/// The roundings that explain the answers at a step, if they do.
+std::optional<AnswerCause> roundings_at(Examination& examination, Step step, double tolerance) {
+  for (const Arithmetic arithmetic : kArithmetics) {
+    const DoubtTally tally = examination.tally(step, arithmetic, tolerance);
+    if (!tally.tells()) continue;
+    return AnswerCause{step,
+                       {{imprecision_sentence(arithmetic, tally.radii), tally.wrong, tally.wrong}},
+                       arithmetic};
+  }
+  return {};
+}
+
+Finding find_cause(Examination& examination, const Part& part) {
   for (const double tolerance : kAnswerTolerances) {
-    for (const Step step :
-         {Step::kFrame, Step::kPixelPoint, Step::kRay, Step::kIntersect, Step::kNearest}) {
+    for (int at = static_cast<int>(part.first); at <= static_cast<int>(part.last); ++at) {
+      const auto step = static_cast<Step>(at);
       const std::uint64_t errors = examination.errors(step, tolerance);
       if (errors == 0) continue;
-      std::vector<Explanation> found = explain(examination, step, errors, tolerance);
-      if (!found.empty()) return found;
+      std::uint64_t left = most_unexplained(errors);
+      Finding found = {
+          {step, {}}, suspects_at(examination, part.first, step, left, tolerance), tolerance};
+      const bool all_by_mistake = !found.mistakes.empty() && left == 0;
+      if (!all_by_mistake && part.first >= Step::kIntersect) {
+        if (auto roundings = roundings_at(examination, step, tolerance)) {
+          return {std::move(*roundings), {}, tolerance};
+        }
+        // What roundings may have made, too, is not known.
+        if (examination.tally(step, kArithmetics.back(), tolerance).allows_all()) break;
+      }
+      for (const Mistake* mistake : found.mistakes) {
+        found.cause.alternatives.push_back({mistake->sentence, errors, errors - left});
+      }
+      if (!found.mistakes.empty()) return found;
       break;
     }
   }
   return {};
+}
+
+/// Whether what is wrong with one part explains what is wrong at a step of another.
+bool explains(Examination& examination, const Finding& found, Step step) {
+  const std::uint64_t errors = examination.errors(step, found.tolerance);
+  const std::uint64_t most = most_unexplained(errors);
+  if (found.cause.roundings) {
+    return examination.tally(step, *found.cause.roundings, found.tolerance).not_allowed == 0;
+  }
+  return std::any_of(found.mistakes.begin(), found.mistakes.end(), [&](const Mistake* mistake) {
+    return errors > 0 &&
+           examination.contradicted(*mistake, step, step, found.tolerance, most) <= most;
+  });
+}
+
+}  // namespace
+
+std::vector<AnswerCause> answer_causes(std::span<const Case> cases, const Candidate& candidate) {
+  Examination examination(cases, candidate);
+  std::vector<Finding> findings = {find_cause(examination, {Step::kFrame, Step::kRay})};
+  for (const Step step : {Step::kIntersect, Step::kNearest}) {
+    const bool is_known = std::any_of(findings.begin(), findings.end(), [&](const Finding& found) {
+      return explains(examination, found, step);
+    });
+    if (is_known) continue;
+    // Where the hits are right, or not asked, they say what the nearest is not.
+    const bool hits_are_right =
+        step == Step::kNearest &&
+        examination.errors(Step::kIntersect, kAnswerTolerances.front()) == 0;
+    findings.push_back(find_cause(examination, {hits_are_right ? Step::kIntersect : step, step}));
+    // Hits that nothing explains make the nearest sphere whatever they are.
+    if (step == Step::kIntersect && !findings.back().is_known() &&
+        examination.errors(step, kAnswerTolerances.front()) > 0) {
+      break;
+    }
+  }
+  std::vector<AnswerCause> causes;
+  for (const Finding& found : findings) {
+    if (found.is_known()) causes.push_back(found.cause);
+  }
+  return causes;
+}
+
+std::vector<Explanation> explanations(const std::vector<AnswerCause>& causes) {
+  std::vector<Explanation> all;
+  for (const AnswerCause& cause : causes) {
+    all.insert(all.end(), cause.alternatives.begin(), cause.alternatives.end());
+  }
+  return all;
 }
 
 }  // namespace raycheck::properties

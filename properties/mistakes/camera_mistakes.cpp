@@ -117,6 +117,13 @@ Candidate with(const Formulas& formulas) {
   return candidate;
 }
 
+Mistake of_rays(std::string sentence, Step step, const Formulas& formulas) {
+  Mistake mistake = {.sentence = std::move(sentence), .step = step};
+  mistake.candidate = with(formulas);
+  mistake.makes_rays = true;
+  return mistake;
+}
+
 /// Axes changed after the fact.
 Mistake frame(std::string sentence, std::function<void(const Camera&, FrameAnswer&)> change) {
   Formulas formulas;
@@ -125,7 +132,7 @@ Mistake frame(std::string sentence, std::function<void(const Camera&, FrameAnswe
     change(camera, axes);
     return axes;
   };
-  return {std::move(sentence), Step::kFrame, {}, {}, {}, with(formulas)};
+  return of_rays(std::move(sentence), Step::kFrame, formulas);
 }
 
 void turn(UnitVector3& axis) { axis = {-axis.x, -axis.y, -axis.z}; }
@@ -189,7 +196,7 @@ Mistake direction(std::string sentence,
                   std::function<Vector3(const Camera&, const Point3&, const Vector3&)> formula) {
   Formulas formulas;
   formulas.direction = std::move(formula);
-  return {std::move(sentence), Step::kRay, {}, {}, {}, with(formulas)};
+  return of_rays(std::move(sentence), Step::kRay, formulas);
 }
 
 Vector3 from_world(const Point3& P) { return {P.x, P.y, P.z}; }
@@ -203,8 +210,26 @@ fast::Roots roots_of_unit(const Ray& ray, const Sphere& sphere) {
   return {v, half_chord_sq, v - half_chord, v + half_chord};
 }
 
-void take_for_unit(Candidate& candidate) {
-  answer_by_choice(candidate, roots_of_unit, usual_choice);
+void take_for_unit(Mistake& mistake) {
+  answer_by_choice(mistake.candidate, roots_of_unit, usual_choice);
+  mistake.chooses_hits = true;
+}
+
+/// Between the eye and the image plane, s in multiples of the way from one to the other.
+Hit before_the_plane(const Ray& ray, const fast::Roots& roots, const Conventions& conventions) {
+  const Hit hit = usual_choice(ray, roots, conventions);
+  return hit && hit->parameter <= 1 ? hit : Hit();
+}
+
+/// As where the image plane is taken for the far one.
+Mistake near_for_far() {
+  Mistake mistake =
+      direction("only what lies between the eye and the image plane is seen: near is taken for far",
+                [](const Camera&, const Point3&, const Vector3& g) { return g; });
+  mistake.candidate.pixel_rays = mistake.candidate.focal_rays;
+  answer_by_choice(mistake.candidate, fast::kCross.roots, before_the_plane);
+  mistake.chooses_hits = true;
+  return mistake;
 }
 
 std::vector<Mistake> ray_mistakes() {
@@ -215,23 +240,16 @@ std::vector<Mistake> ray_mistakes() {
   };
   Mistake not_unit = direction("directions are not normalised: D = P - E",
                                [](const Camera&, const Point3&, const Vector3& g) { return g; });
-  take_for_unit(not_unit.candidate);
-  Mistake taken_for_unit = {"directions are taken for unit ones, whatever their length",
-                            Step::kIntersect,
-                            {},
-                            {},
-                            {},
-                            right_candidate()};
-  take_for_unit(taken_for_unit.candidate);
+  take_for_unit(not_unit);
+  Mistake taken_for_unit = {.sentence = "directions are taken for unit ones, whatever their length",
+                            .step = Step::kIntersect};
+  taken_for_unit.candidate = right_candidate();
+  take_for_unit(taken_for_unit);
   return {
-      {"E is not added: P = nW + alpha U + beta V",
-       Step::kPixelPoint,
-       {},
-       {},
-       {},
-       with(without_eye)},
+      of_rays("E is not added: P = nW + alpha U + beta V", Step::kPixelPoint, without_eye),
       not_unit,
       taken_for_unit,
+      near_for_far(),
       direction(
           "directions run from the pixel to the eye: D = (E - P)/|E - P|",
           [](const Camera&, const Point3&, const Vector3& g) { return scaled(-1, normalised(g)); }),

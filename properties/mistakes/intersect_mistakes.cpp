@@ -16,10 +16,17 @@ using scene::Sphere;
 
 double length(const scene::Vector3& v) { return std::hypot(v.x, v.y, v.z); }
 
+Mistake hit_mistake(std::string sentence, Step step, Candidate candidate) {
+  Mistake mistake = {.sentence = std::move(sentence), .step = step};
+  mistake.candidate = std::move(candidate);
+  mistake.chooses_hits = true;
+  return mistake;
+}
+
 Mistake choice(std::string sentence, const ChooseHit& choose) {
   Candidate candidate = right_candidate();
   answer_by_choice(candidate, fast::kCross.roots, choose);
-  return {std::move(sentence), Step::kIntersect, {}, {}, {}, candidate};
+  return hit_mistake(std::move(sentence), Step::kIntersect, std::move(candidate));
 }
 
 /// Hits changed after the fact.
@@ -34,7 +41,7 @@ Mistake value(std::string sentence, const std::function<HitAnswer(const Ray&, Hi
               }
               return hits;
             });
-  return {std::move(sentence), Step::kIntersect, {}, {}, {}, candidate};
+  return hit_mistake(std::move(sentence), Step::kIntersect, std::move(candidate));
 }
 
 Hit wherever_behind(const Ray& ray, const Roots& roots, const Conventions& conventions) {
@@ -64,7 +71,7 @@ Mistake winner(std::string sentence, const RankSphere& rank,
                const ChooseHit& choose = usual_choice) {
   Candidate candidate = right_candidate();
   rank_by(candidate, choose, rank);
-  return {std::move(sentence), Step::kNearest, {}, {}, {}, candidate};
+  return hit_mistake(std::move(sentence), Step::kNearest, std::move(candidate));
 }
 
 std::vector<Mistake> winner_mistakes() {

@@ -14,8 +14,10 @@ namespace raycheck::properties {
 Candidate right_candidate();
 
 std::vector<Mistake> input_mistakes();
+std::vector<Mistake> number_mistakes();
 std::vector<Mistake> camera_mistakes();
 std::vector<Mistake> intersect_mistakes();
+std::vector<Mistake> threshold_mistakes();
 
 }  // namespace raycheck::properties
 

@@ -14,7 +14,8 @@ Candidate right_candidate() { return fast_candidate(fast::kDirectRays, fast::kCr
 std::span<const Mistake> mistakes() {
   static const std::vector<Mistake> kMistakes = [] {
     std::vector<Mistake> all;
-    for (std::vector<Mistake> more : {input_mistakes(), camera_mistakes(), intersect_mistakes()}) {
+    for (std::vector<Mistake> more : {input_mistakes(), number_mistakes(), camera_mistakes(),
+                                      intersect_mistakes(), threshold_mistakes()}) {
       std::move(more.begin(), more.end(), std::back_inserter(all));
     }
     return all;
@@ -29,11 +30,13 @@ const Mistake* find_mistake(std::string_view sentence) {
   return found == all.end() ? nullptr : &*found;
 }
 
-scene::Scene mistaken(const Mistake& mistake, scene::Scene scene,
-                      const scene::Conventions& conventions) {
-  scene.conventions = conventions;
-  if (mistake.camera) mistake.camera(scene.camera.value(), conventions);
+scene::Scene mistaken(const Mistake& mistake, scene::Scene scene) {
+  const scene::Conventions given = scene.conventions;
+  if (mistake.camera) mistake.camera(scene.camera.value(), given);
   if (mistake.conventions) mistake.conventions(scene.conventions);
+  if (mistake.sphere) {
+    for (scene::Sphere& sphere : scene.spheres) mistake.sphere(sphere);
+  }
   return scene;
 }
 

@@ -20,19 +20,31 @@ using ChangeCamera = std::function<void(scene::Camera&, const scene::Conventions
 /// Other conventions than those given.
 using ChangeConventions = std::function<void(scene::Conventions&)>;
 /// Another pixel than the one asked about; it may lie outside the image.
-using ChangePixel = std::function<scene::Pixel(const scene::Camera&, const scene::Pixel&)>;
+using ChangePixel = std::function<scene::Pixel(const scene::Camera&, const scene::Conventions&,
+                                               const scene::Pixel&)>;
+/// Another sphere than the one given.
+using ChangeSphere = std::function<void(scene::Sphere&)>;
 
-/// One classic mistake. At most one of the three changes is there: the mistake is then a right
-/// answer to that other question. Without any it is a wrong formula.
+/// One classic mistake. With a change it is a right answer to that other question; without any it
+/// is a wrong formula.
 struct Mistake {
   std::string sentence;  ///< "rows are upside down"
   Step step = Step::kFrame;
   ChangeCamera camera = {};
   ChangeConventions conventions = {};
   ChangePixel pixel = {};
+  ChangeSphere sphere = {};
+  /// Pixels that `pixel` puts outside the image are black; otherwise they have rays, too.
+  bool black_outside = false;
   /// It makes the mistake and is otherwise right: direct/cross, in doubles. It has the functions
   /// `frame` to `nearest`. A camera that the change makes invalid throws std::invalid_argument.
   Candidate candidate = {};
+  /// Whether its rays, and its choice among hits, come of a formula of its own.
+  bool makes_rays = false;
+  bool chooses_hits = false;
+  /// Mistakes of one family differ in a size, and what one does the next does too, and more: of
+  /// several that explain the same the first is meant. Empty: it is alone.
+  std::string_view family = {};
 };
 
 /// Every mistake; their sentences differ.
@@ -41,10 +53,8 @@ std::span<const Mistake> mistakes();
 /// The mistake of that sentence, or null.
 const Mistake* find_mistake(std::string_view sentence);
 
-/// The scene as the mistake takes it, with the conventions in it; it may be no valid one. Domain: a
-/// scene with a camera.
-scene::Scene mistaken(const Mistake& mistake, scene::Scene scene,
-                      const scene::Conventions& conventions);
+/// The scene as the mistake takes it; it may be no valid one. Domain: a scene with a camera.
+scene::Scene mistaken(const Mistake& mistake, scene::Scene scene);
 
 }  // namespace raycheck::properties
 

@@ -1,45 +1,29 @@
 #include "properties/search/campaign.h"
 
-#include <rapidcheck.h>
-#include <rapidcheck/detail/TestListenerAdapter.h>
+#include <rapidcheck/Random.h>
 
 #include <algorithm>
 #include <array>
 #include <charconv>
-#include <ostream>
+#include <limits>
 #include <stdexcept>
 #include <string>
-#include <unordered_map>
 #include <utility>
 #include <vector>
 
-#include "properties/cases/case_text.h"
 #include "properties/cases/random.h"
 #include "properties/cases/shrink.h"
+#include "properties/given_rays.h"
+#include "scene/interruption.h"
 
 namespace raycheck::properties {
 namespace {
 
-/// Where a generated case came from.
+/// What makes a case.
 struct Provenance {
   ChosenSource source;
   std::uint64_t seed = 0;
 };
-
-/// Cases of a source by seeds that choose() draws, shrunk by simpler() where they are to be; notes
-/// where the last one came from.
-template <class Choose>
-rc::Gen<Case> generator(const ChosenSource& source, bool shrinks, Choose choose,
-                        Provenance& noted) {
-  return [=, &noted](const rc::Random& random, int) {
-    rc::Random stream = random;
-    noted = {source, choose(stream)};
-    Case made = source.make(noted.seed);
-    if (!shrinks) return rc::shrinkable::just(std::move(made));
-    return rc::shrinkable::shrinkRecur(
-        std::move(made), [](const Case& from) { return rc::seq::fromContainer(simpler(from)); });
-  };
-}
 
 std::string replay_text(const Law& law, const Candidate& candidate, const Provenance& from) {
   char digits[17] = {};
@@ -62,24 +46,46 @@ struct Answer {
   std::optional<Failure> failure;
 };
 
-/// Judges cases until one breaks the law, and shrinks that where it is to be.
+/// What a law says of a case.
+struct Judged {
+  bool inside_domain = true;
+  bool given_rays = false;
+  Verdict verdict;
+};
+
+Judged judge(const Law& law, Trial& trial) {
+  const bool judged = trial.is_judged(law.quantity);
+  return {judged, false, judged ? apply(law, trial) : Verdict(law.name)};
+}
+
+Judged judge(const Law& law, const Candidate& candidate, const Case& the_case,
+             std::optional<double> max_error) {
+  if (!is_problem(the_case, candidate.declared)) return {false, false, Verdict(law.name)};
+  const TrialOptions options = {.max_error = max_error};
+  Trial trial(the_case, candidate, options);
+  if (!wants_given_rays(law, trial)) return judge(law, trial);
+  const auto given = given_rays(the_case, trial.conventions());
+  if (!given) return judge(law, trial);
+  Trial on_given(given->the_case, candidate, options);
+  Judged judged = judge(law, on_given);
+  judged.given_rays = true;
+  judged.verdict.relocate([&](const Place& place) { return given->place(place); });
+  return judged;
+}
+
+/// Judges cases, whose seeds `choose` draws, until one breaks the law, and shrinks that where it is
+/// to be: to the first simpler one that fails, too; that again, until none does.
 template <class Choose>
 Answer ask(const Law& law, const Candidate& candidate, const Asking& asking,
            const RunControl& control, Choose choose) {
   Answer answer;
   CampaignPart& part = answer.part;
   part.source = asking.source;
-  Provenance noted;
-  const rc::Gen<Case> cases = generator(asking.source, asking.shrinks, choose, noted);
-  bool stopped = false;
-  const auto property = [&] {
-    if (stopped || (stopped = control.interrupted())) return;
-    const Case the_case = *cases;
-    Trial trial(the_case, candidate, {.max_error = asking.max_error});
-    const bool judged = trial.is_judged(law.quantity);
-    Verdict verdict = judged ? apply(law, trial) : Verdict(law.name);
+  const auto breaks = [&](const Case& the_case, const Provenance& from) {
+    auto [judged, given, verdict] = judge(law, candidate, the_case, asking.max_error);
     if (!answer.failure) {  // what follows a failure is shrinking
       ++part.counts.cases;
+      part.counts.given_rays += given ? 1 : 0;
       part.counts.not_judged += judged ? 0 : 1;
       if (!verdict.reason_left_out().empty() && verdict.compared() == 0) {
         ++part.counts.left_out;
@@ -87,29 +93,35 @@ Answer ask(const Law& law, const Candidate& candidate, const Asking& asking,
       }
       part.verdict.merge(verdict);
     }
-    if (verdict.holds(asking.strict)) return;
-    part.replay = replay_text(law, candidate, noted);
+    if (verdict.holds(asking.strict)) return false;
+    part.replay = replay_text(law, candidate, from);
     answer.failure = Failure{the_case, std::move(verdict), part.replay};
-    RC_FAIL("");
+    return true;
   };
-  rc::detail::TestParams params;
-  params.seed = Random(asking.seed ^ asking.source.hash()).bits();
-  params.maxSuccess = asking.cases;
-  rc::detail::TestMetadata metadata;
-  metadata.id = std::string(law.name);
-  rc::detail::TestListenerAdapter silent;
-  // With a map of its own RapidCheck neither reads the environment nor prints its configuration.
-  const std::unordered_map<std::string, rc::detail::Reproduce> nothing_to_reproduce;
-  const auto outcome =
-      rc::detail::checkTestable(property, metadata, params, silent, nothing_to_reproduce);
-  rc::detail::Error error;
-  if (outcome.match(error)) throw std::runtime_error("RapidCheck: " + error.description);
+  // As RapidCheck draws them: a stream for each case, split off one for all.
+  rc::Random all(Random(asking.seed ^ asking.source.hash()).bits());
+  try {
+    for (int k = 0; k < asking.cases && !control.interrupted(); ++k) {
+      rc::Random one = all.split();
+      const Provenance from = {asking.source, choose(one)};
+      Case failing = asking.source.make(from.seed);
+      if (!breaks(failing, from)) continue;
+      const auto fails = [&](const Case& simpler) {
+        return !control.interrupted() && breaks(simpler, from);
+      };
+      if (asking.shrinks) smallest(std::move(failing), std::numeric_limits<int>::max(), fails);
+      break;
+    }
+  } catch (const scene::Interrupted&) {
+    // What was judged before counts.
+  }
   return answer;
 }
 
 CampaignPart run_part(const Law& law, const Candidate& candidate, const Asking& asking,
                       const RunControl& control) {
-  return ask(law, candidate, asking, control, [](rc::Random& random) { return random.next(); })
+  return ask(law, candidate, asking, control,
+             [](rc::Random& stream) { return stream.split().next(); })
       .part;
 }
 
@@ -159,16 +171,25 @@ std::vector<ChosenSource> severities_of(const ChosenSource& chosen, Level level,
 
 }  // namespace
 
+bool has_question(const Law& law, const Candidate& candidate, const Case& the_case) {
+  if (!is_problem(the_case, candidate.declared)) return false;
+  const Trial trial(the_case, candidate);
+  if (!wants_given_rays(law, trial)) return what_is_missing(law.needs, trial).empty();
+  const auto given = given_rays(the_case, trial.conventions());
+  return given && what_is_missing(law.needs, Trial(given->the_case, candidate)).empty();
+}
+
 void CaseCounts::add(const CaseCounts& other) {
   cases += other.cases;
   left_out += other.left_out;
   not_judged += other.not_judged;
+  given_rays += other.given_rays;
   if (!other.reason.empty()) reason = other.reason;
 }
 
 Finding CampaignResult::finding() const {
-  if (std::any_of(parts.begin(), parts.end(),
-                  [](const CampaignPart& part) { return part.is_broken(); })) {
+  if (failure || std::any_of(parts.begin(), parts.end(),
+                             [](const CampaignPart& part) { return part.is_broken(); })) {
     return Finding::kBroken;
   }
   if (verdict.compared() == 0 && !too_few_right()) {
@@ -178,23 +199,46 @@ Finding CampaignResult::finding() const {
   return too_few_right() ? Finding::kTooFewJudged : Finding::kHolds;
 }
 
+std::vector<Case> telling_cases(const CampaignResult& result, std::size_t most) {
+  std::vector<std::pair<ChosenSource, std::uint64_t>> broken;
+  Level lowest = Level::kExtreme;
+  for (const CampaignPart& part : result.parts) {
+    if (part.is_broken()) lowest = std::min(lowest, part.source.level());
+  }
+  for (const CampaignPart& part : result.parts) {
+    if (!part.is_broken() || part.source.level() > lowest) continue;
+    broken.emplace_back(part.source, parse_replay(part.replay).seed);
+  }
+  std::vector<Case> cases;
+  while (!broken.empty() && cases.size() < most) {
+    auto& [source, seed] = broken[cases.size() % broken.size()];
+    cases.push_back(source.make(seed));
+    seed = Random(seed).bits();
+  }
+  return cases;
+}
+
 CampaignResult run_campaign(const Law& law, const Candidate& candidate,
                             const CampaignOptions& options, const RunControl& control) {
+  const scene::Interruptible interruptible(control.interrupted);
   CampaignResult result;
   result.level = options.level;
   const auto shares = shared_out(law, options);
   if (shares.empty()) result.counts.reason = "no source of cases has a camera";
+  bool stopped = false;
   for (const auto& [source, share] : shares) {
     const auto severities = severities_of(source, options.level, share);
-    for (std::size_t k = 0; k < severities.size(); ++k) {
+    for (std::size_t k = 0; k < severities.size() && !stopped; ++k) {
       const int cases = share_of_all(share, severities.size(), k);
       CampaignPart part = run_part(
           law, candidate, {severities[k], cases, options.seed, options.max_error, options.strict},
           control);
-      if (part.counts.cases == 0) return result;  // interrupted
+      stopped = part.counts.cases == 0;  // interrupted
+      if (stopped) break;
       result.level = std::max(result.level, part.source.level());
       result.counts.add(part.counts);
       result.verdict.merge(part.verdict);
+      part.verdict.keep_counts();
       result.parts.push_back(std::move(part));
     }
   }
@@ -207,12 +251,16 @@ CampaignResult run_campaign(const Law& law, const Candidate& candidate,
     Replay replay = parse_replay(first->replay);
     replay.law = &law;
     result.failure = ask_again(replay, candidate, options.max_error, options.strict).failure;
+    if (!result.failure) {  // interrupted before it was judged again
+      result.failure = Failure{replay.source.make(replay.seed), first->verdict, first->replay};
+    }
   }
   return result;
 }
 
 std::vector<Reach> reaches(const Law& law, const Candidate& candidate,
                            const CampaignOptions& options, const RunControl& control) {
+  const scene::Interruptible interruptible(control.interrupted);
   std::vector<Reach> found;
   for (const auto& [source, share] : shared_out(law, options)) {
     if (source.severity || !source.source->dial) continue;
@@ -274,6 +322,25 @@ Replay parse_replay(std::string_view text) {
   return replay;
 }
 
+CampaignResult run_case(const Law& law, const Candidate& candidate, const Case& the_case,
+                        std::optional<double> max_error, bool strict) {
+  CampaignResult result;
+  result.fewest_right = 0;
+  auto [judged, given, verdict] = judge(law, candidate, the_case, max_error);
+  result.counts = {1, 0, judged ? 0 : 1, given ? 1 : 0, std::string(verdict.reason_left_out())};
+  result.verdict = std::move(verdict);
+  if (result.verdict.holds(strict)) return result;
+  Failure failure{the_case, result.verdict, ""};
+  failure.shrunk = smallest(the_case, std::numeric_limits<int>::max(), [&](const Case& simpler) {
+    Verdict of_simpler = judge(law, candidate, simpler, max_error).verdict;
+    if (of_simpler.holds(strict)) return false;
+    failure.verdict = std::move(of_simpler);
+    return true;
+  });
+  result.failure = std::move(failure);
+  return result;
+}
+
 CampaignResult run_replay(const Replay& replay, const Candidate& candidate,
                           std::optional<double> max_error, bool strict) {
   Answer answer = ask_again(replay, candidate, max_error, strict);
@@ -286,7 +353,5 @@ CampaignResult run_replay(const Replay& replay, const Candidate& candidate,
   result.failure = std::move(answer.failure);
   return result;
 }
-
-void showValue(const Case& the_case, std::ostream& out) { out << scene_text(the_case); }
 
 }  // namespace raycheck::properties

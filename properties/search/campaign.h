@@ -3,7 +3,6 @@
 
 #include <array>
 #include <cstdint>
-#include <iosfwd>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -41,6 +40,7 @@ struct CaseCounts {
   int cases = 0;       ///< Tried, before an end or a break.
   int left_out = 0;    ///< Of those, the ones that the law had nothing to say about,
   int not_judged = 0;  ///< and those outside the candidate's stated domain.
+  int given_rays = 0;  ///< Of all, those whose camera's rays were raycheck's own (given_rays.h).
   std::string reason;  ///< Why the last of those left out was.
 
   void add(const CaseCounts& other);
@@ -51,7 +51,7 @@ struct CaseCounts {
 struct CampaignPart {
   ChosenSource source;
   CaseCounts counts;
-  Verdict verdict;
+  Verdict verdict;  ///< Its counts alone: there are thousands of parts.
   /// Finds the case that breaks it again: "LAW:CANDIDATE:SOURCE:SEED"; a SOURCE may be
   /// SOURCE@SEVERITY. Empty where the law is not broken.
   std::string replay;
@@ -96,11 +96,18 @@ struct CampaignResult {
   }
 };
 
-/// Runs a law on random cases (RapidCheck generates and shrinks) of every source and severity, each
+/// At most so many cases that may tell why a law is broken: of the lowest level at which it is, the
+/// first that broke it at each source and severity, then others of the same, whatever they show.
+std::vector<Case> telling_cases(const CampaignResult& result, std::size_t most);
+
+/// Runs a law on random cases (by RapidCheck's streams) of every source and severity, each
 /// of which has a seed of its own: a break of one ends no other. The same options give the same
 /// result, and a part is the same whatever other parts there are, but for the number of its cases.
 CampaignResult run_campaign(const Law& law, const Candidate& candidate,
                             const CampaignOptions& options, const RunControl& control = {});
+
+/// Whether a case and a candidate have what a law needs, if need be on raycheck's own rays.
+bool has_question(const Law& law, const Candidate& candidate, const Case& the_case);
 
 /// How far along a family's dial a law holds.
 struct Reach {
@@ -129,12 +136,13 @@ struct Replay {
 };
 Replay parse_replay(std::string_view text);
 
+/// A case of one's own, judged and shrunk.
+CampaignResult run_case(const Law& law, const Candidate& candidate, const Case& the_case,
+                        std::optional<double> max_error = {}, bool strict = false);
+
 /// The case of a replay string again, judged and shrunk.
 CampaignResult run_replay(const Replay& replay, const Candidate& candidate,
                           std::optional<double> max_error = {}, bool strict = false);
-
-/// How RapidCheck shows a case.
-void showValue(const Case& the_case, std::ostream& out);
 
 }  // namespace raycheck::properties
 

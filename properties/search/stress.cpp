@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "properties/cases/random.h"
+#include "scene/interruption.h"
 #include "scene/validate.h"
 
 namespace raycheck::properties {
@@ -79,8 +80,14 @@ std::vector<StressResult> stress(const CaseSource& source, int severity, Stage s
                                  const StressOptions& options, const RunControl& control) {
   std::vector<StressResult> results(candidates.size());
   Random seeds(options.seed);
-  for (int k = 0; k < options.cases && !control.interrupted(); ++k) {
-    stress(source.make(severity, seeds.bits()), stage, candidates, results);
+  const scene::Interruptible interruptible(control.interrupted);
+  try {
+    for (int k = 0; k < options.cases; ++k) {
+      scene::poll();
+      stress(source.make(severity, seeds.bits()), stage, candidates, results);
+    }
+  } catch (const scene::Interrupted&) {
+    // What was judged until then is the answer.
   }
   return results;
 }

@@ -8,6 +8,7 @@
 
 #include "properties/cases/random.h"
 #include "properties/cases/shrink.h"
+#include "scene/interruption.h"
 #include "scene/scene_scalars.h"
 #include "scene/validate.h"
 
@@ -23,8 +24,9 @@ class Climber {
   Climber(const Candidate& candidate, const Law& law, const SearchOptions& options)
       : candidate_(candidate), law_(law), options_(options) {}
 
-  /// Empty where the case measures nothing in the candidate's domain, or no number.
-  std::optional<WorstCase> look(const Case& the_case) const {
+  /// Empty where the case measures nothing in the candidate's domain, or no number, or where it is
+  /// interrupted.
+  std::optional<WorstCase> look(const Case& the_case) const try {
     // A bound of 0 makes every error a discrepancy, so that its place and numbers are kept.
     Trial trial(the_case, candidate_, {.max_error = 0, .conditioning = true});
     if (!trial.inside_domain()) return std::nullopt;
@@ -44,6 +46,8 @@ class Climber {
     result.height = height_of(result);
     for (Discrepancy& discrepancy : verdict.worst(1)) result.shown = std::move(discrepancy);
     return result;
+  } catch (const scene::Interrupted&) {
+    return std::nullopt;
   }
 
  private:
@@ -151,6 +155,7 @@ const Law* law_of(Stage stage, Quantity quantity) {
 
 std::optional<WorstCase> find_worst_case(const Candidate& candidate, Stage stage,
                                          const SearchOptions& options, const RunControl& control) {
+  const scene::Interruptible interruptible(control.interrupted);
   const Climber climber(candidate, *law_of(stage, options.quantity), options);
   Random random(options.seed);
   std::vector<WorstCase> starts = random_phase(climber, stage, candidate, options, control, random);

@@ -1,0 +1,233 @@
+#include "properties/mistakes/answer_examination.h"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+#include <utility>
+
+#include "properties/candidates/fast_candidate.h"
+#include "properties/mistakes/answer_explanation.h"
+#include "properties/trial.h"
+#include "scene/interruption.h"
+
+namespace raycheck::properties {
+namespace {
+
+using scene::Vector3;
+
+template <class Triple>
+Vector3 vector(const Triple& v) {
+  return {v.x, v.y, v.z};
+}
+
+template <class Change>
+double size_of(const Vector3& v, const Change& change) {
+  return std::max({change(v.x), change(v.y), change(v.z)});
+}
+
+bool agree(const Vector3& a, const Vector3& b, double tolerance) {
+  const auto finite = [](double x) { return std::isfinite(x) ? std::abs(x) : 0; };
+  const double allowed = tolerance * std::max(size_of(a, finite), size_of(b, finite));
+  const auto same = [allowed](double x, double y) {
+    return (std::isnan(x) && std::isnan(y)) || x == y || std::abs(x - y) <= allowed;
+  };
+  return same(a.x, b.x) && same(a.y, b.y) && same(a.z, b.z);
+}
+
+bool agree(const Answer& a, const Answer& b, double tolerance) {
+  return a.choice == b.choice &&
+         std::equal(a.vectors.begin(), a.vectors.end(), b.vectors.begin(),
+                    [tolerance](auto& x, auto& y) { return agree(x, y, tolerance); });
+}
+
+Answers hit_answers(const AskedCase& question, const Trial& trial) {
+  const auto found =
+      trial.intersect(question.rays, question.the_case.scene.spheres, trial.conventions());
+  Answers answers;
+  for (const SphereHits& hits : found) {
+    const std::size_t first = answers.size();
+    answers.resize(first + question.rays.size());
+    for (const auto& [ray, hit] : hits) {
+      answers[first + ray] = {0, {Vector3{hit.parameter, 0, 0}, vector(hit.point)}};
+    }
+  }
+  return answers;
+}
+
+/// Empty where the candidate has no such function.
+std::optional<Answers> ask(Step step, const AskedCase& question, const Candidate& candidate) {
+  Trial trial(question.the_case, candidate);
+  const scene::Scene& scene = question.the_case.scene;
+  Answers answers;
+  switch (step) {
+    case Step::kFrame: {
+      if (!scene.camera || !candidate.frame) return {};
+      const auto& [U, V, W] = trial.frame();
+      return Answers{{{}, {vector(U), vector(V), vector(W)}}};
+    }
+    case Step::kPixelPoint:
+      if (!scene.camera || !candidate.pixel_points) return {};
+      for (const scene::Point3& P : trial.pixel_points()) answers.push_back({{}, {vector(P)}});
+      return answers;
+    case Step::kRay:
+      if (!scene.camera || !trial.has_rays()) return {};
+      for (const auto& [origin, direction] : trial.rays()) {
+        answers.push_back({{}, {vector(origin), direction}});
+      }
+      return answers;
+    case Step::kIntersect:
+      if (!candidate.intersect) return {};
+      return hit_answers(question, trial);
+    case Step::kNearest:
+      break;
+  }
+  if (!candidate.nearest) return {};
+  for (const auto& sphere : trial.rank(question.rays, scene.spheres)) {
+    answers.push_back({sphere, {}});
+  }
+  return answers;
+}
+
+/// The same; empty too where the candidate refuses or fails.
+std::optional<Answers> try_to_ask(Step step, const AskedCase& question,
+                                  const Candidate& candidate) {
+  scene::poll();
+  try {
+    return ask(step, question, candidate);
+  } catch (const std::runtime_error&) {
+    return {};
+  } catch (const std::invalid_argument&) {
+    return {};
+  }
+}
+
+/// Whether an answer is not as expected, nor right in another way.
+bool is_different(const Comparison& comparison, std::size_t k, const Answers& expected,
+                  double tolerance) {
+  const auto is_like = [&](const Answers& other) {
+    return agree(comparison.answers[k], other[k], tolerance);
+  };
+  if (is_like(expected)) return false;
+  return is_like(comparison.right) ||
+         std::none_of(comparison.also_right.begin(), comparison.also_right.end(), is_like);
+}
+
+/// The answers that differ from those expected, but for those that are right in another way.
+std::uint64_t count_different(const Comparison& comparison, const Answers& expected,
+                              double tolerance) {
+  std::uint64_t count = 0;
+  for (std::size_t k = 0; k < comparison.answers.size(); ++k) {
+    count += is_different(comparison, k, expected, tolerance) ? 1 : 0;
+  }
+  return count;
+}
+
+/// The methods of fast/ beside direct/cross, but for those that are less precise than a candidate.
+std::vector<Candidate> other_right_candidates(const Candidate& candidate) {
+  std::vector<Candidate> others;
+  const double coarsest = std::max(candidate.unit_roundoff, kDoubleRoundoff);
+  const auto add = [&](const fast::PixelRayMethod& rays, const fast::IntersectMethod& intersect) {
+    Candidate other = fast_candidate(rays, intersect);
+    if (other.unit_roundoff <= coarsest) others.push_back(std::move(other));
+  };
+  for (const auto* rays : fast::pixel_ray_methods()) {
+    if (rays != &fast::kDirectRays) add(*rays, fast::kCross);
+  }
+  for (const auto* intersect : fast::intersect_methods()) {
+    if (intersect != &fast::kCross) add(fast::kDirectRays, *intersect);
+  }
+  return others;
+}
+
+}  // namespace
+
+Examination::Examination(std::span<const Case> cases, const Candidate& candidate)
+    : candidate_(candidate), others_(other_right_candidates(candidate)) {
+  for (const Case& the_case : cases) {
+    if (!is_inside_domain(candidate, the_case.scene)) continue;
+    questions_.push_back({the_case, {}});
+    AskedCase& question = questions_.back();
+    scene::Conventions& conventions = question.the_case.scene.conventions;
+    conventions = candidate.declared.over(conventions);
+    question.rays = Trial(question.the_case, right_).rays();
+  }
+}
+
+const std::vector<Comparison>& Examination::at(Step step) {
+  auto& known = comparisons_[static_cast<std::size_t>(step)];
+  if (known) return *known;
+  known.emplace();
+  for (const AskedCase& question : questions_) {
+    std::optional<Answers> answers = try_to_ask(step, question, candidate_);
+    if (!answers) continue;
+    Comparison comparison = {
+        &question, std::move(*answers), ask(step, question, right_).value(), {}};
+    if (count_different(comparison, comparison.right, kAnswerTolerances.front()) > 0) {
+      comparison.also_right = ask_others(step, question);
+    }
+    known->push_back(std::move(comparison));
+  }
+  return *known;
+}
+
+std::uint64_t Examination::errors(Step step, double tolerance) {
+  std::uint64_t count = 0;
+  for (const Comparison& comparison : at(step))
+    count += count_different(comparison, comparison.right, tolerance);
+  return count;
+}
+
+std::uint64_t Examination::contradicted(const Mistake& mistake, Step first, Step last,
+                                        double tolerance, std::uint64_t most) {
+  std::uint64_t count = 0;
+  for (auto step = static_cast<int>(last); step >= static_cast<int>(first); --step) {
+    for (const Comparison& comparison : at(static_cast<Step>(step))) {
+      if (count > most) return count;
+      const auto made =
+          try_to_ask(static_cast<Step>(step), *comparison.question, mistake.candidate);
+      count += count_different(comparison, made ? *made : comparison.right, tolerance);
+    }
+  }
+  return count;
+}
+
+DoubtTally Examination::tally(Step step, Arithmetic arithmetic, double tolerance) {
+  DoubtTally all;
+  for (const Comparison& comparison : at(step)) {
+    const auto& [the_case, rays] = *comparison.question;
+    const scene::Conventions& conventions = the_case.scene.conventions;
+    for (std::size_t k = 0; k < comparison.answers.size(); ++k) {
+      const Answer& answer = comparison.answers[k];
+      const bool is_wrong = is_different(comparison, k, comparison.right, tolerance);
+      if (step == Step::kNearest) {
+        const PossibleSight sight =
+            possible_sight(arithmetic, rays[k], the_case.scene.spheres, conventions, answer.choice);
+        all.add(is_wrong, sight.allows, sight.is_doubtful, sight.radii);
+        continue;
+      }
+      const PossibleHit hit = possible_hit(arithmetic, rays[k % rays.size()],
+                                           the_case.scene.spheres[k / rays.size()], conventions);
+      const bool is_wide = hit.is_possible && hit.most - hit.least > tolerance * hit.most;
+      const auto s = answer.choice ? std::optional(answer.vectors[0].x) : std::nullopt;
+      all.add(is_wrong, hit.allows(s), hit.is_doubtful() || is_wide, hit.radii);
+    }
+  }
+  return all;
+}
+
+std::vector<Answers> Examination::ask_others(Step step, AskedCase question) const {
+  std::vector<Answers> answers;
+  scene::Conventions& conventions = question.the_case.scene.conventions;
+  const auto add = [&](const Candidate& other) {
+    if (!(other.declared.over(conventions) == conventions)) return;
+    if (auto its = try_to_ask(step, question, other)) answers.push_back(std::move(*its));
+  };
+  for (const Candidate& other : others_) add(other);
+  if (conventions.tangent == scene::Tangent::kEither && step >= Step::kIntersect) {
+    conventions.tangent = scene::Tangent::kMiss;
+    add(right_);
+  }
+  return answers;
+}
+
+}  // namespace raycheck::properties

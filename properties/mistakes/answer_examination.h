@@ -1,0 +1,68 @@
+#ifndef RAYCHECK_PROPERTIES_MISTAKES_ANSWER_EXAMINATION_H_
+#define RAYCHECK_PROPERTIES_MISTAKES_ANSWER_EXAMINATION_H_
+
+// A candidate's answers, step by step, beside what is right. Internal to answer_explanation.
+
+#include <array>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "properties/candidate.h"
+#include "properties/case.h"
+#include "properties/mistakes/imprecision.h"
+#include "properties/mistakes/mistake_list.h"
+
+namespace raycheck::properties {
+
+/// Any step's answer: which sphere, or whether one, and what vectors there are.
+struct Answer {
+  std::optional<std::size_t> choice;
+  std::array<scene::Vector3, 3> vectors;
+};
+using Answers = std::vector<Answer>;
+
+/// A case under the conventions by which the candidate is judged, and its right rays.
+struct AskedCase {
+  Case the_case;
+  std::vector<scene::Ray> rays;
+};
+
+/// What a candidate answered to a question at a step, what is right, and what other right formulas
+/// make of it.
+struct Comparison {
+  const AskedCase* question;
+  Answers answers, right;
+  std::vector<Answers> also_right;
+};
+
+/// A candidate's answers to cases, each step's worked out when first asked for.
+class Examination {
+ public:
+  Examination(std::span<const Case> cases, const Candidate& candidate);
+
+  const std::vector<Comparison>& at(Step step);
+
+  std::uint64_t errors(Step step, double tolerance);
+
+  /// The answers up to a step that are not as a mistake makes them; any number above `most` where
+  /// they are more.
+  std::uint64_t contradicted(const Mistake& mistake, Step first, Step last, double tolerance,
+                             std::uint64_t most);
+
+  /// How the roundings of a formula agree with the answers at kIntersect or kNearest.
+  DoubtTally tally(Step step, Arithmetic arithmetic, double tolerance);
+
+ private:
+  std::vector<Answers> ask_others(Step step, AskedCase question) const;
+
+  const Candidate& candidate_;
+  const Candidate right_ = right_candidate();
+  const std::vector<Candidate> others_;
+  std::vector<AskedCase> questions_;
+  std::array<std::optional<std::vector<Comparison>>, kStepCount> comparisons_;
+};
+
+}  // namespace raycheck::properties
+
+#endif  // RAYCHECK_PROPERTIES_MISTAKES_ANSWER_EXAMINATION_H_

@@ -1,0 +1,47 @@
+#include "properties/mistakes/causes.h"
+
+#include <stdexcept>
+#include <utility>
+
+#include "properties/mistakes/answer_explanation.h"
+#include "properties/mistakes/picture_causes.h"
+#include "scene/interruption.h"
+
+namespace raycheck::properties {
+namespace {
+
+bool is_too_large(const scene::Scene& scene) {
+  return !scene.camera || scene.camera->width > kMostPixelsOfACause / scene.camera->height;
+}
+
+/// What the candidate shows of the scenes that are not too large.
+std::vector<ShownPicture> shown(const std::vector<Case>& cases, const Candidate& candidate) {
+  std::vector<ShownPicture> pictures;
+  for (const Case& one : cases) {
+    if (is_too_large(one.scene)) continue;
+    if (auto picture = shown_picture(one.scene, candidate)) {
+      pictures.push_back(std::move(*picture));
+    }
+  }
+  return pictures;
+}
+
+}  // namespace
+
+std::vector<Explanation> causes(const std::vector<Case>& cases, const Candidate& candidate) {
+  std::vector<Case> asked = cases;
+  std::erase_if(asked, [&](const Case& one) { return !is_problem(one, candidate.declared); });
+  try {
+    std::vector<Explanation> found = candidate.image
+                                         ? explanations(picture_causes(shown(asked, candidate)))
+                                         : explanations(answer_causes(asked, candidate));
+    std::erase_if(found, [](const Explanation& one) { return one.errors < kFewestErrorsOfACause; });
+    return found;
+  } catch (const std::runtime_error&) {
+    return {};  // it gives no answer, as the verdict says
+  } catch (const scene::Interrupted&) {
+    return {};
+  }
+}
+
+}  // namespace raycheck::properties

@@ -1,0 +1,22 @@
+#ifndef RAYCHECK_PROPERTIES_MISTAKES_CHANGED_QUESTION_H_
+#define RAYCHECK_PROPERTIES_MISTAKES_CHANGED_QUESTION_H_
+
+// Mistakes that answer another question rightly, with the candidates that make them.
+
+#include <string>
+
+#include "properties/mistakes/mistakes.h"
+
+namespace raycheck::properties {
+
+/// Another camera, and other spheres.
+Mistake scene_mistake(std::string sentence, Step step, const ChangeCamera& camera,
+                      const ChangeSphere& sphere);
+Mistake camera_mistake(std::string sentence, const ChangeCamera& change,
+                       Step step = Step::kPixelPoint);
+Mistake convention_mistake(std::string sentence, const ChangeConventions& change, Step step);
+Mistake pixel_mistake(std::string sentence, const ChangePixel& change);
+
+}  // namespace raycheck::properties
+
+#endif  // RAYCHECK_PROPERTIES_MISTAKES_CHANGED_QUESTION_H_

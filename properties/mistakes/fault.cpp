@@ -1,0 +1,108 @@
+#include "properties/mistakes/fault.h"
+
+#include <cmath>
+#include <stdexcept>
+
+#include "properties/case.h"
+#include "properties/mistakes/mistake_list.h"
+#include "scene/validate.h"
+
+namespace raycheck::properties {
+namespace {
+
+using scene::Pixel;
+using scene::Ray;
+using scene::Sphere;
+
+const Candidate& right() {
+  static const Candidate kRight = right_candidate();
+  return kRight;
+}
+
+/// One without a direction, or that is no numbers, meets nothing.
+bool is_ray(const Ray& ray) {
+  const auto& [x, y, z] = ray.direction;
+  const double sum = ray.origin.x + ray.origin.y + ray.origin.z + x + y + z;
+  return std::isfinite(sum) && (x != 0 || y != 0 || z != 0);
+}
+
+}  // namespace
+
+std::string sentence_of(const Fault& fault) {
+  std::string sentence;
+  for (const Mistake* mistake : fault) {
+    if (!sentence.empty()) sentence += "; and ";
+    sentence += mistake->sentence;
+  }
+  return sentence;
+}
+
+bool can_be_together(const Mistake& a, const Mistake& b) {
+  return !(a.makes_rays && b.makes_rays) && !(a.chooses_hits && b.chooses_hits);
+}
+
+FaultyView::FaultyView(const Fault& fault, const scene::Scene& scene)
+    : asked_(scene), taken_(scene), rays_(&right()), hits_(&right()) {
+  for (const Mistake* mistake : fault) {
+    taken_ = mistaken(*mistake, std::move(taken_));
+    if (mistake->pixel) pixels_.push_back(mistake);
+    if (mistake->makes_rays) rays_ = &mistake->candidate;
+    if (mistake->chooses_hits) hits_ = &mistake->candidate;
+  }
+}
+
+std::vector<std::optional<Ray>> FaultyView::rays(std::span<const Pixel> pixels) const {
+  const scene::Camera& camera = *asked_.camera;
+  std::vector<std::optional<Ray>> found(pixels.size());
+  std::vector<Pixel> asked(pixels.begin(), pixels.end());
+  std::vector<bool> is_black(asked.size());
+  for (const Mistake* mistake : pixels_) {
+    for (std::size_t k = 0; k < asked.size(); ++k) {
+      Pixel& one = asked[k];
+      one = mistake->pixel(camera, asked_.conventions, one);
+      const bool is_inside =
+          one.i >= 0 && one.j >= 0 && one.i < camera.width && one.j < camera.height;
+      if (mistake->black_outside && !is_inside) is_black[k] = true;
+    }
+  }
+  try {
+    const auto& make =
+        taken_.conventions.origin == scene::Origin::kPixel ? rays_->pixel_rays : rays_->focal_rays;
+    const std::vector<Ray> made = make(*taken_.camera, taken_.conventions, asked);
+    for (std::size_t k = 0; k < made.size(); ++k) {
+      if (!is_black[k] && is_ray(made[k])) found[k] = made[k];
+    }
+  } catch (const std::invalid_argument&) {
+    return found;
+  }
+  return found;
+}
+
+ImageAnswer FaultyView::seen(std::span<const Pixel> pixels, double growth) const {
+  ImageAnswer answer(pixels.size());
+  std::vector<std::size_t> indices;
+  std::vector<Ray> valid;
+  const auto all = rays(pixels);
+  for (std::size_t k = 0; k < all.size(); ++k) {
+    if (!all[k]) continue;
+    indices.push_back(k);
+    valid.push_back(*all[k]);
+  }
+  std::vector<Sphere> spheres = taken_.spheres;
+  const scene::Point3& eye = taken_.camera->eye;
+  for (Sphere& sphere : spheres) {
+    if (growth == 0) break;
+    const auto& [x, y, z] = sphere.centre;
+    const double way = std::hypot(x - eye.x, y - eye.y, z - eye.z) + sphere.radius;
+    sphere.radius = std::fmax(0, sphere.radius + growth * way);
+  }
+  const auto nearest = hits_->nearest(valid, spheres, taken_.conventions);
+  for (std::size_t k = 0; k < nearest.size(); ++k) answer[indices[k]] = nearest[k];
+  return answer;
+}
+
+ImageAnswer predicted(const Fault& fault, const scene::Scene& scene) {
+  return FaultyView(fault, scene).seen(all_pixels(*scene.camera));
+}
+
+}  // namespace raycheck::properties

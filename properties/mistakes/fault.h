@@ -1,0 +1,53 @@
+#ifndef RAYCHECK_PROPERTIES_MISTAKES_FAULT_H_
+#define RAYCHECK_PROPERTIES_MISTAKES_FAULT_H_
+
+#include <functional>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "properties/candidate.h"
+#include "properties/mistakes/mistakes.h"
+
+namespace raycheck::properties {
+
+/// The mistakes that a program makes at once, one or two; none: it is right.
+using Fault = std::vector<const Mistake*>;
+
+/// Their sentences in one: "rows are upside down; and top is -bottom".
+std::string sentence_of(const Fault& fault);
+
+/// Whether one program can make both: they have no two formulas for the same thing.
+bool can_be_together(const Mistake& a, const Mistake& b);
+
+/// What a program with a fault shows of a scene, in doubles: the changes of the mistakes one after
+/// the other, rays by the formula of the one that makes them, hits by that of the one that chooses.
+/// A camera that is left without a meaning shows nothing.
+/// Domain: a valid scene with a camera, which outlives it; mistakes that can be together.
+class FaultyView {
+ public:
+  FaultyView(const Fault& fault, const scene::Scene& scene);
+
+  /// The rays of these pixels; none where it has no meaning, or the pixel is black.
+  std::vector<std::optional<scene::Ray>> rays(std::span<const scene::Pixel> pixels) const;
+  /// The scene that is looked at.
+  const scene::Scene& taken() const { return taken_; }
+
+  /// The sphere at each of these pixels. The radii grow by so much of a sphere's way from the eye.
+  ImageAnswer seen(std::span<const scene::Pixel> pixels, double growth = 0) const;
+
+ private:
+  const scene::Scene& asked_;
+  scene::Scene taken_;
+  const Candidate* rays_;
+  const Candidate* hits_;
+  std::vector<const Mistake*> pixels_;
+};
+
+/// The whole image.
+ImageAnswer predicted(const Fault& fault, const scene::Scene& scene);
+
+}  // namespace raycheck::properties
+
+#endif  // RAYCHECK_PROPERTIES_MISTAKES_FAULT_H_

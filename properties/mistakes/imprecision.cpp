@@ -1,0 +1,99 @@
+#include "properties/mistakes/imprecision.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <vector>
+
+namespace raycheck::properties {
+namespace {
+
+using scene::Root;
+using scene::Vector3;
+
+double norm(const Vector3& v) { return std::hypot(v.x, v.y, v.z); }
+/// From the world's origin.
+double way_to(const scene::Point3& p) { return std::hypot(p.x, p.y, p.z); }
+
+/// 10^5 for what is between that and ten times as much.
+int power_of_ten(double radii) { return static_cast<int>(std::floor(std::log10(radii))); }
+
+}  // namespace
+
+PossibleHit possible_hit(Arithmetic arithmetic, const scene::Ray& ray, const scene::Sphere& sphere,
+                         const scene::Conventions& conventions) {
+  const double u = arithmetic == Arithmetic::kDifference ? 0x1p-53 : 0x1p-24;
+  const double size = norm(ray.direction);
+  const Vector3 D = {ray.direction.x / size, ray.direction.y / size, ray.direction.z / size};
+  const Vector3 T = sphere.centre - ray.origin;
+  const double r = sphere.radius, t = norm(T);
+  const double v = T.x * D.x + T.y * D.y + T.z * D.z;
+  // |T x D|, and how far it may be off, as v may.
+  const double m = norm({T.y * D.z - T.z * D.y, T.z * D.x - T.x * D.z, T.x * D.y - T.y * D.x});
+  const double off = kRoundings * u * (way_to(ray.origin) + way_to(sphere.centre) + t + r);
+  double error = 2 * off * (m + r) + off * off;
+  if (arithmetic != Arithmetic::kSingle) error += kRoundings * u * (t * t + r * r);
+  const double half_chord_sq = (r - m) * (r + m);
+  const double longest = std::sqrt(std::max(0.0, half_chord_sq + error));
+  const double shortest = std::sqrt(std::max(0.0, half_chord_sq - error));
+  const bool far_counts = conventions.root == Root::kNearest;
+  const double near_least = v - off - longest, near_most = v + off - shortest;
+  const double far_least = v - off + shortest, far_most = v + off + longest;
+  PossibleHit hit;
+  hit.radii = t / r;
+  hit.is_possible = half_chord_sq + error >= 0 && (far_counts ? far_most : near_most) >= 0;
+  hit.is_certain = half_chord_sq - error > 0 && (far_counts ? far_least : near_least) >= 0;
+  hit.least = std::max(0.0, near_most >= 0 ? near_least : far_least) / size;
+  hit.most = (near_least >= 0 || !far_counts ? near_most : far_most) / size;
+  return hit;
+}
+
+PossibleSight possible_sight(Arithmetic arithmetic, const scene::Ray& ray,
+                             std::span<const scene::Sphere> spheres,
+                             const scene::Conventions& conventions,
+                             const std::optional<std::size_t>& shown) {
+  std::vector<PossibleHit> hits;
+  double latest = std::numeric_limits<double>::infinity();
+  for (const scene::Sphere& sphere : spheres) {
+    hits.push_back(possible_hit(arithmetic, ray, sphere, conventions));
+    if (hits.back().is_certain) latest = std::min(latest, hits.back().most);
+  }
+  const bool may_be_none = std::isinf(latest);
+  PossibleSight sight;
+  int answers = may_be_none ? 1 : 0;
+  sight.allows = !shown && may_be_none;
+  for (std::size_t k = 0; k < hits.size(); ++k) {
+    if (!hits[k].is_possible || hits[k].least > latest) continue;
+    ++answers;
+    sight.allows = sight.allows || shown == k || shown == kSomeSphere;
+    if (hits[k].is_doubtful()) sight.radii = std::max(sight.radii, hits[k].radii);
+  }
+  sight.is_doubtful = answers > 1;
+  return sight;
+}
+
+std::string imprecision_sentence(Arithmetic arithmetic, double radii) {
+  if (arithmetic == Arithmetic::kSingle) return "computed in single precision";
+  return std::string(arithmetic == Arithmetic::kSingleDifference ? "computed in single precision: "
+                                                                 : "") +
+         "the difference r^2 - (|T|^2 - v^2), or b^2 - 4ac, loses its digits from 10^" +
+         std::to_string(power_of_ten(radii)) + " radii away";
+}
+
+void DoubtTally::add(bool is_wrong, bool is_allowed, bool is_doubtful, double its_radii) {
+  ++answers;
+  doubtful += is_doubtful ? 1 : 0;
+  if (!is_wrong) return;
+  ++wrong;
+  not_allowed += is_allowed ? 0 : 1;
+  if (is_allowed && its_radii > 0) radii = radii > 0 ? std::min(radii, its_radii) : its_radii;
+}
+
+bool DoubtTally::tells() const {
+  const auto in_doubt = static_cast<double>(doubtful);
+  return allows_all() && wrong >= kFewestWrongByRoundings && radii > 0 &&
+         in_doubt <= kMostInDoubt * static_cast<double>(answers) &&
+         static_cast<double>(wrong) >= kFewestWrongInDoubt * in_doubt;
+}
+
+}  // namespace raycheck::properties

@@ -1,0 +1,75 @@
+#ifndef RAYCHECK_PROPERTIES_MISTAKES_IMPRECISION_H_
+#define RAYCHECK_PROPERTIES_MISTAKES_IMPRECISION_H_
+
+// What right formulas may give where their roundings count: not one answer, but several.
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string>
+
+#include "properties/candidate.h"
+
+namespace raycheck::properties {
+
+/// How d^2 is computed, from the least roundings to the most.
+enum class Arithmetic {
+  kDifference,       ///< In doubles, r^2 - (|T|^2 - v^2) or b^2 - 4ac.
+  kSingle,           ///< In floats, r^2 - |T x D|^2 or another form that does not cancel.
+  kSingleDifference  ///< In floats, as a difference that cancels.
+};
+inline constexpr std::array<Arithmetic, 3> kArithmetics = {
+    Arithmetic::kDifference, Arithmetic::kSingle, Arithmetic::kSingleDifference};
+
+/// So many roundings, each of a share u of a term, are between the numbers of a scene and d^2: 5 in
+/// |T|^2, 15 in v^2 (T, D, their product and the square), and those of r^2 and the differences.
+inline constexpr double kRoundings = 24;
+
+/// Where a formula may see a ray meet a sphere: somewhere, nowhere or either.
+struct PossibleHit {
+  bool is_possible = false, is_certain = false;
+  double least = 0, most = 0;  ///< s, where it is possible.
+  double radii = 0;            ///< From the ray's origin to the centre.
+  bool is_doubtful() const { return is_possible && !is_certain; }
+  bool allows(const std::optional<double>& s) const {
+    return s ? is_possible && least <= *s && *s <= most : !is_certain;
+  }
+};
+PossibleHit possible_hit(Arithmetic arithmetic, const scene::Ray& ray, const scene::Sphere& sphere,
+                         const scene::Conventions& conventions);
+
+/// What a formula may see along a ray.
+struct PossibleSight {
+  bool allows = false;       ///< What was shown.
+  bool is_doubtful = false;  ///< More than one answer.
+  double radii = 0;          ///< The way to the sphere, in radii, that is most in doubt.
+};
+PossibleSight possible_sight(Arithmetic arithmetic, const scene::Ray& ray,
+                             std::span<const scene::Sphere> spheres,
+                             const scene::Conventions& conventions,
+                             const std::optional<std::size_t>& shown);
+
+/// "computed in single precision", where d^2 is lost so many radii away.
+std::string imprecision_sentence(Arithmetic arithmetic, double radii);
+
+/// Roundings are named where they allow every wrong answer, of which there are some, where at most
+/// this share of all answers is in doubt, and at least that share of those in doubt is wrong.
+inline constexpr std::uint64_t kFewestWrongByRoundings = 3;
+inline constexpr double kMostInDoubt = 0.5;
+inline constexpr double kFewestWrongInDoubt = 0.05;
+
+/// Answers, and how the roundings of a formula agree with them.
+struct DoubtTally {
+  std::uint64_t answers = 0, doubtful = 0, wrong = 0, not_allowed = 0;
+  double radii = 0;  ///< The least way at which a wrong answer is allowed; 0: there is none.
+
+  void add(bool is_wrong, bool is_allowed, bool is_doubtful, double its_radii);
+  /// Whether nothing contradicts; and whether it is told from whatever else allows all.
+  bool allows_all() const { return wrong > 0 && not_allowed == 0; }
+  bool tells() const;
+};
+
+}  // namespace raycheck::properties
+
+#endif  // RAYCHECK_PROPERTIES_MISTAKES_IMPRECISION_H_

@@ -1,0 +1,184 @@
+// Numbers of a scene that are read, or used, as others: bounds for one another, and integers.
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+#include "properties/mistakes/changed_question.h"
+#include "properties/mistakes/mistake_list.h"
+
+namespace raycheck::properties {
+namespace {
+
+using scene::Camera;
+using scene::Sphere;
+
+double aspect(const Camera& camera) {
+  return static_cast<double>(camera.width) / static_cast<double>(camera.height);
+}
+
+/// In the order of the lecture.
+constexpr std::array<double Camera::*, 4> kBounds = {&Camera::left, &Camera::right, &Camera::bottom,
+                                                     &Camera::top};
+constexpr std::array<const char*, 4> kBoundNames = {"left", "right", "bottom", "top"};
+
+/// A picture of no width or height is one of the least that there is: no formula divides by it.
+void keep_apart(Camera& camera) {
+  const auto beyond = [](double x) {
+    return std::nextafter(x, std::numeric_limits<double>::infinity());
+  };
+  if (camera.left == camera.right) camera.right = beyond(camera.left);
+  if (camera.bottom == camera.top) camera.top = beyond(camera.bottom);
+}
+
+Mistake bound_mistake(std::string sentence, const std::function<void(Camera&)>& change) {
+  return camera_mistake(std::move(sentence), [change](Camera& its, const scene::Conventions&) {
+    change(its);
+    keep_apart(its);
+  });
+}
+
+/// The bounds as they are taken from one another, in kBounds' order.
+using Order = std::array<std::size_t, 4>;
+
+/// "top is taken from right and right from top"
+std::string sentence_of(const Order& order) {
+  std::string sentence;
+  std::size_t last = 0;
+  for (std::size_t k = 0; k < order.size(); ++k) {
+    if (order[k] != k) last = k;
+  }
+  for (std::size_t k = 0; k < order.size(); ++k) {
+    if (order[k] == k) continue;
+    if (!sentence.empty()) sentence += k == last ? " and " : ", ";
+    sentence += kBoundNames[k];
+    sentence += sentence.find("is taken") == std::string::npos ? " is taken from " : " from ";
+    sentence += kBoundNames[order[k]];
+  }
+  return sentence;
+}
+
+Mistake of_order(const Order& order) {
+  return bound_mistake(sentence_of(order), [order](Camera& its) {
+    const Camera given = its;
+    for (std::size_t k = 0; k < order.size(); ++k) its.*kBounds[k] = given.*kBounds[order[k]];
+  });
+}
+
+std::vector<Mistake> negated_bounds() {
+  const auto negate = [](std::string sentence, bool across, bool down) {
+    return bound_mistake(std::move(sentence), [across, down](Camera& its) {
+      const double sideways = across ? -1 : 1;
+      const double upwards = down ? -1 : 1;
+      its.left *= sideways;
+      its.right *= sideways;
+      its.bottom *= upwards;
+      its.top *= upwards;
+    });
+  };
+  return {negate("left and right are both negated", true, false),
+          negate("top and bottom are both negated", false, true),
+          negate("all four bounds are negated", true, true)};
+}
+
+/// What shows the same as "rows are upside down", "columns are mirrored", or both.
+bool mirrors(const Order& order) { return order[0] < 2 && order[1] < 2; }
+
+/// One bound taken from another, and the bounds in another order.
+std::vector<Mistake> exchanged_bounds() {
+  std::vector<Mistake> all;
+  for (std::size_t taken = 0; taken < 4; ++taken) {
+    for (std::size_t from = 0; from < 4; ++from) {
+      if (taken == from) continue;
+      Order order = {0, 1, 2, 3};
+      order[taken] = from;
+      all.push_back(of_order(order));
+    }
+  }
+  Order order = {0, 1, 2, 3};
+  while (std::next_permutation(order.begin(), order.end())) {
+    if (!mirrors(order)) all.push_back(of_order(order));
+  }
+  return all;
+}
+
+/// A factor for alpha or beta that the bounds have already.
+std::vector<Mistake> aspect_mistakes() {
+  const auto corrected = [](const std::string& what, bool across, bool by_aspect) {
+    return bound_mistake("the aspect ratio is corrected twice: " + what, [=](Camera& its) {
+      const double factor = by_aspect ? aspect(its) : 1 / aspect(its);
+      (across ? its.left : its.bottom) *= factor;
+      (across ? its.right : its.top) *= factor;
+    });
+  };
+  return {corrected("alpha is multiplied by width/height", true, true),
+          corrected("alpha is multiplied by height/width", true, false),
+          corrected("beta is multiplied by width/height", false, true),
+          corrected("beta is multiplied by height/width", false, false)};
+}
+
+std::vector<Mistake> bound_mistakes() {
+  std::vector<Mistake> all = {
+      bound_mistake("top is -bottom", [](Camera& its) { its.top = -its.bottom; }),
+      bound_mistake("bottom is -top", [](Camera& its) { its.bottom = -its.top; }),
+      bound_mistake("right is -left", [](Camera& its) { its.right = -its.left; }),
+      bound_mistake("left is -right", [](Camera& its) { its.left = -its.right; }),
+      bound_mistake("the bounds of rows are those of columns",
+                    [](Camera& its) {
+                      its.bottom = its.left;
+                      its.top = its.right;
+                    }),
+      bound_mistake(
+          "the height is corrected for an aspect ratio that the bounds hold already",
+          [](Camera& its) { its.top = its.bottom + (its.top - its.bottom) * aspect(its); }),
+  };
+  for (auto& more : {aspect_mistakes(), negated_bounds(), exchanged_bounds()})
+    all.insert(all.end(), more.begin(), more.end());
+  return all;
+}
+
+template <class Triple>
+void truncate(Triple& triple) {
+  triple = {std::trunc(triple.x), std::trunc(triple.y), std::trunc(triple.z)};
+}
+
+void truncate_bounds(Camera& camera) {
+  for (double Camera::*bound : kBounds) camera.*bound = std::trunc(camera.*bound);
+  keep_apart(camera);
+}
+
+void truncate_camera(Camera& camera, const scene::Conventions&) {
+  truncate(camera.eye);
+  truncate(camera.look_at);
+  truncate(camera.up);
+  camera.near = std::trunc(camera.near);
+  truncate_bounds(camera);
+}
+
+void truncate_sphere(Sphere& sphere) {
+  truncate(sphere.centre);
+  sphere.radius = std::trunc(sphere.radius);
+}
+
+std::vector<Mistake> integer_mistakes() {
+  return {scene_mistake("numbers are read as integers: their fractions are dropped", Step::kFrame,
+                        truncate_camera, truncate_sphere),
+          scene_mistake("the camera's numbers are read as integers: their fractions are dropped",
+                        Step::kFrame, truncate_camera, {}),
+          camera_mistake("the bounds are read as integers: their fractions are dropped",
+                         [](Camera& its, auto&) { truncate_bounds(its); }),
+          scene_mistake("the spheres' numbers are read as integers: their fractions are dropped",
+                        Step::kIntersect, {}, truncate_sphere)};
+}
+
+}  // namespace
+
+std::vector<Mistake> number_mistakes() {
+  std::vector<Mistake> all = bound_mistakes();
+  for (Mistake& mistake : integer_mistakes()) all.push_back(std::move(mistake));
+  return all;
+}
+
+}  // namespace raycheck::properties

@@ -1,0 +1,185 @@
+#include "properties/mistakes/picture_causes.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "properties/mistakes/picture_suspects.h"
+
+namespace raycheck::properties {
+namespace {
+
+bool is_right(const Evidence& one) { return one.all_errors() == 0; }
+
+/// What all pictures of scenes with something to see are, whatever it is.
+std::optional<CauseKind> kind_of_all(const Pictures& pictures) {
+  const auto all = [&](const auto& is) {
+    bool is_wrong = false;
+    for (const Evidence& one : pictures) {
+      if (!one.has_something_to_see()) continue;
+      if (!is(one)) return false;
+      is_wrong = is_wrong || !is_right(one);
+    }
+    return is_wrong;
+  };
+  if (all([](const Evidence& one) { return one.is_black(); })) return CauseKind::kBlack;
+  if (all([](const Evidence& one) { return one.is_uniform(); })) return CauseKind::kUniform;
+  if (all([](const Evidence& one) { return one.has_background(); })) return CauseKind::kBackground;
+  return {};
+}
+
+DoubtTally tally_of(const Fault& fault, const Pictures& pictures, Arithmetic arithmetic) {
+  DoubtTally tally;
+  for (const Evidence& one : pictures) {
+    one.tally(FaultyView(fault, one.picture().scene), arithmetic, tally);
+  }
+  return tally;
+}
+
+bool may_be_imprecise(const Pictures& pictures) {
+  return tally_of({}, pictures, kArithmetics.back()).allows_all();
+}
+
+/// The pictures of which the roundings leave most certain.
+Pictures mostly_certain(const Pictures& pictures, Arithmetic arithmetic) {
+  Pictures certain;
+  for (const Evidence& one : pictures) {
+    const DoubtTally tally = tally_of({}, {one}, arithmetic);
+    if (2 * tally.doubtful <= tally.answers) certain.push_back(one);
+  }
+  return certain;
+}
+
+/// Roundings that explain what is wrong, alone or beside what explains the pictures that they leave
+/// certain: the fewest that do.
+bool find_imprecision(const Pictures& pictures, Causes& causes) {
+  const auto is_found = [&](const Fault& fault, Arithmetic arithmetic) {
+    const DoubtTally tally = tally_of(fault, pictures, arithmetic);
+    if (!tally.tells()) return false;
+    causes.imprecision = {arithmetic, tally.radii};
+    return true;
+  };
+  for (const Arithmetic arithmetic : kArithmetics) {
+    if (!is_found({}, arithmetic)) continue;
+    causes.kind = CauseKind::kImprecise;
+    return true;
+  }
+  for (const Arithmetic arithmetic : kArithmetics) {
+    const Pictures certain = mostly_certain(pictures, arithmetic);
+    if (certain.size() == pictures.size()) continue;
+    const std::vector<Suspect> found = find_suspects(certain);
+    if (found.empty() || !is_found(found.front().fault, arithmetic)) continue;
+    for (const Suspect& suspect : found) causes.alternatives.push_back(suspect.fault);
+    causes.kind = CauseKind::kExplained;
+    return true;
+  }
+  return false;
+}
+
+/// Whether a fault makes these pictures without excuses, but for what kMostLeftOfAll allows. On
+/// pictures where excuses make everything right it need not.
+bool makes_nearly_all(const Fault& fault, const Pictures& pictures, std::uint64_t errors) {
+  std::uint64_t left = 0;
+  for (const Evidence& one : pictures) {
+    const ShownPicture& shown = one.picture();
+    left += count_otherwise(shown.image, predicted(fault, shown.scene));
+  }
+  return static_cast<double>(left) <=
+         static_cast<double>(errors) * kMostLeftOfAll + static_cast<double>(pictures.size());
+}
+
+/// Pixels of pictures with width and height exchanged, where all are so that can be: a right
+/// picture that is not square contradicts.
+std::uint64_t pixels_exchanged(std::span<const ShownPicture> shown) {
+  std::uint64_t pixels = 0;
+  for (const ShownPicture& one : shown) {
+    const scene::Camera& camera = *one.scene.camera;
+    if (one.sides_exchanged) {
+      pixels += static_cast<std::uint64_t>(camera.width * camera.height);
+    } else if (camera.width != camera.height) {
+      return 0;
+    }
+  }
+  return pixels;
+}
+
+}  // namespace
+
+Causes picture_causes(std::span<const ShownPicture> shown) {
+  Causes causes;
+  causes.exchanged = pixels_exchanged(shown);
+  Pictures pictures;
+  for (const ShownPicture& one : shown) {
+    if (!one.sides_exchanged) pictures.emplace_back(one);
+  }
+  std::uint64_t all_errors = 0, errors = 0;
+  for (const Evidence& one : pictures) {
+    all_errors += one.all_errors();
+    errors += one.errors();
+  }
+  if (all_errors == 0) return causes;
+  causes.errors = causes.explained = errors > 0 ? errors : all_errors;
+  if (const auto kind = kind_of_all(pictures)) {
+    // What roundings may have made, too, is not known.
+    const bool is_known = *kind == CauseKind::kBlack || !may_be_imprecise(pictures);
+    causes.kind = is_known ? *kind : CauseKind::kUnknown;
+    return causes;
+  }
+  std::stable_sort(pictures.begin(), pictures.end(),
+                   [](const Evidence& a, const Evidence& b) { return a.errors() > b.errors(); });
+  const std::vector<Suspect> found = find_suspects(pictures);
+  const bool is_exact =
+      !found.empty() && makes_nearly_all(found.front().fault, pictures, all_errors);
+  if (!is_exact && find_imprecision(pictures, causes)) return causes;
+  if (!found.empty()) {
+    causes.kind = CauseKind::kExplained;
+    for (const Suspect& suspect : found) causes.alternatives.push_back(suspect.fault);
+    causes.explained -= std::min(causes.errors, found.front().left);
+    return causes;
+  }
+  causes.kind = std::all_of(pictures.begin(), pictures.end(),
+                            [](const Evidence& one) { return is_right(one) || one.is_black(); })
+                    ? CauseKind::kBlack
+                    : CauseKind::kUnknown;
+  causes.explained = causes.kind == CauseKind::kBlack ? causes.errors : 0;
+  return causes;
+}
+
+std::uint64_t pixels_left(const ShownPicture& picture, const Fault& fault, Arithmetic arithmetic) {
+  DoubtTally tally;
+  Evidence(picture).tally(FaultyView(fault, picture.scene), arithmetic, tally);
+  return tally.not_allowed;
+}
+
+std::vector<Explanation> explanations(const Causes& causes) {
+  std::vector<Explanation> all;
+  const auto say = [&](const std::string& sentence) {
+    all.push_back({sentence, causes.errors, causes.explained});
+  };
+  const std::string roundings = causes.imprecision ? causes.imprecision->sentence() : "";
+  if (causes.exchanged > 0) all.push_back({kSidesExchanged, causes.exchanged, causes.exchanged});
+  switch (causes.kind) {
+    case CauseKind::kBlack:
+      say("the picture is black: it shows no sphere");
+      break;
+    case CauseKind::kUniform:
+      say("every pixel shows a sphere, as where directions are no numbers: axes that are lost");
+      break;
+    case CauseKind::kBackground:
+      say("no pixel is black: where there is no sphere another colour is shown");
+      break;
+    case CauseKind::kExplained:
+      for (const Fault& fault : causes.alternatives) {
+        say(sentence_of(fault) + (roundings.empty() ? "" : "; and " + roundings));
+      }
+      break;
+    case CauseKind::kImprecise:
+      say(roundings);
+      break;
+    case CauseKind::kNothingWrong:
+    case CauseKind::kUnknown:
+      break;
+  }
+  return all;
+}
+
+}  // namespace raycheck::properties

@@ -1,0 +1,144 @@
+#include "properties/mistakes/picture_evidence.h"
+
+#include <algorithm>
+#include <functional>
+
+#include "properties/case.h"
+#include "properties/mistakes/picture_causes.h"
+
+namespace raycheck::properties {
+namespace {
+
+using scene::Pixel;
+
+/// Wrong pixels, and right ones, that are looked at before all.
+constexpr std::size_t kSampled = 24;
+
+/// So many pixels are asked about at a time.
+constexpr std::size_t kPixelsAtATime = std::size_t{1} << 12;
+
+bool shows_nothing(const ImageAnswer& image) {
+  return std::none_of(image.begin(), image.end(), [](const auto& sphere) { return bool(sphere); });
+}
+
+/// At most so many of the pixels, evenly over them.
+void add_some(const std::vector<Pixel>& pixels, std::size_t most, std::vector<Pixel>& sample) {
+  const std::size_t count = std::min(pixels.size(), most);
+  for (std::size_t k = 0; k < count; ++k) {
+    sample.push_back(pixels[(2 * k + 1) * pixels.size() / (2 * count)]);
+  }
+}
+
+}  // namespace
+
+bool is_as(const std::optional<std::size_t>& shown, const std::optional<std::size_t>& expected) {
+  return shown == expected || (shown == kSomeSphere && expected);
+}
+
+std::uint64_t count_otherwise(const ImageAnswer& image, const ImageAnswer& expected) {
+  std::uint64_t count = 0;
+  for (std::size_t k = 0; k < image.size(); ++k) count += is_as(image[k], expected[k]) ? 0 : 1;
+  return count;
+}
+
+Evidence::Evidence(const ShownPicture& picture)
+    : picture_(&picture),
+      truth_(exact_image(picture.scene, picture.scene.conventions)),
+      pixels_(all_pixels(*picture.scene.camera)),
+      is_black_(shows_nothing(picture.image) && has_something_to_see()) {
+  std::vector<Pixel> wrong, right;
+  for (std::size_t k = 0; k < pixels_.size(); ++k) {
+    (is_as(picture.image[k], truth_[k]) ? right : wrong).push_back(pixels_[k]);
+  }
+  all_errors_ = wrong.size();
+  errors_ = count_otherwise(FaultyView({}, picture.scene), wrong, true);
+  add_some(wrong, kSampled, sample_);
+  add_some(right, kSampled, sample_);
+}
+
+bool Evidence::has_something_to_see() const { return !shows_nothing(truth_); }
+
+bool Evidence::is_uniform() const {
+  const ImageAnswer& image = picture_->image;
+  return image.front() &&
+         std::adjacent_find(image.begin(), image.end(), std::not_equal_to<>()) == image.end();
+}
+
+bool Evidence::has_background() const {
+  const ImageAnswer& image = picture_->image;
+  const bool has_black = std::find(image.begin(), image.end(), std::nullopt) != image.end();
+  const auto untold = std::count(image.begin(), image.end(), std::optional(kSomeSphere));
+  const bool is_most = 2 * static_cast<std::size_t>(untold) > image.size();
+  return !has_black && (is_most || all_errors_ == 0);
+}
+
+const std::optional<std::size_t>& Evidence::at(const Pixel& pixel) const {
+  return picture_
+      ->image[static_cast<std::size_t>(pixel.j * picture_->scene.camera->width + pixel.i)];
+}
+
+std::uint64_t Evidence::count_otherwise(const FaultyView& view, const std::vector<Pixel>& pixels,
+                                        bool excusing) const {
+  std::vector<Pixel> otherwise = pixels;
+  for (const double growth : {0.0, kExcusedImageChange, -kExcusedImageChange}) {
+    const ImageAnswer seen = view.seen(otherwise, growth);
+    std::size_t kept = 0;
+    for (std::size_t k = 0; k < seen.size(); ++k) {
+      if (!is_as(at(otherwise[k]), seen[k])) otherwise[kept++] = otherwise[k];
+    }
+    otherwise.resize(kept);
+    if (!excusing || otherwise.empty()) break;
+  }
+  return otherwise.size();
+}
+
+std::vector<Pixel> Evidence::some_pixels() const {
+  std::vector<Pixel> some;
+  add_some(pixels_, kPixelsAtATime, some);
+  return some;
+}
+
+std::uint64_t Evidence::left_of_sample(const FaultyView& view) const {
+  return count_otherwise(view, sample_, false);
+}
+
+void Evidence::tally(const FaultyView& view, Arithmetic arithmetic, DoubtTally& all) const {
+  const ImageAnswer made = view.seen(pixels_);
+  const auto rays = view.rays(pixels_);
+  const scene::Scene& taken = view.taken();
+  std::vector<PossibleSight> sights(pixels_.size());
+  for (std::size_t k = 0; k < pixels_.size(); ++k) {
+    if (!rays[k]) continue;
+    sights[k] =
+        possible_sight(arithmetic, *rays[k], taken.spheres, taken.conventions, picture_->image[k]);
+  }
+  const auto doubtful = static_cast<std::size_t>(std::count_if(
+      sights.begin(), sights.end(), [](const PossibleSight& one) { return one.is_doubtful; }));
+  // Where most is in doubt excuses would make everything right.
+  const bool excuses = 2 * doubtful <= pixels_.size();
+  for (std::size_t k = 0; k < pixels_.size(); ++k) {
+    const PossibleSight& sight = sights[k];
+    const bool is_wrong =
+        !is_as(picture_->image[k], made[k]) &&
+        ((sight.allows && !excuses) || count_otherwise(view, {pixels_[k]}, true) > 0);
+    all.add(is_wrong, sight.allows, sight.is_doubtful, sight.radii);
+  }
+}
+
+std::optional<std::uint64_t> Evidence::left(const FaultyView& view, std::uint64_t most) const {
+  // What explains half of a picture only is not its cause; a right picture contradicts it.
+  most = std::min(most, std::max<std::uint64_t>(1, errors_ / 2));
+  std::uint64_t count = 0;
+  for (std::size_t first = 0; first < pixels_.size(); first += kPixelsAtATime) {
+    const std::size_t last = std::min(pixels_.size(), first + kPixelsAtATime);
+    const auto begin = pixels_.begin();
+    count += count_otherwise(
+        view,
+        {begin + static_cast<std::ptrdiff_t>(first), begin + static_cast<std::ptrdiff_t>(last)},
+        true);
+    if (count > most || (is_black_ && count > 1)) return {};
+  }
+  return count;
+}
+
+}  // namespace raycheck::properties

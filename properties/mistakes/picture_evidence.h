@@ -1,0 +1,69 @@
+#ifndef RAYCHECK_PROPERTIES_MISTAKES_PICTURE_EVIDENCE_H_
+#define RAYCHECK_PROPERTIES_MISTAKES_PICTURE_EVIDENCE_H_
+
+// Pictures, and how well a fault agrees with them. Internal to picture_causes.
+
+#include <optional>
+#include <vector>
+
+#include "properties/mistakes/fault.h"
+#include "properties/mistakes/imprecision.h"
+#include "properties/mistakes/shown_picture.h"
+
+namespace raycheck::properties {
+
+/// One picture and what is right.
+class Evidence {
+ public:
+  explicit Evidence(const ShownPicture& picture);
+
+  const ShownPicture& picture() const { return *picture_; }
+  const ImageAnswer& truth() const { return truth_; }
+  /// Wrong pixels, with or without those that a change of the scene by kExcusedImageChange excuses.
+  std::uint64_t all_errors() const { return all_errors_; }
+  std::uint64_t errors() const { return errors_; }
+  /// It shows nothing, though there is something to see.
+  bool is_black() const { return is_black_; }
+  bool has_something_to_see() const;
+  /// Every pixel shows the same sphere.
+  bool is_uniform() const;
+  /// No pixel is black, and most show none of the spheres, or rightly some.
+  bool has_background() const;
+
+  /// Pixels evenly over the picture, all of one that is not large.
+  std::vector<scene::Pixel> some_pixels() const;
+
+  /// Of some of the pixels, half of them wrong ones, those that are otherwise than by the fault.
+  std::uint64_t left_of_sample(const FaultyView& view) const;
+  std::size_t sample_size() const { return sample_.size(); }
+
+  /// How the roundings of a formula agree with the pixels, beside the fault; excuses count where
+  /// most pixels are certain.
+  void tally(const FaultyView& view, Arithmetic arithmetic, DoubtTally& all) const;
+
+  /// The pixels that are otherwise than by the fault, but for those of which a change of the scene
+  /// by kExcusedImageChange makes the same; empty where they are more than `most`, or more than
+  /// leave the fault possible.
+  std::optional<std::uint64_t> left(const FaultyView& view, std::uint64_t most) const;
+
+ private:
+  std::uint64_t count_otherwise(const FaultyView& view, const std::vector<scene::Pixel>& pixels,
+                                bool excusing) const;
+  const std::optional<std::size_t>& at(const scene::Pixel& pixel) const;
+
+  const ShownPicture* picture_;
+  ImageAnswer truth_;
+  std::vector<scene::Pixel> pixels_, sample_;
+  std::uint64_t all_errors_ = 0, errors_ = 0;
+  bool is_black_ = false;
+};
+
+/// Whether a pixel that shows `shown` is as expected.
+bool is_as(const std::optional<std::size_t>& shown, const std::optional<std::size_t>& expected);
+
+/// The pixels in which an image is not as expected.
+std::uint64_t count_otherwise(const ImageAnswer& image, const ImageAnswer& expected);
+
+}  // namespace raycheck::properties
+
+#endif  // RAYCHECK_PROPERTIES_MISTAKES_PICTURE_EVIDENCE_H_

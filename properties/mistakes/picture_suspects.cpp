@@ -1,0 +1,197 @@
+#include "properties/mistakes/picture_suspects.h"
+
+#include <algorithm>
+#include <set>
+#include <utility>
+
+#include "scene/interruption.h"
+#include "scene/validate.h"
+
+namespace raycheck::properties {
+namespace {
+
+/// The best suspects so far. One that leaves half as much again is about as good.
+class Suspects {
+ public:
+  explicit Suspects(std::uint64_t most_left) : best_(most_left), most_left_(most_left) {}
+
+  std::uint64_t most_left() const { return most_left_; }
+
+  void add(Suspect suspect) {
+    best_ = std::min(best_, suspect.left);
+    most_left_ = std::min(most_left_, best_ + (best_ + 1) / 2);
+    found_.push_back(std::move(suspect));
+    std::erase_if(found_, [this](const Suspect& one) { return one.left > most_left_; });
+  }
+  /// From the best on.
+  std::vector<Suspect> take() {
+    std::stable_sort(found_.begin(), found_.end(),
+                     [](const Suspect& a, const Suspect& b) { return a.left < b.left; });
+    return std::move(found_);
+  }
+
+ private:
+  std::uint64_t best_, most_left_;
+  std::vector<Suspect> found_;
+};
+
+/// So much more than a quarter of the pixels that are looked at first is not left by a cause.
+constexpr std::uint64_t kMostLeftOfSample = 4;
+
+std::optional<std::uint64_t> left(const Fault& fault, const Pictures& pictures,
+                                  std::uint64_t most) {
+  std::uint64_t sampled = 0, missed = 0;
+  for (const Evidence& one : pictures) {
+    scene::poll();
+    missed += one.left_of_sample(FaultyView(fault, one.picture().scene));
+    sampled += one.sample_size();
+    if (missed > kMostLeftOfSample + sampled / 4) return {};
+  }
+  std::uint64_t count = 0;
+  for (const Evidence& one : pictures) {
+    const auto its = one.left(FaultyView(fault, one.picture().scene), most - count);
+    if (!its) return {};
+    count += *its;
+  }
+  return count;
+}
+
+/// Whether two faults make the same pictures, but for a pixel.
+bool make_the_same(const Fault& a, const Fault& b, const Pictures& pictures) {
+  std::uint64_t different = 0;
+  for (const Evidence& one : pictures) {
+    const scene::Scene& scene = one.picture().scene;
+    different += count_otherwise(predicted(a, scene), predicted(b, scene));
+    if (different > 1) return false;
+  }
+  return true;
+}
+
+/// Of suspects that differ in members of one family the first.
+void keep_first_of_families(std::vector<Suspect>& suspects) {
+  std::set<std::vector<std::string_view>> known;
+  std::erase_if(suspects, [&](const Suspect& suspect) {
+    std::vector<std::string_view> names;
+    for (const Mistake* mistake : suspect.fault) {
+      names.push_back(mistake->family.empty() ? std::string_view(mistake->sentence)
+                                              : mistake->family);
+    }
+    return !known.insert(names).second;
+  });
+}
+
+/// Where some make these very pictures, but for a pixel, those that need excuses are none.
+void prefer_exact(std::vector<Suspect>& suspects, const Pictures& pictures) {
+  const auto is_exact = [&](const Suspect& suspect) {
+    std::uint64_t count = 0;
+    for (const Evidence& one : pictures) {
+      const ShownPicture& shown = one.picture();
+      count += count_otherwise(shown.image, predicted(suspect.fault, shown.scene));
+    }
+    return count <= 1;
+  };
+  const auto end = std::stable_partition(suspects.begin(), suspects.end(), is_exact);
+  if (end != suspects.begin()) suspects.erase(end, suspects.end());
+}
+
+/// The suspects that are to be named: all, where they make the same; a description of what is seen,
+/// where they are too many.
+std::vector<Suspect> alternatives(std::vector<Suspect> suspects, const Pictures& pictures) {
+  keep_first_of_families(suspects);
+  prefer_exact(suspects, pictures);
+  for (std::size_t k = 1; k < suspects.size(); ++k) {
+    if (!make_the_same(suspects.front().fault, suspects[k].fault, pictures)) return {};
+  }
+  if (suspects.size() <= kMostAlternatives) return suspects;
+  const auto is_description = [](const Suspect& one) {
+    return one.fault.size() == 1 && one.fault.front()->pixel;
+  };
+  std::erase_if(suspects, [&](const Suspect& one) { return !is_description(one); });
+  return suspects.size() == 1 ? suspects : std::vector<Suspect>();
+}
+
+std::vector<Suspect> single_suspects(const Pictures& pictures, std::uint64_t errors) {
+  Suspects suspects(most_unexplained(errors));
+  for (const Mistake& mistake : mistakes()) {
+    const Fault fault = {&mistake};
+    if (const auto its = left(fault, pictures, suspects.most_left())) suspects.add({fault, *its});
+  }
+  return suspects.take();
+}
+
+/// The mistakes that show in the pictures, one of those that make the same.
+std::vector<const Mistake*> mistakes_that_show(const Pictures& pictures) {
+  std::set<std::vector<ImageAnswer>> known;
+  const auto made = [&](const Fault& fault) {
+    std::vector<ImageAnswer> images;
+    for (const Evidence& one : pictures) {
+      images.push_back(FaultyView(fault, one.picture().scene).seen(one.some_pixels()));
+    }
+    return images;
+  };
+  known.insert(made({}));
+  std::vector<const Mistake*> shown;
+  for (const Mistake& mistake : mistakes()) {
+    if (known.insert(made({&mistake})).second) shown.push_back(&mistake);
+  }
+  return shown;
+}
+
+/// So many pixels may be left by what explains all.
+std::uint64_t most_left_of_all(const Pictures& pictures, std::uint64_t errors) {
+  return static_cast<std::uint64_t>(static_cast<double>(errors) * kMostLeftOfAll) +
+         std::min<std::uint64_t>(pictures.size(), errors / 20);
+}
+
+std::vector<Suspect> pairs_of_suspects(const Pictures& pictures, std::uint64_t errors) {
+  Suspects suspects(most_left_of_all(pictures, errors));
+  const std::vector<const Mistake*> shown = mistakes_that_show(pictures);
+  for (std::size_t a = 0; a < shown.size(); ++a) {
+    for (std::size_t b = a + 1; b < shown.size(); ++b) {
+      if (!can_be_together(*shown[a], *shown[b])) continue;
+      const Fault fault = {shown[a], shown[b]};
+      if (const auto its = left(fault, pictures, suspects.most_left())) suspects.add({fault, *its});
+    }
+  }
+  return suspects.take();
+}
+
+/// What makes exactly these pictures, where all wrong pixels are on the edge of being right.
+std::vector<Suspect> exact_suspects(const Pictures& pictures) {
+  std::vector<Suspect> suspects;
+  for (const Mistake& mistake : mistakes()) {
+    if (!mistake.conventions) continue;
+    const bool makes_all = std::all_of(pictures.begin(), pictures.end(), [&](const Evidence& one) {
+      const scene::Scene other = mistaken(mistake, one.picture().scene);
+      return scene::defects(other).empty() &&
+             count_otherwise(one.picture().image, exact_image(other, other.conventions)) == 0;
+    });
+    if (makes_all) suspects.push_back({{&mistake}, 0});
+  }
+  return suspects.size() <= kMostAlternatives ? suspects : std::vector<Suspect>();
+}
+
+}  // namespace
+
+std::vector<Suspect> find_suspects(const Pictures& pictures) {
+  std::uint64_t errors = 0, errors_of_black = 0;
+  for (const Evidence& one : pictures) {
+    errors += one.errors();
+    if (one.is_black()) errors_of_black += one.errors();
+  }
+  if (errors == 0) return exact_suspects(pictures);
+  if (errors < kFewestWrongPixels) return {};
+  std::vector<Suspect> singles = single_suspects(pictures, errors);
+  const bool one_explains_all =
+      !singles.empty() && singles.front().left <= most_left_of_all(pictures, errors);
+  // Of black pictures alone only what explains all is named.
+  const std::uint64_t shown = errors - errors_of_black;
+  if (shown < kFewestWrongPixels && !one_explains_all) return {};
+  if (!one_explains_all && shown >= kFewestWrongPixelsOfTwo) {
+    std::vector<Suspect> pairs = pairs_of_suspects(pictures, errors);
+    if (!pairs.empty()) return alternatives(std::move(pairs), pictures);
+  }
+  return singles.empty() ? singles : alternatives(std::move(singles), pictures);
+}
+
+}  // namespace raycheck::properties

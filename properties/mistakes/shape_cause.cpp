@@ -1,0 +1,83 @@
+#include "properties/mistakes/shape_cause.h"
+
+#include <algorithm>
+#include <vector>
+
+#include "fast/intersect.h"
+#include "properties/case.h"
+#include "properties/mistakes/mistake_list.h"
+
+namespace raycheck::properties {
+namespace {
+
+using scene::Camera;
+using scene::Scene;
+
+/// Whether some ray misses all that its line meets.
+bool has_ray_with_all_behind(const Scene& scene) {
+  const Candidate right = right_candidate();
+  const auto rays = [&] {
+    const bool from_pixels = scene.conventions.origin == scene::Origin::kPixel;
+    const std::vector<scene::Pixel> pixels = all_pixels(*scene.camera);
+    return (from_pixels ? right.pixel_rays : right.focal_rays)(*scene.camera, scene.conventions,
+                                                               pixels);
+  }();
+  return std::any_of(rays.begin(), rays.end(), [&](const scene::Ray& ray) {
+    bool is_behind = false;
+    for (const scene::Sphere& sphere : scene.spheres) {
+      const fast::Roots roots = fast::kCross.roots(ray, sphere);
+      if (!(roots.half_chord_sq >= 0)) continue;
+      if (roots.larger >= 0) return false;
+      is_behind = true;
+    }
+    return is_behind;
+  });
+}
+
+struct Shape {
+  const char* where;
+  bool (*is)(const Scene&);
+};
+
+constexpr Shape kShapes[] = {
+    {"the picture is not square",
+     [](const Scene& s) { return s.camera->width != s.camera->height; }},
+    {"the picture is square", [](const Scene& s) { return s.camera->width == s.camera->height; }},
+    {"the picture is wider than high",
+     [](const Scene& s) { return s.camera->width > s.camera->height; }},
+    {"the picture is higher than wide",
+     [](const Scene& s) { return s.camera->width < s.camera->height; }},
+    {"the picture has one column", [](const Scene& s) { return s.camera->width == 1; }},
+    {"the picture has one row", [](const Scene& s) { return s.camera->height == 1; }},
+    {"the bounds are not symmetric",
+     [](const Scene& s) {
+       const Camera& c = *s.camera;
+       return c.left != -c.right || c.bottom != -c.top;
+     }},
+    {"the eye is not at the origin",
+     [](const Scene& s) { return !(s.camera->eye == scene::Point3{}); }},
+    {"what a ray's line meets is all behind the ray's start", has_ray_with_all_behind},
+    {"there are several spheres", [](const Scene& s) { return s.spheres.size() > 1; }},
+    {"there is one sphere", [](const Scene& s) { return s.spheres.size() == 1; }},
+    {"there is no sphere", [](const Scene& s) { return s.spheres.empty(); }},
+};
+
+}  // namespace
+
+std::optional<ShapeCause> shape_cause(std::span<const TriedScene> tried) {
+  const auto failed = static_cast<std::size_t>(
+      std::count_if(tried.begin(), tried.end(), [](const auto& one) { return one.failed; }));
+  if (std::min(failed, tried.size() - failed) < kFewestOfEachOutcome) return {};
+  std::optional<ShapeCause> cause;
+  for (const auto& [where, is] : kShapes) {
+    const bool tells = std::all_of(tried.begin(), tried.end(), [is = is](const TriedScene& one) {
+      return is(*one.scene) == one.failed;
+    });
+    if (!tells) continue;
+    if (cause) return {};
+    cause = ShapeCause{"it fails only where " + std::string(where), is};
+  }
+  return cause;
+}
+
+}  // namespace raycheck::properties

@@ -1,0 +1,33 @@
+#ifndef RAYCHECK_PROPERTIES_MISTAKES_SHAPE_CAUSE_H_
+#define RAYCHECK_PROPERTIES_MISTAKES_SHAPE_CAUSE_H_
+
+#include <optional>
+#include <span>
+#include <string>
+
+#include "scene/scene.h"
+
+namespace raycheck::properties {
+
+/// A scene with a camera, and whether a program failed on it: gave no picture.
+struct TriedScene {
+  const scene::Scene* scene = nullptr;
+  bool failed = false;
+};
+
+/// At least so many scenes on which it failed, and on which it did not.
+inline constexpr std::size_t kFewestOfEachOutcome = 2;
+
+/// A property of scenes, and that a program fails only where they have it.
+struct ShapeCause {
+  std::string sentence;
+  bool (*is)(const scene::Scene&) = nullptr;
+};
+
+/// What is common to all scenes on which a program fails, and to none of the others: "it fails only
+/// where the picture is not square". Empty where nothing is, or more than one thing.
+std::optional<ShapeCause> shape_cause(std::span<const TriedScene> tried);
+
+}  // namespace raycheck::properties
+
+#endif  // RAYCHECK_PROPERTIES_MISTAKES_SHAPE_CAUSE_H_

@@ -1,0 +1,28 @@
+#ifndef RAYCHECK_PROPERTIES_MISTAKES_SHOWN_PICTURE_H_
+#define RAYCHECK_PROPERTIES_MISTAKES_SHOWN_PICTURE_H_
+
+#include <optional>
+
+#include "properties/candidate.h"
+
+namespace raycheck::properties {
+
+/// What each pixel sees, exactly. Domain: a scene with a camera.
+ImageAnswer exact_image(const scene::Scene& scene, const scene::Conventions& conventions);
+
+/// What a renderer shows of a scene with a camera, under the conventions in it: an answer for every
+/// pixel, which may be kSomeSphere.
+struct ShownPicture {
+  scene::Scene scene;
+  ImageAnswer image;
+  /// It is as wide as it should be high and as high as wide; then there are no answers.
+  bool sides_exchanged = false;
+};
+
+/// What a candidate with images shows of a scene, under the conventions by which it is judged;
+/// empty where it fails.
+std::optional<ShownPicture> shown_picture(scene::Scene scene, const Candidate& candidate);
+
+}  // namespace raycheck::properties
+
+#endif  // RAYCHECK_PROPERTIES_MISTAKES_SHOWN_PICTURE_H_
