@@ -1,0 +1,5 @@
+#include "tracer.h"
+
+#include <raycheck/gtest.h>
+
+RAYCHECK_TESTS(Tracer, tracer());

@@ -1,0 +1,80 @@
+// A small ray tracer's camera and spheres. Five classic mistakes can be asked of it by the variable
+// TRACER_MISTAKE of the environment: far_root, behind, upside_down, not_unit, pixel_step.
+
+#ifndef TRACER_H_
+#define TRACER_H_
+
+#include <raycheck/judge.h>
+
+#include <cmath>
+#include <cstdlib>
+#include <cstring>
+#include <optional>
+
+using raycheck::Vector;
+
+inline bool makes(const char* mistake) {
+  static const char* const asked = std::getenv("TRACER_MISTAKE");
+  return asked != nullptr && std::strcmp(asked, mistake) == 0;
+}
+
+inline Vector operator+(Vector a, Vector b) { return {a.x + b.x, a.y + b.y, a.z + b.z}; }
+inline Vector operator-(Vector a, Vector b) { return {a.x - b.x, a.y - b.y, a.z - b.z}; }
+inline Vector operator*(double s, Vector a) { return {s * a.x, s * a.y, s * a.z}; }
+inline double dot(Vector a, Vector b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
+inline Vector cross(Vector a, Vector b) {
+  return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
+}
+inline Vector unit(Vector a) { return (1 / std::sqrt(dot(a, a))) * a; }
+
+/// Where between two bounds line k of so many is.
+inline double between(double low, double high, double k, double count) {
+  const double steps = makes("pixel_step") ? count : count - 1;
+  return low + (high - low) * (k / steps);
+}
+
+inline raycheck::Ray pixel_ray(const raycheck::Camera& camera, const raycheck::Conventions&,
+                               raycheck::Pixel pixel) {
+  const Vector w = unit(camera.eye - camera.look_at);
+  const Vector u = unit(cross(camera.up, w));
+  const Vector v = cross(w, u);
+  const auto width = static_cast<double>(camera.width), height = static_cast<double>(camera.height);
+  double row = static_cast<double>(pixel.j);
+  if (makes("upside_down")) row = height - 1 - row;
+  const double alpha = between(camera.left, camera.right, static_cast<double>(pixel.i), width);
+  const double beta = between(camera.bottom, camera.top, row, height);
+  const Vector sight = camera.near_plane * w + alpha * u + beta * v;
+  return {camera.eye + sight, makes("not_unit") ? sight : unit(sight)};
+}
+
+inline std::optional<raycheck::Hit> intersect(const raycheck::Ray& ray,
+                                              const raycheck::Sphere& sphere,
+                                              const raycheck::Conventions&) {
+  const Vector to = sphere.centre - ray.origin;
+  const Vector& d = ray.direction;
+  const double a = dot(d, d), b = dot(to, d), r = sphere.radius;
+  const Vector off = cross(to, d);
+  const double discriminant = a * r * r - dot(off, off);  // does not cancel on far spheres
+  if (discriminant < 0) return {};
+  const double q = b >= 0 ? b + std::sqrt(discriminant) : b - std::sqrt(discriminant);
+  const double distance = std::sqrt(dot(to, to));
+  const double one = q / a, other = q == 0 ? 0 : (distance - r) * (distance + r) / q;
+  const double near = std::fmin(one, other), far = std::fmax(one, other);
+  double s = near < 0 ? far : near;
+  if (makes("far_root")) s = far;
+  if (makes("behind")) s = std::fabs(near);
+  if (s < 0) return {};
+  return raycheck::Hit{s, ray.origin + s * d};
+}
+
+/// What raycheck is to know of it: rows are counted from below, pixels from bound to bound.
+inline raycheck::Candidate tracer() {
+  raycheck::Candidate candidate("tracer");
+  candidate.declares = {raycheck::Rows::bottom_first, raycheck::Samples::edges,
+                        raycheck::Origin::pixel, raycheck::Root::nearest, raycheck::Tangent::hit};
+  candidate.pixel_ray = pixel_ray;
+  candidate.intersect = intersect;
+  return candidate;
+}
+
+#endif  // TRACER_H_

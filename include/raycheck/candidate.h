@@ -1,0 +1,121 @@
+#ifndef RAYCHECK_CANDIDATE_H_
+#define RAYCHECK_CANDIDATE_H_
+
+/* What a shared library offers so that raycheck can judge it (`--candidate library:PATH.so`): one
+   function, raycheck_candidate_functions(), that returns a struct raycheck_candidate. Every
+   function in it may be null: it is then not judged. In C++ <raycheck/candidate.hpp> is shorter.
+
+   Conventions. A camera looks along -W, W = (eye - look_at)/|eye - look_at|, U = up x W normalised,
+   V = W x U. The image plane is at the signed position `near` along W (negative in front of the
+   eye), bounded along U by left and right and along V by bottom and top. Pixel (i, j) is column i
+   of `width` and row j of `height`. A ray starts at `origin`; its parameter is a multiple of
+   `direction`. All lengths are scene lengths.
+
+   Functions are called from one thread at a time, in a process of their own. */
+
+#include <stddef.h>
+#include <stdint.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+#define RAYCHECK_CANDIDATE_VERSION 2
+
+typedef struct raycheck_vector {
+  double x, y, z;
+} raycheck_vector;
+
+typedef struct raycheck_camera {
+  raycheck_vector eye, look_at, up;
+  double near_plane; /* `near` is a macro in some compilers' headers */
+  double left, right, bottom, top;
+  int64_t width, height;
+} raycheck_camera;
+
+typedef struct raycheck_frame {
+  raycheck_vector u, v, w; /* unit, at right angles */
+} raycheck_frame;
+
+typedef struct raycheck_pixel {
+  int64_t i, j;
+} raycheck_pixel;
+
+typedef struct raycheck_ray {
+  raycheck_vector origin, direction;
+} raycheck_ray;
+
+typedef struct raycheck_sphere {
+  raycheck_vector centre;
+  double radius;
+} raycheck_sphere;
+
+typedef struct raycheck_hit {
+  int32_t hit;           /* 0: a miss, and the rest means nothing */
+  double parameter;      /* s >= 0 */
+  raycheck_vector point; /* origin + s direction */
+} raycheck_hit;
+
+/* What a scene asks, or a candidate declares. AS_ASKED is for declarations: the candidate follows
+   what it is asked. */
+enum { RAYCHECK_AS_ASKED = 0 };
+enum { RAYCHECK_ROWS_BOTTOM_FIRST = 1, RAYCHECK_ROWS_TOP_FIRST = 2 }; /* which row is j = 0 */
+enum { RAYCHECK_SAMPLES_EDGES = 1, RAYCHECK_SAMPLES_CENTRES = 2 };    /* i/(w-1), (i+1/2)/w */
+enum { RAYCHECK_ORIGIN_PIXEL = 1, RAYCHECK_ORIGIN_FOCAL = 2 };        /* rays start at P, E */
+enum { RAYCHECK_ROOT_NEAREST = 1, RAYCHECK_ROOT_SMALLER = 2 };        /* smallest s >= 0, or v-d */
+enum { RAYCHECK_TANGENT_HIT = 1, RAYCHECK_TANGENT_MISS = 2, RAYCHECK_TANGENT_EITHER = 3 };
+
+typedef struct raycheck_conventions {
+  int32_t rows, samples, origin, root, tangent;
+} raycheck_conventions;
+
+/* Up to which random cases `raycheck properties` holds the candidate to the laws: those that any
+   plain, careful code in doubles is right on, those that take a stable method, or all. */
+enum {
+  RAYCHECK_LEVEL_UNSTATED = 0, /* ordinary */
+  RAYCHECK_LEVEL_ORDINARY = 1,
+  RAYCHECK_LEVEL_DEMANDING = 2,
+  RAYCHECK_LEVEL_EXTREME = 3
+};
+
+typedef struct raycheck_candidate {
+  uint32_t version; /* RAYCHECK_CANDIDATE_VERSION */
+  const char* name; /* of letters, digits and -_. ; null: the file's */
+  raycheck_conventions declared;
+
+  /* The camera's axes. */
+  raycheck_frame (*frame)(const raycheck_camera*);
+  /* P, a pixel's point on the image plane. */
+  raycheck_vector (*pixel_point)(const raycheck_camera*, const raycheck_conventions*,
+                                 raycheck_pixel);
+  /* From P along the unit vector P - E. */
+  raycheck_ray (*pixel_ray)(const raycheck_camera*, const raycheck_conventions*, raycheck_pixel);
+  /* From E along the same. */
+  raycheck_ray (*focal_ray)(const raycheck_camera*, const raycheck_conventions*, raycheck_pixel);
+  /* One ray and one sphere; directions need not be unit. */
+  raycheck_hit (*intersect)(const raycheck_ray*, const raycheck_sphere*,
+                            const raycheck_conventions*);
+  /* `count` rays and one sphere: hits[k] is of rays[k]. Asked in place of `intersect`. */
+  void (*intersect_batch)(const raycheck_ray* rays, size_t count, const raycheck_sphere*,
+                          const raycheck_conventions*, raycheck_hit* hits);
+  /* The sphere with the least s, an index, or -1. */
+  int64_t (*nearest)(const raycheck_ray*, const raycheck_sphere* spheres, size_t count,
+                     const raycheck_conventions*);
+
+  /* From version 2 on. */
+  int32_t level;
+  /* Scenes with a nonzero length that is smaller or larger are not judged; both 0: all are. */
+  double smallest_length, largest_length;
+} raycheck_candidate;
+
+#if defined(__GNUC__)
+__attribute__((visibility("default")))
+#endif
+const raycheck_candidate*
+raycheck_candidate_functions(void);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif /* RAYCHECK_CANDIDATE_H_ */

@@ -1,0 +1,34 @@
+#ifndef RAYCHECK_CATCH2_H_
+#define RAYCHECK_CATCH2_H_
+
+// raycheck's laws as sections of a Catch2 test, one of each law on each source of cases:
+//
+//     #include <raycheck/catch2.h>
+//     RAYCHECK_TESTS("tracer", my_candidate());
+//
+// makes the test "tracer", tagged [raycheck], with the sections class/distance and so on. Catch2 2
+// or 3; C++17; link raycheck::catch2.
+
+#if __has_include(<catch2/catch_test_macros.hpp>)
+#include <catch2/catch_message.hpp>
+#include <catch2/catch_test_macros.hpp>
+#else
+#include <catch2/catch.hpp>
+#endif
+#include <raycheck/law_tests.h>
+
+/// The test of a raycheck::Candidate, of this name.
+#define RAYCHECK_TESTS(name, candidate)                                                        \
+  TEST_CASE(name, "[raycheck]") {                                                              \
+    static const ::raycheck::LawTests raycheck_tests(candidate);                               \
+    for (const ::raycheck::Question& raycheck_question : raycheck_tests.questions()) {         \
+      DYNAMIC_SECTION(raycheck_question.law << "/" << raycheck_question.source) {              \
+        const ::raycheck::LawOutcome raycheck_outcome = raycheck_tests.run(raycheck_question); \
+        INFO(raycheck_outcome.text);                                                           \
+        CHECK(raycheck_outcome.passes);                                                        \
+      }                                                                                        \
+    }                                                                                          \
+  }                                                                                            \
+  static_assert(true, "a semicolon follows")
+
+#endif  // RAYCHECK_CATCH2_H_

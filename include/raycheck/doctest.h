@@ -1,0 +1,30 @@
+#ifndef RAYCHECK_DOCTEST_H_
+#define RAYCHECK_DOCTEST_H_
+
+// raycheck's laws as subcases of a doctest test, one of each law on each source of cases:
+//
+//     #define DOCTEST_CONFIG_IMPLEMENT_WITH_MAIN
+//     #include <raycheck/doctest.h>
+//     RAYCHECK_TESTS("tracer", my_candidate());
+//
+// makes the test "tracer" with the subcases class/distance and so on. doctest 2.4; C++17; link
+// raycheck::doctest.
+
+#include <doctest/doctest.h>
+#include <raycheck/law_tests.h>
+
+/// The test of a raycheck::Candidate, of this name.
+#define RAYCHECK_TESTS(name, candidate)                                                        \
+  TEST_CASE(name) {                                                                            \
+    static const ::raycheck::LawTests raycheck_tests(candidate);                               \
+    for (const ::raycheck::Question& raycheck_question : raycheck_tests.questions()) {         \
+      SUBCASE((raycheck_question.law + "/" + raycheck_question.source).c_str()) {              \
+        const ::raycheck::LawOutcome raycheck_outcome = raycheck_tests.run(raycheck_question); \
+        INFO(raycheck_outcome.text);                                                           \
+        CHECK(raycheck_outcome.passes);                                                        \
+      }                                                                                        \
+    }                                                                                          \
+  }                                                                                            \
+  static_assert(true, "a semicolon follows")
+
+#endif  // RAYCHECK_DOCTEST_H_

@@ -1,0 +1,150 @@
+#ifndef RAYCHECK_EXACT_H_
+#define RAYCHECK_EXACT_H_
+
+// The truth about camera rays and spheres. All arithmetic is inside libraycheck: how your code is
+// compiled changes no answer. C++17; link raycheck::raycheck.
+//
+//     const auto met = raycheck::exact::hit({{0, 0, 0}, {0, 0, 1}}, {{0, 0, 5}, 1});
+//     met.hit_class;                  // hit
+//     met.parameter->rounded();       // 4, correctly rounded
+//     met.parameter->ulp_error(3.9);  // how far a double is off
+//
+// Domain: finite doubles, directions other than 0, radii not negative, cameras with axes and
+//         pixels; otherwise functions throw std::invalid_argument naming the field.
+// Errors: none: decisions are exact, rounded values are correctly rounded, enclosures enclose.
+// Thread safety: const members of one object may be called from several threads.
+
+#include <raycheck/api.h>
+#include <raycheck/scene.h>
+
+#include <array>
+#include <cstddef>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace raycheck {
+namespace exact {
+
+/// lower <= a number <= upper.
+struct Interval {
+  double lower = 0, upper = 0;
+};
+
+/// A real number that is known exactly. Copies share it. It is worked out when asked for.
+class RAYCHECK_API Number {
+ public:
+  /// Correctly rounded: to nearest, ties to even; infinite beyond the doubles.
+  double rounded() const;
+  /// The doubles next to it; both are it where it is a double.
+  Interval interval() const;
+  /// Decimals with a radius, "[2.6180339887498948482 +/- 4.6e-20]", the radius at most 2^-bits of
+  /// the number. Domain: 2 <= bits <= 100,000; otherwise throws std::invalid_argument.
+  std::string enclosure(int bits) const;
+  /// As SageMath prints it: "-1/5*sqrt(109) + 28/5".
+  std::string closed_form() const;
+  /// |given - this| in gaps between the doubles around this: an upper bound, sharp to 5 digits.
+  /// Infinite where `given` is not finite, or is not 0 and this is.
+  double ulp_error(double given) const;
+  /// By how much it changes at most, relatively, where all doubles that it is made of are changed
+  /// by a small relative amount, per that amount. An upper bound, too large by at most 0.1%. Of a
+  /// coordinate it is that of its vector.
+  double condition() const;
+
+  struct Impl;
+  explicit Number(std::shared_ptr<const Impl> impl);
+
+ private:
+  std::shared_ptr<const Impl> impl_;
+};
+
+/// A point or a vector, coordinate by coordinate.
+struct Numbers {
+  Number x, y, z;
+  /// Each coordinate correctly rounded.
+  RAYCHECK_API Vector rounded() const;
+};
+
+enum class HitClass { miss, hit, tangent };
+enum class WhichRoot { smaller, larger };
+
+/// How a ray meets a sphere.
+struct Intersection {
+  HitClass hit_class = HitClass::miss;
+  /// Whether that counts as a hit under the `tangent` convention.
+  bool is_hit = false;
+  WhichRoot root = WhichRoot::smaller;  ///< Of a hit or a tangent, like the next two.
+  std::optional<Number> parameter;      ///< s
+  std::optional<Numbers> point;         ///< Q
+};
+
+/// The sphere that a ray meets first.
+struct Nearest {
+  std::size_t index = 0;          ///< The first in the list among equals.
+  std::vector<std::size_t> ties;  ///< All that are met at exactly the same s, `index` included.
+  Intersection intersection;
+};
+
+/// A ray, given or through a camera's pixel.
+class RAYCHECK_API Ray {
+ public:
+  explicit Ray(const raycheck::Ray& ray);
+
+  Numbers origin() const;
+  Numbers direction() const;  ///< Of length 1.
+  Intersection hit(const Sphere& sphere, const Conventions& conventions = {}) const;
+  /// Empty where it meets none.
+  std::optional<Nearest> nearest(const std::vector<Sphere>& spheres,
+                                 const Conventions& conventions = {}) const;
+
+  struct Impl;
+  explicit Ray(std::shared_ptr<const Impl> impl);
+
+ private:
+  std::shared_ptr<const Impl> impl_;
+};
+
+/// The camera axes.
+struct Axes {
+  Numbers u, v, w;
+};
+
+class RAYCHECK_API Camera {
+ public:
+  explicit Camera(const raycheck::Camera& camera, const Conventions& conventions = {});
+
+  Axes axes() const;
+  /// The point of the image plane. Domain: a pixel of the image.
+  Numbers pixel_point(Pixel pixel) const;
+  /// Of length 1, from the pixel's point or the eye as the `origin` convention says.
+  Ray ray(Pixel pixel) const;
+
+  struct Impl;
+
+ private:
+  std::shared_ptr<const Impl> impl_;
+};
+
+/// How a ray meets a sphere.
+RAYCHECK_API Intersection hit(const raycheck::Ray& ray, const Sphere& sphere,
+                              const Conventions& conventions = {});
+/// The same of every ray with every sphere: spheres.size() answers a ray.
+RAYCHECK_API std::vector<Intersection> hits(const std::vector<raycheck::Ray>& rays,
+                                            const std::vector<Sphere>& spheres,
+                                            const Conventions& conventions = {});
+/// The sphere that a ray meets first; empty where it meets none.
+RAYCHECK_API std::optional<Nearest> nearest(const raycheck::Ray& ray,
+                                            const std::vector<Sphere>& spheres,
+                                            const Conventions& conventions = {});
+RAYCHECK_API std::vector<std::optional<Nearest>> nearest(const std::vector<raycheck::Ray>& rays,
+                                                         const std::vector<Sphere>& spheres,
+                                                         const Conventions& conventions = {});
+
+/// |given - exact| in gaps between the doubles around exact.
+RAYCHECK_API double ulp_error(double given, const Number& exact);
+
+}  // namespace exact
+}  // namespace raycheck
+
+#endif  // RAYCHECK_EXACT_H_

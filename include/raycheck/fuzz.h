@@ -1,0 +1,45 @@
+#ifndef RAYCHECK_FUZZ_H_
+#define RAYCHECK_FUZZ_H_
+
+// A fuzzer of an implementation: bytes make a case, of which a law is asked.
+//
+//     #include <raycheck/fuzz.h>
+//     RAYCHECK_FUZZ(my_candidate(), "class")
+//
+// compiled with clang++ -fsanitize=fuzzer makes a program that stops at the first case that breaks
+// the law, and prints it. C++17; link raycheck::raycheck.
+
+#include <raycheck/cases.h>
+#include <raycheck/judge.h>
+
+#include <cstddef>
+#include <cstdint>
+#include <cstdio>
+#include <cstdlib>
+#include <string>
+
+namespace raycheck {
+
+/// The verdict about the case that bytes make is printed, and the program aborted, where the law is
+/// broken.
+inline void fuzz_one(const Candidate& candidate, const std::string& law, const std::uint8_t* bytes,
+                     std::size_t count) {
+  const auto the_case = case_of_bytes(bytes, count);
+  if (!the_case) return;
+  const Verdict verdict = judge_case(candidate, law, *the_case);
+  if (verdict.finding != Finding::broken) return;
+  std::fputs(verdict.text.c_str(), stderr);
+  std::abort();
+}
+
+}  // namespace raycheck
+
+/// libFuzzer's entry, which asks a raycheck::Candidate about a law.
+#define RAYCHECK_FUZZ(candidate, law)                                                   \
+  extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t count) { \
+    static const ::raycheck::Candidate raycheck_candidate = candidate;                  \
+    ::raycheck::fuzz_one(raycheck_candidate, law, bytes, count);                        \
+    return 0;                                                                           \
+  }
+
+#endif  // RAYCHECK_FUZZ_H_

@@ -1,0 +1,60 @@
+#ifndef RAYCHECK_GTEST_H_
+#define RAYCHECK_GTEST_H_
+
+// raycheck's laws as GoogleTest tests, one of each law on each source of cases:
+//
+//     #include <raycheck/gtest.h>
+//     RAYCHECK_TESTS(Tracer, my_candidate());
+//
+// makes Tracer.class/distance and so on: law/source, with _ for - (which a filter takes for "not").
+// C++17; link raycheck::gtest.
+
+#include <gtest/gtest.h>
+#include <raycheck/law_tests.h>
+
+#include <algorithm>
+#include <memory>
+#include <string>
+#include <utility>
+
+namespace raycheck {
+
+/// One law on one source. Where the source says too little the test is skipped.
+class LawTest : public testing::Test {
+ public:
+  LawTest(std::shared_ptr<const LawTests> tests, Question question, const char* file, int line)
+      : tests_(std::move(tests)), question_(std::move(question)), file_(file), line_(line) {}
+
+  void TestBody() override {
+    const LawOutcome outcome = tests_->run(question_);
+    if (outcome.says_too_little) GTEST_SKIP() << outcome.text;
+    if (!outcome.passes) ADD_FAILURE_AT(file_, line_) << outcome.text;
+  }
+
+ private:
+  std::shared_ptr<const LawTests> tests_;
+  Question question_;
+  const char* file_;
+  int line_;
+};
+
+/// Registers the tests; before RUN_ALL_TESTS.
+inline bool add_tests(const char* suite, LawTests law_tests, const char* file, int line) {
+  const auto tests = std::make_shared<const LawTests>(std::move(law_tests));
+  for (const Question& question : tests->questions()) {
+    std::string name = question.law + "/" + question.source;
+    std::replace(name.begin(), name.end(), '-', '_');
+    testing::RegisterTest(suite, name.c_str(), nullptr, nullptr, file, line,
+                          [=]() -> LawTest* { return new LawTest(tests, question, file, line); });
+  }
+  return true;
+}
+
+}  // namespace raycheck
+
+/// Tests of a raycheck::Candidate, in a suite of this name.
+#define RAYCHECK_TESTS(suite, candidate)        \
+  static const bool raycheck_tests_of_##suite = \
+      ::raycheck::add_tests(#suite, ::raycheck::LawTests(candidate), __FILE__, __LINE__)
+
+#endif  // RAYCHECK_GTEST_H_

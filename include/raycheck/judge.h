@@ -1,0 +1,131 @@
+#ifndef RAYCHECK_JUDGE_H_
+#define RAYCHECK_JUDGE_H_
+
+// Your implementation against raycheck's laws, in your own process: fast, and without a sandbox, so
+// that what it breaks is yours. C++17; link raycheck::raycheck.
+//
+//     raycheck::Candidate mine("mine");
+//     mine.intersect = [](const raycheck::Ray& ray, const raycheck::Sphere& sphere,
+//                         const raycheck::Conventions&) -> std::optional<raycheck::Hit> { ... };
+//     const raycheck::Verdict verdict = raycheck::judge(mine, "class");
+//     if (!verdict.passes()) std::cerr << verdict.text;
+
+#include <raycheck/api.h>
+#include <raycheck/cases.h>
+#include <raycheck/scene.h>
+
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace raycheck {
+
+/// An implementation under judgement. A function that is empty is not judged. Functions are called
+/// from one thread at a time; what they throw counts as a failure to answer.
+struct Candidate {
+  explicit Candidate(std::string its_name = "candidate") : name(std::move(its_name)) {}
+
+  std::string name;
+  /// The conventions that it fixes; the others it follows as they are asked.
+  Conventions declares;
+  /// Up to which cases it is to be right; unstated: ordinary ones.
+  Level level = Level::unstated;
+  /// Scenes with a nonzero length that is smaller or larger are not judged; both 0: all are.
+  double smallest_length = 0, largest_length = 0;
+
+  std::function<Frame(const Camera&)> frame;
+  std::function<Vector(const Camera&, const Conventions&, Pixel)> pixel_point;
+  /// From P along the unit direction D.
+  std::function<Ray(const Camera&, const Conventions&, Pixel)> pixel_ray;
+  /// From E along the unit direction D.
+  std::function<Ray(const Camera&, const Conventions&, Pixel)> focal_ray;
+  std::function<std::optional<Hit>(const Ray&, const Sphere&, const Conventions&)> intersect;
+  std::function<std::optional<std::size_t>(const Ray&, const std::vector<Sphere>&,
+                                           const Conventions&)>
+      nearest;
+};
+
+/// A law: what every right implementation does.
+struct Law {
+  std::string name;
+  std::string sentence;
+};
+
+/// Every law, in the order of reports.
+RAYCHECK_API std::vector<Law> laws();
+
+/// A law and where its cases come from.
+struct Question {
+  std::string law;
+  std::string source;
+};
+
+/// The laws that speak of what a candidate has, each with every source that has cases for it at the
+/// candidate's level.
+RAYCHECK_API std::vector<Question> questions(const Candidate& candidate);
+
+struct JudgeOptions {
+  /// Shared evenly among the sources, and within a source among its severities.
+  int cases = 500;
+  std::uint64_t seed = 1;
+  /// A bound on errors in place of those of direct/cross, in each quantity's own unit.
+  std::optional<double> max_error = {};
+  bool strict = false;  ///< What is excused or undecided breaks a law, too.
+};
+
+/// What a law comes to.
+enum class Finding { holds, broken, undecided, too_few_judged, not_judged, left_out };
+/// "too few judged"
+RAYCHECK_API std::string name(Finding finding);
+
+/// The first case that breaks a law, shrunk while it does.
+struct BrokenCase {
+  Case shrunk;
+  std::string replay;  ///< For replay().
+  /// What was answered, what is right, and by how much it is off.
+  std::string discrepancy;
+  /// The classic mistakes that explain what is wrong; empty where none does.
+  std::vector<std::string> sentences;
+};
+
+struct Verdict {
+  std::string law;
+  std::string candidate;
+  Finding finding = Finding::left_out;
+  std::uint64_t cases = 0;        ///< That were tried.
+  std::uint64_t comparisons = 0;  ///< Of answers with the truth.
+  std::uint64_t excused = 0;      ///< Wrong ones that inputs close by make right.
+  std::string reason;             ///< Why cases were left out, or too few judged.
+  std::optional<BrokenCase> broken;
+  /// All of it in lines: the sentence, the discrepancy, the replay string and the shrunk scene.
+  std::string text;
+
+  /// Holds, or has nothing to say: not broken, undecided or judged too rarely.
+  bool passes() const {
+    return finding == Finding::holds || finding == Finding::left_out ||
+           finding == Finding::not_judged;
+  }
+};
+
+/// Asks a candidate about random cases of a source ("distance", "distance@3" with a severity), or,
+/// where none is named, of every source of the candidate's level, and holds the answers to a law.
+/// The same arguments give the same verdict. It is held to the error bounds of direct/cross.
+/// Errors: std::invalid_argument naming a law or a source that there is not.
+RAYCHECK_API Verdict judge(const Candidate& candidate, const std::string& law,
+                           const std::string& source = "", const JudgeOptions& options = {});
+
+/// The same of one case of your own. Errors: std::invalid_argument where it is not valid.
+RAYCHECK_API Verdict judge_case(const Candidate& candidate, const std::string& law,
+                                const Case& the_case, const JudgeOptions& options = {});
+
+/// The case of a replay string (LAW:CANDIDATE:SOURCE:SEED) again, whatever the candidate is called.
+RAYCHECK_API Verdict replay(const Candidate& candidate, const std::string& text,
+                            const JudgeOptions& options = {});
+
+}  // namespace raycheck
+
+#endif  // RAYCHECK_JUDGE_H_

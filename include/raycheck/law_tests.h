@@ -1,0 +1,56 @@
+#ifndef RAYCHECK_LAW_TESTS_H_
+#define RAYCHECK_LAW_TESTS_H_
+
+// What the headers for test frameworks share: one test for each law and source.
+
+#include <raycheck/judge.h>
+
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace raycheck {
+
+/// What became of one test.
+struct LawOutcome {
+  bool passes = false;
+  bool says_too_little = false;  ///< It passes, but shows nothing: another source does.
+  std::string text;
+};
+
+/// The tests of a candidate: every law that speaks of what it has, on every source.
+class LawTests {
+ public:
+  /// Cases of each law and source, where nobody says how many.
+  static constexpr int kCases = 100;
+
+  explicit LawTests(Candidate candidate) : LawTests(std::move(candidate), usual()) {}
+  LawTests(Candidate candidate, JudgeOptions options)
+      : candidate_(std::move(candidate)),
+        options_(options),
+        questions_(raycheck::questions(candidate_)) {}
+
+  const std::vector<Question>& questions() const { return questions_; }
+
+  LawOutcome run(const Question& question) const {
+    const Verdict verdict = judge(candidate_, question.law, question.source, options_);
+    const bool says_too_little = verdict.finding != Finding::holds &&
+                                 (verdict.passes() || verdict.finding == Finding::too_few_judged);
+    return {verdict.passes() || says_too_little, says_too_little, verdict.text};
+  }
+
+ private:
+  static JudgeOptions usual() {
+    JudgeOptions options;
+    options.cases = kCases;
+    return options;
+  }
+
+  Candidate candidate_;
+  JudgeOptions options_;
+  std::vector<Question> questions_;
+};
+
+}  // namespace raycheck
+
+#endif  // RAYCHECK_LAW_TESTS_H_

@@ -1,0 +1,123 @@
+#include "library/candidates.h"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <stdexcept>
+
+#include "fast/method_list.h"
+#include "library/conversions.h"
+#include "properties/candidates/fast_candidate.h"
+#include "scene/validate.h"
+
+namespace raycheck::library {
+namespace {
+
+using Pixels = properties::Candidate::Pixels;
+using Rays = properties::Candidate::Rays;
+using Spheres = properties::Candidate::Spheres;
+
+scene::UnitVector3 unit(const Vector& v) { return {v.x, v.y, v.z}; }
+
+/// One ray a pixel.
+template <class Function>
+auto for_each_pixel(const Function& function) {
+  return [&function](const scene::Camera& asked, const scene::Conventions& by, Pixels pixels) {
+    const Camera seen = camera(asked);
+    const Conventions agreed = conventions(by);
+    std::vector<scene::Ray> rays;
+    for (const scene::Pixel& one : pixels) rays.push_back(ray(function(seen, agreed, pixel(one))));
+    return rays;
+  };
+}
+
+void add_cameras(const Candidate& from, properties::Candidate& to) {
+  if (from.frame) {
+    to.frame = [&from](const scene::Camera& asked) {
+      const Frame axes = from.frame(camera(asked));
+      return properties::FrameAnswer{unit(axes.u), unit(axes.v), unit(axes.w)};
+    };
+  }
+  if (from.pixel_point) {
+    to.pixel_points = [&from](const scene::Camera& asked, const scene::Conventions& by,
+                              Pixels pixels) {
+      const Camera seen = camera(asked);
+      const Conventions agreed = conventions(by);
+      std::vector<scene::Point3> points;
+      for (const scene::Pixel& one : pixels) {
+        points.push_back(point(from.pixel_point(seen, agreed, pixel(one))));
+      }
+      return points;
+    };
+  }
+  if (from.pixel_ray) to.pixel_rays = for_each_pixel(from.pixel_ray);
+  if (from.focal_ray) to.focal_rays = for_each_pixel(from.focal_ray);
+}
+
+void add_intersections(const Candidate& from, properties::Candidate& to) {
+  if (from.intersect) {
+    to.intersect = [&from](Rays rays, Spheres spheres, const scene::Conventions& by) {
+      const Conventions agreed = conventions(by);
+      std::vector<properties::SphereHits> all;
+      for (const scene::Sphere& one : spheres) {
+        properties::SphereHits& hits = all.emplace_back();
+        for (std::size_t k = 0; k < rays.size(); ++k) {
+          const auto hit = from.intersect(ray(rays[k]), sphere(one), agreed);
+          if (hit) hits.push_back({k, {hit->parameter, point(hit->point)}});
+        }
+      }
+      return all;
+    };
+  }
+  if (from.nearest) {
+    to.nearest = [&from](Rays rays, Spheres spheres, const scene::Conventions& by) {
+      const Conventions agreed = conventions(by);
+      std::vector<Sphere> list;
+      for (const scene::Sphere& one : spheres) list.push_back(sphere(one));
+      std::vector<std::optional<std::size_t>> all;
+      for (const scene::Ray& one : rays) {
+        const auto index = from.nearest(ray(one), list, agreed);
+        if (index && *index >= list.size()) {
+          throw std::runtime_error(fmt::format("nearest: sphere {} of {}", *index, list.size()));
+        }
+        all.push_back(index);
+      }
+      return all;
+    };
+  }
+}
+
+}  // namespace
+
+properties::Candidate inside(const Candidate& candidate) {
+  const properties::Candidate bounds = properties::fast_candidate(fast::kDirectRays, fast::kCross);
+  properties::Candidate inside;
+  inside.name = candidate.name;
+  inside.declared = declared(candidate.declares);
+  inside.refuses = false;
+  inside.level = level(candidate.level).value_or(properties::Level::kOrdinary);
+  inside.max_error = bounds.max_error;
+  inside.max_error_end_to_end = bounds.max_error_end_to_end;
+  inside.unit_roundoff = bounds.unit_roundoff;
+  inside.smallest_length = std::max(properties::kSmallestJudgedLength, candidate.smallest_length);
+  inside.smallest_camera_length = inside.smallest_length;
+  if (candidate.largest_length > 0) inside.largest_length = candidate.largest_length;
+  add_cameras(candidate, inside);
+  add_intersections(candidate, inside);
+  return inside;
+}
+
+properties::Case case_of(const Case& the_case) {
+  properties::Case made{scene_of(the_case.scene), {}};
+  scene::require_valid(made.scene);
+  for (const Pixel& one : the_case.pixels) made.pixels.push_back(pixel(one));
+  return made;
+}
+
+Case case_of(const properties::Case& the_case) {
+  Case made{scene_of(the_case.scene), {}};
+  for (const scene::Pixel& one : the_case.pixels) made.pixels.push_back(pixel(one));
+  return made;
+}
+
+}  // namespace raycheck::library

@@ -1,0 +1,15 @@
+# raycheck::raycheck, the library; and, where the package that each is for is installed,
+# raycheck::gtest (with GoogleTest's main), raycheck::catch2 (with Catch2's), raycheck::doctest and
+# raycheck::rapidcheck. A component asks for one: find_package(raycheck REQUIRED COMPONENTS gtest).
+include("${CMAKE_CURRENT_LIST_DIR}/raycheckTargets.cmake")
+include("${CMAKE_CURRENT_LIST_DIR}/raycheckFrameworks.cmake")
+
+foreach(component IN LISTS raycheck_FIND_COMPONENTS)
+  set(raycheck_${component}_FOUND OFF)
+  if(TARGET raycheck::${component})
+    set(raycheck_${component}_FOUND ON)
+  elseif(raycheck_FIND_REQUIRED_${component})
+    set(raycheck_FOUND OFF)
+    set(raycheck_NOT_FOUND_MESSAGE "raycheck::${component} needs a package that is not installed")
+  endif()
+endforeach()

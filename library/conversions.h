@@ -1,0 +1,44 @@
+#ifndef RAYCHECK_LIBRARY_CONVERSIONS_H_
+#define RAYCHECK_LIBRARY_CONVERSIONS_H_
+
+// Between the structs that others see and those that raycheck computes with.
+
+#include <raycheck/scene.h>
+
+#include "properties/candidate.h"
+#include "properties/case.h"
+#include "properties/level.h"
+#include "scene/scene.h"
+
+namespace raycheck::library {
+
+inline scene::Point3 point(const Vector& v) { return {v.x, v.y, v.z}; }
+inline scene::Vector3 vector(const Vector& v) { return {v.x, v.y, v.z}; }
+template <class Triple>
+Vector vector(const Triple& v) {
+  return {v.x, v.y, v.z};
+}
+
+inline scene::Ray ray(const Ray& r) { return {point(r.origin), vector(r.direction)}; }
+inline Ray ray(const scene::Ray& r) { return {vector(r.origin), vector(r.direction)}; }
+inline scene::Sphere sphere(const Sphere& s) { return {point(s.centre), s.radius}; }
+inline Sphere sphere(const scene::Sphere& s) { return {vector(s.centre), s.radius}; }
+inline scene::Pixel pixel(Pixel p) { return {p.i, p.j}; }
+inline Pixel pixel(const scene::Pixel& p) { return {p.i, p.j}; }
+scene::Camera camera(const Camera& c);
+Camera camera(const scene::Camera& c);
+
+/// What is as_asked is as the default has it.
+scene::Conventions conventions(const Conventions& c);
+Conventions conventions(const scene::Conventions& c);
+/// What is as_asked is not declared.
+properties::DeclaredConventions declared(const Conventions& c);
+/// Empty where it is not stated.
+std::optional<properties::Level> level(Level level);
+
+scene::Scene scene_of(const Scene& s);
+Scene scene_of(const scene::Scene& s);
+
+}  // namespace raycheck::library
+
+#endif  // RAYCHECK_LIBRARY_CONVERSIONS_H_
