@@ -1,17 +1,23 @@
 #include "tools/arguments.h"
 
 #include <fmt/core.h>
+#include <unistd.h>
 
 #include <algorithm>
+#include <array>
 #include <cerrno>
+#include <charconv>
 #include <cmath>
 #include <cstdio>
 #include <cstring>
 #include <limits>
 #include <stdexcept>
+#include <system_error>
 
 #include "scene/number.h"
+#include "scene/text.h"
 #include "tools/command_line.h"
+#include "tools/grade/intake/dry_run.h"
 
 namespace raycheck::tools {
 
@@ -35,31 +41,75 @@ std::vector<double> parse_list(const char* option, std::string_view text, std::s
   return numbers;
 }
 
-std::int64_t parse_index(const char* option, std::string_view text, std::int64_t least) {
+std::int64_t parse_index(const char* option, std::string_view text, std::int64_t least,
+                         std::int64_t most) {
   const auto number = scene::parse_number(text);
-  if (!number || *number < static_cast<double>(least) || *number > 9e15 ||
+  if (!number || !(*number >= static_cast<double>(least) && *number <= static_cast<double>(most)) ||
       *number != static_cast<double>(static_cast<std::int64_t>(*number))) {
     throw std::invalid_argument(
-        fmt::format("{} {}: give a whole number from {}", option, text, least));
+        fmt::format("{} {}: give a whole number from {} to {}", option, text, least, most));
   }
   return static_cast<std::int64_t>(*number);
 }
 
 std::optional<scene::Dialect> parse_dialect(const std::string& text) {
-  if (text.empty()) return std::nullopt;
-  if (text == "A" || text == "a") return scene::Dialect::kA;
-  if (text == "B" || text == "b") return scene::Dialect::kB;
-  if (text == "C" || text == "c") return scene::Dialect::kC;
-  throw std::invalid_argument("--dialect " + text + ": the dialects are A, B, C");
+  const auto rule = parse_driver(text);
+  // A file is of what it shows.
+  return rule && !rule->tries_others ? std::optional(rule->form.dialect) : std::nullopt;
 }
 
-const CLI::Validator kBound(
+std::optional<DriverRule> parse_driver(const std::string& text) {
+  if (text.empty()) return std::nullopt;
+  try {
+    return driver_rule(text);
+  } catch (const std::invalid_argument& error) {
+    throw std::invalid_argument(fmt::format("--dialect {}: {}", text, error.what()));
+  }
+}
+
+void add_rubric_dialect(CLI::App& command, std::string& dialect) {
+  command.add_option("--dialect", dialect,
+                     "of the driver files that renderers are given, in place of the rubric's "
+                     "[driver]: A, B, C, 2017 to 2020, auto (what each reads), or a form such as "
+                     "B:17:no-light");
+}
+
+CLI::Validator whole_number(std::uint64_t least, std::uint64_t most) {
+  return {[least, most](std::string& text) -> std::string {
+            const std::string_view digits = std::string_view(text).substr(text.starts_with('+'));
+            std::uint64_t value = 0;
+            const char* const end = digits.data() + digits.size();
+            const auto read = std::from_chars(digits.data(), end, value);
+            // The parser of options would take digits after a 0 as octal ones.
+            const bool is_decimal = digits.size() == 1 || !digits.starts_with('0');
+            if (read.ec == std::errc{} && read.ptr == end && is_decimal && value >= least &&
+                value <= most) {
+              return {};
+            }
+            return fmt::format("give a whole number from {} to {}, not '{}'", least, most, text);
+          },
+          fmt::format("[{} - {}]", least, most), "whole number"};
+}
+
+CLI::Validator number_between(double least, double most) {
+  return {[least, most](std::string& text) -> std::string {
+            const auto number = scene::parse_number(text);
+            if (number && *number >= least && *number <= most) return {};
+            const std::string range = most < std::numeric_limits<double>::max()
+                                          ? fmt::format("number from {} to {}", least, most)
+                                          : fmt::format("finite number from {}", least);
+            return fmt::format("give a {}, not '{}'", range, text);
+          },
+          "", "number"};
+}
+
+const CLI::Validator kBound = number_between(0, std::numeric_limits<double>::max());
+
+const CLI::Validator kGiven(
     [](std::string& text) -> std::string {
-      const auto number = scene::parse_number(text);
-      if (number && *number >= 0 && std::isfinite(*number)) return {};
-      return "give a finite number from 0, not " + text;
+      return text.empty() ? "is given without a value; give one, or leave the option out" : "";
     },
-    "NUMBER", "bound");
+    "", "given");
 
 std::vector<MethodPair> chosen_methods(const std::string& rays_name,
                                        const std::vector<std::string>& intersect) {
@@ -73,59 +123,102 @@ std::vector<MethodPair> chosen_methods(const std::string& rays_name,
   return pairs;
 }
 
-void add_sandbox(CLI::App& command, std::string& sandbox) {
-  command
-      .add_option("--sandbox", sandbox,
-                  "how candidates are kept: auto, what works here; require, refuse without seccomp "
-                  "and bubblewrap; none, limits only")
-      ->check(CLI::IsMember({"auto", "require", "none"}))
+CLI::Option* add_sandbox(CLI::App& command, SandboxArguments& arguments) {
+  command.add_flag("--i-know", arguments.knows,
+                   "run candidates as root with --sandbox none: they may do whatever root may");
+  return command
+      .add_option("--sandbox", arguments.sandbox,
+                  "how candidates are kept: require, refuse where seccomp, bubblewrap or, as root, "
+                  "a user of its own does not work; available, what works here; none, limits only")
+      ->check(CLI::IsMember({"require", "available", "none"}))
       ->capture_default_str();
 }
 
-Sandbox sandbox_of(const std::string& text) {
-  return text == "none" ? Sandbox::kNone : text == "require" ? Sandbox::kRequire : Sandbox::kAuto;
+Sandbox sandbox_of(const SandboxArguments& arguments) {
+  if (arguments.sandbox == "require") return Sandbox::kRequire;
+  if (arguments.sandbox == "available") return Sandbox::kAvailable;
+  if (geteuid() == 0 && !arguments.knows) {
+    throw std::invalid_argument(
+        "--sandbox none: candidates would run as root, and may then do whatever root may; run "
+        "raycheck as another user, or give --i-know");
+  }
+  return Sandbox::kNone;
 }
+
+namespace {
+
+/// Of --timeout: less is no time to answer in, more is as good as none.
+constexpr double kLeastSeconds = 1e-3;
+constexpr double kMostSeconds = 86400;
+
+}  // namespace
 
 void add_external(CLI::App& command, ExternalArguments& arguments) {
-  command.add_option("--candidate", arguments.candidates,
-                     "someone else's implementation instead: library:PATH.so, source:PATH, "
-                     "command:'WORDS' or renderer:'WORDS'; several times for several");
-  add_sandbox(command, arguments.sandbox);
+  CLI::Option* const candidate =
+      command.add_option("--candidate", arguments.candidates,
+                         "someone else's implementation instead: library:PATH.so, source:PATH, "
+                         "command:'WORDS' or renderer:'WORDS'; several times for several");
+  add_sandbox(command, arguments.sandbox)->needs(candidate);
   command.add_option("--timeout", arguments.seconds, "seconds a candidate has for one reply")
-      ->check(CLI::PositiveNumber)
+      ->check(number_between(kLeastSeconds, kMostSeconds))
+      ->needs(candidate)
       ->capture_default_str();
-  command.add_option("--bounds", arguments.bounds,
-                     "whose documented bounds hold for candidates: INTERSECT or RAYS/INTERSECT "
-                     "(default: direct/cross)");
+  command
+      .add_option("--bounds", arguments.bounds,
+                  "whose documented bounds hold for candidates: INTERSECT or RAYS/INTERSECT "
+                  "(default: direct/cross)")
+      ->needs(candidate);
 }
 
 void add_renderer(CLI::App& command, ExternalArguments& arguments) {
+  CLI::Option* const candidate = command.get_option("--candidate");
   command
       .add_option("--image-change", arguments.image_change,
                   "relative changes of the scene that a renderer's picture may not show (1e-4 "
                   "where it computes in float)")
-      ->check(CLI::NonNegativeNumber)
+      ->check(number_between(0, 1))
+      ->needs(candidate)
       ->capture_default_str();
   command
       .add_option("--t-threshold", arguments.threshold,
                   "a renderer's hits with a parameter of at most this are not judged")
-      ->check(CLI::NonNegativeNumber)
+      ->check(kBound)
+      ->needs(candidate)
       ->capture_default_str();
 }
 
+namespace {
+
+/// No further form is tried after so many.
+constexpr double kDryRunSeconds = 60;
+
+/// A renderer that is given driver files of the form that it reads.
+External as_it_reads(const External& external, const DriverRule& rule) {
+  const DryRun found = dry_run(*external.renderer, rule, kDryRunSeconds);
+  if (found.refusal) throw CandidateError(found.refusal->why, {}, external.name);
+  External reader = external;
+  reader.renderer->colours = found.colours;
+  return reading(reader, found.driver);
+}
+
+}  // namespace
+
 std::vector<Contestant> find_contestants(const ExternalArguments& arguments,
-                                         std::optional<scene::Dialect> dialect) {
+                                         const std::optional<DriverRule>& driver) {
   std::vector<Contestant> found;
   if (arguments.candidates.empty()) return found;
   RunOptions options;
-  options.layers = chosen_layers(sandbox_of(arguments.sandbox));
+  options.layers = chosen_layers(sandbox_of(arguments.sandbox)).layers;
   options.limits.seconds = arguments.seconds;
   if (!arguments.bounds.empty()) options.bounds = find_pair(arguments.bounds);
-  options.dialect = dialect.value_or(options.dialect);
+  if (driver) options.driver = driver->form;
   options.excused_image_change = arguments.image_change;
   options.image_threshold = arguments.threshold;
   for (const std::string& what : arguments.candidates) {
-    found.emplace_back(find_external(parse_candidate(what), options));
+    External external = find_external(parse_candidate(what), options);
+    if (external.renderer && driver && driver->tries_others)
+      external = as_it_reads(external, *driver);
+    found.emplace_back(std::move(external));
   }
   return found;
 }
@@ -152,7 +245,7 @@ void add_certificates(CLI::App& command, std::optional<std::string>& path) {
 void add_threads(CLI::App& command, int& threads, std::string_view same) {
   constexpr int kMostThreads = 1024;
   command.add_option("--threads", threads, fmt::format("how many; {} is the same", same))
-      ->check(CLI::Range(1, kMostThreads))
+      ->check(whole_number(1, kMostThreads))
       ->capture_default_str();
 }
 
@@ -161,23 +254,56 @@ void add_strict(CLI::App& command, bool& strict) {
                    "fail, too, for what is excused by a witness or left undecided");
 }
 
+void add_exchanged(CLI::App& command, std::uint64_t& cases, std::uint64_t& seed) {
+  cases = 100;
+  seed = 1;
+  command.add_option("--cases", cases, "how many cases")
+      ->check(whole_number(1, kMostCases))
+      ->capture_default_str();
+  add_seed(command, seed);
+}
+
 void add_seed(CLI::App& command, std::uint64_t& seed) {
   command.add_option("--seed", seed, "the same seed gives the same cases")
-      ->check(CLI::Range(std::uint64_t{0}, std::numeric_limits<std::uint64_t>::max()))
+      ->check(whole_number(0, std::numeric_limits<std::uint64_t>::max()))
       ->capture_default_str();
 }
 
-void print_error(const std::string& text) { std::fputs(text.c_str(), stderr); }
+namespace {
+
+/// What views colour by (red() of tools/report/words.h): a colour, and its end.
+constexpr std::array<std::string_view, 2> kColours = {"\x1b[31m", "\x1b[0m"};
+
+/// As scene::visible, but that colours stay.
+std::string visible_but_colours(std::string_view text) {
+  std::string shown;
+  while (!text.empty()) {
+    std::size_t at = text.size();
+    std::string_view colour;
+    for (const std::string_view one : kColours) {
+      const std::size_t found = std::min(text.find(one), text.size());
+      if (found < at) {
+        at = found;
+        colour = one;
+      }
+    }
+    shown += scene::visible(text.substr(0, at));
+    shown += colour;
+    text.remove_prefix(at + colour.size());
+  }
+  return shown;
+}
+
+}  // namespace
+
+void print_error(const std::string& text) { std::fputs(scene::visible(text).c_str(), stderr); }
 
 void print_warnings(const std::vector<std::string>& warnings) {
   for (const std::string& warning : warnings) print_error(fmt::format("warning: {}\n", warning));
 }
 
-void print_report(const std::string& text) {
-  if (std::fwrite(text.data(), 1, text.size(), stdout) != text.size() || std::fflush(stdout) != 0) {
-    throw std::runtime_error(std::string("the report could not be written: ") +
-                             std::strerror(errno));
-  }
+void print_report(const std::string& report, bool colours) {
+  write_out(colours ? visible_but_colours(report) : scene::visible(report));
 }
 
 void draw_or_say(const std::vector<Plot>& plots, const std::string& path) {
@@ -189,7 +315,7 @@ void draw_or_say(const std::vector<Plot>& plots, const std::string& path) {
 }
 
 int exit_code(bool was_interrupted, bool found, bool checked) {
-  if (was_interrupted) return kExitInterrupted;
+  if (was_interrupted) return kExitOfSignal + caught_signal();
   if (found) return kExitDiscrepancy;
   return checked ? kExitNothingFound : kExitNothingChecked;
 }

@@ -12,6 +12,7 @@
 
 #include "scene/files/scene_file.h"
 #include "tools/external/contestant.h"
+#include "tools/grade/rubric/driver_table.h"
 #include "tools/report/plot.h"
 #include "tools/report/view.h"
 #include "tools/terminal.h"
@@ -21,36 +22,57 @@ namespace raycheck::tools {
 /// `count` numbers separated by commas; the error names the option and the text.
 std::vector<double> parse_list(const char* option, std::string_view text, std::size_t count,
                                const char* meaning);
-/// A whole number from `least`; the error names the option.
-std::int64_t parse_index(const char* option, std::string_view text, std::int64_t least);
+/// Up to here doubles tell all whole numbers apart.
+inline constexpr std::int64_t kMostIndex = 9'000'000'000'000'000;
+/// A whole number of these; the error names the option.
+std::int64_t parse_index(const char* option, std::string_view text, std::int64_t least,
+                         std::int64_t most = kMostIndex);
+/// What --dialect says of a driver file that is read; empty of an empty text.
 std::optional<scene::Dialect> parse_dialect(const std::string& text);
+/// The form of driver files for renderers that it says, or that each is tried; likewise.
+std::optional<DriverRule> parse_driver(const std::string& text);
+/// --dialect, in place of a rubric's [driver].
+void add_rubric_dialect(CLI::App& command, std::string& dialect);
 
-/// A bound on errors: a number >= 0.
+/// What an option takes: a whole number of these, in digits; a number of these, as scene files
+/// have them. What they refuse, they say beside what is allowed.
+CLI::Validator whole_number(std::uint64_t least, std::uint64_t most);
+CLI::Validator number_between(double least, double most);
+/// A bound on errors: a finite number >= 0.
 extern const CLI::Validator kBound;
+/// Any value but none at all: of every option.
+extern const CLI::Validator kGiven;
+/// The most of --cases and --steps.
+inline constexpr std::uint64_t kMostCases = 1'000'000'000;
 
 /// The pairs of methods asked for by --rays and --intersect.
 std::vector<MethodPair> chosen_methods(const std::string& rays,
                                        const std::vector<std::string>& intersect);
 
-/// --sandbox, and what it says.
-void add_sandbox(CLI::App& command, std::string& sandbox);
-Sandbox sandbox_of(const std::string& text);
+/// What --sandbox and --i-know are given; the default is the command's.
+struct SandboxArguments {
+  std::string sandbox = "available";
+  bool knows = false;
+};
+CLI::Option* add_sandbox(CLI::App& command, SandboxArguments& arguments);
+Sandbox sandbox_of(const SandboxArguments& arguments);
 
-/// What --candidate, --sandbox, --timeout and --bounds are given.
+/// What --candidate, --sandbox, --timeout and --bounds are given; the last three go with the first.
 struct ExternalArguments {
   std::vector<std::string> candidates;
-  std::string sandbox = "auto";
+  SandboxArguments sandbox;
   double seconds = Limits{}.seconds;
   std::string bounds;  ///< Whose; empty: kDefaultMethods'.
   double image_change = properties::kExcusedImageChange;
   double threshold = 0;
 };
 void add_external(CLI::App& command, ExternalArguments& arguments);
-/// --image-change and --t-threshold
+/// --image-change and --t-threshold, which go with a --candidate
 void add_renderer(CLI::App& command, ExternalArguments& arguments);
-/// Each once compiled, where it has to be, and introduced; `dialect` is what renderers read.
+/// Each once compiled, where it has to be, and introduced; `driver` is what renderers read, found
+/// out by a dry run where it tries several.
 std::vector<Contestant> find_contestants(const ExternalArguments& arguments,
-                                         std::optional<scene::Dialect> dialect = {});
+                                         const std::optional<DriverRule>& driver = {});
 
 /// --format, one of those names; the first where it is not given.
 void add_format(CLI::App& command, std::string& format, const std::vector<std::string>& formats);
@@ -67,20 +89,26 @@ void add_certificates(CLI::App& command, std::optional<std::string>& path);
 void add_threads(CLI::App& command, int& threads, std::string_view same);
 /// --strict
 void add_strict(CLI::App& command, bool& strict);
+/// --cases and --seed of the questions that generate prints, and verify has the answers to.
+void add_exchanged(CLI::App& command, std::uint64_t& cases, std::uint64_t& seed);
 /// --seed
 void add_seed(CLI::App& command, std::uint64_t& seed);
 
-/// Standard error may be closed or full; that is no reason to lose the report.
+/// What is printed acts on no terminal, whatever files, candidates and names hold: it is spelled as
+/// scene::visible has it. Standard error may be closed or full; that is no reason to lose the
+/// report.
 void print_error(const std::string& text);
 void print_warnings(const std::vector<std::string>& warnings);
-/// Throws when the report could not be written: a lost report must not look like a good one.
-void print_report(const std::string& text);
+/// Throws what write_out() throws: a lost report must not look like a good one. `colours`: those of
+/// views stay.
+void print_report(const std::string& report, bool colours = false);
 /// Prints a report in the format of that name.
 /// Domain: a name that add_format takes.
 template <class Report, std::size_t N>
 void print_view(const View<Report> (&views)[N], std::string_view format, const Report& report) {
+  const bool colours = stdout_takes_colours();
   for (const View<Report>& view : views) {
-    if (view.name == format) print_report(view.render(report, {stdout_takes_colours()}));
+    if (view.name == format) print_report(view.render(report, {colours}), colours);
   }
 }
 /// Draws the plots, unless there is no gnuplot: then it says so on standard error.

@@ -4,25 +4,86 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <csignal>
 #include <exception>
+#include <functional>
+#include <new>
+#include <nlohmann/json.hpp>
+#include <sstream>
 #include <string>
 #include <vector>
 
+#include "scene/interruption.h"
 #include "tools/arguments.h"
 #include "tools/commands.h"
+#include "tools/report/json.h"
 #include "tools/report/version.h"
 
 namespace raycheck::tools {
+namespace {
 
-int run_command_line(int argc, char** argv) {
-  CLI::App app{"raycheck: an exact reference for camera rays and ray-sphere intersections"};
-  app.set_version_flag("--version", std::string(kVersion));
-  app.require_subcommand(1);
-  const std::vector<Command> commands = {
-#define RAYCHECK_ADD(name) add_##name(app),
+/// The report of a command that was interrupted before there was anything to say.
+int end_without_report(const CLI::App& command) {
+  const CLI::Option* const format = command.get_option_no_throw("--format");
+  if (format != nullptr && format->count() > 0 && format->results().back() == "json") {
+    Json json = json_header(command.get_name());
+    json["interrupted"] = true;
+    print_report(json_text(json));
+  }
+  print_error("raycheck: interrupted before there was anything to report\n");
+  return exit_code(true, false, false);
+}
+
+/// What a command comes to, whatever it throws.
+int outcome_of(const Command& command) {
+  const std::function<bool()> is_interrupted = interrupted;
+  try {
+    const scene::Interruptible interruptible(is_interrupted);
+    return command.run();
+  } catch (const scene::Interrupted&) {
+    return end_without_report(*command.app);
+  } catch (const std::exception& error) {
+    // Of what a signal cut short, errors say nothing.
+    if (interrupted()) return end_without_report(*command.app);
+    const bool needs_memory = dynamic_cast<const std::bad_alloc*>(&error) != nullptr;
+    print_error(needs_memory ? fmt::format("raycheck: {}: takes more memory than there is for it\n",
+                                           command.app->get_name())
+                             : fmt::format("raycheck: {}\n", error.what()));
+    return kExitBadInput;
+  }
+}
+
+/// What the parser says in place of parsing: help, or what is wrong.
+int exit_of(const CLI::ParseError& said, const CLI::App& app) {
+  std::ostringstream help, refusal;
+  const bool is_help = app.exit(said, help, refusal) == 0;
+  print_error(refusal.str());
+  if (is_help) print_report(help.str());
+  return is_help ? kExitNothingFound : kExitBadInput;
+}
+
+}  // namespace
+
+std::vector<Command> make_program(CLI::App& program) {
+  program.description("An exact reference for camera rays and ray-sphere intersections");
+  program.set_version_flag("--version", std::string(kVersion));
+  program.require_subcommand(1);
+  return {
+#define RAYCHECK_ADD(name) add_##name(program),
       RAYCHECK_COMMANDS(RAYCHECK_ADD)
 #undef RAYCHECK_ADD
   };
+}
+
+int run_command_line(int argc, char** argv) {
+  catch_signals();
+  CLI::App app;
+  const std::vector<Command> commands = make_program(app);
+  for (const Command& command : commands) {
+    for (CLI::Option* option : command.app->get_options()) {
+      if (option->get_items_expected_max() > 0) option->check(kGiven);
+    }
+  }
   const std::string first = argc > 1 ? argv[1] : "";
   const bool is_command =
       std::any_of(commands.begin(), commands.end(),
@@ -37,17 +98,18 @@ int run_command_line(int argc, char** argv) {
     return kExitBadInput;
   }
   try {
-    app.parse(argc, argv);
-  } catch (const CLI::ParseError& error) {
-    return app.exit(error) == 0 ? kExitNothingFound : kExitBadInput;
-  }
-  try {
+    try {
+      app.parse(argc, argv);
+    } catch (const CLI::ParseError& error) {
+      return exit_of(error, app);
+    }
     const auto chosen = std::find_if(commands.begin(), commands.end(),
                                      [](const Command& command) { return command.app->parsed(); });
-    return chosen->run();
-  } catch (const std::exception& error) {
-    print_error(fmt::format("raycheck: {}\n", error.what()));
-    return kExitBadInput;
+    return outcome_of(*chosen);
+  } catch (const ClosedPipe&) {
+    return kExitOfSignal + SIGPIPE;
+  } catch (const scene::Interrupted&) {  // the reader of a report did not wait for it
+    return exit_code(true, false, false);
   }
 }
 

@@ -8,7 +8,8 @@ inline constexpr int kExitNothingFound = 0;
 inline constexpr int kExitDiscrepancy = 1;
 inline constexpr int kExitBadInput = 2;
 inline constexpr int kExitNothingChecked = 4;
-inline constexpr int kExitInterrupted = 130;
+/// And the signal: of one that interrupted it, and of SIGPIPE where nobody reads what it prints.
+inline constexpr int kExitOfSignal = 128;
 
 /// The program: reads its arguments, prints its report, returns its exit code.
 int run_command_line(int argc, char** argv);

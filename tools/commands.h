@@ -5,6 +5,7 @@
 
 #include <CLI/CLI.hpp>
 #include <functional>
+#include <vector>
 
 namespace raycheck::tools {
 
@@ -26,6 +27,8 @@ struct Command {
   ROW(image)                   \
   ROW(plan)                    \
   ROW(grade)                   \
+  ROW(try)                     \
+  ROW(rubric)                  \
   ROW(generate)                \
   ROW(verify)                  \
   ROW(list)
@@ -33,6 +36,9 @@ struct Command {
 #define RAYCHECK_DECLARE(name) Command add_##name(CLI::App& program);
 RAYCHECK_COMMANDS(RAYCHECK_DECLARE)
 #undef RAYCHECK_DECLARE
+
+/// Says what the program is, and adds all commands to it.
+std::vector<Command> make_program(CLI::App& program);
 
 }  // namespace raycheck::tools
 

@@ -1,33 +1,106 @@
 #include "tools/terminal.h"
 
 #include <fmt/core.h>
+#include <poll.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <atomic>
+#include <cerrno>
+#include <climits>
 #include <csignal>
 #include <cstdio>
 #include <cstdlib>
+#include <cstring>
 #include <memory>
+#include <stdexcept>
 #include <utility>
+
+#include "scene/interruption.h"
+#include "scene/text.h"
 
 namespace raycheck::tools {
 namespace {
 
-std::atomic<bool> interrupt_flag = false;
-static_assert(std::atomic<bool>::is_always_lock_free, "set from a signal handler");
+std::atomic<int> first_signal = 0;
+static_assert(std::atomic<int>::is_always_lock_free, "set from a signal handler");
 
-extern "C" void on_interrupt(int signal) {
-  interrupt_flag = true;
-  std::signal(signal, SIG_DFL);
+extern "C" void on_signal(int signal) {
+  int none = 0;
+  first_signal.compare_exchange_strong(none, signal);
+  if (signal == SIGINT) std::signal(SIGINT, SIG_DFL);
+}
+
+/// How long a wait for the other end of a stream lasts before interrupts are looked at, and how
+/// many such waits in a row it is given after one.
+constexpr int kWaitMilliseconds = 100;
+constexpr int kMostWaits = 10;
+
+/// Whether a stream is ready within a wait.
+bool is_ready(int descriptor, short events) {
+  pollfd stream{descriptor, events, 0};
+  const int count = ::poll(&stream, 1, kWaitMilliseconds);
+  if (count < 0 && errno != EINTR) throw std::runtime_error(std::strerror(errno));
+  return count > 0;
 }
 
 }  // namespace
 
-void catch_interrupts() {
-  std::signal(SIGINT, on_interrupt);
-  std::signal(SIGTERM, on_interrupt);
+void catch_signals() {
+  struct sigaction action {};
+  action.sa_handler = on_signal;  // without SA_RESTART: what waits is to look at the flag
+  struct sigaction before {};
+  for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
+    sigaction(signal, nullptr, &before);
+    if (signal == SIGHUP && before.sa_handler == SIG_IGN) continue;
+    sigaction(signal, &action, nullptr);
+  }
+  std::signal(SIGPIPE, SIG_IGN);
+  // A file that may not grow is one that cannot be written, which is said.
+  std::signal(SIGXFSZ, SIG_IGN);
 }
-bool interrupted() { return interrupt_flag; }
+bool interrupted() { return first_signal != 0; }
+int caught_signal() { return first_signal; }
+
+void write_out(std::string_view text) {
+  int waits = 0;
+  while (!text.empty()) {
+    if (!is_ready(STDOUT_FILENO, POLLOUT)) {
+      waits = interrupted() ? waits + 1 : 0;
+      if (waits > kMostWaits) throw scene::Interrupted{};
+      continue;
+    }
+    // A pipe that is ready takes so many bytes without a wait.
+    const ssize_t count =
+        write(STDOUT_FILENO, text.data(), std::min<std::size_t>(text.size(), PIPE_BUF));
+    if (count >= 0) {
+      text.remove_prefix(static_cast<std::size_t>(count));
+      waits = 0;
+    } else if (errno == EPIPE) {
+      throw ClosedPipe{};
+    } else if (errno != EINTR && errno != EAGAIN) {
+      throw std::runtime_error(std::string("the report could not be written: ") +
+                               std::strerror(errno));
+    }
+  }
+}
+
+std::string read_in(std::size_t most) {
+  std::string text(most, '\0');
+  for (;;) {
+    scene::poll();
+    if (!is_ready(STDIN_FILENO, POLLIN)) continue;
+    const ssize_t count = read(STDIN_FILENO, text.data(), text.size());
+    if (count >= 0) {
+      text.resize(static_cast<std::size_t>(count));
+      return text;
+    }
+    if (errno != EINTR && errno != EAGAIN) {
+      throw std::runtime_error(std::string("standard input could not be read: ") +
+                               std::strerror(errno));
+    }
+  }
+}
 
 bool stdout_takes_colours() {
   const char* no_color = std::getenv("NO_COLOR");
@@ -35,7 +108,8 @@ bool stdout_takes_colours() {
 }
 
 Progress::Progress(std::string what)
-    : what_(std::move(what)), next_(std::chrono::steady_clock::now() + std::chrono::seconds(1)) {}
+    : what_(scene::visible_line(what)),
+      next_(std::chrono::steady_clock::now() + std::chrono::seconds(1)) {}
 
 Progress::~Progress() {
   if (shown_) std::fputs("\r\033[K", stderr);
@@ -44,14 +118,13 @@ Progress::~Progress() {
 void Progress::show(std::string_view state) {
   const auto now = std::chrono::steady_clock::now();
   if (now < next_ || isatty(STDERR_FILENO) == 0) return;
-  std::fputs(fmt::format("\r\033[K{}: {}", what_, state).c_str(), stderr);
+  std::fputs(fmt::format("\r\033[K{}: {}", what_, scene::visible_line(state)).c_str(), stderr);
   std::fflush(stderr);
   shown_ = true;
   next_ = now + std::chrono::milliseconds(200);
 }
 
 properties::RunControl run_control(std::string what, int threads) {
-  catch_interrupts();
   const auto shown = std::make_shared<Progress>(std::move(what));
   return {interrupted, [shown](std::string_view state) { shown->show(state); }, threads};
 }

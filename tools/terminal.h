@@ -2,6 +2,7 @@
 #define RAYCHECK_TOOLS_TERMINAL_H_
 
 #include <chrono>
+#include <cstddef>
 #include <string>
 #include <string_view>
 
@@ -9,10 +10,22 @@
 
 namespace raycheck::tools {
 
-/// Makes Ctrl-C (or SIGTERM) raise a flag instead of ending the program; a second one ends it. For
-/// work that takes no RunControl.
-void catch_interrupts();
+/// From now on SIGINT, SIGTERM and SIGHUP raise a flag instead of ending the program, and a pipe
+/// that closes makes writing fail. A second SIGINT ends it; of the others terminals and services
+/// send several. A SIGHUP that is ignored (nohup) stays so.
+void catch_signals();
 bool interrupted();
+/// The signal that was caught first; 0 before.
+int caught_signal();
+
+/// What write_out() throws when nobody reads standard output any more.
+struct ClosedPipe {};
+/// Writes to standard output. After an interrupt whoever does not read for a second is given up.
+/// Errors: ClosedPipe; std::runtime_error; scene::Interrupted, where it is given up.
+void write_out(std::string_view text);
+/// Reads what there is on standard input, at most so many bytes; nothing at its end.
+/// Errors: std::runtime_error; scene::Interrupted.
+std::string read_in(std::size_t most);
 
 /// Whether standard output takes colours: a terminal, and NO_COLOR is not set.
 bool stdout_takes_colours();
@@ -33,8 +46,8 @@ class Progress {
   bool shown_ = false;
 };
 
-/// Runs work from the terminal: interrupts are caught and end it early, and `what` is said to have
-/// come so far on standard error until the control is gone.
+/// Runs work from the terminal: the signals that are caught end it early, and `what` is said to
+/// have come so far on standard error until the control is gone.
 properties::RunControl run_control(std::string what, int threads = 1);
 
 }  // namespace raycheck::tools

@@ -12,8 +12,11 @@
 #include <utility>
 
 #include "properties/cases/scene_cases.h"
+#include "properties/given_rays.h"
 #include "properties/laws/law.h"
 #include "properties/mistakes/answer_explanation.h"
+#include "properties/mistakes/picture_causes.h"
+#include "scene/interruption.h"
 #include "scene/plan/plan.h"
 #include "tools/check/timing.h"
 #include "tools/run/in_order.h"
@@ -28,6 +31,7 @@ using properties::Per;
 using properties::RunControl;
 using properties::SceneCases;
 using properties::Trial;
+using properties::TrialOptions;
 using properties::Truth;
 using properties::Verdict;
 
@@ -48,6 +52,7 @@ struct Draft {
 struct ChunkVerdict {
   Verdict verdict;
   ReasonsLeftOut left_out;
+  bool given_rays = false;
 };
 
 Draft prepare(const Contestant& contestant, const scene::Scene& scene) {
@@ -64,11 +69,22 @@ ChunkVerdict judge_chunk(const Case& chunk, std::uint64_t first, std::shared_ptr
                          std::optional<double> max_error, const Candidate& candidate) {
   Trial trial(chunk, candidate, {.max_error = max_error, .truth = std::move(truth)});
   ChunkVerdict found;
+  const bool wants_rays = std::any_of(
+      properties::laws().begin(), properties::laws().end(),
+      [&](const Law& law) { return law.judges_values && wants_given_rays(law, trial); });
+  const auto given = wants_rays ? given_rays(chunk, trial.conventions()) : std::nullopt;
+  found.given_rays = given.has_value();
+  std::optional<Trial> on_given;
+  if (given) on_given.emplace(given->the_case, candidate, TrialOptions{.max_error = max_error});
   for (const Law& law : properties::laws()) {
     if (!law.judges_values || (law.per == Per::kScene && first > 0)) continue;
     // Of others than renderers it need not be said that they make no images.
     if (law.per == Per::kImage && !candidate.image) continue;
-    Verdict verdict = apply(law, trial);
+    const bool is_given = on_given && wants_given_rays(law, trial);
+    Verdict verdict = apply(law, is_given ? *on_given : trial);
+    if (is_given) {
+      verdict.relocate([&](const properties::Place& place) { return given->place(place); });
+    }
     if (!verdict.reason_left_out().empty()) found.left_out[law.name] = verdict.reason_left_out();
     if (!chunk.scene.camera) verdict.shift_rays(first);
     found.verdict.merge(std::move(verdict));
@@ -84,14 +100,17 @@ std::vector<properties::Explanation> explained(const CandidateReport& report,
   const Candidate candidate = candidate_of(report.contestant);
   try {
     if (candidate.image) {
-      return properties::explanations(scene, report.conventions,
-                                      candidate.image(scene, report.conventions));
+      const auto shown = properties::shown_picture(scene, candidate);
+      if (!shown) return {};
+      return properties::explanations(properties::picture_causes(std::span(&*shown, 1)));
     }
     const SceneCases some(scene, kChunk);
     const Case rays = some.from(0, std::min<std::uint64_t>(kChunk, some.rays_judged()));
-    return properties::explanations(std::span(&rays, 1), candidate);
+    return properties::explanations(properties::answer_causes(std::span(&rays, 1), candidate));
   } catch (const std::runtime_error&) {
     return {};  // it gives no answer, as the verdict says
+  } catch (const scene::Interrupted&) {
+    return {};
   }
 }
 
@@ -182,6 +201,27 @@ bool CheckReport::is_enough_judged() const {
 
 namespace {
 
+bool is_renderer(const Contestant& contestant) {
+  const External* const external = external_of(contestant);
+  return external != nullptr && external->renderer;
+}
+
+/// The scene, and the contestants as they are to be given it: renderers in the form asked for, or
+/// in the file's own dialect.
+scene::LoadedScene load(const CheckOptions& options, std::vector<Contestant>& contestants) {
+  const bool renders = std::any_of(contestants.begin(), contestants.end(), is_renderer);
+  std::optional<scene::Dialect> dialect;
+  if (options.driver && !renders) dialect = options.driver->dialect;
+  scene::LoadedScene loaded = scene::load_scene(options.path, dialect);
+  std::optional<DriverForm> form = options.driver;
+  if (!form && loaded.dialect) form = form_of(*loaded.dialect);
+  if (!form || options.keeps_forms) return loaded;
+  for (Contestant& contestant : contestants) {
+    if (is_renderer(contestant)) contestant = reading(*external_of(contestant), *form);
+  }
+  return loaded;
+}
+
 /// The contestants without those that would do the same as an earlier one on this scene: pairs that
 /// differ in the ray method alone where it has no camera, in the intersection method alone where it
 /// has no spheres.
@@ -234,6 +274,7 @@ class Judgement {
         [&](std::vector<ChunkVerdict>& verdicts) {
           for (std::size_t k = 0; k < drafts_.size(); ++k) {
             drafts_[k].report.verdict.merge(std::move(verdicts[k].verdict));
+            drafts_[k].report.given_rays |= verdicts[k].given_rays;
             for (auto& [law, reason] : verdicts[k].left_out) {
               drafts_[k].left_out[law] = std::move(reason);
             }
@@ -282,11 +323,15 @@ void time_all(const SceneCases& cases, std::vector<Draft>& drafts) {
 }  // namespace
 
 CheckReport check(const CheckOptions& options, const RunControl& control) {
-  scene::LoadedScene loaded = scene::load_scene(options.path, options.dialect);
+  const scene::Interruptible interruptible(control.interrupted);
+  std::vector<Contestant> contestants = options.contestants;
+  scene::LoadedScene loaded = load(options, contestants);
   CheckReport report;
   report.path = options.path;
   report.scene = std::move(loaded.scene);
   report.warnings = std::move(loaded.warnings);
+  report.dialect = loaded.dialect;
+  report.not_needed = std::move(loaded.not_needed);
   report.top = options.top;
   report.strict = options.strict;
   report.max_error = options.max_error;
@@ -297,13 +342,19 @@ CheckReport check(const CheckOptions& options, const RunControl& control) {
   const SceneCases cases(report.scene, options.pixels);
   report.rays_in_scene = cases.rays_in_scene();
   std::vector<Draft> drafts;
-  for (const Contestant& contestant : without_equals(options.contestants, report.scene)) {
-    drafts.push_back(prepare(contestant, report.scene));
+  try {
+    for (const Contestant& contestant : without_equals(contestants, report.scene)) {
+      scene::poll();
+      drafts.push_back(prepare(contestant, report.scene));
+    }
+    time_all(cases, drafts);
+    Judgement(options, cases, drafts).run(control, report.rays_judged, [&] {
+      control.progress(
+          fmt::format("{} of {} rays judged", report.rays_judged, cases.rays_judged()));
+    });
+  } catch (const scene::Interrupted&) {
+    // What was judged until then is the answer.
   }
-  time_all(cases, drafts);
-  Judgement(options, cases, drafts).run(control, report.rays_judged, [&] {
-    control.progress(fmt::format("{} of {} rays judged", report.rays_judged, cases.rays_judged()));
-  });
   for (Draft& draft : drafts) report.candidates.push_back(finish(std::move(draft), report.scene));
   report.interrupted = control.interrupted();
   report.left_out = left_out_lines(report);

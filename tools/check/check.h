@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-#include "properties/mistakes/image_explanation.h"
+#include "properties/mistakes/explanation.h"
 #include "properties/run_control.h"
 #include "properties/verdict.h"
 #include "scene/files/scene_file.h"
@@ -17,7 +17,10 @@ namespace raycheck::tools {
 
 struct CheckOptions {
   std::string path;
-  std::optional<scene::Dialect> dialect;
+  /// What a driver file has to be of, where there are no renderers; else they are given files of
+  /// this form instead. Empty: what the file shows, also to renderers (of a TOML scene B).
+  std::optional<DriverForm> driver;
+  bool keeps_forms = false;  ///< Renderers are given files of the forms that they already have.
   std::vector<Contestant> contestants;
   std::optional<std::int64_t> pixels;  ///< How many, spread evenly; empty: all.
   std::size_t top = 10;                ///< How many of the worst discrepancies are shown.
@@ -43,6 +46,7 @@ struct CandidateReport {
   Contestant contestant;
   scene::Conventions conventions;  ///< Under which it was judged.
   bool inside_domain = true;       ///< Outside its stated domain its answers are not judged.
+  bool given_rays = false;         ///< It makes no rays: what it says of raycheck's own is judged.
   properties::Verdict verdict;
   std::vector<LeftOut> left_out;
   std::vector<properties::Explanation> explanations;  ///< Of what someone else's has wrong.
@@ -64,6 +68,8 @@ struct CheckReport {
   std::string path;
   scene::Scene scene;
   std::vector<std::string> warnings;
+  std::optional<scene::Dialect> dialect;  ///< Of a driver file.
+  std::vector<std::string> not_needed;    ///< Of what it says.
   std::uint64_t rays_in_scene = 0;
   std::uint64_t rays_judged = 0;
   std::vector<CandidateReport> candidates;

@@ -1,7 +1,10 @@
 #include <tbb/info.h>
 
 #include <memory>
+#include <sstream>
 #include <stdexcept>
+#include <string>
+#include <vector>
 
 #include "tools/arguments.h"
 #include "tools/check/check_views.h"
@@ -28,16 +31,31 @@ struct CheckArguments {
   std::string format;
 };
 
+/// The scene, and every word of a candidate that may be a file.
+std::vector<std::string> files_read(const CheckArguments& arguments) {
+  std::vector<std::string> files = {arguments.scene};
+  for (const std::string& candidate : arguments.external.candidates) {
+    std::istringstream words(candidate.substr(candidate.find(':') + 1));
+    for (std::string word; words >> word;) files.push_back(word);
+  }
+  return files;
+}
+
 int run_check(const CheckArguments& arguments) {
+  if (arguments.certificates) {
+    require_no_input("--certificates", *arguments.certificates, files_read(arguments));
+  }
   CheckOptions options;
   options.path = arguments.scene;
-  options.dialect = parse_dialect(arguments.dialect);
+  const std::optional<DriverRule> rule = parse_driver(arguments.dialect);
+  options.keeps_forms = rule && rule->tries_others;
+  if (rule && !options.keeps_forms) options.driver = rule->form;
   if (arguments.all && !(arguments.rays.empty() && arguments.intersect.empty() &&
                          arguments.external.candidates.empty())) {
     throw std::invalid_argument(
         "--all: judges every method; leave out --rays, --intersect and --candidate");
   }
-  options.contestants = find_contestants(arguments.external, options.dialect);
+  options.contestants = find_contestants(arguments.external, rule);
   const bool methods_asked = !(arguments.rays.empty() && arguments.intersect.empty());
   if (arguments.all) {
     options.contestants = contestants(all_pairs());
@@ -66,7 +84,10 @@ Command add_check(CLI::App& program) {
   CLI::App& command = *program.add_subcommand("check", "Judge methods on every pixel of a scene");
   command.add_option("SCENE", arguments.scene, "a TOML scene, or a driver file of the course")
       ->required();
-  command.add_option("--dialect", arguments.dialect, "of a driver file: A, B or C");
+  command.add_option("--dialect", arguments.dialect,
+                     "of a driver file: A, B or C; where a candidate is a renderer, of the files "
+                     "that it is given: also 2017 to 2020, auto (what it reads), or a form such as "
+                     "B:17:no-light (default: the scene's own, else B)");
   command.add_option("--rays", arguments.rays, "the method that makes rays (default: direct)");
   command.add_option("--intersect", arguments.intersect,
                      "the method that intersects them, several times for several (default: cross)");
@@ -76,7 +97,7 @@ Command add_check(CLI::App& program) {
   command.add_option("--pixels", arguments.pixels, "all, or how many, spread evenly")
       ->capture_default_str();
   command.add_option("--top", arguments.top, "how many of the worst discrepancies are shown")
-      ->check(CLI::Range(std::size_t{0}, properties::kKeptDiscrepancies))
+      ->check(whole_number(0, properties::kKeptDiscrepancies))
       ->capture_default_str();
   command
       .add_option("--max-ulp", arguments.max_ulp,

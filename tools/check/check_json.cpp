@@ -19,11 +19,8 @@ Json candidate_json(const CandidateReport& candidate, std::size_t top) {
   json["ns_per_ray"] = {{"make", error_json(candidate.timing.make)},
                         {"intersect", error_json(candidate.timing.intersect)}};
   json["quantities"] = tallies_json(candidate.verdict);
-  json["explanations"] = Json::array();
-  for (const properties::Explanation& one : candidate.explanations) {
-    json["explanations"].push_back(
-        {{"sentence", one.sentence}, {"wrong", one.errors}, {"explained", one.explained}});
-  }
+  json["explanations"] = explanations_json(candidate.explanations);
+  json["given_rays"] = candidate.given_rays;
   json["discrepancies"] = candidate.verdict.discrepancies();
   json["discrepancies_by_standing"] = standings_json(candidate.verdict);
   json["inside_domain"] = candidate.inside_domain;
@@ -52,6 +49,8 @@ std::string check_json(const CheckReport& report, const ViewOptions& /*options*/
   json["rays_in_scene"] = report.rays_in_scene;
   json["rays_judged"] = report.rays_judged;
   json["interrupted"] = report.interrupted;
+  json["dialect"] = dialect_json(report.dialect);
+  json["not_needed"] = report.not_needed;
   json["warnings"] = report.warnings;
   json["candidates"] = Json::array();
   for (const CandidateReport& candidate : report.candidates) {
@@ -62,7 +61,7 @@ std::string check_json(const CheckReport& report, const ViewOptions& /*options*/
   json["strict"] = report.strict;
   json["holds"] = report.holds();
   json["left_out"] = report.left_out;
-  return json.dump(2) + "\n";
+  return json_text(json);
 }
 
 }  // namespace raycheck::tools

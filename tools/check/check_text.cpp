@@ -15,14 +15,15 @@ using properties::Tally;
 using properties::Wrong;
 
 std::string scene_text(const CheckReport& report) {
-  std::string text = report.path + ": ";
+  std::string text = scene_file_text(report.path, report.dialect) + ": ";
   if (report.scene.camera) {
     text += fmt::format("{} x {} pixels", report.scene.camera->width, report.scene.camera->height);
   } else {
     text += count_text(report.scene.rays.size(), "given ray");
   }
   text += ", " + count_text(report.scene.spheres.size(), "sphere");
-  return text + "\n" + conventions_text(report.scene.conventions) + "\n";
+  return text + "\n" + not_needed_text(report.not_needed) +
+         conventions_text(report.scene.conventions) + "\n";
 }
 
 std::string timing_text(const Timing& timing, std::size_t spheres) {
@@ -122,11 +123,13 @@ std::string check_text(const CheckReport& report, const ViewOptions& options) {
       text += fmt::format("  judged under its own conventions: {}\n",
                           conventions_text(candidate.conventions));
     }
-    text += quantities_table(candidate);
-    for (const properties::Explanation& one : candidate.explanations) {
-      text += fmt::format("  {}: {} of {} wrong {} are right that way\n", one.sentence,
-                          one.explained, one.errors, external->renderer ? "pixels" : "answers");
+    if (candidate.given_rays) {
+      text += "  makes no rays from this origin: given raycheck's own, correctly rounded\n";
     }
+    text += quantities_table(candidate);
+    const bool renders = external != nullptr && external->renderer;
+    text +=
+        indented(explanations_text(candidate.explanations, renders ? "pixels" : "answers"), "  ");
     text += too_few_text(candidate);
     std::size_t rank = 0;
     for (const auto& discrepancy : candidate.verdict.worst(report.top)) {

@@ -4,6 +4,7 @@
 #include <chrono>
 #include <limits>
 
+#include "scene/interruption.h"
 #include "scene/validate.h"
 
 namespace raycheck::tools {
@@ -69,6 +70,7 @@ Timing time_methods(const MethodPair& methods, const scene::Scene& scene,
   fast::Hits hits;
   const double elapsed = best_ns([&] {
     for (std::size_t k = 0; k < spheres; ++k) {
+      scene::poll();
       methods.intersect->intersect(rays, scene.spheres[k], conventions.root, conventions.tangent,
                                    hits);
     }

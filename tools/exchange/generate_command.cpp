@@ -1,7 +1,7 @@
 #include <memory>
+#include <string>
 
 #include "tools/arguments.h"
-#include "tools/command_line.h"
 #include "tools/commands.h"
 #include "tools/exchange/generate.h"
 #include "tools/terminal.h"
@@ -9,19 +9,26 @@
 namespace raycheck::tools {
 namespace {
 
+/// Bytes of questions that are printed together, once there are so many.
+constexpr std::size_t kPrintedAtATime = 1 << 16;
+
 struct GenerateArguments {
   std::string family;
-  int cases = 100;
-  std::uint64_t seed = 1;
+  std::uint64_t cases = 0;
+  std::uint64_t seed = 0;
 };
 
 int run_generate(const GenerateArguments& arguments) {
   const properties::ChosenSource source = source_of_questions(arguments.family);
-  catch_interrupts();
-  for (int k = 0; k < arguments.cases && !interrupted(); ++k) {
-    print_report(questions(source, arguments.seed + static_cast<std::uint64_t>(k)));
+  std::string text;
+  for (std::uint64_t k = 0; k < arguments.cases && !interrupted(); ++k) {
+    text += questions(source, arguments.seed + k);
+    if (text.size() < kPrintedAtATime) continue;
+    print_report(text);
+    text.clear();
   }
-  return kExitNothingFound;
+  print_report(text);
+  return exit_code(interrupted(), false, true);
 }
 
 }  // namespace
@@ -32,10 +39,7 @@ Command add_generate(CLI::App& program) {
       *program.add_subcommand("generate", "Print questions, one a line, for a program to answer");
   command.add_option("--family", given->family, "where rays come from: FAMILY or FAMILY@SEVERITY")
       ->required();
-  command.add_option("--cases", given->cases, "how many cases")
-      ->check(CLI::Range(1, 1000000000))
-      ->capture_default_str();
-  add_seed(command, given->seed);
+  add_exchanged(command, given->cases, given->seed);
   return {&command, [given] { return run_generate(*given); }};
 }
 

@@ -4,12 +4,13 @@
 
 #include <algorithm>
 #include <charconv>
-#include <istream>
+#include <iterator>
 #include <map>
 #include <stdexcept>
 #include <utility>
 
 #include "properties/laws/law.h"
+#include "scene/interruption.h"
 #include "scene/number.h"
 #include "tools/exchange/generate.h"
 
@@ -24,9 +25,13 @@ using properties::Trial;
 
 /// The answers to one case, by ray and sphere.
 struct AnsweredCase {
-  properties::ChosenSource source;
-  std::uint64_t seed = 0;
-  std::size_t rays = 0, spheres = 0;
+  explicit AnsweredCase(properties::Case its_case) : the_case(std::move(its_case)) {}
+
+  std::size_t rays() const { return the_case.scene.rays.size(); }
+  std::size_t spheres() const { return the_case.scene.spheres.size(); }
+  bool is_whole() const { return hits.size() == rays() * spheres(); }
+
+  properties::Case the_case;
   std::map<std::pair<std::size_t, std::size_t>, std::optional<HitAnswer>> hits;
 };
 
@@ -56,44 +61,71 @@ double number(std::string_view text) {
   return *value;
 }
 
-using Cases = std::vector<AnsweredCase>;
+/// What a line says.
+struct Answer {
+  std::string_view id;
+  std::string_view source, seed, ray, sphere;  ///< Of the id.
+  std::optional<HitAnswer> hit;
+};
 
-/// Adds the answer of a line to the case that its id names.
-void read_answer(std::string_view line, Cases& cases, std::map<std::string, std::size_t>& known) {
+Answer parse_answer(std::string_view line) {
   const auto found = split(line, " \t\r");
-  const auto id = split(found.front(), ":");
+  Answer answer;
+  answer.id = found.front();
+  const auto id = split(answer.id, ":");
   if (id.size() != 4) {
     throw std::invalid_argument(
-        fmt::format("'{}' is no id, which is SOURCE:SEED:RAY:SPHERE", found.front()));
+        fmt::format("'{}' is no id, which is SOURCE:SEED:RAY:SPHERE", answer.id));
   }
-  const std::string name = fmt::format("{}:{}", id[0], id[1]);
-  const auto [at, is_new] = known.try_emplace(name, cases.size());
-  if (is_new) {
-    AnsweredCase& added = cases.emplace_back();
-    added.source = properties::chosen_source(id[0]);
-    added.seed = integer<std::uint64_t>(id[1], 16);
-    if (added.source.source->has_camera) {
-      throw std::invalid_argument(fmt::format("the cases of '{}' have cameras", id[0]));
-    }
-    const scene::Scene scene = added.source.make(added.seed).scene;
-    added.rays = scene.rays.size();
-    added.spheres = scene.spheres.size();
-  }
-  std::optional<HitAnswer> hit;
+  answer.source = id[0];
+  answer.seed = id[1];
+  answer.ray = id[2];
+  answer.sphere = id[3];
   if (found.size() == 5) {
-    hit = HitAnswer{number(found[1]), {number(found[2]), number(found[3]), number(found[4])}};
+    answer.hit =
+        HitAnswer{number(found[1]), {number(found[2]), number(found[3]), number(found[4])}};
   } else if (found.size() != 2 || found[1] != "miss") {
     throw std::invalid_argument("an answer is 'ID miss' or 'ID S X Y Z'");
   }
-  const std::pair place(integer<std::size_t>(id[2], 10), integer<std::size_t>(id[3], 10));
-  const AnsweredCase& of = cases[at->second];
-  if (place.first >= of.rays || place.second >= of.spheres) {
-    throw std::invalid_argument(fmt::format("there is no such question: '{}'", found.front()));
-  }
-  if (!cases[at->second].hits.emplace(place, hit).second) {
-    throw std::invalid_argument("it is answered twice");
-  }
+  return answer;
 }
+
+/// Lines of what is read in parts.
+class Lines {
+ public:
+  explicit Lines(const ReadMore& more) : more_(more) {}
+
+  /// The next line, which lasts until the next call; empty at the end.
+  std::optional<std::string_view> next() {
+    for (;;) {
+      const std::size_t end = text_.find('\n', begin_);
+      if (end != std::string::npos || (is_over_ && begin_ < text_.size())) {
+        const std::string_view line = std::string_view(text_).substr(begin_, end - begin_);
+        begin_ = end == std::string::npos ? text_.size() : end + 1;
+        ++number_;
+        return line;
+      }
+      if (is_over_) return std::nullopt;
+      text_.erase(0, begin_);
+      begin_ = 0;
+      if (text_.size() > kMostLineBytes) {
+        ++number_;
+        throw std::invalid_argument(fmt::format("is longer than {} bytes", kMostLineBytes));
+      }
+      const std::string part = more_();
+      is_over_ = part.empty();
+      text_ += part;
+    }
+  }
+  std::uint64_t number() const { return number_; }
+
+ private:
+  const ReadMore& more_;
+  std::string text_;
+  std::size_t begin_ = 0;
+  bool is_over_ = false;
+  std::uint64_t number_ = 0;
+};
 
 /// A candidate that says again what was answered.
 Candidate recorded(const AnsweredCase& answered) {
@@ -122,45 +154,150 @@ Candidate recorded(const AnsweredCase& answered) {
 /// The laws of single values for each ray and sphere: what else laws ask is not in the answers.
 bool is_answered(const Law& law) { return law.judges_values && law.per == properties::Per::kPair; }
 
+/// The judgement of answers as they come.
+class Verification {
+ public:
+  explicit Verification(const VerifyOptions& options) : options_(options) {
+    report_.top = options.top;
+    report_.strict = options.strict;
+    report_.cases_asked = options.cases;
+  }
+
+  void read(std::string_view line) {
+    const Answer answer = parse_answer(line);
+    const std::uint64_t number = integer<std::uint64_t>(answer.seed, 16) - options_.seed;
+    const std::pair place(integer<std::size_t>(answer.ray, 10),
+                          integer<std::size_t>(answer.sphere, 10));
+    if (number >= options_.cases ||
+        answer.id != fmt::format("{}:{}:{}", id(number), place.first, place.second)) {
+      throw std::invalid_argument(fmt::format("'{}' was not asked: the cases are {} to {}",
+                                              answer.id, id(0), id(options_.cases - 1)));
+    }
+    if (number < judged_.size() && judged_[number]) {
+      throw std::invalid_argument("it is answered twice");
+    }
+    auto at = open_.find(number);
+    if (at == open_.end()) {
+      at = open_.emplace(number, AnsweredCase(options_.source.make(seed(number)))).first;
+      ++report_.cases;
+    }
+    AnsweredCase& of = at->second;
+    if (place.first >= of.rays() || place.second >= of.spheres()) {
+      throw std::invalid_argument(fmt::format("there is no such question: '{}'", answer.id));
+    }
+    if (!of.hits.emplace(place, answer.hit).second) {
+      throw std::invalid_argument("it is answered twice");
+    }
+    ++report_.answers;
+    if (++waiting_ > kMostWaiting) {
+      throw std::invalid_argument(fmt::format(
+          "{} answers wait for others to their cases; print the answers to a case together",
+          kMostWaiting));
+    }
+    if (!of.is_whole()) return;
+    judge(number, of);
+    if (judged_.size() <= number) judged_.resize(number + 1);
+    judged_[number] = true;
+    waiting_ -= of.hits.size();
+    open_.erase(at);
+  }
+
+  /// What is left are cases without all their answers.
+  VerifyReport finish(bool interrupted) {
+    report_.interrupted = interrupted;
+    if (!interrupted) {
+      for (const auto& [number, answered] : open_) {
+        judge(number, answered);
+        name_missing(number, answered);
+      }
+      for (std::uint64_t number = 0; number < options_.cases; ++number) {
+        if (report_.cases_missing.size() ==
+            std::min<std::uint64_t>(kNamedMissing, options_.cases - report_.cases)) {
+          break;
+        }
+        const bool is_judged = number < judged_.size() && judged_[number];
+        if (!is_judged && !open_.contains(number)) report_.cases_missing.push_back(id(number));
+      }
+    }
+    for (const properties::Discrepancy& one : report_.candidate.verdict.worst(report_.top)) {
+      const std::size_t ray = one.place.ray;
+      const auto& [first, number] = *std::prev(first_rays_.upper_bound(ray));
+      report_.ids[ray] = fmt::format("{}:{}", id(number), ray - first);
+    }
+    report_.candidate.name = "the answers";
+    report_.candidate.contestant = External{};
+    return std::move(report_);
+  }
+
+ private:
+  std::uint64_t seed(std::uint64_t number) const { return options_.seed + number; }
+  std::string id(std::uint64_t number) const { return case_id(options_.source, seed(number)); }
+
+  void judge(std::uint64_t number, const AnsweredCase& answered) {
+    const Candidate candidate = recorded(answered);
+    Trial trial(answered.the_case, candidate, {.max_error = options_.max_error});
+    properties::Verdict all;
+    for (const Law& law : properties::laws()) {
+      if (is_answered(law)) all.merge(apply(law, trial));
+    }
+    all.shift_rays(rays_);
+    if (all.discrepancies() > 0) remember(number);
+    report_.candidate.verdict.merge(std::move(all));
+    rays_ += answered.rays();
+  }
+
+  /// Where the rays of a case with discrepancies begin. Of what the verdict keeps no longer, it is
+  /// forgotten.
+  void remember(std::uint64_t number) {
+    constexpr std::size_t kMostRemembered = 4 * properties::kKeptDiscrepancies;
+    if (first_rays_.size() >= kMostRemembered) {
+      std::map<std::size_t, std::uint64_t> kept;
+      for (const auto& one : report_.candidate.verdict.worst(kMostRemembered)) {
+        kept.insert(*std::prev(first_rays_.upper_bound(one.place.ray)));
+      }
+      first_rays_ = std::move(kept);
+    }
+    first_rays_.emplace(rays_, number);
+  }
+
+  void name_missing(std::uint64_t number, const AnsweredCase& answered) {
+    for (std::size_t ray = 0; ray < answered.rays(); ++ray) {
+      for (std::size_t sphere = 0; sphere < answered.spheres(); ++sphere) {
+        if (answered.hits.contains({ray, sphere})) continue;
+        ++report_.questions_missing;
+        if (report_.questions_named.size() < kNamedMissing) {
+          report_.questions_named.push_back(fmt::format("{}:{}:{}", id(number), ray, sphere));
+        }
+      }
+    }
+  }
+
+  const VerifyOptions& options_;
+  VerifyReport report_;
+  std::map<std::uint64_t, AnsweredCase> open_;  ///< Of which not every question is answered yet.
+  std::size_t waiting_ = 0;                     ///< Their answers.
+  std::vector<bool> judged_;
+  std::size_t rays_ = 0;  ///< Of the cases judged.
+  std::map<std::size_t, std::uint64_t> first_rays_;
+};
+
 }  // namespace
 
-VerifyReport verify(std::istream& answers, const VerifyOptions& options) {
-  VerifyReport report;
-  report.top = options.top;
-  report.strict = options.strict;
-  report.cases_asked = options.cases;
-  Cases cases;
-  std::map<std::string, std::size_t> known;
-  std::uint64_t number = 0;
-  for (std::string line; std::getline(answers, line);) {
-    ++number;
-    if (line.find_first_not_of(" \t\r") == std::string::npos) continue;
-    try {
-      read_answer(line, cases, known);
-    } catch (const std::invalid_argument& error) {
-      throw std::invalid_argument(fmt::format("line {}: {}", number, error.what()));
+VerifyReport verify(const ReadMore& answers, const VerifyOptions& options,
+                    const properties::RunControl& control) {
+  const scene::Interruptible interruptible(control.interrupted);
+  Verification verification(options);
+  Lines lines(answers);
+  try {
+    while (const auto line = lines.next()) {
+      if (line->find_first_not_of(" \t\r") != std::string::npos) verification.read(*line);
     }
-    ++report.answers;
+    return verification.finish(false);
+  } catch (const std::invalid_argument& error) {
+    throw std::invalid_argument(fmt::format("line {}: {}", lines.number(), error.what()));
+  } catch (const scene::Interrupted&) {
+    return verification.finish(true);
   }
-  report.cases = cases.size();
-  for (const AnsweredCase& answered : cases) {
-    const properties::Case the_case = answered.source.make(answered.seed);
-    const Candidate candidate = recorded(answered);
-    Trial trial(the_case, candidate, {.max_error = options.max_error});
-    const std::size_t first = report.ids.size();
-    for (const Law& law : properties::laws()) {
-      if (!is_answered(law)) continue;
-      properties::Verdict verdict = apply(law, trial);
-      verdict.shift_rays(first);
-      report.candidate.verdict.merge(std::move(verdict));
-    }
-    for (std::size_t ray = 0; ray < the_case.scene.rays.size(); ++ray) {
-      report.ids.push_back(fmt::format("{}:{}", case_id(answered.source, answered.seed), ray));
-    }
-  }
-  report.candidate.name = "the answers";
-  report.candidate.contestant = External{};
-  return report;
 }
 
 }  // namespace raycheck::tools

@@ -3,39 +3,64 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <iosfwd>
+#include <functional>
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "properties/cases/case_source.h"
+#include "properties/run_control.h"
 #include "tools/check/check.h"
 
 namespace raycheck::tools {
 
 struct VerifyOptions {
-  std::uint64_t cases = 0;  ///< How many had questions; 0: not known.
+  /// What generate was asked for: the cases are those of so many seeds from `seed` on.
+  properties::ChosenSource source;
+  std::uint64_t cases = 0;
+  std::uint64_t seed = 0;
   std::optional<double> max_error;
   bool strict = false;  ///< What is excused or undecided fails, too.
   std::size_t top = 10;
 };
 
+/// Cases without an answer, and questions of cases with some, are named up to so many of each.
+inline constexpr std::size_t kNamedMissing = 5;
+
+/// So many answers may wait for others to the same case, which bounds the memory.
+inline constexpr std::size_t kMostWaiting = std::size_t{1} << 18;
+
+/// No answer is so long.
+inline constexpr std::size_t kMostLineBytes = std::size_t{1} << 16;
+
 struct VerifyReport {
   std::uint64_t answers = 0, cases = 0;
-  std::uint64_t cases_asked = 0;  ///< How many had questions; 0: not known.
+  std::uint64_t cases_asked = 0;
+  std::vector<std::string> cases_missing;    ///< The first ones without any answer.
+  std::uint64_t questions_missing = 0;       ///< Of cases with some.
+  std::vector<std::string> questions_named;  ///< The first of those.
   CandidateReport candidate;
-  /// The id of each ray of the report, by its index.
-  std::vector<std::string> ids;
+  /// The ids of the rays of the worst discrepancies, by their index.
+  std::map<std::size_t, std::string> ids;
   std::size_t top = 10;
   bool strict = false;
+  bool interrupted = false;  ///< Then what was not read yet is not missing.
 
-  /// Whether cases have no answer at all.
-  bool is_short() const { return cases < cases_asked; }
+  /// Whether questions have no answer.
+  bool is_short() const { return !interrupted && (cases < cases_asked || questions_missing > 0); }
   bool holds() const { return candidate.verdict.holds(strict) && !is_short(); }
 };
 
-/// Judges the answers to questions (tools/exchange/generate.h) by the laws of single values.
-/// Errors: std::invalid_argument naming the line that is no answer.
-VerifyReport verify(std::istream& answers, const VerifyOptions& options);
+/// The next part of what is read; empty at the end.
+using ReadMore = std::function<std::string()>;
+
+/// Judges the answers to questions (tools/exchange/generate.h) by the laws of single values. A case
+/// is judged, and forgotten, once all its questions are answered.
+/// Errors: std::invalid_argument naming the line that is no answer to a question asked, or is the
+///         second to one.
+VerifyReport verify(const ReadMore& answers, const VerifyOptions& options,
+                    const properties::RunControl& control = {});
 
 }  // namespace raycheck::tools
 

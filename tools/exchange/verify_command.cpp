@@ -1,22 +1,31 @@
-#include <iostream>
 #include <memory>
+#include <string>
 
 #include "tools/arguments.h"
 #include "tools/commands.h"
+#include "tools/exchange/generate.h"
 #include "tools/exchange/verify_views.h"
+#include "tools/terminal.h"
 
 namespace raycheck::tools {
 namespace {
 
+/// Bytes of answers that are read together, where there are so many.
+constexpr std::size_t kReadAtATime = 1 << 16;
+
 struct VerifyArguments {
+  std::string family;
   VerifyOptions options;
   std::string format;
 };
 
 int run_verify(const VerifyArguments& arguments) {
-  const VerifyReport report = verify(std::cin, arguments.options);
+  VerifyOptions options = arguments.options;
+  options.source = source_of_questions(arguments.family);
+  const VerifyReport report =
+      verify([] { return read_in(kReadAtATime); }, options, run_control("answers"));
   print_view(kVerifyViews, arguments.format, report);
-  return exit_code(false, !report.holds(), report.candidate.is_enough_judged());
+  return exit_code(report.interrupted, !report.holds(), report.candidate.is_enough_judged());
 }
 
 }  // namespace
@@ -26,10 +35,13 @@ Command add_verify(CLI::App& program) {
   VerifyOptions& options = given->options;
   CLI::App& command = *program.add_subcommand(
       "verify", "Judge a program's answers to the questions of generate, from standard input");
-  command.add_option("--cases", options.cases,
-                     "how many cases generate was asked for; fewer that are answered are failures");
+  command
+      .add_option("--family", given->family,
+                  "as generate was given it: its questions are what is to be answered, no others")
+      ->required();
+  add_exchanged(command, options.cases, options.seed);
   command.add_option("--top", options.top, "how many of the worst discrepancies are shown")
-      ->check(CLI::Range(std::size_t{0}, properties::kKeptDiscrepancies))
+      ->check(whole_number(0, properties::kKeptDiscrepancies))
       ->capture_default_str();
   command
       .add_option("--max-ulp", options.max_error,

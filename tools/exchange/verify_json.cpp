@@ -10,7 +10,11 @@ std::string verify_json(const VerifyReport& report, const ViewOptions& /*options
   Json json = json_header("verify");
   json["answers"] = report.answers;
   json["cases"] = report.cases;
-  json["cases_asked"] = report.cases_asked > 0 ? Json(report.cases_asked) : Json(nullptr);
+  json["cases_asked"] = report.cases_asked;
+  json["cases_missing"] = report.cases_missing;
+  json["questions_missing"] = report.questions_missing;
+  json["questions_named"] = report.questions_named;
+  json["interrupted"] = report.interrupted;
   json["strict"] = report.strict;
   json["holds"] = report.holds();
   json.update(candidate_json(report.candidate, report.top));
@@ -19,7 +23,7 @@ std::string verify_json(const VerifyReport& report, const ViewOptions& /*options
     json.erase(key);  // of methods, of processes and of renderers
   }
   for (Json& one : json["worst"]) one["id"] = report.ids.at(one["ray"].get<std::size_t>());
-  return json.dump(2) + "\n";
+  return json_text(json);
 }
 
 }  // namespace raycheck::tools

@@ -1,10 +1,20 @@
-#include <fmt/core.h>
+#include <fmt/format.h>
 
 #include "tools/check/check_views.h"
 #include "tools/exchange/verify_views.h"
 #include "tools/report/words.h"
 
 namespace raycheck::tools {
+namespace {
+
+/// "a, b and 3 more"
+std::string named(const std::vector<std::string>& ids, std::uint64_t all) {
+  std::string text = fmt::format("{}", fmt::join(ids, ", "));
+  if (ids.size() < all) text += fmt::format(" and {} more", all - ids.size());
+  return text;
+}
+
+}  // namespace
 
 std::string verify_text(const VerifyReport& report, const ViewOptions& options) {
   const properties::Verdict& verdict = report.candidate.verdict;
@@ -12,9 +22,17 @@ std::string verify_text(const VerifyReport& report, const ViewOptions& options) 
                                  count_text(report.cases, "case"));
   text += quantities_table(report.candidate);
   text += too_few_text(report.candidate);
-  if (report.is_short()) {
-    text += fmt::format("\n{} of {} are not answered\n", report.cases_asked - report.cases,
-                        count_text(report.cases_asked, "case"));
+  if (report.interrupted) {
+    text += "\nINTERRUPTED: what was not read until then is not judged\n";
+  } else if (report.cases < report.cases_asked) {
+    text += fmt::format("\n{} of {} are not answered: {}\n", report.cases_asked - report.cases,
+                        count_text(report.cases_asked, "case"),
+                        named(report.cases_missing, report.cases_asked - report.cases));
+  }
+  if (report.questions_missing > 0) {
+    text += fmt::format("\n{} of the other cases not answered: {}\n",
+                        count_text(report.questions_missing, "question"),
+                        named(report.questions_named, report.questions_missing));
   }
   const auto worst = verdict.worst(report.top);
   if (verdict.discrepancies() > 0) {

@@ -7,6 +7,7 @@
 #include <stdexcept>
 
 #include "properties/candidates/fast_candidate.h"
+#include "scene/interruption.h"
 #include "scene/validate.h"
 #include "tools/explain/explain_methods.h"
 
@@ -26,6 +27,7 @@ double rounded(const std::function<Enclosure(int)>& enclose, const std::string& 
   if (closed_form == "0") return 0;
   constexpr int kMostBits = 1 << 14;
   for (int bits = 128;; bits *= 2) {
+    scene::poll();
     const Enclosure value = enclose(bits);
     const double low = value.lower_rounded();
     if (low == value.upper_rounded() || bits >= kMostBits) return low;
@@ -183,6 +185,7 @@ ExplainReport explain(const ExplainOptions& options) {
   }
 
   for (const scene::Sphere& sphere : scene.spheres) {
+    scene::poll();
     report.spheres.push_back(report_sphere(*subject, sphere, conventions));
   }
   if (const auto nearest = subject->exact.nearest(scene.spheres, conventions)) {
@@ -199,9 +202,11 @@ ExplainReport explain(const ExplainOptions& options) {
   }
   const scene::Sphere& sphere = scene.spheres[*report.sphere];
   const SphereReport& exact = report.spheres[*report.sphere];
+  scene::poll();
   derive_sphere(*subject, sphere, exact, report.steps);
   add_sphere_conditions(*subject, sphere, exact.intersection, report.steps);
   for (const auto* method : fast::intersect_methods()) {
+    scene::poll();
     report.methods.push_back(
         judge_intersection(*method, report.ray, sphere, conventions, *subject, exact));
   }

@@ -1,7 +1,10 @@
+#include <fmt/core.h>
+
 #include <memory>
 #include <stdexcept>
 #include <utility>
 
+#include "scene/interruption.h"
 #include "scene/number.h"
 #include "tools/arguments.h"
 #include "tools/commands.h"
@@ -56,6 +59,13 @@ ExplainOptions explain_pixel(const ExplainArguments& arguments) {
   const auto pixel = parse_list("--pixel", arguments.pixel, 2, "column and row: I,J");
   options.pixel = scene::Pixel{parse_index("--pixel", scene::shortest(pixel[0]), 0),
                                parse_index("--pixel", scene::shortest(pixel[1]), 0)};
+  const scene::Camera& camera = *options.scene.camera;
+  if (options.pixel->i >= camera.width || options.pixel->j >= camera.height) {
+    throw std::invalid_argument(
+        fmt::format("--pixel {}: {} has {} x {} pixels; give a column up to {} and a row up to {}",
+                    arguments.pixel, arguments.scene, camera.width, camera.height, camera.width - 1,
+                    camera.height - 1));
+  }
   if (!arguments.sphere.empty()) {
     options.sphere = static_cast<std::size_t>(parse_index("--sphere", arguments.sphere, 0));
   }
@@ -66,6 +76,7 @@ ExplainOptions explain_pixel(const ExplainArguments& arguments) {
 int run_explain(const ExplainArguments& arguments) {
   const ExplainReport report =
       explain(arguments.ray.empty() ? explain_pixel(arguments) : explain_given_ray(arguments));
+  scene::poll();
   print_view(kExplainViews, arguments.format, report);
   return exit_code(false, report.has_discrepancy(), true);
 }
@@ -78,7 +89,8 @@ Command add_explain(CLI::App& program) {
   CLI::App& command = *program.add_subcommand(
       "explain", "Derive one ray step by step, exactly and by every method");
   command.add_option("SCENE", arguments.scene, "a scene with a camera");
-  command.add_option("--dialect", arguments.dialect, "of a driver file: A, B or C");
+  command.add_option("--dialect", arguments.dialect,
+                     "of a driver file: A, B or C, or a year, 2017 to 2020");
   command.add_option("--pixel", arguments.pixel, "the pixel, I,J");
   command.add_option("--rays", arguments.rays,
                      "whose ray the intersection methods get (default: direct)");

@@ -104,7 +104,7 @@ std::string explain_json(const ExplainReport& report, const ViewOptions& /*optio
     add_steps(method, entry);
     json[method.intersects ? "methods" : "ray_methods"].push_back(std::move(entry));
   }
-  return json.dump(2) + "\n";
+  return json_text(json);
 }
 
 }  // namespace raycheck::tools

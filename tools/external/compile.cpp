@@ -14,6 +14,7 @@ namespace fs = std::filesystem;
 
 constexpr std::uint64_t kCompilerProcesses = 256;
 constexpr std::uint64_t kCompilerFiles = 256;
+constexpr std::uint64_t kCompilerFile = std::uint64_t{256} << 20;
 constexpr std::uintmax_t kMostBuilt = std::uintmax_t{256} << 20;
 constexpr const char* kEigen = "/usr/include/eigen3";
 
@@ -37,14 +38,6 @@ fs::path copied(const fs::path& made, const fs::path& to) {
   return to / made.filename();
 }
 
-/// What a compiler said, without what a terminal would obey.
-std::string printable(std::string text) {
-  for (char& c : text) {
-    if (static_cast<unsigned char>(c) < ' ' && c != '\n' && c != '\t') c = '?';
-  }
-  return text;
-}
-
 /// A program that is to succeed, which errors call `name`; its folder, where it leaves what it
 /// makes, lasts as long.
 class Step {
@@ -58,7 +51,9 @@ class Step {
       failure = error.what();
     }
     if (!failure.empty()) {
-      throw CandidateError(fmt::format("{} {}", name, failure), printable(process_.said()));
+      throw CandidateError(
+          fmt::format("{} {}{}", name, failure, limit_text(process_.said(), confined.limits)),
+          process_.said().excerpt());
     }
   }
   const fs::path& folder() const { return process_.folder(); }
@@ -69,10 +64,19 @@ class Step {
 
 /// Words are still to be said.
 Confined compiler(const RunOptions& options) {
-  Confined confined{{}, {}, options.layers, options.limits};
+  Confined confined{.arguments = {},
+                    .readable = {},
+                    .layers = options.layers,
+                    .limits = options.limits,
+                    .surroundings = options.surroundings};
+  // A rubric's limits are those of what is built; compilers need what they need.
+  const Limits usual;
   confined.limits.seconds = options.build_seconds;
-  confined.limits.processes = kCompilerProcesses;
+  confined.limits.names.seconds = options.build_seconds_name;
+  confined.limits.processes = std::max(options.limits.processes, kCompilerProcesses);
   confined.limits.files = kCompilerFiles;
+  confined.limits.memory = std::max(options.limits.memory, usual.memory);
+  confined.limits.file = std::max(options.limits.file, kCompilerFile);
   return confined;
 }
 
@@ -82,7 +86,7 @@ fs::path include_folder() {
   const fs::path installed = program_folder().parent_path() / "include";
   return readable_copy(fs::exists(installed / "raycheck" / "candidate.h")
                            ? installed
-                           : fs::path(kSourceFolder) / "tools/external/sdk");
+                           : fs::path(kSourceFolder) / "include");
 }
 
 fs::path compile(const fs::path& source, const fs::path& to, const RunOptions& options) {
@@ -125,21 +129,24 @@ fs::path compile(const fs::path& source, const fs::path& to, const RunOptions& o
   return copied(step.folder() / "candidate.so", to);
 }
 
-void build(const fs::path& folder, const std::string& words, const fs::path& to,
+void build(const fs::path& folder, const BuildWords& words, const fs::path& to,
            const RunOptions& options) {
   Confined confined = compiler(options);
   confined.readable = {folder, include_folder()};
-  confined.arguments = {"sh", "-c",   "cp -r \"$1\"/. \"$2\"/*.java . && { " + words + "; } >&2",
-                        "sh", folder, adapters()};
-  const Step step(fmt::format("'{}'", words), confined);
+  confined.arguments = {
+      "sh", "-c",   "cp -r \"$1\"/. \"$2\"/*.java . && { " + words.words + "\n} >&2",
+      "sh", folder, adapters()};
+  const Step step(fmt::format("'{}'", words.shown), confined);
   std::uintmax_t bytes = 0;
   for (const auto& entry : fs::recursive_directory_iterator(step.folder())) {
     if (!fs::is_regular_file(entry.symlink_status())) continue;
+    if (words.keeps && !words.keeps(entry.path())) continue;
     bytes += entry.file_size();
-    if (bytes > kMostBuilt) throw CandidateError(words + ": it makes too large files");
+    if (bytes > kMostBuilt) throw CandidateError(words.shown + ": it makes too large files");
     const fs::path copy = to / fs::relative(entry.path(), step.folder());
     fs::create_directories(copy.parent_path());
     fs::copy_file(entry.path(), copy);
+    fs::last_write_time(copy, entry.last_write_time());
   }
 }
 

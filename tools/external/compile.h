@@ -2,6 +2,7 @@
 #define RAYCHECK_TOOLS_EXTERNAL_COMPILE_H_
 
 #include <filesystem>
+#include <functional>
 #include <string>
 
 #include "tools/external/locate.h"
@@ -18,10 +19,19 @@ std::filesystem::path include_folder();
 std::filesystem::path compile(const std::filesystem::path& source, const std::filesystem::path& to,
                               const RunOptions& options);
 
+/// Shell words that build something.
+struct BuildWords {
+  std::string words;
+  std::string shown;  ///< What errors call them.
+  /// Whether a file that lies there afterwards is copied; empty: all are.
+  std::function<bool(const std::filesystem::path& file)> keeps = {};
+};
+
 /// Runs shell words in a copy of a folder, kept like a candidate, and copies what lies there
-/// afterwards to the folder `to`: files, no links. The Java adapter lies there too.
+/// afterwards to the folder `to`: files with their times, no links. The Java adapter lies there
+/// too.
 /// Errors: CandidateError with what the words said.
-void build(const std::filesystem::path& folder, const std::string& words,
+void build(const std::filesystem::path& folder, const BuildWords& words,
            const std::filesystem::path& to, const RunOptions& options);
 
 }  // namespace raycheck::tools

@@ -9,6 +9,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "properties/other_size.h"
 #include "tools/external/candidate_spec.h"
 #include "tools/methods/methods.h"
 
@@ -18,9 +19,11 @@ namespace raycheck::tools {
 struct AnswerFailure {
   std::string words;
   FailureKind kind = FailureKind::kBadReply;
+  std::optional<properties::OtherSize> size = {};  ///< Of a picture, where it is the failure.
 
   [[noreturn]] void raise(const LastFailure& last) const {
     if (last) *last = kind;
+    if (size) throw properties::OtherSize(words, size->width(), size->height());
     throw std::runtime_error(words);
   }
 };
@@ -48,15 +51,18 @@ class Pictures {
       failure_ = AnswerFailure{"image: " + words, kind};
       silences_ += kind == FailureKind::kTimeUp ? 1 : 0;
     };
-    if (silences_ >= kMostSilences) {
+    if (silences_ >= renderer_.most_silences) {
       fail(fmt::format("not started, after {} times without an end", silences_),
-           FailureKind::kEnded);
+           FailureKind::kNotAsked);
       return;
     }
     try {
       picture_ = render(renderer_, scene, rows);
     } catch (const ProcessFailure& failure) {
       fail(failure.what(), failure.kind());
+    } catch (const properties::OtherSize& error) {
+      fail(error.what(), FailureKind::kBadReply);
+      failure_->size = error;
     } catch (const std::exception& error) {
       fail(error.what(), FailureKind::kBadReply);
     }
@@ -90,27 +96,37 @@ class Conversation {
     if (silences_ >= kMostSilences) {
       AnswerFailure{
           fmt::format("{}: not asked, after {} requests without a reply", function, silences_),
-          FailureKind::kEnded}
+          FailureKind::kNotAsked}
           .raise(last_);
     }
     if (failed_request_ == request.body()) failure_.raise(last_);
+    const double before = external_.program.spent->seconds();
     try {
-      const std::string text = exchange(request, lines);
-      return read(Reply(text, request.id()));
+      const IdentifiedReply reply = reply_to(request, lines);
+      return read(Reply(reply.text, reply.id));
     } catch (const ProcessFailure& failure) {
       silences_ += failure.kind() == FailureKind::kTimeUp ? 1 : 0;
-      fail(request, {fmt::format("{}: it {}{}", function, failure.what(), last_line_text(said())),
-                     failure.kind()});
+      AnswerFailure words{
+          fmt::format("{}: it {}{}{}", function, failure.what(), last_line_text(said()),
+                      limit_text(said(), external_.program.limits)),
+          failure.kind()};
+      if (external_.answers && is_lasting(words.kind)) {
+        external_.answers->keep(request.body(), {words.words, words.kind, spent_since(before)});
+      }
+      fail(request, std::move(words));
     } catch (const ProtocolError& error) {
       fail(request, {fmt::format("{}: {}", function, error.what()), FailureKind::kBadReply});
     }
   }
 
   Introduction introduce() {
+    if (const auto known = known_answer(std::string(kGreeting))) {
+      return parse_introduction(known->text);
+    }
     start();
     return introduction_;
   }
-  std::string said() const { return process_ ? process_->said() : ""; }
+  KeptText said() const { return process_ ? process_->said() : KeptText(); }
 
  private:
   /// Not to be foreseen, so that no reply is made before its request.
@@ -118,16 +134,43 @@ class Conversation {
 
   void start() {
     process_.emplace(external_.program);
-    introduction_ = parse_introduction(process_->exchange(
+    const std::string text = process_->exchange(
         kGreeting, [](std::string_view line) { return line == kReady || line == "ready\r"; },
-        kMostIntroduction));
+        kMostIntroduction);
+    introduction_ = parse_introduction(text);
+    if (external_.answers) external_.answers->keep(std::string(kGreeting), {text});
   }
 
-  std::string exchange(const Request& request, std::size_t lines) {
+  double spent_since(double before) const { return external_.program.spent->seconds() - before; }
+
+  std::optional<StoredAnswer> known_answer(const std::string& request) const {
+    return external_.answers ? external_.answers->find(request) : std::nullopt;
+  }
+
+  /// A reply, and the id of the request that it was made to.
+  struct IdentifiedReply {
+    std::string id, text;
+  };
+
+  IdentifiedReply reply_to(const Request& request, std::size_t lines) {
+    if (const auto known = known_answer(request.body())) {
+      external_.program.spent->add(known->seconds);
+      if (known->failure) AnswerFailure{known->text, *known->failure}.raise(last_);
+      const std::size_t line = known->text.find('\n');
+      if (line != std::string::npos) {
+        return {known->text.substr(0, line), known->text.substr(line + 1)};
+      }
+    }
     if (!process_) start();
-    return process_->exchange(
+    const double before = external_.program.spent->seconds();
+    std::string text = process_->exchange(
         request.text(), [&](std::string_view line) { return ends_reply(line, request.id()); },
         most_bytes(lines));
+    if (external_.answers) {
+      external_.answers->keep(request.body(),
+                              {request.id() + "\n" + text, {}, spent_since(before)});
+    }
+    return {request.id(), std::move(text)};
   }
 
   [[noreturn]] void fail(const Request& request, AnswerFailure failure) {
@@ -164,15 +207,22 @@ Candidate rendering_candidate(const External& external, const LastFailure& last)
 }  // namespace
 
 External introduced(std::string name, const Confined& program,
-                    std::shared_ptr<const PrivateFolder> folder) {
-  External external{
-      .name = std::move(name), .program = program, .introduction = {}, .folder = std::move(folder)};
+                    std::shared_ptr<const PrivateFolder> folder,
+                    std::shared_ptr<AnswerStore> answers) {
+  External external{.name = std::move(name),
+                    .program = program,
+                    .introduction = {},
+                    .folder = std::move(folder),
+                    .answers = std::move(answers)};
   Conversation conversation(external);
   try {
     external.introduction = conversation.introduce();
   } catch (const ProcessFailure& failure) {
-    throw CandidateError(
-        fmt::format("it {}{}", failure.what(), last_line_text(conversation.said())));
+    const KeptText said = conversation.said();
+    const std::string all = said.excerpt();
+    throw CandidateError(fmt::format("it {}{}{}", failure.what(), last_line_text(said),
+                                     limit_text(said, program.limits)),
+                         all.find('\n') == std::string::npos ? "" : all);
   } catch (const ProtocolError& error) {
     throw CandidateError(error.what());
   }
@@ -188,6 +238,13 @@ External rendering(std::string name, Renderer renderer) {
   external.program = renderer.program;
   external.pictures = std::make_shared<Pictures>(renderer);
   external.renderer = std::move(renderer);
+  return external;
+}
+
+External reading(const External& renderer, const DriverForm& driver) {
+  External external = renderer;
+  external.renderer->driver = driver;
+  external.pictures = std::make_shared<Pictures>(*external.renderer);
   return external;
 }
 
@@ -210,7 +267,7 @@ Candidate external_candidate(const External& external, const LastFailure& last) 
   candidate.max_error_end_to_end = bounds.max_error_end_to_end;
   candidate.unit_roundoff = bounds.unit_roundoff;
   candidate.smallest_length =
-      std::max(kSmallestJudgedLength, external.introduction.smallest_length);
+      std::max(properties::kSmallestJudgedLength, external.introduction.smallest_length);
   candidate.smallest_camera_length = candidate.smallest_length;
   candidate.largest_length = external.introduction.largest_length;
   if (offers("frame")) {

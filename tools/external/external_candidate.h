@@ -6,8 +6,9 @@
 #include <string>
 
 #include "properties/candidate.h"
+#include "tools/external/answer_store.h"
+#include "tools/external/pictures/renderer.h"
 #include "tools/external/protocol/protocol.h"
-#include "tools/external/renderer.h"
 #include "tools/external/sandbox/process.h"
 #include "tools/methods/methods.h"
 
@@ -29,14 +30,20 @@ struct External {
   std::shared_ptr<const PrivateFolder> folder;
   /// What a renderer drew last.
   std::shared_ptr<Pictures> pictures = {};
+  /// What its functions replied in earlier runs; null: they are always asked.
+  std::shared_ptr<AnswerStore> answers = {};
 };
 
-/// Starts the program once to hear its introduction.
+/// Starts the program once to hear its introduction, where that is not among the answers.
 /// Errors: CandidateError where it has none.
 External introduced(std::string name, const Confined& program,
-                    std::shared_ptr<const PrivateFolder> folder = nullptr);
+                    std::shared_ptr<const PrivateFolder> folder = nullptr,
+                    std::shared_ptr<AnswerStore> answers = nullptr);
 
 External rendering(std::string name, Renderer renderer);
+
+/// The same renderer, given driver files of another form.
+External reading(const External& renderer, const DriverForm& driver);
 
 /// How a candidate failed when it last did.
 using LastFailure = std::shared_ptr<std::optional<FailureKind>>;
@@ -48,11 +55,6 @@ using LastFailure = std::shared_ptr<std::optional<FailureKind>>;
 /// and none is sent after kMostSilences that were answered by silence. Every failure sets `last`.
 properties::Candidate external_candidate(const External& external,
                                          const LastFailure& last = nullptr);
-inline constexpr int kMostSilences = 3;
-/// Of smaller lengths what comes out may be subnormal, of too few digits for any bound in units of
-/// its size.
-inline constexpr double kSmallestJudgedLength = 0x1p-960;
-
 }  // namespace raycheck::tools
 
 #endif  // RAYCHECK_TOOLS_EXTERNAL_EXTERNAL_CANDIDATE_H_

@@ -29,9 +29,12 @@ External library(const std::string& name, const fs::path& path, const RunOptions
   fs::copy_file(path, copy);
   open_to_others(folder->path());
   const std::string worker = helper("raycheck-worker");
-  const Confined program{
-      {worker, copy.string()}, {worker, folder->path()}, options.layers, options.limits};
-  return introduced(name, program, std::move(folder));
+  const Confined program{.arguments = {worker, copy.string()},
+                         .readable = {worker, folder->path()},
+                         .layers = options.layers,
+                         .limits = options.limits,
+                         .surroundings = options.surroundings};
+  return introduced(name, program, std::move(folder), options.answers);
 }
 
 /// What is copied at most of a folder that is closed to others.
@@ -124,11 +127,45 @@ bool is_on_path(const std::string& program) {
   });
 }
 
+/// Lets a program read a folder, or what lies beside a file, where that is not everyone's.
+void let_read(const fs::path& path, Confined& program) {
+  const fs::path folder = ReadableCopies::folder_of(path);
+  const bool is_everyones = folder == "/" || folder == fs::temp_directory_path();
+  if (!is_everyones) {
+    program.readable.push_back(folder);
+  } else if (folder != path) {
+    program.readable.push_back(path);
+  }
+}
+
+/// A word whose parts between colons all name files or folders, made absolute: Java's class path.
+/// Empty where it is none.
+std::string class_path(const std::string& word, const RunOptions& options, ReadableCopies& copies,
+                       Confined& program) {
+  if (word.find(':') == std::string::npos) return "";
+  std::string paths;
+  std::vector<fs::path> found;
+  for (const std::string& part :
+       boost::tokenizer(word, boost::char_separator<char>(":", "", boost::keep_empty_tokens))) {
+    std::error_code error;
+    const fs::path named = options.folder / part;
+    if (part.empty() || !fs::exists(named, error)) return "";
+    found.push_back(fs::absolute(named).lexically_normal());
+  }
+  for (const fs::path& one : found) {
+    const fs::path path = copies.path_of(one);
+    let_read(path, program);
+    paths += (paths.empty() ? "" : ":") + path.string();
+  }
+  return paths;
+}
+
 /// A program by its words. Those that name files are made absolute.
 Confined program_of(const std::string& words, const RunOptions& options, ReadableCopies& copies) {
   Confined program;
   program.layers = options.layers;
   program.limits = options.limits;
+  program.surroundings = options.surroundings;
   for (const std::string& word : split(words)) {
     const bool is_program = program.arguments.empty();
     const bool is_bare = word.find('/') == std::string::npos;
@@ -140,20 +177,18 @@ Confined program_of(const std::string& words, const RunOptions& options, Readabl
     if (is_program && !is_bare && !fs::exists(named, error)) {
       throw CandidateError(fmt::format("there is no program '{}'", word));
     }
+    if (const auto paths = class_path(word, options, copies, program); !paths.empty()) {
+      program.arguments.push_back(paths);
+      continue;
+    }
     // A bare first word is a program on the path. Links stay: programs look at their own names.
     if ((is_program && is_bare) || !fs::exists(named, error)) {
       program.arguments.push_back(word);
       continue;
     }
     const fs::path path = copies.path_of(fs::absolute(named).lexically_normal());
-    const fs::path folder = ReadableCopies::folder_of(path);
-    const bool is_everyones = folder == "/" || folder == fs::temp_directory_path();
     program.arguments.push_back(path);
-    if (!is_everyones) {
-      program.readable.push_back(folder);
-    } else if (folder != path) {
-      program.readable.push_back(path);
-    }
+    let_read(path, program);
   }
   if (program.arguments.empty()) {
     throw CandidateError("it names no program");
@@ -169,9 +204,13 @@ External renderer(const CandidateSpec& spec, const RunOptions& options) {
   }
   ReadableCopies copies(options.layers);
   const Confined program = program_of(spec.what, options, copies);
-  External external =
-      rendering(spec.text(),
-                {program, options.dialect, options.excused_image_change, options.image_threshold});
+  Renderer found;
+  found.program = program;
+  found.driver = options.driver;
+  found.excused_change = options.excused_image_change;
+  found.threshold = options.image_threshold;
+  found.answers = options.answers;
+  External external = rendering(spec.text(), std::move(found));
   external.folder = copies.folder();
   return external;
 }
@@ -188,7 +227,7 @@ External find(const CandidateSpec& spec, const RunOptions& options) {
     }
     case CandidateKind::kCommand: {
       const Confined program = program_of(spec.what, options, copies);
-      return introduced(spec.text(), program, copies.folder());
+      return introduced(spec.text(), program, copies.folder(), options.answers);
     }
     case CandidateKind::kRenderer:
       break;
@@ -198,14 +237,28 @@ External find(const CandidateSpec& spec, const RunOptions& options) {
 
 }  // namespace
 
-External find_external(const CandidateSpec& spec, const RunOptions& options) {
+namespace {
+
+template <class Find>
+External named_in_errors(const CandidateSpec& spec, const RunOptions& options, const Find& found) {
   try {
-    External external = find(spec, options);
+    External external = found();
     external.bounds = options.bounds;
     return external;
   } catch (const CandidateError& error) {
     throw CandidateError(error.why(), error.said(), spec.text());
   }
+}
+
+}  // namespace
+
+External find_external(const CandidateSpec& spec, const RunOptions& options) {
+  return named_in_errors(spec, options, [&] { return find(spec, options); });
+}
+
+External compiled_external(const CandidateSpec& spec, const fs::path& path,
+                           const RunOptions& options) {
+  return named_in_errors(spec, options, [&] { return library(spec.text(), path, options); });
 }
 
 }  // namespace raycheck::tools

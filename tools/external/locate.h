@@ -2,6 +2,7 @@
 #define RAYCHECK_TOOLS_EXTERNAL_LOCATE_H_
 
 #include <filesystem>
+#include <memory>
 
 #include "tools/external/candidate_spec.h"
 #include "tools/external/external_candidate.h"
@@ -14,18 +15,28 @@ struct RunOptions {
   Limits limits;
   MethodPair bounds = kDefaultMethods;
   // Of renderers.
-  scene::Dialect dialect = scene::Dialect::kB;
+  DriverForm driver = {};
   double excused_image_change = properties::kExcusedImageChange;
   double image_threshold = 0;
   /// Relative paths start here; empty: in the working folder.
   std::filesystem::path folder = {};
-  double build_seconds = 120;  ///< To compile it.
+  double build_seconds = 120;           ///< To compile it.
+  std::string build_seconds_name = {};  ///< What who set it calls it.
+  /// What it answered in earlier runs; null: it is always asked.
+  std::shared_ptr<AnswerStore> answers = {};
+  /// Who is told where it fails for a cause outside it; null: nobody.
+  std::shared_ptr<Surroundings> surroundings = {};
 };
 
 /// Someone else's implementation, compiled where it is a source, and started once. Of words, those
 /// that name files are made absolute.
 /// Errors: CandidateError naming the candidate.
 External find_external(const CandidateSpec& spec, const RunOptions& options);
+
+/// What was compiled (compile.h) of a candidate that is a source.
+/// Errors: CandidateError naming the candidate.
+External compiled_external(const CandidateSpec& spec, const std::filesystem::path& library,
+                           const RunOptions& options);
 
 }  // namespace raycheck::tools
 

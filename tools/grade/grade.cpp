@@ -3,20 +3,31 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <chrono>
+#include <cmath>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
+#include <map>
 #include <stdexcept>
+#include <system_error>
+#include <utility>
 
-#include "properties/mistakes/image_explanation.h"
-#include "tools/grade/digest.h"
-#include "tools/grade/judge.h"
-#include "tools/grade/record.h"
-#include "tools/grade/redaction.h"
-#include "tools/grade/submission.h"
-#include "tools/grade/wording.h"
+#include "properties/mistakes/picture_causes.h"
+#include "scene/interruption.h"
+#include "tools/grade/intake/apart.h"
+#include "tools/grade/intake/submission.h"
+#include "tools/grade/judging/judge.h"
+#include "tools/grade/pages/wording.h"
+#include "tools/grade/results/earlier.h"
+#include "tools/grade/results/own_files.h"
+#include "tools/grade/results/plain_text.h"
+#include "tools/grade/results/record.h"
+#include "tools/grade/results/redaction.h"
+#include "tools/grade/rubric/digest.h"
+#include "tools/grade/self_test.h"
+#include "tools/grade/store/store.h"
 #include "tools/methods/methods.h"
-#include "tools/report/output_file.h"
 #include "tools/report/version.h"
 #include "tools/run/in_order.h"
 
@@ -26,22 +37,36 @@ namespace {
 namespace fs = std::filesystem;
 using properties::RunControl;
 
-constexpr const char* kRecord = "result.json";
+constexpr const char* kReportFile = "report.html";
+constexpr const char* kResultsFile = "results.json";  ///< For a course's system.
+constexpr const char* kSceneEnding = ".toml";
+constexpr const char* kDriverEnding = ".txt";
 
-void judge_all(const Rubric& rubric, const properties::Candidate& candidate, bool pictures,
-               const RunControl& control, SubmissionGrade& grade,
-               LastFailure last_failure = nullptr) {
-  Judge judge(rubric, candidate, pictures, grade.seed, control, std::move(last_failure));
-  for (std::size_t k = 0; k < rubric.items.size(); ++k) {
-    grade.items.push_back(judge.item(k, grade.items));
-    const ItemGrade& item = grade.items.back();
+class Stopwatch {
+ public:
+  /// Seconds since the last call, in thousandths.
+  double lap() {
+    const auto now = std::chrono::steady_clock::now();
+    const std::chrono::duration<double> passed = now - std::exchange(last_, now);
+    return std::round(passed.count() * 1000) / 1000;
+  }
+
+ private:
+  std::chrono::steady_clock::time_point last_ = std::chrono::steady_clock::now();
+};
+
+void judge_all(const Rubric& rubric, Judged judged, const RunControl& control,
+               SubmissionGrade& grade) {
+  grade.items = judge(rubric, std::move(judged), grade.seed, control);
+  for (const ItemGrade& item : grade.items) {
     if (!item.bonus) grade.points += item.points;
     grade.score += item.score;
   }
   grade.finished = !control.interrupted();
 }
 
-/// Nothing could be asked of it: every item of its form has its points, and none is given.
+/// Nothing could be asked of it: every item of its form has its points, and none is given; what the
+/// submission is worth says the rubric.
 void refuse(const Rubric& rubric, const Refusal& refusal, SubmissionGrade& grade) {
   grade.refused = {plain_text(refusal.why), plain_text(refusal.said)};
   const bool pictures = grade.program && grade.program->kind == CandidateKind::kRenderer;
@@ -57,6 +82,24 @@ void refuse(const Rubric& rubric, const Refusal& refusal, SubmissionGrade& grade
     if (!item.bonus) grade.points += none.points;
     grade.items.push_back(std::move(none));
   }
+  grade.score = rubric.unjudged * grade.points;
+}
+
+void take_what_was_found(const Preparation& found, SubmissionGrade& grade) {
+  grade.program = found.program;
+  grade.opaque_files = found.opaque_files;
+  for (const std::string& note : found.notes) grade.notes.push_back(plain_text(note));
+  if (!found.dry_run) return;
+  grade.driver = found.dry_run->driver;
+  for (const std::string& note : found.dry_run->notes) grade.notes.push_back(plain_text(note));
+}
+
+std::vector<std::string_view> names_of_class_files() {
+  std::vector<std::string_view> names;
+  for (const ClassView& file : class_files()) names.push_back(file.name);
+  names.push_back(kStoreFolder);
+  names.push_back(kOwnFilesList);
+  return names;
 }
 
 /// One run over a class, into its folder of results.
@@ -64,93 +107,208 @@ class ClassRun {
  public:
   explicit ClassRun(const GradeOptions& options)
       : options_(options),
-        rubric_(load_rubric(options.rubric)),
-        layers_(chosen_layers(options.sandbox)),
-        submissions_(find_submissions(options.submissions)) {
-    for (const Submission& submission : submissions_) {
-      std::error_code error;
-      fs::create_directories(folder_of(submission), error);
-      if (error) {
-        throw std::invalid_argument(fmt::format("out {}: {}", options.out, error.message()));
-      }
+        rubric_(load_rubric(options.rubric, options.dialect)),
+        here_(chosen_layers(options.sandbox)),
+        layers_(here_.layers),
+        submissions_(find_submissions(options.submissions, names_of_class_files())) {
+    read_earlier_grades();
+    if (writes()) {
+      require_apart(options_.out, submissions_);
+      own_.emplace(options_.out);
+      require_place();
+      for (const Submission& submission : submissions_) make_folder(submission);
+      store_.emplace(options_.out);
     }
+    test_environment(rubric_, layers_, writes() ? fs::path(options_.out) / kStoreFolder : "");
   }
 
+  /// What fails for a cause outside it is graded again at the end, when nothing runs beside it.
   ClassGrade grade(const RunControl& control) {
     ClassGrade result;
-    struct MaybeReused {
-      SubmissionGrade grade;
-      bool reused = false;
-    };
-    in_order<MaybeReused>(
+    if (!options_.against.empty()) result.changes.emplace().against = options_.against;
+    std::vector<Graded> all;
+    in_order<Graded>(
         static_cast<std::int64_t>(submissions_.size()), control,
         [&](std::int64_t k) {
-          const Submission& submission = submissions_[static_cast<std::size_t>(k)];
-          MaybeReused graded;
-          graded.grade = new_grade(submission);
-          if (std::optional<SubmissionGrade> known = record_of(submission, graded.grade.key)) {
-            graded = {std::move(*known), true};
-          } else {
-            grade_one(submission, control, graded.grade);
-          }
-          write(submission, graded.grade);
-          return graded;
+          return graded(submissions_[static_cast<std::size_t>(k)], control, false);
         },
-        [&](MaybeReused& graded) {
-          result.reused += graded.reused ? 1 : 0;
-          result.submissions.push_back(std::move(graded.grade));
-          control.progress(
-              fmt::format("{} of {} graded", result.submissions.size(), submissions_.size()));
+        [&](Graded& one) {
+          all.push_back(std::move(one));
+          control.progress(fmt::format("{} of {} graded", all.size(), submissions_.size()));
         });
+    for (std::size_t k = 0; k < all.size(); ++k) {
+      if (all[k].outside.empty() || control.interrupted()) continue;
+      control.progress(fmt::format("{} again, alone", all[k].grade.name));
+      all[k] = graded(submissions_[k], control, true);
+    }
+    for (Graded& one : all) {
+      one.reused ? void(++result.reused) : add_times(one.grade, result.times);
+      if (!one.outside.empty()) ++result.not_graded;
+      if (result.changes) compare(one.grade, *result.changes);
+      result.submissions.push_back(std::move(one.grade));
+    }
     result.rubric = rubric_;
     result.out = options_.out;
+    result.isolation = here_;
     result.interrupted = control.interrupted();
-    const fs::path out(options_.out);
-    for (const ClassView& file : class_files()) {
-      OutputFile("out", out / file.name).write(file.render(result));
-    }
+    if (!writes()) return result;
+    for (const ClassView& file : class_files()) own_->write(file.name, file.render(result));
     return result;
   }
 
  private:
+  bool writes() const { return !options_.out.empty(); }
+
+  /// Before anything is graded: no file of someone else is in the way of what may be written.
+  void require_place() const {
+    for (const ClassView& file : class_files()) own_->require_own(file.name);
+    std::vector<std::string> names = names_for_student(rubric_);
+    names.emplace_back(kRecordFile);
+    if (options_.results != nullptr) names.emplace_back(kResultsFile);
+    for (const Submission& submission : submissions_) {
+      for (const std::string& name : names) own_->require_own(fs::path(submission.name) / name);
+    }
+  }
+
+  void make_folder(const Submission& submission) const {
+    std::error_code error;
+    fs::create_directories(folder_of(submission), error);
+    if (error) {
+      throw std::invalid_argument(fmt::format("out {}: {}", options_.out, error.message()));
+    }
+  }
+
   fs::path folder_of(const Submission& submission) const {
     return fs::path(options_.out) / submission.name;
   }
 
-  SubmissionGrade new_grade(const Submission& submission) const {
+  /// Before they are written anew.
+  void read_earlier_grades() {
+    if (options_.against.empty()) return;
+    if (!fs::is_directory(options_.against)) {
+      throw std::invalid_argument(
+          fmt::format("against {}: there is no such folder of results", options_.against));
+    }
+    for (const Submission& submission : submissions_) {
+      if (auto grade = earlier_grade(fs::path(options_.against) / submission.name)) {
+        earlier_.emplace(submission.name, std::move(*grade));
+      }
+    }
+  }
+
+  void compare(const SubmissionGrade& grade, ClassChanges& changes) const {
+    if (!grade.finished) return;
+    const auto earlier = earlier_.find(grade.name);
+    if (earlier == earlier_.end()) {
+      ++changes.new_ones;
+      return;
+    }
+    ++changes.compared;
+    if (auto change = change_of(earlier->second, grade)) {
+      changes.changed.push_back(std::move(*change));
+    }
+  }
+
+  static void add_times(const SubmissionGrade& grade, std::optional<GradingTimes>& times) {
+    if (!times) times.emplace();
+    times->build_seconds += grade.build_seconds;
+    times->judge_seconds += grade.judge_seconds;
+    times->stored_builds += grade.build_is_stored ? 1 : 0;
+  }
+
+  /// Of a submission whose files are `digested`.
+  SubmissionGrade new_grade(const Submission& submission, std::string digested) const {
     SubmissionGrade grade;
     grade.name = submission.name;
+    grade.inputs = {fmt::format("{}, {}", kVersion, kRecordShape),
+                    std::move(digested),
+                    rubric_.digest_beside_items,
+                    {}};
+    for (const Item& item : rubric_.items) grade.inputs.items[item.name] = item.digest;
     grade.seed = options_.secret ? secret_seed(*options_.secret, submission.name) : options_.seed;
-    grade.key = digest({std::string(kVersion), std::string(kRecordShape), rubric_.digest,
-                        digest(submission), std::to_string(grade.seed), layers_.text()});
+    grade.key = digest({grade.inputs.raycheck, rubric_.digest, grade.inputs.submission,
+                        std::to_string(grade.seed), layers_.text()});
     grade.isolation = layers_;
     return grade;
   }
 
-  void grade_one(const Submission& submission, const RunControl& control,
-                 SubmissionGrade& grade) const {
+  struct Graded {
+    SubmissionGrade grade;
+    bool reused = false;
+    std::string outside = {};  ///< The cause outside it for which its grade is none; empty: none.
+  };
+
+  Graded graded(const Submission& submission, const RunControl& control, bool alone) {
+    Graded one;
+    std::string digested;
     try {
-      const RunnableSubmission runnable = prepare(submission, rubric_, layers_);
-      grade.program = runnable.program;
+      digested = digest(submission, rubric_.limits);
+    } catch (const std::system_error& error) {
+      one.outside = error.what();
+    }
+    one.grade = new_grade(submission, std::move(digested));
+    if (!one.outside.empty()) {
+      refuse_for(one.outside, one.grade);
+    } else if (writes()) {
+      if (auto known = record_of(submission, one.grade.key)) {
+        one.grade = std::move(*known);
+        one.reused = true;
+      }
+    }
+    if (!one.reused && one.outside.empty())
+      one.outside = grade_one(submission, control, alone, one.grade);
+    if (writes()) write(submission, one.grade);
+    return one;
+  }
+
+  /// Why the grade is none, for a cause outside the submission; empty: it is one.
+  std::string grade_one(const Submission& submission, const RunControl& control, bool alone,
+                        SubmissionGrade& grade) {
+    Stopwatch watch;
+    const auto surroundings = std::make_shared<Surroundings>(alone);
+    const SubmissionGrade before = grade;
+    try {
+      const RunnableSubmission runnable = prepare(submission, rubric_, {layers_, surroundings},
+                                                  control, store_ ? &*store_ : nullptr);
+      grade.build_seconds = watch.lap();
+      grade.build_is_stored = runnable.build_is_stored;
+      take_what_was_found(runnable.found, grade);
       const auto last_failure = std::make_shared<std::optional<FailureKind>>();
-      judge_all(rubric_, external_candidate(runnable.external, last_failure),
-                runnable.program.kind == CandidateKind::kRenderer, control, grade, last_failure);
+      const auto& dry = runnable.found.dry_run;
+      judge_all(rubric_,
+                {external_candidate(runnable.external, last_failure),
+                 runnable.found.program->kind == CandidateKind::kRenderer,
+                 !dry || dry->shows_a_sphere, last_failure, runnable.external.program.spent},
+                control, grade);
+      grade.judge_seconds = watch.lap();
     } catch (const SubmissionError& error) {
-      grade.program = error.program();
+      grade.build_seconds = watch.lap();
+      take_what_was_found(error.found(), grade);
       refuse(rubric_, error.refusal(), grade);
       grade.finished = !control.interrupted();
+    } catch (const scene::Interrupted&) {
+      // It is graded by the next run.
+      refuse(rubric_, {"raycheck was interrupted before anything was asked", ""}, grade);
     } catch (const std::exception& error) {
-      // Of this machine, not of the submission: it is graded again by the next run.
-      grade.items.clear();
-      grade.score = grade.points = 0;
-      refuse(rubric_, {fmt::format("raycheck could not grade it: {}", error.what()), ""}, grade);
+      surroundings->blame(error.what());
     }
+    // Of this machine, not of the submission: it is graded again by the next run.
+    const std::string cause = surroundings->cause();
+    if (!cause.empty()) {
+      grade = before;
+      refuse_for(cause, grade);
+    }
+    return cause;
+  }
+
+  void refuse_for(const std::string& cause, SubmissionGrade& grade) const {
+    refuse(rubric_, {"the cause lies outside it: " + cause, ""}, grade);
   }
 
   /// The grade that an earlier run finished, where it depended on the same as `key`.
   std::optional<SubmissionGrade> record_of(const Submission& submission,
                                            const std::string& key) const {
-    std::ifstream file(folder_of(submission) / kRecord, std::ios::binary);
+    std::ifstream file(folder_of(submission) / kRecordFile, std::ios::binary);
     if (!file) return {};
     const std::string text{std::istreambuf_iterator<char>(file), {}};
     try {
@@ -164,41 +322,50 @@ class ClassRun {
     return {};
   }
 
-  void write(const Submission& submission, const SubmissionGrade& grade) const {
-    const fs::path folder = folder_of(submission);
-    const auto put = [&](const std::string& name, const std::string& text) {
-      OutputFile("out", folder / name).write(text);
-    };
-    // Those of an earlier grade.
-    for (const auto& entry : fs::directory_iterator(folder)) {
-      const fs::path ending = entry.path().extension();
-      const bool is_old =
-          ending == ".toml" || ending == ".txt" || entry.path().filename() == "results.json";
-      if (is_old) fs::remove(entry.path());
-    }
-    const StudentGrade shown = student_grade(rubric_, grade, HiddenBy::kUs);
-    for (std::size_t k = 0; k < shown.items.size(); ++k) {
-      const auto& failing = shown.submission.items[k].failing;
-      if (!failing) continue;
-      const std::string name = file_name(shown.items[k]->name);
-      put(name + ".toml", scene_text(*failing));
-      const std::string driver = driver_file_text(*failing, rubric_.dialect);
-      if (!driver.empty()) put(name + ".txt", driver);
-    }
-    put("report.html", student_page(shown));
+  void write(const Submission& submission, const SubmissionGrade& grade) {
+    auto files = files_for_student(student_grade(rubric_, grade, HiddenBy::kUs));
     if (const ResultsFormat* results = options_.results) {
-      put("results.json", results->render(student_grade(rubric_, grade, results->hidden_by)));
+      files[kResultsFile] = results->render(student_grade(rubric_, grade, results->hidden_by));
     }
-    put(kRecord, record_text(grade));
+    files[kRecordFile] = record_text(grade);
+    own_->replace(submission.name, files);
   }
 
   const GradeOptions& options_;
   Rubric rubric_;
+  LayersHere here_;
   Layers layers_;
   std::vector<Submission> submissions_;
+  std::optional<OwnFiles> own_;  ///< Where results are written, and so the store.
+  std::optional<Store> store_;
+  std::map<std::string, EarlierGrade> earlier_;
 };
 
 }  // namespace
+
+std::vector<std::string> names_for_student(const Rubric& rubric) {
+  std::vector<std::string> names = {kReportFile};
+  for (const Item& item : rubric.items) {
+    for (const char* ending : {kSceneEnding, kDriverEnding}) {
+      names.push_back(file_name(item.name) + ending);
+    }
+  }
+  return names;
+}
+
+std::map<std::string, std::string> files_for_student(const StudentGrade& shown) {
+  std::map<std::string, std::string> files;
+  for (std::size_t k = 0; k < shown.items.size(); ++k) {
+    const auto& failing = shown.submission.items[k].failing;
+    if (!failing) continue;
+    const std::string name = file_name(shown.items[k]->name);
+    files[name + kSceneEnding] = scene_text(*failing);
+    const std::string driver = driver_file_text(*failing, shown.submission.driver);
+    if (!driver.empty()) files[name + kDriverEnding] = driver;
+  }
+  files[kReportFile] = student_page(shown);
+  return files;
+}
 
 ClassGrade grade(const GradeOptions& options, const RunControl& control) {
   return ClassRun(options).grade(control);
@@ -215,7 +382,7 @@ std::vector<SubmissionGrade> try_rubric(const Rubric& rubric, std::uint64_t seed
     SubmissionGrade grade;
     grade.name = name;
     grade.seed = seed;
-    judge_all(rubric, candidate, pictures, control, grade);
+    judge_all(rubric, {candidate, pictures, true, nullptr}, control, grade);
     grades.push_back(std::move(grade));
   };
   if (asks(&Item::functions)) try_on("functions", candidate_of(kDefaultMethods), false);

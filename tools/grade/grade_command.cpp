@@ -1,17 +1,22 @@
+#include <fmt/core.h>
 #include <tbb/info.h>
 
-#include <fstream>
+#include <algorithm>
+#include <cstdint>
 #include <iterator>
 #include <memory>
 #include <stdexcept>
+#include <utility>
 
+#include "scene/files/file_text.h"
 #include "tools/arguments.h"
 #include "tools/command_line.h"
 #include "tools/commands.h"
 #include "tools/grade/grade.h"
 #include "tools/grade/package.h"
-#include "tools/grade/views.h"
-#include "tools/grade/wording.h"
+#include "tools/grade/pages/views.h"
+#include "tools/grade/pages/wording.h"
+#include "tools/grade/probe_views.h"
 #include "tools/terminal.h"
 
 namespace raycheck::tools {
@@ -22,16 +27,21 @@ struct GradeArguments {
   int jobs = tbb::info::default_concurrency();  ///< Submissions graded at a time.
   std::string secret_file;
   std::string package;
-  std::string sandbox = "auto";
+  bool probe = false;
+  /// What is graded in less than there should be is graded so because someone said so.
+  SandboxArguments sandbox = {.sandbox = "require"};
   std::string format = "text";
 };
 
 std::string secret_of(const std::string& path) {
-  std::ifstream file(path, std::ios::binary);
-  std::string secret{std::istreambuf_iterator<char>(file), {}};
-  if (!file) throw std::invalid_argument("--secret-file " + path + ": cannot be read");
-  if (secret.empty()) throw std::invalid_argument("--secret-file " + path + ": is empty");
-  return secret;
+  constexpr std::uintmax_t kMostSecret = 1 << 20;
+  try {
+    std::string secret = scene::file_text(path, kMostSecret);
+    if (!secret.empty()) return secret;
+  } catch (const scene::SceneFileError& error) {
+    throw std::invalid_argument(std::string("--secret-file ") + error.what());
+  }
+  throw std::invalid_argument("--secret-file " + path + ": is empty");
 }
 
 /// The class in a format. One that is of results.json alone has no such view: then it is the first.
@@ -42,11 +52,22 @@ std::string printed(const ClassGrade& graded, const std::string& format) {
   return printed_views().front().render(graded);
 }
 
+/// What is given for submissions, where there are none.
+void require_no(const char* option, const std::string& value) {
+  if (value.empty()) return;
+  throw std::invalid_argument(
+      fmt::format("{} {}: is for submissions, and none are given", option, value));
+}
+
 /// Without submissions the rubric itself is tried, on raycheck's own methods.
 int try_own_methods(const GradeArguments& arguments) {
+  require_no("--out", arguments.options.out);
+  require_no("--against", arguments.options.against);
+  require_no("--secret-file", arguments.secret_file);
   ClassGrade tried;
-  tried.rubric = load_rubric(arguments.options.rubric);
+  tried.rubric = load_rubric(arguments.options.rubric, arguments.options.dialect);
   tried.submissions = try_rubric(tried.rubric, arguments.options.seed, run_control("rubric"));
+  tried.interrupted = interrupted();
   print_report(printed(tried, arguments.format));
   bool is_full = true;
   for (const SubmissionGrade& grade : tried.submissions) {
@@ -60,18 +81,50 @@ int try_own_methods(const GradeArguments& arguments) {
                   "\n");
     }
   }
-  return exit_code(interrupted(), !is_full, true);
+  return exit_code(tried.interrupted, !is_full, true);
+}
+
+/// The dry run alone.
+int run_probe(const GradeArguments& arguments) {
+  if (arguments.options.submissions.empty()) {
+    throw std::invalid_argument("--probe: give the submissions that are to be tried");
+  }
+  if (!arguments.package.empty()) {
+    throw std::invalid_argument("--probe: tries submissions; leave out --package");
+  }
+  // --out may stay: it is the command that grades, tried before.
+  for (const auto& [option, value] : {std::pair("--against", &arguments.options.against),
+                                      std::pair("--secret-file", &arguments.secret_file)}) {
+    if (value->empty()) continue;
+    throw std::invalid_argument(
+        fmt::format("{} {}: --probe judges nothing, so leave it out", option, *value));
+  }
+  if (std::none_of(std::begin(kProbeViews), std::end(kProbeViews),
+                   [&](const auto& view) { return view.name == arguments.format; })) {
+    throw std::invalid_argument("--format " + arguments.format + ": --probe has text and json");
+  }
+  GradeOptions options = arguments.options;
+  options.sandbox = sandbox_of(arguments.sandbox);
+  const ProbeReport report = probe(options, run_control("submissions", arguments.jobs));
+  print_view(kProbeViews, arguments.format, report);
+  return exit_code(report.interrupted, !report.holds(), true);
 }
 
 int run_grade(const GradeArguments& arguments) {
+  if (arguments.probe) return run_probe(arguments);
   GradeOptions options = arguments.options;
   if (!arguments.package.empty()) {
     if (!options.submissions.empty()) {
       throw std::invalid_argument("--package: grades nothing; leave out the submissions");
     }
+    require_no("--out", options.out);
+    require_no("--against", options.against);
     if (!arguments.secret_file.empty()) {
       throw std::invalid_argument(
           "--secret-file: every submission to a package has one name; give a --seed");
+    }
+    if (!options.dialect.empty()) {
+      throw std::invalid_argument("--dialect: a package has its rubric's; write it to [driver]");
     }
     write_package(load_rubric(options.rubric), options.seed, arguments.package);
     print_report("wrote " + arguments.package + "\n");
@@ -86,7 +139,7 @@ int run_grade(const GradeArguments& arguments) {
   }
   const ClassGrade graded = grade(options, run_control("submissions", arguments.jobs));
   print_report(printed(graded, arguments.format));
-  return exit_code(graded.interrupted, false, true);
+  return exit_code(graded.interrupted, false, graded.not_graded == 0);
 }
 
 }  // namespace
@@ -102,8 +155,14 @@ Command add_grade(CLI::App& program) {
       ->required();
   command.add_option("SUBMISSION", arguments.options.submissions, "folders or files handed in");
   command.add_option("--out", arguments.options.out, "the folder that takes the results");
+  command.add_option("--against", arguments.options.against,
+                     "the --out of an earlier run: lists what changed since, and why");
   command.add_option("--jobs", arguments.jobs, "submissions graded at a time")
-      ->check(CLI::Range(1, 1024));
+      ->check(whole_number(1, 1024));
+  command.add_flag("--probe", arguments.probe,
+                   "only build and try the submissions, judge none: what each reads, writes and "
+                   "shows, and a [driver] and [[form]]s that say so");
+  add_rubric_dialect(command, arguments.options.dialect);
   add_seed(command, arguments.options.seed);
   command.add_option("--secret-file", arguments.secret_file,
                      "a file of which, with its name, each submission's seed is made");

@@ -13,6 +13,7 @@
 #include <memory>
 #include <sstream>
 #include <stdexcept>
+#include <vector>
 
 #include "tools/external/compile.h"
 #include "tools/external/sandbox/process.h"
@@ -45,7 +46,7 @@ root=${{RAYCHECK_AUTOGRADER:-/autograder}}
 source="$root/source"
 mkdir -p "$root/results"
 "$source/raycheck/bin/raycheck" grade "$source/rubric/{rubric}" "$root/submission" \
-  --seed {seed} --jobs 1 --out "$root/results" --format gradescope
+  --seed {seed} --jobs 1 --sandbox available --out "$root/results" --format gradescope
 if [ -f "$root/results/submission/results.json" ]; then
   cp "$root/results/submission/results.json" "$root/results/results.json"
 else
@@ -143,17 +144,18 @@ std::string zipped(const Parts& parts) {
 }  // namespace
 
 void write_package(const Rubric& rubric, std::uint64_t seed, const std::string& path) {
-  OutputFile file("package", path);
   const fs::path rubric_path(rubric.path);
+  std::vector<std::string> read_files = {rubric_path.string()};
+  for (const auto& [name, scene] : rubric.scene_files) read_files.push_back(scene.string());
+  require_no_input("package", path, read_files);
+  OutputFile file("package", path);
   const std::string rubric_name = rubric_path.filename().string();
   Parts parts;
   parts["setup.sh"] = {kSetup, true};
   parts["run_autograder"] = {
       fmt::format(kRun, fmt::arg("rubric", rubric_name), fmt::arg("seed", seed)), true};
   parts["rubric/" + rubric_name] = {read(rubric_path)};
-  for (const std::string& name : rubric.scene_files) {
-    parts["rubric/" + name] = {read(rubric_path.parent_path() / name)};
-  }
+  for (const auto& [name, scene] : rubric.scene_files) parts["rubric/" + name] = {read(scene)};
   for (const char* program : {"raycheck", "raycheck-jail", "raycheck-worker"}) {
     const fs::path from = program_folder() / program;
     parts[std::string("raycheck/bin/") + program] = {read(from), true};

@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <string>
 
-#include "tools/grade/rubric.h"
+#include "tools/grade/rubric/rubric.h"
 
 namespace raycheck::tools {
 

@@ -167,6 +167,17 @@ void resize(const scene::Pixel& size, scene::Scene& scene) {
   }
 }
 
+void require_picture(const std::string& path, const scene::Camera& camera) {
+  for (const auto& [side, pixels] :
+       {std::pair("width", camera.width), std::pair("height", camera.height)}) {
+    if (pixels <= kMostPictureSide) continue;
+    throw std::invalid_argument(
+        fmt::format("{}: camera.{} = {}: is more than a picture takes, which is {} pixels; a size "
+                    "makes another picture of the scene",
+                    path, side, pixels, kMostPictureSide));
+  }
+}
+
 ImageReport report_on(const ImageOptions& options, const scene::LoadedScene& loaded,
                       const PictureFile& file) {
   const scene::Scene& scene = loaded.scene;
@@ -180,6 +191,8 @@ ImageReport report_on(const ImageOptions& options, const scene::LoadedScene& loa
   report.file = file.path();
   report.what = options.what;
   report.warnings = loaded.warnings;
+  report.dialect = loaded.dialect;
+  report.not_needed = loaded.not_needed;
   report.conventions = scene.conventions;
   report.width = scene.camera->width;
   report.height = scene.camera->height;
@@ -204,6 +217,7 @@ ImageReport make_image(const ImageOptions& options, PictureFile& file,
   const scene::Scene& scene = loaded.scene;
   ImageReport report = report_on(options, loaded, file);
   report.threads = control.threads;
+  require_picture(options.path, *scene.camera);
   file.start(report.width, report.height);
   const Visibility visibility(
       scene, scene::plan_scene(scene, report.conventions, scene::Wanted::kNearest));

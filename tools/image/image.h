@@ -55,7 +55,9 @@ struct ImageReport {
   std::string file;
   Picture what = Picture::kSphere;
   std::vector<std::string> warnings;
-  scene::Conventions conventions;  ///< What the picture is decided under.
+  std::optional<scene::Dialect> dialect;  ///< Of a driver file.
+  std::vector<std::string> not_needed;    ///< Of what it says.
+  scene::Conventions conventions;         ///< What the picture is decided under.
   std::int64_t width = 0;
   std::int64_t height = 0;
   std::size_t spheres = 0;

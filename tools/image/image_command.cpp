@@ -10,6 +10,7 @@
 #include "tools/commands.h"
 #include "tools/image/image_paint.h"
 #include "tools/image/image_views.h"
+#include "tools/report/output_file.h"
 #include "tools/terminal.h"
 
 namespace raycheck::tools {
@@ -45,8 +46,9 @@ std::string legend() {
 
 scene::Pixel parse_size(const std::string& text) {
   const auto sides = parse_list("--size", text, 2, "pixels across and down: W,H");
-  return {parse_index("--size", scene::shortest(sides[0]), 1),
-          parse_index("--size", scene::shortest(sides[1]), 1)};
+  const std::string side = "--size " + text + ": side";
+  return {parse_index(side.c_str(), scene::shortest(sides[0]), 1, kMostPictureSide),
+          parse_index(side.c_str(), scene::shortest(sides[1]), 1, kMostPictureSide)};
 }
 
 int run_image(const ImageArguments& arguments) {
@@ -69,6 +71,7 @@ int run_image(const ImageArguments& arguments) {
   if (!arguments.intersect.empty()) {
     options.methods.intersect = &find_intersect(arguments.intersect);
   }
+  require_no_input("--out", arguments.out, {arguments.scene});
   PictureFile file("--out", arguments.out);
   const ImageReport report =
       make_image(options, file, run_control(options.path, arguments.threads));
@@ -108,9 +111,10 @@ Command add_image(CLI::App& program) {
                      "pixels across and down, W,H (default: the scene's)");
   add_strict(command, arguments.strict);
   command.add_option("--threads", arguments.threads, "how many; the picture is the same")
-      ->check(CLI::Range(1, 1024))
+      ->check(whole_number(1, 1024))
       ->capture_default_str();
-  command.add_option("--dialect", arguments.dialect, "of a driver file: A, B or C");
+  command.add_option("--dialect", arguments.dialect,
+                     "of a driver file: A, B or C, or a year, 2017 to 2020");
   add_format(command, arguments.format, kImageViews);
   command.footer(legend());
   return {&command, [given] { return run_image(*given); }};

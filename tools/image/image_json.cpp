@@ -44,8 +44,10 @@ std::string image_json(const ImageReport& report, const ViewOptions& /*options*/
   json["threads"] = report.threads;
   json["seconds"] = report.seconds;
   json["interrupted"] = report.interrupted;
+  json["dialect"] = dialect_json(report.dialect);
+  json["not_needed"] = report.not_needed;
   json["warnings"] = report.warnings;
-  return json.dump(2) + "\n";
+  return json_text(json);
 }
 
 }  // namespace raycheck::tools

@@ -29,8 +29,9 @@ std::string error_table(const ErrorCounts& error) {
 
 std::string image_text(const ImageReport& report, const ViewOptions& /*options*/) {
   std::string text =
-      fmt::format("{}: {} x {} pixels, {}\n{}\n", report.path, report.width, report.height,
-                  count_text(report.spheres, "sphere"), conventions_text(report.conventions));
+      fmt::format("{}: {} x {} pixels, {}\n{}{}\n", scene_file_text(report.path, report.dialect),
+                  report.width, report.height, count_text(report.spheres, "sphere"),
+                  not_needed_text(report.not_needed), conventions_text(report.conventions));
   if (report.interrupted) return text + "INTERRUPTED: no picture was written.\n";
   text += fmt::format("{} of {} seen, by {} of {}\n", report.spheres_seen,
                       count_text(report.spheres, "sphere"), report.pixels_that_see,

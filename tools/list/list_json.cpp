@@ -71,7 +71,7 @@ std::string list_json(const Catalogue& catalogue, const ViewOptions& /*options*/
                          {"origin", scene::kOriginNames},
                          {"root", scene::kRootNames},
                          {"tangent", scene::kTangentNames}};
-  return json.dump(2) + "\n";
+  return json_text(json);
 }
 
 }  // namespace raycheck::tools

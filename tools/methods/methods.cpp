@@ -60,7 +60,11 @@ std::vector<StagedMethod> find_methods(const std::vector<std::string>& names) {
   for (const auto* method : all_intersect_methods()) {
     all.push_back({properties::Stage::kIntersection, kDefaultMethods.rays, method});
   }
-  if (std::find(names.begin(), names.end(), "all") != names.end()) return all;
+  constexpr const char* kAll = "all";
+  if (std::find(names.begin(), names.end(), kAll) != names.end()) {
+    if (names.size() == 1) return all;
+    throw std::invalid_argument("method all: is every method; leave out the others");
+  }
   if (names.empty()) {
     const auto fast = fast::intersect_methods();
     std::erase_if(all, [&](const StagedMethod& method) {

@@ -5,7 +5,9 @@
 #include <algorithm>
 #include <chrono>
 #include <functional>
+#include <stdexcept>
 
+#include "scene/interruption.h"
 #include "tools/plan/plan_timing.h"
 
 namespace raycheck::tools {
@@ -143,19 +145,23 @@ class Accountant {
 void count_filtered(const reference::DecidedBy& decided_by, ItemReport& item) {
   item.left_out = decided_by.filter;
   item.of = decided_by.filter + decided_by.fallback();
-  item.why = decided_by.fallback() == 0
+  item.why = item.of == 0 ? "no pixel was decided"
+             : decided_by.fallback() == 0
                  ? "doubles decide, within proved bounds on their errors"
                  : fmt::format("doubles leave {} undecided", decided_by.fallback());
 }
 
 }  // namespace
 
-PlanReport make_plan(const PlanOptions& options) {
+PlanReport make_plan(const PlanOptions& options, const properties::RunControl& control) {
+  const scene::Interruptible interruptible(control.interrupted);
   scene::LoadedScene loaded = scene::load_scene(options.path, options.dialect);
   PlanReport report;
   report.path = options.path;
   report.warnings = std::move(loaded.warnings);
   report.scene = std::move(loaded.scene);
+  report.dialect = loaded.dialect;
+  report.not_needed = std::move(loaded.not_needed);
   report.top = options.top;
   if (!report.scene.camera) return report;
   const auto start = std::chrono::steady_clock::now();
@@ -163,7 +169,14 @@ PlanReport make_plan(const PlanOptions& options) {
   report.plan_ms =
       std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
   report.items = Accountant(report.scene, *report.plan).items();
-  time_plan(report);
+  try {
+    time_plan(report);
+  } catch (const std::invalid_argument& error) {
+    report.warnings.push_back(fmt::format("nothing is timed: {}", error.what()));
+  } catch (const scene::Interrupted&) {
+    // What was timed until then is the answer.
+  }
+  report.interrupted = control.interrupted();
   constexpr auto kFilter = std::find_if(kPlanItems.begin(), kPlanItems.end(),
                                         [](const auto& item) { return item.name == "filter"; });
   count_filtered(report.decided_by,

@@ -8,6 +8,7 @@
 #include <string_view>
 #include <vector>
 
+#include "properties/run_control.h"
 #include "reference/visibility/visibility.h"
 #include "scene/files/scene_file.h"
 #include "scene/plan/plan.h"
@@ -63,19 +64,24 @@ struct ItemReport {
 struct PlanReport {
   std::string path;
   std::vector<std::string> warnings;
+  std::optional<scene::Dialect> dialect;  ///< Of a driver file.
+  std::vector<std::string> not_needed;    ///< Of what it says.
   scene::Scene scene;
   /// Of scenes with a camera; rays that are given one by one share nothing.
   std::optional<scene::ScenePlan> plan;
-  std::vector<ItemReport> items;  ///< In the order of kPlanItems.
-  double plan_ms = 0;             ///< To make the plan.
-  double image_ms = 0;            ///< With the whole plan.
+  std::vector<ItemReport> items;   ///< In the order of kPlanItems.
+  double plan_ms = 0;              ///< To make the plan.
+  std::optional<double> image_ms;  ///< With the whole plan; empty where nothing was timed.
   std::uint64_t pixels_timed = 0;
   reference::DecidedBy decided_by;  ///< Of the pixels timed.
   std::size_t top = 0;
+  bool interrupted = false;  ///< Then what was not timed yet has no time.
 };
 
-/// Plans a scene file, and measures what each item saves. Throws what the reader throws.
-PlanReport make_plan(const PlanOptions& options);
+/// Plans a scene file, and measures what each item saves; of an image that is too large to be seen
+/// (reference::kMostVisibleSide) a warning says that nothing was timed. Throws what the reader
+/// throws.
+PlanReport make_plan(const PlanOptions& options, const properties::RunControl& control = {});
 
 }  // namespace raycheck::tools
 

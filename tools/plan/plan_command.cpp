@@ -3,7 +3,6 @@
 #include <memory>
 
 #include "tools/arguments.h"
-#include "tools/command_line.h"
 #include "tools/commands.h"
 #include "tools/plan/plan_views.h"
 
@@ -22,10 +21,10 @@ int run_plan(PlanArguments& arguments) {
   arguments.options.wanted = static_cast<scene::Wanted>(
       std::find(scene::kWantedNames.begin(), scene::kWantedNames.end(), arguments.wanted) -
       scene::kWantedNames.begin());
-  const PlanReport report = make_plan(arguments.options);
+  const PlanReport report = make_plan(arguments.options, run_control(arguments.options.path));
   print_warnings(report.warnings);
   print_view(kPlanViews, arguments.format, report);
-  return kExitNothingFound;
+  return exit_code(report.interrupted, false, true);
 }
 
 }  // namespace
@@ -44,9 +43,10 @@ Command add_plan(CLI::App& program) {
           std::vector<std::string>(scene::kWantedNames.begin(), scene::kWantedNames.end())))
       ->capture_default_str();
   command.add_option("--top", arguments.options.top, "how many spheres the text shows")
-      ->check(CLI::Range(0, std::numeric_limits<int>::max()))
+      ->check(whole_number(0, std::numeric_limits<int>::max()))
       ->capture_default_str();
-  command.add_option("--dialect", arguments.dialect, "of a driver file: A, B or C");
+  command.add_option("--dialect", arguments.dialect,
+                     "of a driver file: A, B or C, or a year, 2017 to 2020");
   add_format(command, arguments.format, kPlanViews);
   return {&command, [given] { return run_plan(*given); }};
 }

@@ -43,18 +43,21 @@ std::string plan_json(const PlanReport& report, const ViewOptions& /*options*/) 
   json["width"] = report.scene.camera ? Json(report.scene.camera->width) : Json(nullptr);
   json["height"] = report.scene.camera ? Json(report.scene.camera->height) : Json(nullptr);
   json["conventions"] = conventions_json(report.scene.conventions);
+  json["dialect"] = dialect_json(report.dialect);
+  json["not_needed"] = report.not_needed;
   json["warnings"] = report.warnings;
+  json["interrupted"] = report.interrupted;
   json["items"] = Json::array();
   json["spheres"] = Json::array();
   if (!report.plan) {
     json["wanted"] = nullptr;
     json["no_plan"] = "rays that are given one by one share nothing";
-    return json.dump(2) + "\n";
+    return json_text(json);
   }
   json["wanted"] = scene::kWantedNames[static_cast<std::size_t>(report.plan->wanted)];
   json["no_plan"] = nullptr;
   json["plan_ms"] = report.plan_ms;
-  json["image_ms"] = report.image_ms;
+  json["image_ms"] = error_json(report.image_ms);
   json["pixels_timed"] = report.pixels_timed;
   json["decided_by"] = decided_by_json(report.decided_by);
   for (std::size_t k = 0; k < kPlanItems.size(); ++k) {
@@ -63,7 +66,7 @@ std::string plan_json(const PlanReport& report, const ViewOptions& /*options*/) 
   for (const scene::SpherePlan& sphere : report.plan->spheres) {
     json["spheres"].push_back(sphere_json(sphere));
   }
-  return json.dump(2) + "\n";
+  return json_text(json);
 }
 
 }  // namespace raycheck::tools

@@ -94,13 +94,18 @@ std::string plan_text(const PlanReport& report, const ViewOptions& /*options*/) 
   const std::uint64_t all =
       static_cast<std::uint64_t>(camera.width) * static_cast<std::uint64_t>(camera.height);
   std::string text = fmt::format(
-      "{}: {} x {} pixels, {}\n{}\nwanted: {}\n", report.path, camera.width, camera.height,
-      count_text(report.scene.spheres.size(), "sphere"), conventions_text(report.plan->conventions),
+      "{}: {} x {} pixels, {}\n{}{}\nwanted: {}\n", scene_file_text(report.path, report.dialect),
+      camera.width, camera.height, count_text(report.scene.spheres.size(), "sphere"),
+      not_needed_text(report.not_needed), conventions_text(report.plan->conventions),
       scene::kWantedNames[static_cast<std::size_t>(report.plan->wanted)]);
-  text += fmt::format(
-      "{} ms to plan, {} ms the image by one core{}\n", milliseconds(report.plan_ms),
-      milliseconds(report.image_ms),
-      report.pixels_timed < all ? fmt::format(", from {} pixels", report.pixels_timed) : "");
+  text += milliseconds(report.plan_ms) + " ms to plan, ";
+  text += report.image_ms ? milliseconds(*report.image_ms) + " ms the image by one core"
+                          : "the image is not timed";
+  if (report.image_ms && report.pixels_timed < all) {
+    text += fmt::format(", from {} pixels", report.pixels_timed);
+  }
+  text += "\n";
+  if (report.interrupted) text += "INTERRUPTED: what was not timed until then has no time.\n";
   return text + "\n" + items_table(report) + spheres_table(report);
 }
 

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <utility>
 
+#include "scene/interruption.h"
+
 namespace raycheck::tools {
 namespace {
 
@@ -19,6 +21,8 @@ constexpr double kLeastSeconds = 20e-6;
 constexpr int kMostPasses = 9;
 /// More sphere-pixel pairs than this are not asked at a time.
 constexpr double kMostPairs = 1e8;
+/// Nor more pixels, which bounds the memory.
+constexpr double kMostPixelsAtATime = 1 << 22;
 
 double seconds_since(Clock::time_point start) {
   return std::chrono::duration<double>(Clock::now() - start).count();
@@ -171,6 +175,7 @@ std::pair<double, std::uint64_t> time_exact_pixels(const scene::Scene& scene,
   std::uint64_t pixels = 0;
   std::vector<scene::Sphere> spheres;
   do {
+    scene::poll();
     const auto turn = static_cast<double>(pixels + 1);
     const scene::Pixel pixel = {place(kAcross * turn, scene.camera->width),
                                 place(kDown * turn, scene.camera->height)};
@@ -200,10 +205,11 @@ void time_plan(PlanReport& report) {
   const auto width = static_cast<double>(scene.camera->width);
   const auto height = static_cast<double>(scene.camera->height);
   const auto spheres = static_cast<double>(scene.spheres.size());
-  const bool by_rows = width * spheres * Visibility::kBandRows > kMostPairs;
+  const Visibility planned(scene, plan);
+  const double band = width * Visibility::kBandRows;
+  const bool by_rows = band * spheres > kMostPairs || band > kMostPixelsAtATime;
   const Parts parts(scene.camera->height, by_rows ? 1 : Visibility::kBandRows);
   Workload workload(scene, plan.wanted, parts.most_rows());
-  const Visibility planned(scene, plan);
   const auto whole_image_ms = [&](double seconds, std::size_t timed) {
     return 1e3 * seconds * height / static_cast<double>(parts.rows_of_first(timed));
   };
@@ -225,7 +231,7 @@ void time_plan(PlanReport& report) {
       if (report.decided_by.filter == 0) continue;
       const auto [seconds, pixels] = time_exact_pixels(scene, plan);
       const double all = width * height / static_cast<double>(pixels);
-      item.time = PlanTime{report.image_ms, 1e3 * seconds * all, pixels};
+      item.time = PlanTime{*report.image_ms, 1e3 * seconds * all, pixels};
       continue;
     }
     // Classes are asked sphere by sphere, with what is known of it, and of nothing else.

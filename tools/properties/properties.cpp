@@ -6,6 +6,9 @@
 #include <stdexcept>
 #include <utility>
 
+#include "properties/mistakes/causes.h"
+#include "scene/interruption.h"
+
 namespace raycheck::tools {
 namespace {
 
@@ -61,6 +64,21 @@ Candidate campaigner(const Contestant& contestant) {
   return candidate;
 }
 
+/// A law's campaign on a contestant: what it came to, and why.
+CampaignReport report_of(const Law& law, const Contestant& contestant, const Candidate& candidate,
+                         properties::CampaignResult result) {
+  CampaignReport report = {&law, candidate.name, std::move(result), properties::Finding::kHolds};
+  report.finding = report.result.finding();
+  const External* const external = external_of(contestant);
+  if (external == nullptr) return report;
+  report.external = *external;
+  if (report.finding == properties::Finding::kBroken) {
+    report.explanations =
+        properties::causes(telling_cases(report.result, properties::kCasesOfACause), candidate);
+  }
+  return report;
+}
+
 PropertiesReport replay(const PropertiesOptions& options) {
   const properties::Replay parsed = properties::parse_replay(options.replay);
   std::vector<Contestant> known = options.contestants;
@@ -71,10 +89,9 @@ PropertiesReport replay(const PropertiesOptions& options) {
     PropertiesReport report;
     report.cases = 1;
     report.strict = options.strict;
-    properties::CampaignResult result =
-        run_replay(parsed, candidate, options.max_error, options.strict);
-    const properties::Finding finding = result.finding();
-    report.campaigns.push_back({parsed.law, candidate.name, std::move(result), finding});
+    report.campaigns.push_back(
+        report_of(*parsed.law, contestant, candidate,
+                  run_replay(parsed, candidate, options.max_error, options.strict)));
     return report;
   }
   throw std::invalid_argument("replay: no candidate is called '" + parsed.candidate + "'");
@@ -107,7 +124,12 @@ bool PropertiesReport::is_conclusive() const {
 
 PropertiesReport run_properties(const PropertiesOptions& options,
                                 const properties::RunControl& control) {
-  if (!options.replay.empty()) return replay(options);
+  const scene::Interruptible interruptible(control.interrupted);
+  if (!options.replay.empty()) {
+    PropertiesReport report = replay(options);
+    report.interrupted = control.interrupted();
+    return report;
+  }
   PropertiesReport report;
   report.seed = options.seed;
   report.cases = options.cases;
@@ -134,9 +156,8 @@ PropertiesReport run_properties(const PropertiesOptions& options,
       const Candidate candidate = campaigner(contestant);
       control.progress(fmt::format("{} on {}", law->name, candidate.name));
       campaign.level = options.level.value_or(candidate.level);
-      CampaignReport one = {law, candidate.name, run_campaign(*law, candidate, campaign, control),
-                            properties::Finding::kHolds};
-      one.finding = one.result.finding();
+      CampaignReport one =
+          report_of(*law, contestant, candidate, run_campaign(*law, candidate, campaign, control));
       if (options.frontier) {
         one.frontier = beside(reaches(*law, candidate, campaign, control),
                               reaches(*law, baseline, campaign, control));

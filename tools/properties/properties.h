@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "properties/mistakes/explanation.h"
 #include "properties/run_control.h"
 #include "properties/search/campaign.h"
 #include "tools/external/contestant.h"
@@ -38,6 +39,9 @@ struct CampaignReport {
   properties::CampaignResult result;
   properties::Finding finding;
   std::vector<Frontier> frontier = {};  ///< Empty where it was not asked for.
+  /// The mistakes that explain what someone else's has wrong where it breaks the law.
+  std::vector<properties::Explanation> explanations = {};
+  std::optional<External> external = {};  ///< Whose it is, where it is someone else's.
 };
 
 /// Someone else's implementation, which documents no bounds.

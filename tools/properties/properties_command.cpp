@@ -18,6 +18,7 @@ struct PropertiesArguments {
   std::string rays;
   std::vector<std::string> intersect;
   ExternalArguments external;
+  std::string dialect;
   std::vector<std::string> sources;
   std::string level;
   std::optional<double> max_ulp;
@@ -51,7 +52,7 @@ int run_properties_command(const PropertiesArguments& arguments) {
   options.max_error = arguments.max_ulp;
   options.frontier = arguments.frontier;
   options.strict = arguments.strict;
-  options.contestants = find_contestants(arguments.external);
+  options.contestants = find_contestants(arguments.external, parse_driver(arguments.dialect));
   if (!arguments.rays.empty() || !arguments.intersect.empty()) {
     const auto pairs = contestants(chosen_methods(arguments.rays, arguments.intersect));
     options.contestants.insert(options.contestants.begin(), pairs.begin(), pairs.end());
@@ -72,7 +73,7 @@ Command add_properties(CLI::App& program) {
   command
       .add_option("--cases", arguments.cases,
                   "cases for each law and candidate, shared among sources and severities")
-      ->check(CLI::Range(1, 1000000000))
+      ->check(whole_number(1, kMostCases))
       ->capture_default_str();
   add_seed(command, arguments.seed);
   command.add_option("--replay", arguments.replay, "the string that a failure printed");
@@ -81,6 +82,10 @@ Command add_properties(CLI::App& program) {
                      "only this intersection method; several "
                      "times for several");
   add_external(command, arguments.external);
+  add_renderer(command, arguments.external);
+  command.add_option("--dialect", arguments.dialect,
+                     "of the driver files that renderers are given: A, B, C, 2017 to 2020, auto "
+                     "(what it reads), or a form such as B:17:no-light (default: B)");
   command.add_option("--source", arguments.sources,
                      "only cases of this source, or of this severity (SOURCE@SEVERITY); several "
                      "times for several");

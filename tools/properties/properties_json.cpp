@@ -16,6 +16,7 @@ Json counts_json(const properties::CaseCounts& counts, const properties::Verdict
           {"discrepancies_by_standing", standings_json(verdict)},
           {"left_out", counts.left_out},
           {"not_judged", counts.not_judged},
+          {"given_rays", counts.given_rays},
           {"reason_left_out", counts.reason.empty() ? Json(nullptr) : Json(counts.reason)}};
 }
 
@@ -56,6 +57,7 @@ Json campaign_json(const CampaignReport& campaign) {
       campaign.finding == Finding::kTooFewJudged
           ? Json{{"quantity", info(too_few->first).name}, {"question", name(too_few->second)}}
           : Json(nullptr);
+  json["explanations"] = explanations_json(campaign.explanations);
   json["quantities"] = tallies_json(result.verdict);
   json["parts"] = Json::array();
   for (const auto& part : result.parts) json["parts"].push_back(part_json(part));
@@ -97,7 +99,7 @@ std::string properties_json(const PropertiesReport& report, const ViewOptions& /
   json["strict"] = report.strict;
   json["fewest_right"] = properties::kFewestRight;
   json["failures"] = report.failures();
-  return json.dump(2) + "\n";
+  return json_text(json);
 }
 
 }  // namespace raycheck::tools

@@ -70,19 +70,30 @@ std::string holding_text(const CampaignResult& result) {
   return text;
 }
 
-/// Someone else's has to be named again to be asked again.
-std::string replay_text(const PropertiesReport& report, const CampaignReport& campaign) {
-  const bool is_external = std::any_of(
-      report.borrowed.begin(), report.borrowed.end(),
-      [&](const BorrowedBounds& bounds) { return bounds.candidate == campaign.candidate; });
+/// Someone else's has to be named again to be asked again, and so has how a renderer is judged.
+std::string replay_text(const CampaignReport& campaign) {
   const std::string& replay = campaign.result.failure->replay;
-  return is_external ? fmt::format("raycheck properties --candidate '{}' --replay '{}'",
-                                   campaign.candidate, replay)
-                     : fmt::format("raycheck properties --replay {}", replay);
+  if (!campaign.external) return fmt::format("raycheck properties --replay {}", replay);
+  std::string words = fmt::format("raycheck properties --candidate '{}'", campaign.candidate);
+  if (const auto& renderer = campaign.external->renderer) {
+    const Renderer usual{};
+    if (!(renderer->driver == usual.driver)) {
+      const std::string form = renderer->driver.name();
+      const char* const quote =
+          form.find_first_of(" ()<>|&;*?[#~{") == std::string::npos ? "" : "'";
+      words += fmt::format(" --dialect {1}{0}{1}", form, quote);
+    }
+    if (renderer->excused_change != usual.excused_change) {
+      words += fmt::format(" --image-change {}", renderer->excused_change);
+    }
+    if (renderer->threshold != usual.threshold) {
+      words += fmt::format(" --t-threshold {}", renderer->threshold);
+    }
+  }
+  return fmt::format("{} --replay '{}'", words, replay);
 }
 
-std::string failure_text(const PropertiesReport& report, const CampaignReport& campaign,
-                         bool colours) {
+std::string failure_text(const CampaignReport& campaign, bool colours) {
   const CampaignResult& result = campaign.result;
   const properties::Failure& failure = *result.failure;
   std::string text;
@@ -95,7 +106,10 @@ std::string failure_text(const PropertiesReport& report, const CampaignReport& c
   for (const auto& discrepancy : failure.verdict.worst(1)) {
     text += indented(discrepancy_text(discrepancy, colours), "    ");
   }
-  text += fmt::format("    replay: {}\n", replay_text(report, campaign));
+  const bool renders = campaign.external && campaign.external->renderer;
+  text +=
+      indented(explanations_text(campaign.explanations, renders ? "pixels" : "answers"), "    ");
+  text += fmt::format("    replay: {}\n", replay_text(campaign));
   text += "    the shrunk case, as a scene for `raycheck check`:\n";
   const std::string reason =
       fmt::format("breaks the law {} with {}", campaign.law->name, campaign.candidate);
@@ -147,6 +161,9 @@ std::string counts_text(const CampaignResult& result) {
     const std::uint64_t count = result.verdict.count(standing);
     if (count > 0) text += fmt::format(", {} {}", count, name(standing));
   }
+  if (counts.given_rays > 0) {
+    text += fmt::format(", {} on raycheck's own rays", counts.given_rays);
+  }
   if (counts.not_judged > 0) {
     text += fmt::format(", {} outside its domain not judged", counts.not_judged);
   }
@@ -182,7 +199,7 @@ std::string properties_text(const PropertiesReport& report, const ViewOptions& o
   }
   for (const CampaignReport& campaign : report.campaigns) {
     text += campaign_text(campaign, options.colours);
-    if (campaign.result.failure) text += failure_text(report, campaign, options.colours);
+    if (campaign.result.failure) text += failure_text(campaign, options.colours);
     const bool is_asked = campaign.finding != Finding::kLeftOut;
     if (is_asked && !campaign.frontier.empty()) text += frontier_text(campaign, report.baseline);
   }

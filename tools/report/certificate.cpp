@@ -254,7 +254,7 @@ Json certificate(const scene::Scene& scene, const scene::Conventions& convention
 
 std::string certificates_text(const std::vector<Json>& certificates) {
   std::string text;
-  for (const Json& one : certificates) text += one.dump() + "\n";
+  for (const Json& one : certificates) text += json_line(one);
   return text;
 }
 

@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "scene/number.h"
+#include "scene/text.h"
 #include "tools/report/version.h"
 #include "tools/report/words.h"
 
@@ -12,6 +13,23 @@ namespace raycheck::tools {
 using properties::Discrepancy;
 using properties::ExcuseKind;
 using properties::Tally;
+
+namespace {
+
+/// JSON spells the controls of ASCII itself, but not DEL and those of C1, nor those of the
+/// direction of writing.
+std::string spelled(const Json& json, int indent) {
+  const std::string text = json.dump(indent, ' ', false, Json::error_handler_t::replace);
+  std::string without_delete;
+  for (const char c : text)
+    without_delete += c == '\x7f' ? std::string("\\u007f") : std::string(1, c);
+  return scene::visible(without_delete) + "\n";
+}
+
+}  // namespace
+
+std::string json_text(const Json& json) { return spelled(json, 2); }
+std::string json_line(const Json& json) { return spelled(json, -1); }
 
 Json json_header(std::string_view command) {
   return {{"program", "raycheck"},
@@ -42,6 +60,19 @@ Json conventions_json(const scene::Conventions& conventions) {
           {"origin", name(conventions.origin)},
           {"root", name(conventions.root)},
           {"tangent", name(conventions.tangent)}};
+}
+
+Json dialect_json(std::optional<scene::Dialect> dialect) {
+  return dialect ? Json(name(*dialect)) : Json(nullptr);
+}
+
+Json explanations_json(const std::vector<properties::Explanation>& explanations) {
+  Json json = Json::array();
+  for (const properties::Explanation& one : explanations) {
+    json.push_back(
+        {{"sentence", one.sentence}, {"wrong", one.errors}, {"explained", one.explained}});
+  }
+  return json;
 }
 
 Json place_json(const properties::Place& place) {

@@ -7,9 +7,11 @@
 #include <string_view>
 #include <vector>
 
+#include "properties/mistakes/explanation.h"
 #include "properties/verdict.h"
 #include "reference/visibility/visibility.h"
 #include "scene/conventions.h"
+#include "scene/files/scene_file.h"
 
 namespace raycheck::tools {
 
@@ -19,6 +21,12 @@ using Json = nlohmann::ordered_json;
 /// Of the reports that docs/json.md describes: one more with every change that can break a reader
 /// (a key or value that goes, or means something else), not with what is added.
 inline constexpr int kSchemaVersion = 3;
+
+/// A report as text, as every view writes it. Texts that are no UTF-8 have U+FFFD where they are
+/// none, and no byte of it acts on a terminal.
+std::string json_text(const Json& json);
+/// The same on one line.
+std::string json_line(const Json& json);
 
 /// What every command's report begins with.
 Json json_header(std::string_view command);
@@ -31,10 +39,14 @@ Json hexfloats(const std::vector<double>& numbers);
 Json hexfloat_or_null(std::optional<double> number);
 
 Json conventions_json(const scene::Conventions& conventions);
+/// "A", "B" or "C"; null of what is no driver file.
+Json dialect_json(std::optional<scene::Dialect> dialect);
 Json place_json(const properties::Place& place);
 /// Null of a defect.
 Json excuse_json(const properties::Discrepancy& discrepancy);
 Json discrepancy_json(const properties::Discrepancy& discrepancy);
+
+Json explanations_json(const std::vector<properties::Explanation>& explanations);
 
 /// What was compared for one quantity: the same object in every report.
 Json tally_json(properties::Quantity quantity, const properties::Tally& tally);

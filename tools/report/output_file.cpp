@@ -63,4 +63,14 @@ void OutputFile::fail(const std::string& why) const {
   throw std::runtime_error(fmt::format("{} {}: could not be written: {}", named_by_, path_, why));
 }
 
+void require_no_input(const std::string& named_by, const std::string& path,
+                      const std::vector<std::string>& inputs) {
+  for (const std::string& input : inputs) {
+    std::error_code error;
+    if (!fs::equivalent(path, input, error)) continue;
+    throw std::invalid_argument(
+        fmt::format("{} {}: is {}, which is read; give another file", named_by, path, input));
+  }
+}
+
 }  // namespace raycheck::tools

@@ -4,6 +4,7 @@
 #include <fstream>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace raycheck::tools {
 
@@ -40,6 +41,11 @@ class OutputFile {
   std::string beside_;  ///< Where it is written first; empty once it was moved.
   std::ofstream file_;
 };
+
+/// Throws std::invalid_argument where an output file is one of those that the same command reads,
+/// whatever links lead there. An input that is not there is none.
+void require_no_input(const std::string& named_by, const std::string& path,
+                      const std::vector<std::string>& inputs);
 
 }  // namespace raycheck::tools
 

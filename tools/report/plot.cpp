@@ -14,6 +14,8 @@
 #include <stdexcept>
 #include <string_view>
 
+#include "tools/report/output_file.h"
+
 namespace raycheck::tools {
 namespace {
 
@@ -145,6 +147,7 @@ void require_plottable(const std::string& path) {
   if (!folder.empty() && !std::filesystem::is_directory(folder)) {
     throw std::invalid_argument("plot " + path + ": there is no folder " + folder.string());
   }
+  const OutputFile tried("plot", path);  // hours of work do not end in a file that is not written
 }
 
 void draw(const std::vector<Plot>& plots, const std::string& path) {

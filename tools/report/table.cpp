@@ -4,15 +4,10 @@
 
 #include <algorithm>
 
+#include "tools/report/csv.h"
+
 namespace raycheck::tools {
 namespace {
-
-std::string csv_cell(const std::string& cell) {
-  if (cell.find_first_of(",\"\n") == std::string::npos) return cell;
-  std::string quoted = "\"";
-  for (const char c : cell) quoted += c == '"' ? std::string("\"\"") : std::string(1, c);
-  return quoted + "\"";
-}
 
 template <class Cells, class Write>
 std::string line(const Cells& cells, std::string_view before, std::string_view between,

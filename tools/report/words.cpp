@@ -2,6 +2,7 @@
 
 #include <fmt/color.h>
 #include <fmt/core.h>
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <array>
@@ -93,6 +94,26 @@ std::string place_text(const properties::Place& place) {
   std::string text = place.pixel ? fmt::format("pixel ({}, {})", place.pixel->i, place.pixel->j)
                                  : fmt::format("ray {}", place.ray);
   if (place.sphere) text += fmt::format(", sphere {}", *place.sphere);
+  return text;
+}
+
+std::string scene_file_text(std::string_view path, std::optional<scene::Dialect> dialect) {
+  return dialect ? fmt::format("{} (driver file of dialect {})", path, name(*dialect))
+                 : std::string(path);
+}
+
+std::string not_needed_text(const std::vector<std::string>& not_needed) {
+  if (not_needed.empty()) return "";
+  return fmt::format("not needed here: {}\n", fmt::join(not_needed, ", "));
+}
+
+std::string explanations_text(const std::vector<properties::Explanation>& explanations,
+                              std::string_view answers) {
+  std::string text;
+  for (const properties::Explanation& one : explanations) {
+    text += fmt::format("{}: {} of {} wrong {} are right that way\n", one.sentence, one.explained,
+                        one.errors, answers);
+  }
   return text;
 }
 

@@ -8,9 +8,11 @@
 #include <string_view>
 #include <vector>
 
+#include "properties/mistakes/explanation.h"
 #include "properties/verdict.h"
 #include "reference/visibility/visibility.h"
 #include "scene/conventions.h"
+#include "scene/files/scene_file.h"
 
 namespace raycheck::tools {
 
@@ -30,6 +32,11 @@ bool has_place(properties::Quantity quantity);
 /// "pixel (3, 4), sphere 0" or "ray 2".
 std::string place_text(const properties::Place& place);
 
+/// A scene file as reports name it: "rt.txt (driver file of dialect A)".
+std::string scene_file_text(std::string_view path, std::optional<scene::Dialect> dialect);
+/// "not needed here: ambient, 2 lights", a line, or nothing.
+std::string not_needed_text(const std::vector<std::string>& not_needed);
+
 /// "rows bottom-first, samples edges, ..."
 std::string conventions_text(const scene::Conventions& conventions);
 
@@ -44,6 +51,10 @@ std::string input_name(const properties::Discrepancy& discrepancy, std::size_t i
 /// "2 defects, 1 excused", by how many there are of each; "no discrepancy" where there is none.
 std::string standings_text(
     const std::function<std::uint64_t(properties::Standing standing)>& count);
+
+/// "rows are upside down: 90 of 90 wrong pixels are right that way", a line each.
+std::string explanations_text(const std::vector<properties::Explanation>& explanations,
+                              std::string_view answers);
 
 /// What a discrepancy is, got, should have been, by how much and with what excuse, in lines.
 std::string discrepancy_text(const properties::Discrepancy& discrepancy, bool colours);

@@ -10,13 +10,14 @@
 #include <memory>
 
 #include "properties/run_control.h"
+#include "scene/interruption.h"
 
 namespace raycheck::tools {
 
 /// Calls make(k) for every k in [0, count) by the threads of `control`, and take(result) one after
 /// the other in the order of k, so that what is taken does not depend on the number of threads; few
-/// results are held at a time. Stops early at an interrupt. What make or take throws passes
-/// through.
+/// results are held at a time. Stops early at an interrupt, also one that make notices deep inside:
+/// then its result is not taken. What else make or take throws passes through.
 template <class Result, class Make, class Take>
 void in_order(std::int64_t count, const properties::RunControl& control, const Make& make,
               const Take& take) {
@@ -32,15 +33,22 @@ void in_order(std::int64_t count, const properties::RunControl& control, const M
     return next++;
   };
   using Shared = std::shared_ptr<Result>;
-  arena.execute([&] {
-    tbb::parallel_pipeline(
-        2 * most, tbb::make_filter<void, std::int64_t>(tbb::filter_mode::serial_in_order, number) &
-                      tbb::make_filter<std::int64_t, Shared>(
-                          tbb::filter_mode::parallel,
-                          [&](std::int64_t k) { return std::make_shared<Result>(make(k)); }) &
-                      tbb::make_filter<Shared, void>(tbb::filter_mode::serial_in_order,
-                                                     [&](const Shared& result) { take(*result); }));
-  });
+  const auto made = [&](std::int64_t k) {
+    const scene::Interruptible interruptible(control.interrupted);
+    return std::make_shared<Result>(make(k));
+  };
+  try {
+    arena.execute([&] {
+      tbb::parallel_pipeline(
+          2 * most,
+          tbb::make_filter<void, std::int64_t>(tbb::filter_mode::serial_in_order, number) &
+              tbb::make_filter<std::int64_t, Shared>(tbb::filter_mode::parallel, made) &
+              tbb::make_filter<Shared, void>(tbb::filter_mode::serial_in_order,
+                                             [&](const Shared& result) { take(*result); }));
+    });
+  } catch (const scene::Interrupted&) {
+    // What was taken until then is the answer.
+  }
 }
 
 }  // namespace raycheck::tools

@@ -38,11 +38,24 @@ std::pair<int, int> range_of(const CaseSource& family, const StressOptions& opti
   const int highest = family.dial->highest;
   if (!options.severities) return {0, highest};
   const auto [from, to] = *options.severities;
-  if (from > highest) {
-    throw std::invalid_argument(fmt::format("severity {}..{}: the severities of {} are 0..{}", from,
-                                            to, family.name, highest));
-  }
   return {from, std::min(to, highest)};
+}
+
+/// Each family has the first severity that is asked for, and one of them the last.
+void require_severities(const std::vector<const CaseSource*>& families,
+                        const StressOptions& options) {
+  if (!options.severities || families.empty()) return;
+  const auto [from, to] = *options.severities;
+  const auto by_highest = [](const CaseSource* a, const CaseSource* b) {
+    return a->dial->highest < b->dial->highest;
+  };
+  const auto [fewest, most] = std::minmax_element(families.begin(), families.end(), by_highest);
+  const CaseSource* const beyond = from > (*fewest)->dial->highest ? *fewest
+                                   : to > (*most)->dial->highest   ? *most
+                                                                   : nullptr;
+  if (beyond == nullptr) return;
+  throw std::invalid_argument(fmt::format("severity {}..{}: the severities of {} are 0..{}", from,
+                                          to, beyond->name, beyond->dial->highest));
 }
 
 std::vector<int> severities_of(const CaseSource& family, const StressOptions& options) {
@@ -148,7 +161,7 @@ StressReport run_stress(const StressOptions& options, const properties::RunContr
   report.seed = options.seed;
   const std::vector<const CaseSource*> families = chosen_families(options.families);
   const std::vector<StagedMethod> methods = find_methods(options.methods);
-  for (const CaseSource* family : families) range_of(*family, options);
+  require_severities(families, options);
   for (const CaseSource* family : families) {
     FamilyReport one{family, {}};
     for (const Stage stage : stages_of(*family)) {

@@ -1,5 +1,6 @@
 #include <fmt/core.h>
 
+#include <limits>
 #include <memory>
 #include <stdexcept>
 
@@ -25,7 +26,7 @@ struct StressArguments {
 std::pair<int, int> parse_range(const std::string& text) {
   const std::size_t dots = text.find("..");
   const auto number = [&](const std::string& part) {
-    return static_cast<int>(std::min<std::int64_t>(parse_index("--severity", part, 0), 1 << 20));
+    return static_cast<int>(parse_index("--severity", part, 0, std::numeric_limits<int>::max()));
   };
   if (dots == std::string::npos) return {number(text), number(text)};
   const std::pair<int, int> range = {number(text.substr(0, dots)), number(text.substr(dots + 2))};
@@ -42,7 +43,8 @@ int run_stress(StressArguments& arguments) {
   if (arguments.certificates) certificates.emplace("--certificates", *arguments.certificates);
   const StressReport report = run_stress(arguments.options, run_control("stress"));
   print_view(kStressViews, arguments.format, report);
-  if (!arguments.plot.empty()) draw_or_say(stress_plots(report), arguments.plot);
+  if (!arguments.plot.empty() && !report.interrupted)
+    draw_or_say(stress_plots(report), arguments.plot);
   if (certificates) certificates->write(stress_certificates(report));
   return exit_code(report.interrupted, !report.all_stable(), report.compared() > 0);
 }
@@ -65,7 +67,7 @@ Command add_stress(CLI::App& program) {
   command.add_option("--severity", given->severity,
                      "only these severities, A..B (default: the family's own range)");
   command.add_option("--cases", options.cases, "cases at each severity")
-      ->check(CLI::Range(1, 1000000000))
+      ->check(whole_number(1, kMostCases))
       ->capture_default_str();
   add_seed(command, options.seed);
   command.add_option("--plot", given->plot,

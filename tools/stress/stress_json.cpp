@@ -37,7 +37,7 @@ std::string stress_json(const StressReport& report, const ViewOptions& /*options
     }
     json["families"].push_back(std::move(entry));
   }
-  return json.dump(2) + "\n";
+  return json_text(json);
 }
 
 }  // namespace raycheck::tools

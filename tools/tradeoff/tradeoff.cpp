@@ -8,6 +8,7 @@
 
 #include "properties/cases/random.h"
 #include "properties/cases/scene_cases.h"
+#include "scene/interruption.h"
 #include "tools/tradeoff/tradeoff_timing.h"
 
 namespace raycheck::tools {
@@ -26,6 +27,22 @@ const std::vector<std::string> kOrdinary = {"rays", "cameras"};
 
 /// The rays judged at a time.
 constexpr std::uint64_t kChunk = 512;
+
+/// A scene's rays so many at a time.
+class SceneChunks {
+ public:
+  explicit SceneChunks(const properties::SceneCases& cases) : cases_(cases) {}
+
+  std::uint64_t count() const { return (cases_.rays_judged() + kChunk - 1) / kChunk; }
+  /// How many rays the first ones have.
+  std::uint64_t rays(std::uint64_t chunks) const {
+    return std::min(chunks * kChunk, cases_.rays_judged());
+  }
+  Case operator[](std::uint64_t k) const { return cases_.from(k * kChunk, rays(k + 1)); }
+
+ private:
+  const properties::SceneCases& cases_;
+};
 
 std::vector<ChosenSource> chosen_sources(const TradeoffOptions& options) {
   std::vector<ChosenSource> sources;
@@ -46,12 +63,27 @@ std::vector<ChosenSource> chosen_sources(const TradeoffOptions& options) {
   return sources;
 }
 
-std::vector<Case> cases_of(const ChosenSource& source, int count, std::uint64_t seed) {
-  properties::Random seeds(seed);
-  std::vector<Case> cases;
-  for (int k = 0; k < count; ++k) cases.push_back(source.make(seeds.bits()));
-  return cases;
-}
+/// The cases that methods are timed on, which are the first ones: until they have more spheres,
+/// rays and pixels than this between them.
+constexpr std::size_t kMostTimed = std::size_t{1} << 21;
+
+/// Those of one source, or of a scene.
+class TimedCases {
+ public:
+  explicit TimedCases(std::size_t sources) : most_(kMostTimed / sources) {}
+
+  void add(const Case& one) {
+    if (size_ > most_) return;
+    size_ += one.scene.spheres.size() + one.scene.rays.size() + one.pixels.size();
+    cases_.push_back(one);
+  }
+  const std::vector<Case>& cases() const { return cases_; }
+
+ private:
+  std::size_t most_;
+  std::size_t size_ = 0;
+  std::vector<Case> cases_;
+};
 
 std::vector<MethodCost> costs_of(const std::vector<StagedMethod>& methods, Stage stage) {
   std::vector<MethodCost> costs;
@@ -63,22 +95,54 @@ std::vector<MethodCost> costs_of(const std::vector<StagedMethod>& methods, Stage
   return costs;
 }
 
-/// Judges a stage's methods on cases that belong together.
-void judge(const std::vector<Case>& cases, const std::string& name, Stage stage,
-           const properties::RunControl& control, std::vector<MethodCost>& costs) {
-  std::vector<Candidate> candidates;
-  for (const MethodCost& cost : costs) candidates.push_back(candidate_of(cost.method));
-  std::vector<StressResult> results(costs.size());
-  for (const Case& one : cases) {
-    if (control.interrupted()) break;
-    properties::stress(one, stage, candidates, results);
+/// Judges a stage's methods on cases that belong together, one at a time.
+class StageJudge {
+ public:
+  StageJudge(Stage stage, std::vector<MethodCost>& costs)
+      : stage_(stage), costs_(costs), results_(costs.size()) {
+    for (const MethodCost& cost : costs) candidates_.push_back(candidate_of(cost.method));
   }
-  for (std::size_t k = 0; k < costs.size(); ++k) {
-    if (results[k].inside.compared() > 0 && !is_stable(results[k].inside)) {
-      costs[k].unstable_on.push_back(name);
+
+  void judge(const Case& one) { properties::stress(one, stage_, candidates_, results_); }
+  /// Adds what was found out on the cases, which reports call `name`.
+  void finish(const std::string& name) {
+    for (std::size_t k = 0; k < costs_.size(); ++k) {
+      if (results_[k].inside.compared() > 0 && !is_stable(results_[k].inside)) {
+        costs_[k].unstable_on.push_back(name);
+      }
+      costs_[k].accuracy.merge(std::move(results_[k]));
     }
-    costs[k].accuracy.merge(std::move(results[k]));
   }
+
+ private:
+  Stage stage_;
+  std::vector<MethodCost>& costs_;
+  std::vector<Candidate> candidates_;
+  std::vector<StressResult> results_;
+};
+
+/// Judges the methods of both stages on cases that `make` makes by their numbers, or on those
+/// reached before an interrupt; returns on how many. No more of them than are timed are kept.
+template <class Make>
+std::uint64_t judge(std::uint64_t count, const Make& make, const std::string& name,
+                    TradeoffReport& report, TimedCases& timed) {
+  StageJudge rays(Stage::kRays, report.rays);
+  StageJudge intersections(Stage::kIntersection, report.intersections);
+  std::uint64_t judged = 0;
+  try {
+    for (; judged < count; ++judged) {
+      scene::poll();
+      const Case one = make(judged);
+      rays.judge(one);
+      intersections.judge(one);
+      timed.add(one);
+    }
+  } catch (const scene::Interrupted&) {
+    // What was judged until then is the answer.
+  }
+  rays.finish(name);
+  intersections.finish(name);
+  return judged;
 }
 
 /// Marks what nothing beats: in time, defects and error at once.
@@ -134,9 +198,9 @@ std::vector<MethodPair> pairs_worth_timing(const TradeoffReport& report) {
   return pairs;
 }
 
-void judge_pixels(const std::vector<Case>& chunks, TradeoffReport& report) {
+void judge_pixels(const SceneChunks& chunks, TradeoffReport& report) {
   const std::vector<MethodPair> pairs = pairs_worth_timing(report);
-  const std::vector<Duration> durations = time_pixels(chunks.front(), pairs);
+  const std::vector<Duration> durations = time_pixels(chunks[0], pairs);
   std::vector<Candidate> candidates;
   for (std::size_t k = 0; k < pairs.size(); ++k) {
     candidates.push_back(candidate_of(pairs[k]));
@@ -146,7 +210,9 @@ void judge_pixels(const std::vector<Case>& chunks, TradeoffReport& report) {
     return law.stage == Stage::kIntersection && law.per == properties::Per::kPair &&
            law.judges_values && law.tells_stability;
   });
-  for (const Case& chunk : chunks) {
+  for (std::uint64_t number = 0; number < chunks.count(); ++number) {
+    scene::poll();
+    const Case chunk = chunks[number];
     properties::SharedTruths truths(chunk);
     for (std::size_t k = 0; k < pairs.size(); ++k) {
       const auto conventions = candidates[k].declared.over(chunk.scene.conventions);
@@ -171,11 +237,12 @@ std::vector<Case> asked_of(const std::vector<Case>& cases, Stage stage) {
   return asked;
 }
 
-void finish(const std::vector<Case>& all, TradeoffReport& report) {
-  // Sources in turn, so that what is timed is of all of them.
+/// Throws scene::Interrupted: then what is not timed yet stays so.
+void finish(const std::vector<Case>& timed, TradeoffReport& report) {
+  scene::poll();
   for (const Stage stage : {Stage::kRays, Stage::kIntersection}) {
     std::vector<MethodCost>& costs = stage == Stage::kRays ? report.rays : report.intersections;
-    const std::vector<Case> asked = asked_of(all, stage);
+    const std::vector<Case> asked = asked_of(timed, stage);
     if (asked.empty()) {
       costs.clear();
       report.left_out.push_back(fmt::format("{}: nothing asks for them", name(stage)));
@@ -190,56 +257,53 @@ void finish(const std::vector<Case>& all, TradeoffReport& report) {
   }
 }
 
-void run_on_scene(const TradeoffOptions& options, const std::vector<StagedMethod>& methods,
-                  const properties::RunControl& control, TradeoffReport& report) {
+void run_on_scene(const TradeoffOptions& options, TradeoffReport& report) {
   scene::LoadedScene loaded = scene::load_scene(options.scene, options.dialect);
   report.warnings = std::move(loaded.warnings);
   report.subject = options.scene;
-  const properties::SceneCases chunks(std::move(loaded.scene),
-                                      static_cast<std::uint64_t>(options.cases));
-  if (chunks.rays_judged() < chunks.rays_in_scene()) {
+  const properties::SceneCases cases(std::move(loaded.scene),
+                                     static_cast<std::uint64_t>(options.cases));
+  if (cases.rays_judged() < cases.rays_in_scene()) {
     report.left_out.push_back(fmt::format("{} of {} rays: only {} were asked for",
-                                          chunks.rays_in_scene() - chunks.rays_judged(),
-                                          chunks.rays_in_scene(), chunks.rays_judged()));
+                                          cases.rays_in_scene() - cases.rays_judged(),
+                                          cases.rays_in_scene(), cases.rays_judged()));
   }
-  std::vector<Case> all;
-  for (std::uint64_t first = 0; first < chunks.rays_judged(); first += kChunk) {
-    all.push_back(chunks.from(first, std::min(first + kChunk, chunks.rays_judged())));
-  }
-  report.cases = chunks.rays_judged();
-  for (const Stage stage : {Stage::kRays, Stage::kIntersection}) {
-    std::vector<MethodCost>& costs = stage == Stage::kRays ? report.rays : report.intersections;
-    costs = costs_of(methods, stage);
-    judge(all, options.scene, stage, control, costs);
-  }
-  finish(all, report);
+  const SceneChunks chunks(cases);
+  TimedCases timed(1);
+  const auto chunk = [&](std::uint64_t k) { return chunks[k]; };
+  report.cases = chunks.rays(judge(chunks.count(), chunk, options.scene, report, timed));
+  finish(timed.cases(), report);
   if (!report.rays.empty() && !report.intersections.empty()) {
-    judge_pixels(all, report);
+    judge_pixels(chunks, report);
   } else {
     report.left_out.emplace_back("pixels end to end: the scene has no camera or no sphere");
   }
 }
 
-void run_on_sources(const TradeoffOptions& options, const std::vector<StagedMethod>& methods,
-                    const properties::RunControl& control, TradeoffReport& report) {
-  report.rays = costs_of(methods, Stage::kRays);
-  report.intersections = costs_of(methods, Stage::kIntersection);
+void run_on_sources(const TradeoffOptions& options, const properties::RunControl& control,
+                    TradeoffReport& report) {
   const std::vector<ChosenSource> sources = chosen_sources(options);
   const int share = std::max(1, options.cases / static_cast<int>(sources.size()));
-  std::vector<std::vector<Case>> by_source;
+  std::vector<TimedCases> by_source;
   for (const ChosenSource& source : sources) {
     const std::string name = source.name();
     report.subject += (report.subject.empty() ? "" : ", ") + name;
     control.progress("judging " + name);
-    by_source.push_back(cases_of(source, share, options.seed));
-    report.cases += by_source.back().size();
-    judge(by_source.back(), name, Stage::kRays, control, report.rays);
-    judge(by_source.back(), name, Stage::kIntersection, control, report.intersections);
+    properties::Random seeds(options.seed);
+    const auto next = [&](std::uint64_t /*number*/) { return source.make(seeds.bits()); };
+    by_source.emplace_back(sources.size());
+    report.cases += judge(static_cast<std::uint64_t>(share), next, name, report, by_source.back());
   }
   control.progress("timing");
+  // Sources in turn, so that what is timed is of all of them.
   std::vector<Case> mixed;
-  for (std::size_t k = 0; k < by_source.front().size(); ++k) {
-    for (const auto& cases : by_source) mixed.push_back(cases[k]);
+  for (std::size_t k = 0, added = 1; added > 0; ++k) {
+    added = 0;
+    for (const TimedCases& timed : by_source) {
+      if (k >= timed.cases().size()) continue;
+      mixed.push_back(timed.cases()[k]);
+      ++added;
+    }
   }
   finish(mixed, report);
 }
@@ -270,10 +334,17 @@ TradeoffReport run_tradeoff(const TradeoffOptions& options, const properties::Ru
   TradeoffReport report;
   report.seed = options.seed;
   const std::vector<StagedMethod> methods = find_methods(options.methods);
-  if (options.scene.empty()) {
-    run_on_sources(options, methods, control, report);
-  } else {
-    run_on_scene(options, methods, control, report);
+  report.rays = costs_of(methods, Stage::kRays);
+  report.intersections = costs_of(methods, Stage::kIntersection);
+  const scene::Interruptible interruptible(control.interrupted);
+  try {
+    if (options.scene.empty()) {
+      run_on_sources(options, control, report);
+    } else {
+      run_on_scene(options, report);
+    }
+  } catch (const scene::Interrupted&) {
+    // What was judged and timed until then is the answer.
   }
   report.interrupted = control.interrupted();
   return report;

@@ -3,6 +3,7 @@
 
 #include "tools/arguments.h"
 #include "tools/commands.h"
+#include "tools/report/output_file.h"
 #include "tools/terminal.h"
 #include "tools/tradeoff/tradeoff_views.h"
 
@@ -24,11 +25,15 @@ int run_tradeoff(TradeoffArguments& arguments) {
     throw std::invalid_argument("tradeoff: give one of SCENE, --family and --all-families");
   }
   options.dialect = parse_dialect(arguments.dialect);
-  if (!arguments.plot.empty()) require_plottable(arguments.plot);
+  if (!arguments.plot.empty()) {
+    require_plottable(arguments.plot);
+    require_no_input("--plot", arguments.plot, {options.scene});
+  }
   const TradeoffReport report = run_tradeoff(options, run_control("tradeoff"));
   print_warnings(report.warnings);
   print_view(kTradeoffViews, arguments.format, report);
-  if (!arguments.plot.empty()) draw_or_say(tradeoff_plots(report), arguments.plot);
+  if (!arguments.plot.empty() && !report.interrupted)
+    draw_or_say(tradeoff_plots(report), arguments.plot);
   return exit_code(report.interrupted, false, report.compared() > 0);
 }
 
@@ -41,7 +46,8 @@ Command add_tradeoff(CLI::App& program) {
       "tradeoff", "Compare methods by certified error and measured time on the same inputs");
   command.add_option("SCENE", options.scene,
                      "a scene: only what it needs is compared (default: ordinary cases)");
-  command.add_option("--dialect", given->dialect, "of a driver file: A, B or C");
+  command.add_option("--dialect", given->dialect,
+                     "of a driver file: A, B or C, or a year, 2017 to 2020");
   command
       .add_option("--family", options.sources,
                   "cases of these families or other sources, separated by commas")
@@ -54,7 +60,7 @@ Command add_tradeoff(CLI::App& program) {
           "fast/, without the reference and peers)")
       ->delimiter(',');
   command.add_option("--cases", options.cases, "how many cases, or pixels of a scene")
-      ->check(CLI::Range(1, 1000000000))
+      ->check(whole_number(1, kMostCases))
       ->capture_default_str();
   add_seed(command, options.seed);
   command.add_option("--plot", given->plot,

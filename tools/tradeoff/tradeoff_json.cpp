@@ -49,7 +49,7 @@ std::string tradeoff_json(const TradeoffReport& report, const ViewOptions& /*opt
                               {"quantities", tallies_json(cost.verdict)}});
   }
   json["left_out"] = report.left_out;
-  return json.dump(2) + "\n";
+  return json_text(json);
 }
 
 }  // namespace raycheck::tools

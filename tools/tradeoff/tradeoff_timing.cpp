@@ -11,6 +11,7 @@
 
 #include "fast/batch.h"
 #include "properties/cases/random.h"
+#include "scene/interruption.h"
 
 namespace raycheck::tools {
 namespace {
@@ -57,10 +58,14 @@ Load load_of(const Timed& timed) {
 
 std::vector<Duration> time_interleaved(const std::vector<Timed>& all) {
   std::vector<Load> loads;
-  for (const Timed& timed : all) loads.push_back(load_of(timed));
+  for (const Timed& timed : all) {
+    scene::poll();
+    loads.push_back(load_of(timed));
+  }
   std::vector<std::vector<double>> seen(all.size());
   for (int repetition = 0; repetition < kRepetitions; ++repetition) {
     for (std::size_t k = 0; k < all.size(); ++k) {
+      scene::poll();
       double elapsed = 0;
       for (int time = 0; time < loads[k].times; ++time) {
         elapsed += elapsed_ns(all[k], loads[k].count);

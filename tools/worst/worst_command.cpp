@@ -48,10 +48,10 @@ Command add_worst(CLI::App& program) {
           std::vector<std::string>(properties::kClimbNames.begin(), properties::kClimbNames.end())))
       ->capture_default_str();
   command.add_option("--cases", options.cases, "random cases")
-      ->check(CLI::Range(1, 1000000000))
+      ->check(whole_number(1, kMostCases))
       ->capture_default_str();
   command.add_option("--steps", options.steps, "changes tried after the random cases")
-      ->check(CLI::Range(0, 1000000000))
+      ->check(whole_number(0, kMostCases))
       ->capture_default_str();
   add_seed(command, options.seed);
   command.add_option("--save", given->save, "write the input to a TOML scene");

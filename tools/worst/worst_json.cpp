@@ -32,7 +32,7 @@ std::string worst_json(const WorstReport& report, const ViewOptions& /*options*/
   json["measured"] = report.worst.has_value();
   json["interrupted"] = report.interrupted;
   if (report.worst) add(json, *report.worst);
-  return json.dump(2) + "\n";
+  return json_text(json);
 }
 
 }  // namespace raycheck::tools

@@ -6,6 +6,7 @@
 // none.
 
 #include <dlfcn.h>
+#include <raycheck/candidate.h>
 #include <unistd.h>
 
 #include <array>
@@ -20,8 +21,6 @@
 #include <string>
 #include <string_view>
 #include <vector>
-
-#include "raycheck/candidate.h"
 
 namespace {
 

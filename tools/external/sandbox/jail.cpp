@@ -2,31 +2,49 @@
 //
 // Becomes PROGRAM, which then may not do what the limits forbid:
 //   cpu=SECONDS memory=BYTES file=BYTES files=COUNT processes=COUNT   its resources
-//   user=ID                           as that user and group, and no other group; only for root
-//   seccomp=1                         without sockets, without looking into other processes
+//   supervise=1            as a child of this process, which ends when nothing of it is left
+//   group=PATH             the child begins in this control group; only with supervise
+//   user=ID                as that user and group, and no other group; only for root
+//   seccomp=1              without sockets, without looking into other processes (jail_calls.h)
+//   judge=PROCESS          its user has other processes, which it could reach by their numbers;
+//                          this one above all it may not
+//   reads=PATH writes=PATH hidden=PATH   by Landlock no other files than these (jail_files.h); each
+//                          any number of times
+//   error=DESCRIPTOR       PROGRAM's standard error; until a NUL byte on the present one says that
+//                          all is in place, that takes what goes wrong
 // Always: no more privileges than it has, no core file, a group of its own, nothing open but the
-// standard streams, killed when its parent dies. Exits with 125, after a line about it, when it
-// cannot.
+// standard streams and descriptor 3, killed when its parent dies. Exits with 125, after a line
+// about it, when it cannot.
 
 #include <grp.h>
 #include <linux/close_range.h>
-#include <seccomp.h>
 #include <sys/prctl.h>
 #include <sys/resource.h>
-#include <sys/socket.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <charconv>
 #include <csignal>
 #include <cstdint>
 #include <cstdio>
 #include <cstring>
+#include <exception>
+#include <string>
 #include <string_view>
+
+#include "tools/external/sandbox/jail_calls.h"
+#include "tools/external/sandbox/jail_files.h"
+#include "tools/external/sandbox/supervise.h"
 
 namespace {
 
+using raycheck::tools::FileRights;
+using raycheck::tools::Reach;
+
 constexpr int kCannot = 125;
+/// The first descriptor that is closed.
+constexpr unsigned kFirstClosed = 4;
 
 [[noreturn]] void give_up(std::string_view what, const char* why) {
   std::fprintf(stderr, "raycheck-jail: %.*s: %s\n", static_cast<int>(what.size()), what.data(),
@@ -38,8 +56,8 @@ void require(bool done, std::string_view what) {
   if (!done) give_up(what, std::strerror(errno));
 }
 
-void limit(int resource, std::uint64_t value, std::string_view what) {
-  const rlimit both = {value, value};
+void limit(int resource, std::uint64_t value, std::string_view what, std::uint64_t most = 0) {
+  const rlimit both = {value, std::max(value, most)};
   require(setrlimit(static_cast<__rlimit_resource>(resource), &both) == 0, what);
 }
 
@@ -48,79 +66,59 @@ void become(std::uint64_t user) {
   require(setgroups(0, nullptr) == 0 && setgid(id) == 0 && setuid(id) == 0, "user");
 }
 
-void forbid_calls() {
-  constexpr const char* kForbidden[] = {"socket",
-                                        "connect",
-                                        "bind",
-                                        "listen",
-                                        "accept",
-                                        "accept4",
-                                        "ptrace",
-                                        "process_vm_readv",
-                                        "process_vm_writev",
-                                        "process_madvise",
-                                        "pidfd_getfd",
-                                        "kcmp",
-                                        "perf_event_open",
-                                        "bpf",
-                                        "userfaultfd",
-                                        "io_uring_setup",
-                                        "keyctl",
-                                        "add_key",
-                                        "request_key",
-                                        "mount",
-                                        "umount2",
-                                        "pivot_root",
-                                        "move_mount",
-                                        "open_tree",
-                                        "fsopen",
-                                        "setns",
-                                        "unshare",
-                                        "open_by_handle_at",
-                                        "name_to_handle_at",
-                                        "kexec_load",
-                                        "init_module",
-                                        "finit_module",
-                                        "delete_module",
-                                        "quotactl",
-                                        "swapon",
-                                        "swapoff",
-                                        "reboot"};
-  const scmp_filter_ctx filter = seccomp_init(SCMP_ACT_ALLOW);
-  require(filter != nullptr, "seccomp");
-  for (const char* name : kForbidden) {
-    const int call = seccomp_syscall_resolve_name(name);
-    if (call == __NR_SCMP_ERROR) continue;  // not one of this machine's
-    require(seccomp_rule_add(filter, SCMP_ACT_ERRNO(EPERM), call, 0) == 0, name);
-  }
-  // Java's files need a pair of streams, which lead nowhere else; datagrams can be addressed.
-  const scmp_arg_cmp is_no_stream = {1, SCMP_CMP_NE, SOCK_STREAM, 0};
-  require(seccomp_rule_add_array(filter, SCMP_ACT_ERRNO(EPERM), SCMP_SYS(socketpair), 1,
-                                 &is_no_stream) == 0,
-          "socketpair");
-  require(seccomp_load(filter) == 0, "seccomp");
-  seccomp_release(filter);
-}
-
 struct Limits {
-  std::uint64_t cpu = 0, memory = 0, file = 0, files = 0, processes = 0, user = 0, seccomp = 0;
+  std::uint64_t cpu = 0, memory = 0, file = 0, files = 0, processes = 0, user = 0, supervise = 0,
+                seccomp = 0, judge = 0, error = 0;
+  FileRights rights;
+  std::string group;
 };
+
+/// Whether it was a path.
+bool read_path(std::string_view name, std::string_view value, Limits& limits) {
+  if (name == "reads") limits.rights.reads.emplace_back(value);
+  if (name == "writes") limits.rights.writes.emplace_back(value);
+  if (name == "hidden") limits.rights.hidden.emplace_back(value);
+  if (name == "group") limits.group = value;
+  return name == "reads" || name == "writes" || name == "hidden" || name == "group";
+}
 
 void read_limit(std::string_view argument, Limits& limits) {
   const std::size_t equals = argument.find('=');
+  if (equals == std::string_view::npos) give_up(argument, "not LIMIT=VALUE");
   const std::string_view name = argument.substr(0, equals);
+  if (read_path(name, argument.substr(equals + 1), limits)) return;
   std::uint64_t* value = name == "cpu"         ? &limits.cpu
                          : name == "memory"    ? &limits.memory
                          : name == "file"      ? &limits.file
                          : name == "files"     ? &limits.files
                          : name == "processes" ? &limits.processes
                          : name == "user"      ? &limits.user
+                         : name == "supervise" ? &limits.supervise
                          : name == "seccomp"   ? &limits.seccomp
+                         : name == "judge"     ? &limits.judge
+                         : name == "error"     ? &limits.error
                                                : nullptr;
-  if (value == nullptr || equals == std::string_view::npos) give_up(argument, "no such limit");
+  if (value == nullptr) give_up(argument, "no such limit");
   const char* const end = argument.data() + argument.size();
   const auto [at, error] = std::from_chars(argument.data() + equals + 1, end, *value);
   if (error != std::errc() || at != end) give_up(argument, "not a whole number");
+}
+
+void keep(const Limits& limits) {
+  bool keeps_signals_in = false;
+  if (!limits.rights.empty()) keeps_signals_in = raycheck::tools::keep_to_files(limits.rights);
+  if (limits.seccomp == 0) return;
+  raycheck::tools::forbid_calls(limits.judge == 0  ? Reach::kOwn
+                                : keeps_signals_in ? Reach::kSchedule
+                                                   : Reach::kSignal,
+                                static_cast<pid_t>(limits.judge));
+}
+
+/// All is in place: what is said from now on is the program's.
+void say_ready(std::uint64_t error) {
+  const auto descriptor = static_cast<int>(error);
+  require(write(STDERR_FILENO, "", 1) == 1 && dup2(descriptor, STDERR_FILENO) >= 0, "error");
+  close(descriptor);
 }
 
 }  // namespace
@@ -133,9 +131,19 @@ int main(int argc, char** argv) {
 
   require(prctl(PR_SET_PDEATHSIG, SIGKILL) == 0, "die with the parent");
   if (getpgrp() != getpid()) require(setpgid(0, 0) == 0, "group");
-  require(close_range(3, ~0U, CLOSE_RANGE_UNSHARE) == 0, "close");
+  require(close_range(kFirstClosed, ~0U, CLOSE_RANGE_UNSHARE) == 0, "close");
+  // Only supervisors outlive what they start, so that they can kill it all: its group is another.
+  if (limits.supervise != 0) {
+    require(raycheck::tools::supervise(limits.group), "supervise");
+    require(setpgid(0, 0) == 0, "supervise");
+  } else if (!limits.group.empty()) {
+    give_up("group", "needs supervise=1");
+  }
+  // Ignored by raycheck, which says of programs that this ended them.
+  require(std::signal(SIGXFSZ, SIG_DFL) != SIG_ERR, "file");
   limit(RLIMIT_CORE, 0, "core");
-  if (limits.cpu != 0) limit(RLIMIT_CPU, limits.cpu, "cpu");
+  // A second more until it is killed: the signal before that says why.
+  if (limits.cpu != 0) limit(RLIMIT_CPU, limits.cpu, "cpu", limits.cpu + 1);
   if (limits.memory != 0) limit(RLIMIT_AS, limits.memory, "memory");
   if (limits.file != 0) limit(RLIMIT_FSIZE, limits.file, "file");
   if (limits.files != 0) limit(RLIMIT_NOFILE, limits.files, "files");
@@ -145,7 +153,12 @@ int main(int argc, char** argv) {
   // Both are lost with another user.
   require(prctl(PR_SET_PDEATHSIG, SIGKILL) == 0, "die with the parent");
   require(prctl(PR_SET_NO_NEW_PRIVS, 1, 0, 0, 0) == 0, "no new privileges");
-  if (limits.seccomp != 0) forbid_calls();
+  try {
+    keep(limits);
+  } catch (const std::exception& error) {
+    give_up("cannot be kept", error.what());
+  }
+  if (limits.error != 0) say_ready(limits.error);
   execvp(argv[k], argv + k);
   give_up(argv[k], std::strerror(errno));
 }

@@ -1,17 +1,28 @@
 #include "tools/external/sandbox/launch.h"
 
+#include <fcntl.h>
 #include <fmt/core.h>
+#include <poll.h>
 #include <spawn.h>
+#include <sys/utsname.h>
+#include <sys/wait.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <array>
 #include <atomic>
+#include <cerrno>
 #include <csignal>
+#include <cstdio>
 #include <cstring>
+#include <fstream>
 #include <initializer_list>
 #include <system_error>
+#include <thread>
 
 #include "tools/external/sandbox/private_folder.h"
+#include "tools/external/sandbox/process_tree.h"
+#include "tools/external/sandbox/visible.h"
 #include "tools/report/version.h"
 
 namespace raycheck::tools {
@@ -23,6 +34,10 @@ namespace {
 std::atomic<bool> has_large_users = true;
 
 }  // namespace
+
+std::string called(const std::string& limit) {
+  return limit.empty() ? "" : fmt::format(" ({})", limit);
+}
 
 void use_small_users() { has_large_users = false; }
 
@@ -41,74 +56,201 @@ fs::path program_folder() { return fs::read_symlink("/proc/self/exe").parent_pat
 
 fs::path adapters() {
   const fs::path installed = program_folder().parent_path() / "share" / "raycheck";
-  return readable_copy(
-      fs::exists(installed) ? installed : fs::path(kSourceFolder) / "tools/external/sdk/adapters");
+  return readable_copy(fs::exists(installed) ? installed
+                                             : fs::path(kSourceFolder) / "tools/external/adapters");
 }
 
 namespace {
+
+/// The program's standard error until all layers are in place; raycheck-jail leaves it open.
+constexpr int kKeptDescriptor = 3;
+/// Layers are in place after so many seconds, however busy the machine is, and say no more of why
+/// they are not.
+constexpr int kStartSeconds = 60;
+constexpr std::size_t kMostSaid = 4096;
+
+/// What the layers say, until they are in place.
+class SaidBefore {
+ public:
+  SaidBefore() {
+    std::array<int, 2> ends{};
+    if (pipe2(ends.data(), O_CLOEXEC) != 0) {
+      throw ProcessFailure(FailureKind::kSystem, fmt::format("pipe: {}", std::strerror(errno)));
+    }
+    read = ends[0];
+    write = ends[1];
+  }
+  ~SaidBefore() {
+    close(read);
+    close_write();
+  }
+  SaidBefore(const SaidBefore&) = delete;
+  SaidBefore& operator=(const SaidBefore&) = delete;
+  void close_write() {
+    if (write >= 0) close(write);
+    write = -1;
+  }
+  int read = -1, write = -1;
+};
 
 /// Java would take more addresses than there are for one process.
 constexpr const char* kJava =
     "JAVA_TOOL_OPTIONS=-Xmx512m -XX:+UseSerialGC -XX:ReservedCodeCacheSize=64m";
 
-/// Of the system what programs need: of /etc the loader's and Java's files, and no others.
-std::vector<std::string> system_paths() {
-  std::vector<std::string> paths = {"/usr",
-                                    "/bin",
-                                    "/lib",
-                                    "/lib64",
-                                    "/etc/alternatives",
-                                    "/etc/ld.so.cache",
-                                    "/etc/ld.so.conf",
-                                    "/etc/ld.so.conf.d"};
+/// Kernels from this one on count the processes of a user in each namespace of users apart.
+constexpr int kCountsByNamespace[] = {5, 14};
+
+bool counts_by_namespace() {
+  utsname system{};
+  int major = 0, minor = 0;
+  if (uname(&system) != 0 || std::sscanf(system.release, "%d.%d", &major, &minor) != 2)
+    return false;
+  return std::pair(major, minor) >= std::pair(kCountsByNamespace[0], kCountsByNamespace[1]);
+}
+
+/// The tasks that this user has now.
+std::uint64_t tasks_of_user() {
+  std::uint64_t tasks = 0;
   std::error_code ignored;
-  for (const auto& entry : fs::directory_iterator("/etc", ignored)) {
-    if (entry.path().filename().string().starts_with("java")) paths.push_back(entry.path());
+  for (const auto& entry : fs::directory_iterator("/proc", ignored)) {
+    std::ifstream status(entry.path() / "status");
+    uid_t user = 0;
+    for (std::string word; status >> word;) {
+      if (word == "Uid:") status >> user;
+      std::uint64_t threads = 0;
+      if (word == "Threads:" && status >> threads && user == getuid()) tasks += threads;
+    }
   }
-  return paths;
+  return tasks;
+}
+
+/// The limit on processes that the kernel is told. It counts all of a user's, in the same namespace
+/// where it can; where it cannot, also those of candidates that run at the same time. What the user
+/// had before any of them is found out once: else each would raise the limit of the next.
+std::uint64_t most_processes(const Confined& confined, std::uint64_t user) {
+  const bool counts_its_own = user != 0 || (confined.layers.bubblewrap && counts_by_namespace());
+  if (counts_its_own) return confined.limits.processes;
+  static const std::uint64_t others = tasks_of_user();
+  return others + confined.limits.processes * (1 + std::thread::hardware_concurrency());
+}
+
+/// Where bubblewrap may bind files, and where not.
+void bind(const Confined& confined, const fs::path& folder, std::vector<std::string>& arguments) {
+  const auto add = [&](std::initializer_list<std::string> more) {
+    arguments.insert(arguments.end(), more);
+  };
+  std::vector<fs::path> shown = system_paths();
+  for (const fs::path& path : own_paths()) shown.push_back(path);
+  for (const fs::path& path : shown) add({"--ro-bind-try", path, path});
+  const std::string jail = helper("raycheck-jail");
+  add({"--ro-bind", jail, jail});
+  for (const fs::path& path : confined.readable) add({"--ro-bind", path, path});
+  shown.insert(shown.end(), confined.readable.begin(), confined.readable.end());
+  for (const fs::path& hidden : hidden_paths()) {
+    for (const fs::path& one : shown) {
+      std::error_code error;
+      const fs::path real = fs::canonical(one, error);
+      if (error || !(hidden.string() + "/").starts_with(real.string() + "/")) continue;
+      // What is a link outside, as /bin may be, is a folder of its own inside.
+      const fs::path path = (one / hidden.lexically_relative(real)).lexically_normal();
+      fs::is_directory(hidden) ? add({"--tmpfs", path, "--remount-ro", path})
+                               : add({"--ro-bind", "/dev/null", path});
+    }
+  }
+  add({"--bind", folder, folder, "--remount-ro", "/", "--chdir", folder});
+}
+
+/// The same by Landlock.
+void rule(const Confined& confined, const fs::path& folder, std::vector<std::string>& arguments) {
+  const auto add = [&](const char* what, const fs::path& path) {
+    arguments.push_back(what + path.string());
+  };
+  for (const fs::path& path : system_paths()) add("reads=", path);
+  for (const fs::path& path : own_paths()) add("reads=", path);
+  for (const fs::path& path : confined.readable) add("reads=", path);
+  for (const fs::path& path : hidden_paths()) add("hidden=", path);
+  add("reads=", "/proc");
+  for (const char* device : {"null", "zero", "full", "random", "urandom"}) {
+    add("writes=", fs::path("/dev") / device);
+  }
+  add("writes=", folder);
 }
 
 std::vector<std::string> jailed(const Confined& confined, const fs::path& folder,
-                                std::uint64_t user) {
+                                std::uint64_t user, const fs::path& group) {
   const std::string jail = helper("raycheck-jail");
   const Limits& limits = confined.limits;
+  const Layers& layers = confined.layers;
   std::vector<std::string> arguments = {jail,
                                         fmt::format("cpu={}", limits.cpu_seconds),
                                         fmt::format("memory={}", limits.memory),
                                         fmt::format("file={}", limits.file),
                                         fmt::format("files={}", limits.files),
-                                        fmt::format("processes={}", limits.processes)};
+                                        "supervise=1"};
   const auto add = [&](std::initializer_list<std::string> more) {
     arguments.insert(arguments.end(), more);
   };
+  if (!group.empty()) add({"group=" + group.string()});
   if (user != 0) add({fmt::format("user={}", user)});
-  if (confined.layers.bubblewrap) {
-    add({"--", "bwrap", "--unshare-all", "--die-with-parent", "--new-session", "--dev", "/dev",
-         "--proc", "/proc", "--tmpfs", "/tmp"});
-    for (const std::string& system : system_paths()) add({"--ro-bind-try", system, system});
-    add({"--ro-bind", jail, jail});
-    add({"--ro-bind-try", adapters(), adapters()});
-    for (const fs::path& path : confined.readable) add({"--ro-bind", path, path});
-    add({"--bind", folder, folder, "--remount-ro", "/", "--chdir", folder});
+  if (layers.bubblewrap) {
+    // Of the two places that take files besides its folder each has half of what it may have.
+    const std::string half = std::to_string(std::max<std::uint64_t>(1, limits.disk / 2));
+    add({"--", "bwrap", "--unshare-all", "--die-with-parent", "--new-session", "--proc", "/proc",
+         "--dev", "/dev", "--remount-ro", "/dev", "--size", half, "--tmpfs", "/dev/shm", "--size",
+         half, "--tmpfs", "/tmp"});
+    bind(confined, folder, arguments);
     add({"--", jail});
   }
-  if (confined.layers.seccomp) add({"seccomp=1"});
+  // In the namespace of users that bubblewrap made: outside, the user's other processes count too.
+  add({fmt::format("processes={}", most_processes(confined, user)),
+       fmt::format("error={}", kKeptDescriptor)});
+  if (layers.seccomp) add({"seccomp=1"});
+  if (layers.seccomp && !layers.bubblewrap && user == 0) add({fmt::format("judge={}", getpid())});
+  if (layers.landlock) rule(confined, folder, arguments);
   add({"--"});
   arguments.insert(arguments.end(), confined.arguments.begin(), confined.arguments.end());
   return arguments;
 }
 
+/// Waits until all layers are in place. Otherwise nothing of the process is left.
+/// Errors: ProcessFailure with what the layers said.
+void await_start(pid_t pid, int said) {
+  std::string text;
+  std::array<char, 4096> buffer{};
+  for (;;) {
+    pollfd one = {said, POLLIN, 0};
+    const int ready = poll(&one, 1, kStartSeconds * 1000);
+    if (ready < 0 && errno == EINTR) continue;
+    const ssize_t count = ready > 0 ? read(said, buffer.data(), buffer.size()) : 0;
+    if (count < 0 && errno == EINTR) continue;
+    if (ready == 0) text += fmt::format("not within {} s", kStartSeconds);
+    if (count <= 0) break;
+    text.append(buffer.data(), static_cast<std::size_t>(count));
+    // What it says afterwards is of a program that is kept.
+    if (text.find('\0') != std::string::npos) return;
+    if (text.size() > kMostSaid) break;
+  }
+  kill_below(pid);
+  kill(pid, SIGKILL);
+  while (waitpid(pid, nullptr, 0) < 0 && errno == EINTR) {
+  }
+  while (!text.empty() && text.back() == '\n') text.pop_back();
+  throw ProcessFailure(FailureKind::kSystem,
+                       "could not be started in its sandbox: " + (text.empty() ? "it died" : text));
+}
+
 }  // namespace
 
 pid_t launch(const Confined& confined, const fs::path& folder, std::uint64_t user,
-             const Streams& streams) {
-  const std::vector<std::string> arguments = jailed(confined, folder, user);
+             const fs::path& group, const Streams& streams) {
+  const std::vector<std::string> arguments = jailed(confined, folder, user, group);
   std::vector<std::string> environment = {"PATH=" + std::string(kProgramPath),
                                           "HOME=" + folder.string(),
                                           "TMPDIR=" + folder.string(),
                                           "LANG=C.UTF-8",
                                           kJava,
                                           "PYTHONPATH=" + adapters().string()};
+  SaidBefore said;
   std::vector<char*> argv, envp;
   for (const std::string& argument : arguments) argv.push_back(const_cast<char*>(argument.c_str()));
   for (std::string& entry : environment) envp.push_back(entry.data());
@@ -118,17 +260,18 @@ pid_t launch(const Confined& confined, const fs::path& folder, std::uint64_t use
   posix_spawn_file_actions_init(&actions);
   posix_spawn_file_actions_adddup2(&actions, streams.input, STDIN_FILENO);
   posix_spawn_file_actions_adddup2(&actions, streams.output, STDOUT_FILENO);
-  posix_spawn_file_actions_adddup2(&actions, streams.error, STDERR_FILENO);
+  posix_spawn_file_actions_adddup2(&actions, streams.error, kKeptDescriptor);
+  posix_spawn_file_actions_adddup2(&actions, said.write, STDERR_FILENO);
   posix_spawn_file_actions_addchdir_np(&actions, folder.c_str());
-  // A group of its own from the start, and none of the signals that raycheck ignores or blocks.
+  // A session and a group of its own from the start, so that it cannot join raycheck's, and none of
+  // the signals that raycheck ignores or blocks.
   posix_spawnattr_t attributes;
   posix_spawnattr_init(&attributes);
   sigset_t none, all;
   sigemptyset(&none);
   sigfillset(&all);
   posix_spawnattr_setflags(&attributes,
-                           POSIX_SPAWN_SETPGROUP | POSIX_SPAWN_SETSIGMASK | POSIX_SPAWN_SETSIGDEF);
-  posix_spawnattr_setpgroup(&attributes, 0);
+                           POSIX_SPAWN_SETSID | POSIX_SPAWN_SETSIGMASK | POSIX_SPAWN_SETSIGDEF);
   posix_spawnattr_setsigmask(&attributes, &none);
   posix_spawnattr_setsigdefault(&attributes, &all);
   pid_t pid = -1;
@@ -139,6 +282,8 @@ pid_t launch(const Confined& confined, const fs::path& folder, std::uint64_t use
     throw ProcessFailure(FailureKind::kSystem, fmt::format("{} cannot be started: {}", arguments[0],
                                                            std::strerror(failed)));
   }
+  said.close_write();
+  await_start(pid, said.read);
   return pid;
 }
 

@@ -5,6 +5,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <memory>
 #include <stdexcept>
 #include <string>
 #include <string_view>
@@ -12,17 +13,32 @@
 #include <vector>
 
 #include "tools/external/sandbox/layers.h"
+#include "tools/external/sandbox/spent_time.h"
+#include "tools/external/sandbox/surroundings.h"
 
 namespace raycheck::tools {
 
-/// What one process may use.
+/// What those who set limits call them, to be said where one is met; empty: nothing is said.
+struct LimitNames {
+  std::string seconds = {}, file = {}, memory = {}, processes = {}, disk = {};
+};
+
+/// " (file_mib)": what those who set a limit call it, to be said behind it.
+std::string called(const std::string& limit);
+
+/// What one process, or a process and all that it starts, may use.
 struct Limits {
-  double seconds = 10;  ///< Wall time, from a request to the end of its reply.
+  /// From a request to the end of its reply: while it computes or sleeps, not while it waits for
+  /// what others use.
+  double seconds = 10;
   std::uint64_t cpu_seconds = 600;
-  std::uint64_t memory = std::uint64_t{4} << 30;  ///< Of addresses, in bytes.
-  std::uint64_t file = std::uint64_t{64} << 20;   ///< The largest file, in bytes.
-  std::uint64_t files = 64;                       ///< Open at a time.
+  /// In bytes: each of addresses, together of the machine's memory.
+  std::uint64_t memory = std::uint64_t{4} << 30;
+  std::uint64_t disk = std::uint64_t{1} << 30;   ///< Together, in bytes.
+  std::uint64_t file = std::uint64_t{64} << 20;  ///< The largest file, in bytes.
+  std::uint64_t files = 64;                      ///< Open at a time.
   std::uint64_t processes = 64;
+  LimitNames names = {};
 };
 
 /// A program to run, what it may read besides the system, and how it is isolated.
@@ -33,6 +49,10 @@ struct Confined {
   Limits limits;
   /// What lies in its folder at the start: names and contents.
   std::vector<std::pair<std::string, std::string>> files = {};
+  /// Who is told where it fails for a cause outside it; null: nobody.
+  std::shared_ptr<Surroundings> surroundings = {};
+  /// Where its time is added up, together with that of its copies.
+  std::shared_ptr<SpentTime> spent = std::make_shared<SpentTime>();
 };
 
 /// How a candidate's process failed.
@@ -41,7 +61,8 @@ enum class FailureKind {
   kEnded,     ///< It ended before it had done what it should.
   kTimeUp,    ///< No reply, or no end, in the time it has: to ask again costs as much.
   kSaidMore,  ///< More than it was asked, or may say.
-  kBadReply   ///< Its reply, or its picture, is none.
+  kBadReply,  ///< Its reply, or its picture, is none.
+  kNotAsked   ///< It was silent too often to be asked again.
 };
 
 /// What went wrong with a candidate's process; in words "exited with 3", "was killed by signal 11
@@ -80,10 +101,13 @@ struct Streams {
   int input, output, error;
 };
 
-/// Starts a program in its layers with these streams, in this folder, with next to no environment.
-/// `user`: 0 where it has none of its own. Errors: ProcessFailure.
+/// Starts a program in its layers with these streams, in this folder, with next to no environment;
+/// returns when all layers are in place, so that what it does from then on is its own fault.
+/// `user`: 0 where it has none of its own; `group`: its control group, empty where it has none.
+/// Errors: ProcessFailure (kSystem) where it could not be
+/// started in all of them; it is never started in fewer.
 pid_t launch(const Confined& confined, const std::filesystem::path& folder, std::uint64_t user,
-             const Streams& streams);
+             const std::filesystem::path& group, const Streams& streams);
 
 }  // namespace raycheck::tools
 

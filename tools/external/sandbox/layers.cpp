@@ -3,64 +3,162 @@
 #include <fmt/core.h>
 #include <unistd.h>
 
+#include <algorithm>
+#include <cctype>
+#include <cerrno>
+#include <cstdlib>
+#include <cstring>
+#include <filesystem>
 #include <stdexcept>
+#include <string_view>
+#include <system_error>
 #include <utility>
 
+#include "tools/external/sandbox/control_group.h"
 #include "tools/external/sandbox/process.h"
 
 namespace raycheck::tools {
 namespace {
 
-/// Whether `true` runs in these layers.
-bool works(const Layers& layers) {
+namespace fs = std::filesystem;
+
+/// Why `true` does not run in these layers; empty where it does.
+std::string why_not(const Layers& layers) {
   try {
-    Process process({{"/bin/true"}, {}, layers, {}});
-    return process.finish() == 0;
-  } catch (const ProcessFailure&) {
-    return false;
+    Process process({.arguments = {"/bin/true"}, .readable = {}, .layers = layers, .limits = {}});
+    const int code = process.finish();
+    if (code == 0) return "";
+    return fmt::format("'true' exited with {}{}", code,
+                       said_text(process.said(), process.printed()));
+  } catch (const ProcessFailure& failure) {
+    return failure.what();
   }
 }
 
-Layers found_by_trying() {
-  Layers layers;
+/// What names where temporary files go, and what it says; TMPDIR where nothing does.
+std::pair<std::string, std::string> temporary_folder() {
+  for (const char* name : {"TMPDIR", "TMP", "TEMP", "TEMPDIR"}) {
+    if (const char* const path = std::getenv(name)) return {name, path};
+  }
+  return {"TMPDIR", fs::temp_directory_path()};
+}
+
+/// Whether build tools and shells take it for a part of a name wherever it stands.
+bool is_plain(char c) {
+  const auto byte = static_cast<unsigned char>(c);
+  constexpr unsigned char kAscii = 0x80;
+  return byte >= kAscii || std::isalnum(byte) != 0 ||
+         std::string_view("/._-+,@=%").find(c) != std::string_view::npos;
+}
+
+bool others_may_enter(const fs::path& path) {
+  for (fs::path folder = fs::canonical(path);; folder = folder.parent_path()) {
+    const fs::perms perms = fs::status(folder).permissions();
+    if ((perms & fs::perms::others_exec) == fs::perms::none) return false;
+    if (folder == folder.root_path()) return true;
+  }
+}
+
+/// Candidates are built and run there, by their own commands.
+void check_temporary_folder() {
+  const auto [name, path] = temporary_folder();
+  auto fail = [&n = name, shown = path](const std::string& why) mutable {
+    std::replace_if(
+        shown.begin(), shown.end(), [](unsigned char c) { return std::iscntrl(c) != 0; }, '?');
+    throw std::invalid_argument(fmt::format(
+        "{} {}: {}; name another folder for temporary files, such as /tmp", n, shown, why));
+  };
+  if (!path.starts_with('/')) fail("candidates run elsewhere, so that it has to begin with /");
+  const auto odd = std::find_if_not(path.begin(), path.end(), is_plain);
+  if (odd != path.end()) {
+    fail(fmt::format("its name has {}, which what builds candidates may take for the end of it",
+                     std::isprint(static_cast<unsigned char>(*odd)) != 0 ? fmt::format("'{}'", *odd)
+                                                                         : "a control character"));
+  }
+  std::error_code error;
+  if (!fs::is_directory(path, error)) fail("there is no such folder");
+  if (access(path.c_str(), R_OK | W_OK | X_OK) != 0) fail(std::strerror(errno));
+  if (geteuid() == 0 && !others_may_enter(path)) {
+    fail("other users may not enter it, and candidates run as users of their own");
+  }
+}
+
+/// After all others: what keeps a program from files keeps it from those of its group.
+void try_control_group(LayersHere& here) {
+  Layers layers = here.layers;
+  if (!layers.own_user && !layers.bubblewrap && !layers.landlock) {
+    here.no_control_group = "without a user of its own, bubblewrap or Landlock it could be left";
+    return;
+  }
+  try {
+    const GroupLimits limits = begin_control_groups();
+    layers.control_group = true;
+    layers.group_memory = limits.memory;
+    layers.group_processes = limits.processes;
+    here.no_control_group = why_not(layers);
+  } catch (const std::runtime_error& error) {
+    here.no_control_group = error.what();
+  }
+  here.no_control_group.empty() ? void(here.layers = layers) : end_control_groups();
+}
+
+LayersHere found_by_trying() {
+  LayersHere here;
+  Layers& layers = here.layers;
+  const auto attempt = [&](bool Layers::*layer, const char* name) {
+    layers.*layer = true;
+    const std::string why = why_not(layers);
+    layers.*layer = why.empty();
+    if (!why.empty()) here.missing.push_back({name, why});
+  };
   if (geteuid() == 0) {
     layers.own_user = true;
-    if (!works(layers)) use_small_users();
-    if (!works(layers)) layers.own_user = false;
+    if (!why_not(layers).empty()) use_small_users();
+    attempt(&Layers::own_user, "own user");
   }
-  layers.seccomp = true;
-  if (!works(layers)) layers.seccomp = false;
-  layers.bubblewrap = true;
-  if (!works(layers)) layers.bubblewrap = false;
-  return layers;
+  attempt(&Layers::seccomp, "seccomp");
+  attempt(&Layers::bubblewrap, "bubblewrap");
+  if (!layers.bubblewrap) attempt(&Layers::landlock, "Landlock");
+  try_control_group(here);
+  return here;
 }
 
 }  // namespace
 
 std::string Layers::text() const {
   std::string text;
-  for (const auto& [has, name] : {std::pair(own_user, "own user"), std::pair(seccomp, "seccomp"),
-                                  std::pair(bubblewrap, "bubblewrap")}) {
+  for (const auto& [has, name] :
+       {std::pair(own_user, "own user"), std::pair(seccomp, "seccomp"),
+        std::pair(landlock, "Landlock"), std::pair(bubblewrap, "bubblewrap"),
+        std::pair(control_group, "control group")}) {
     if (has) text += (text.empty() ? "" : ", ") + std::string(name);
+  }
+  if (group_memory || group_processes) {
+    text += fmt::format(" ({}{}{})", group_memory ? "memory" : "",
+                        group_memory && group_processes ? ", " : "",
+                        group_processes ? "processes" : "");
   }
   return text.empty() ? "limits only" : text;
 }
 
-const Layers& layers_that_work() {
-  static const Layers layers = found_by_trying();
-  return layers;
+const LayersHere& layers_here() {
+  static const LayersHere here = found_by_trying();
+  return here;
 }
 
-Layers chosen_layers(Sandbox sandbox) {
+LayersHere chosen_layers(Sandbox sandbox) {
+  check_temporary_folder();
   if (sandbox == Sandbox::kNone) return {};
-  const Layers& layers = layers_that_work();
-  if (sandbox == Sandbox::kRequire && !(layers.seccomp && layers.bubblewrap)) {
-    throw std::invalid_argument(
-        fmt::format("sandbox require: what works here is {}; seccomp and bubblewrap (the Debian "
-                    "package of that name) are required",
-                    layers.text()));
+  const LayersHere& here = layers_here();
+  if (sandbox == Sandbox::kAvailable || here.missing.empty()) return here;
+  std::string missing;
+  for (const auto& [name, why] : here.missing) {
+    missing += fmt::format("{}{} ({})", missing.empty() ? "" : "; ", name, why);
   }
-  return layers;
+  throw std::invalid_argument(fmt::format(
+      "sandbox require: what does not work here: {}. Make it work (bubblewrap is the Debian "
+      "package of that name), or take sandbox available, which goes on with what does: {}",
+      missing, here.layers.text()));
 }
 
 }  // namespace raycheck::tools

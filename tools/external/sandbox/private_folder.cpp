@@ -1,14 +1,20 @@
 #include "tools/external/sandbox/private_folder.h"
 
+#include <fcntl.h>
+#include <sys/file.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <cstdlib>
+#include <ctime>
 #include <map>
 #include <mutex>
-#include <regex>
 #include <string>
 #include <system_error>
+
+#include "tools/external/sandbox/file_tree.h"
 
 namespace raycheck::tools {
 
@@ -16,7 +22,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr const char* kPrefix = "raycheck-";
+constexpr const char* kPrefix = "raycheck-run-";
 
 }  // namespace
 
@@ -62,23 +68,85 @@ fs::path readable_copy(const fs::path& path) {
   return to;
 }
 
-PrivateFolder::PrivateFolder() {
-  std::string name = fs::temp_directory_path() / (std::string(kPrefix) + "XXXXXX");
+namespace {
+
+/// A new folder whose name begins so.
+fs::path new_folder(const fs::path& begin) {
+  std::string name = begin.string() + "XXXXXX";
   if (mkdtemp(name.data()) == nullptr) {
     throw std::system_error(errno, std::generic_category(), name);
   }
-  path_ = name;
+  return name;
 }
+
+/// Takes hold of a folder until it is closed, or this process ends; -1 where another has it.
+int hold(const fs::path& folder) {
+  const int opened = open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_NOFOLLOW | O_CLOEXEC);
+  if (opened >= 0 && flock(opened, LOCK_EX | LOCK_NB) == 0) return opened;
+  if (opened >= 0) close(opened);
+  return -1;
+}
+
+/// Removes what runs left that were killed: folders of this user that nobody holds, and that are
+/// not so new that they are about to be held.
+void remove_left_overs(const fs::path& where) {
+  constexpr time_t kNew = 60;
+  std::error_code error;
+  for (fs::directory_iterator at(where, error), end; !error && at != end; at.increment(error)) {
+    if (!at->path().filename().string().starts_with(kPrefix)) continue;
+    struct stat status {};
+    if (lstat(at->path().c_str(), &status) != 0 || !S_ISDIR(status.st_mode)) continue;
+    if (status.st_uid != geteuid() || time(nullptr) - status.st_mtime < kNew) continue;
+    if (const int held = hold(at->path()); held >= 0) {
+      remove_tree(at->path());
+      close(held);
+    }
+  }
+}
+
+/// The folder that holds all those of this process, and goes with it.
+class RunFolder {
+ public:
+  RunFolder() : path_(new_folder(fs::temp_directory_path() / kPrefix)), held_(hold(path_)) {
+    // Others may enter what they know of, and list nothing.
+    fs::permissions(path_, fs::perms::others_exec, fs::perm_options::add);
+    remove_left_overs(path_.parent_path());
+  }
+  ~RunFolder() {
+    remove_tree(path_);
+    if (held_ >= 0) close(held_);
+  }
+  RunFolder(const RunFolder&) = delete;
+  RunFolder& operator=(const RunFolder&) = delete;
+  const fs::path& path() const { return path_; }
+
+ private:
+  fs::path path_;
+  int held_;
+};
+
+const fs::path& run_folder() {
+  static const RunFolder folder;
+  return folder.path();
+}
+
+}  // namespace
+
+PrivateFolder::PrivateFolder() : path_(new_folder(run_folder().string() + "/")) {}
 
 std::string without_private_folders(const std::string& text) {
-  static const std::regex folders((fs::temp_directory_path() / kPrefix).string() +
-                                  "[A-Za-z0-9]{6}/?");
-  return std::regex_replace(text, folders, "");
+  const std::string begin = run_folder().string() + "/";
+  constexpr std::size_t kNameSize = 6;
+  std::string result;
+  std::size_t at = 0;
+  for (std::size_t found; (found = text.find(begin, at)) != std::string::npos;) {
+    result.append(text, at, found - at);
+    at = std::min(found + begin.size() + kNameSize, text.size());
+    if (at < text.size() && text[at] == '/') ++at;
+  }
+  return result.append(text, at, std::string::npos);
 }
 
-PrivateFolder::~PrivateFolder() {
-  std::error_code ignored;
-  fs::remove_all(path_, ignored);
-}
+PrivateFolder::~PrivateFolder() { remove_tree(path_); }
 
 }  // namespace raycheck::tools

@@ -1,18 +1,15 @@
 #include "tools/external/sandbox/process.h"
 
-#include <dirent.h>
 #include <fcntl.h>
 #include <fmt/core.h>
 #include <poll.h>
 #include <sys/prctl.h>
-#include <sys/stat.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
 #include <algorithm>
 #include <array>
 #include <cerrno>
-#include <charconv>
 #include <chrono>
 #include <csignal>
 #include <cstring>
@@ -20,14 +17,25 @@
 #include <system_error>
 #include <utility>
 
+#include "scene/interruption.h"
+#include "tools/external/sandbox/process_tree.h"
+
 namespace raycheck::tools {
 namespace {
 
 namespace fs = std::filesystem;
 using Clock = std::chrono::steady_clock;
 
-/// How much of what a candidate says on the standard error is kept.
-constexpr std::size_t kSaid = 4096;
+/// Reads of a stream at a time, together more than a pipe holds: what says ever more must not keep
+/// from looking at the time.
+constexpr int kMostTurns = 64;
+
+/// Between two looks at whether a process has ended.
+constexpr useconds_t kPause = 500;
+
+[[noreturn]] void fail_to_start(const std::string& what) {
+  throw std::system_error(errno, std::generic_category(), what);
+}
 
 /// Both ends of a pipe, closed in other programs.
 struct Pipe {
@@ -39,65 +47,52 @@ struct Pipe {
     read = ends[0];
     write = ends[1];
   }
+  ~Pipe() {
+    for (const int end : {read, write}) {
+      if (end >= 0) close(end);
+    }
+  }
+  Pipe(const Pipe&) = delete;
+  Pipe& operator=(const Pipe&) = delete;
   int read = -1, write = -1;
 };
+
+/// Whether a stream that cannot be read or written now may be so later, or is closed.
+bool is_passing(int error) { return error == EAGAIN || error == EINTR || error == EPIPE; }
 
 void close_once(int& descriptor) {
   if (descriptor >= 0) close(descriptor);
   descriptor = -1;
 }
 
-/// Whether a process is dead and only waits to be asked about, or is gone.
-bool is_dead(pid_t pid) {
-  std::array<char, 512> text{};
-  const int file = open(("/proc/" + std::to_string(pid) + "/stat").c_str(), O_RDONLY | O_CLOEXEC);
-  if (file < 0) return true;
-  const ssize_t size = read(file, text.data(), text.size());
-  close(file);
-  if (size <= 0) return true;
-  const std::string_view line(text.data(), static_cast<std::size_t>(size));
-  const std::size_t name_end = line.rfind(')');
-  return name_end != std::string_view::npos && line.substr(name_end, 3) == ") Z";
-}
-
-/// Kills what a user runs, until nothing is left: a process may have left its group.
-void kill_all_of(std::uint64_t user) {
-  for (bool found = true; found;) {
-    found = false;
-    DIR* const processes = opendir("/proc");
-    if (processes == nullptr) return;
-    while (const dirent* const entry = readdir(processes)) {
-      pid_t pid = 0;
-      const std::string_view name = entry->d_name;
-      const auto [end, error] = std::from_chars(name.data(), name.data() + name.size(), pid);
-      if (error != std::errc() || end != name.data() + name.size()) continue;
-      struct stat status {};
-      if (stat(("/proc/" + std::string(name)).c_str(), &status) != 0 || status.st_uid != user) {
-        continue;
-      }
-      if (kill(pid, SIGKILL) == 0) found = found || !is_dead(pid);
-    }
-    closedir(processes);
-  }
-}
-
 /// bubblewrap and shells make of a signal an exit code above this one.
 constexpr int kSignalled = 128;
 
-std::string reason_ended(int status) {
-  const bool exited = WIFEXITED(status);
-  const int code = exited ? WEXITSTATUS(status) : 0;
-  if (exited && (code <= kSignalled || code > kSignalled + SIGRTMAX)) {
-    return fmt::format("exited with {}", code);
+/// What killed a process; 0 where it exited.
+int signal_of(int status) {
+  if (WIFSIGNALED(status)) return WTERMSIG(status);
+  const int code = WEXITSTATUS(status);
+  return code > kSignalled && code <= kSignalled + SIGRTMAX ? code - kSignalled : 0;
+}
+
+std::string reason_ended(int status, const Limits& limits) {
+  const int signal = signal_of(status);
+  if (signal == 0) return fmt::format("exited with {}", WEXITSTATUS(status));
+  const std::string killed = fmt::format("was killed by signal {} ({})", signal, strsignal(signal));
+  if (signal == SIGXFSZ) {
+    return fmt::format("{}: a file may have at most {} MiB{}", killed, limits.file >> 20,
+                       called(limits.names.file));
   }
-  const int signal = exited ? code - kSignalled : WTERMSIG(status);
-  return fmt::format("was killed by signal {} ({})", signal, strsignal(signal));
+  if (signal == SIGXCPU) {
+    return fmt::format("{}: it may compute for at most {} s", killed, limits.cpu_seconds);
+  }
+  return killed;
 }
 
 }  // namespace
 
-std::string last_line_text(const std::string& said) {
-  std::string text = said;
+std::string last_line_text(const KeptText& said) {
+  std::string text = said.text();
   while (!text.empty() && text.back() == '\n') text.pop_back();
   const std::size_t line = text.rfind('\n');
   if (line != std::string::npos) text.erase(0, line + 1);
@@ -107,71 +102,126 @@ std::string last_line_text(const std::string& said) {
   return text.empty() ? "" : "; it said: " + text;
 }
 
-Process::Process(const Confined& confined) : confined_(confined) {
+std::string limit_text(const KeptText& said, const Limits& limits) {
+  const std::string text = said.text();
+  const auto says_any = [&](std::initializer_list<const char*> signs) {
+    return std::any_of(signs.begin(), signs.end(),
+                       [&](const char* sign) { return text.find(sign) != std::string::npos; });
+  };
+  if (says_any({"bad_alloc", "MemoryError", "OutOfMemoryError", "Cannot allocate memory",
+                "out of memory"})) {
+    return fmt::format("; it may use at most {} MiB{}", limits.memory >> 20,
+                       called(limits.names.memory));
+  }
+  if (says_any({"can't start new thread", "unable to create native thread",
+                "Resource temporarily unavailable"})) {
+    return fmt::format("; it may have at most {} processes and threads{}", limits.processes,
+                       called(limits.names.processes));
+  }
+  if (says_any({"File too large"})) {
+    return fmt::format("; a file may have at most {} MiB{}", limits.file >> 20,
+                       called(limits.names.file));
+  }
+  return "";
+}
+
+std::string said_text(const KeptText& said, const KeptText& printed) {
+  const std::string text = (said.empty() ? printed : said).excerpt();
+  if (text.empty()) return "";
+  return (text.find('\n') == std::string::npos ? "; it said: " : "; it said:\n") + text;
+}
+
+Process::Process(const Confined& confined) try : confined_(confined) {
   // What a candidate that runs as the same user could otherwise look into.
   prctl(PR_SET_DUMPABLE, 0);
   signal(SIGPIPE, SIG_IGN);
   if (confined.layers.own_user) {
     user_ = next_user();
     const auto id = static_cast<uid_t>(user_);
-    if (chown(folder_.path().c_str(), id, id) != 0)
-      throw ProcessFailure(FailureKind::kSystem, "chown of its folder");
+    if (chown(folder_.path().c_str(), id, id) != 0) fail_to_start("its folder");
   }
   for (const auto& [name, content] : confined.files) {
     const fs::path path = folder_.path() / name;
-    std::ofstream(path, std::ios::binary) << content;
+    std::ofstream file(path, std::ios::binary);
+    if (!(file << content).flush()) fail_to_start(name);
     if (user_ != 0 &&
         chown(path.c_str(), static_cast<uid_t>(user_), static_cast<gid_t>(user_)) != 0) {
-      throw ProcessFailure(FailureKind::kSystem, "chown of its files");
+      fail_to_start(name);
     }
   }
+  if (confined.layers.control_group) group_.emplace(confined.layers, confined.limits);
   Pipe in, out, err;
-  try {
-    pid_ = launch(confined, folder_.path(), user_, {in.read, out.write, err.write});
-  } catch (...) {
-    for (int end : {in.read, in.write, out.read, out.write, err.read, err.write}) close(end);
-    throw;
-  }
-  close(in.read);
-  close(out.write);
-  close(err.write);
-  input_ = in.write;
-  output_ = out.read;
-  error_ = err.read;
+  pid_ = launch(confined, folder_.path(), user_, group_ ? group_->path() : fs::path(),
+                {in.read, out.write, err.write});
+  watch_.emplace(pid_, folder_.path(), confined_.limits, group_ ? &*group_ : nullptr,
+                 confined_.surroundings && confined_.surroundings->alone());
+  input_ = std::exchange(in.write, -1);
+  output_ = std::exchange(out.read, -1);
+  error_ = std::exchange(err.read, -1);
   for (const int end : {input_, output_, error_}) fcntl(end, F_SETFL, O_NONBLOCK);
+} catch (const std::exception& error) {
+  if (confined.surroundings) confined.surroundings->blame(error.what());
+  throw ProcessFailure(FailureKind::kSystem, error.what());
 }
 
 Process::~Process() { kill_all(); }
 
-/// What a process may have left behind; with bubblewrap all that it started ends with it.
-void Process::kill_rest(pid_t group) const {
-  kill(-group, SIGKILL);
-  if (user_ != 0 && !confined_.layers.bubblewrap) kill_all_of(user_);
-}
-
-/// Whether it has ended by itself; if so nothing of it is left.
+/// Whether it has ended by itself; if so nothing of it is left: bubblewrap and raycheck-jail see to
+/// that.
 bool Process::has_ended(int& status) {
   if (waitpid(pid_, &status, WNOHANG) != pid_) return false;
+  pid_ = -1;
   listen();
-  kill_rest(std::exchange(pid_, -1));
   return true;
 }
 
 void Process::kill_all() {
   close_once(input_);
   if (pid_ > 0) {
-    kill(-pid_, SIGKILL);
+    // What takes the orphans goes last.
+    if (!group_ || !group_->kill()) kill_below(pid_);
     kill(pid_, SIGKILL);
-    waitpid(pid_, nullptr, 0);
-    kill_rest(std::exchange(pid_, -1));
+    while (waitpid(pid_, nullptr, 0) < 0 && errno == EINTR) {
+    }
+    pid_ = -1;
   }
   close_once(output_);
   close_once(error_);
 }
 
+void Process::blame(FailureKind kind, const std::string& words) const {
+  if (kind == FailureKind::kSystem && confined_.surroundings) confined_.surroundings->blame(words);
+}
+
+/// What it was waited for counts as its time.
+void Process::charge() { confined_.spent->add(watch_->taken()); }
+
+/// Stops it where it uses too much, or has taken its time.
+void Process::look(const char* doing) {
+  if (const auto stop = watch_->look(doing)) fail(stop->kind, stop->words);
+}
+
 void Process::fail(FailureKind kind, const std::string& words) {
+  charge();
   kill_all();
+  blame(kind, words);
   throw ProcessFailure(kind, words);
+}
+
+/// The failure of what ended otherwise than it should.
+void Process::fail_with(int status) {
+  // Its own doing, however little the machine has left.
+  if (group_ && group_->has_met_memory_limit()) {
+    fail(FailureKind::kEnded, memory_words(confined_.limits));
+  }
+  const std::string words = reason_ended(status, confined_.limits);
+  const std::string lack = lack_of_room(folder_.path());
+  if (!lack.empty()) fail(FailureKind::kSystem, words + ": " + lack);
+  // Nothing here kills what has not failed: others may, or the system when memory is short. What
+  // does it to itself does it again when it is alone.
+  const bool is_killed = signal_of(status) == SIGKILL;
+  const bool may_be_others = confined_.surroundings && !confined_.surroundings->alone();
+  fail(is_killed && may_be_others ? FailureKind::kSystem : FailureKind::kEnded, words);
 }
 
 void Process::fail_ended() {
@@ -180,20 +230,20 @@ void Process::fail_ended() {
   int status = 0;
   while (!has_ended(status)) {
     if (Clock::now() > deadline) fail(FailureKind::kEnded, "closed its output");
-    usleep(1000);
+    usleep(kPause);
   }
-  fail(FailureKind::kEnded, reason_ended(status));
+  fail_with(status);
 }
 
 /// Takes what there is on the standard error.
 void Process::listen() {
   std::array<char, 4096> buffer{};
-  for (;;) {
+  for (int turn = 0; turn < kMostTurns; ++turn) {
     const ssize_t count = error_ < 0 ? 0 : read(error_, buffer.data(), buffer.size());
     if (count == 0) close_once(error_);
+    if (count < 0 && !is_passing(errno)) fail(FailureKind::kSystem, std::strerror(errno));
     if (count <= 0) return;
-    said_.append(buffer.data(), static_cast<std::size_t>(count));
-    if (said_.size() > kSaid) said_.erase(0, said_.size() - kSaid);
+    said_.append({buffer.data(), static_cast<std::size_t>(count)});
     if (count < static_cast<ssize_t>(buffer.size())) return;
   }
 }
@@ -202,19 +252,14 @@ std::string Process::exchange(std::string_view request,
                               const std::function<bool(std::string_view line)>& is_last,
                               std::size_t most_bytes) {
   if (pid_ < 0) throw ProcessFailure(FailureKind::kEnded, "has ended");
-  const auto limit = std::chrono::duration_cast<Clock::duration>(
-      std::chrono::duration<double>(confined_.limits.seconds));
-  const auto deadline = Clock::now() + limit;
+  watch_->restart();
   std::string answer;
   std::size_t line_begin = 0, searched = 0;
   std::array<char, 65536> buffer{};
   for (;;) {
-    const auto left =
-        std::chrono::duration_cast<std::chrono::milliseconds>(deadline - Clock::now()).count();
-    if (left <= 0) {
-      fail(FailureKind::kTimeUp,
-           fmt::format("gave no reply within {} s", confined_.limits.seconds));
-    }
+    look("gave no reply");
+    const auto left = watch_->until_next().count();
+    scene::poll();
     std::array<pollfd, 3> streams = {
         {{output_, POLLIN, 0}, {error_, POLLIN, 0}, {request.empty() ? -1 : input_, POLLOUT, 0}}};
     if (poll(streams.data(), streams.size(), static_cast<int>(left)) < 0 && errno != EINTR) {
@@ -224,11 +269,13 @@ std::string Process::exchange(std::string_view request,
     if (streams[2].revents != 0) {
       const ssize_t count = write(input_, request.data(), request.size());
       if (count > 0) request.remove_prefix(static_cast<std::size_t>(count));
-      if (count < 0 && errno != EAGAIN && errno != EINTR) request = {};  // it no longer reads
+      if (count < 0 && errno == EPIPE) request = {};  // it no longer reads
+      if (count < 0 && !is_passing(errno)) fail(FailureKind::kSystem, std::strerror(errno));
     }
     if (streams[0].revents == 0) continue;
     const ssize_t count = read(output_, buffer.data(), buffer.size());
     if (count == 0) fail_ended();
+    if (count < 0 && !is_passing(errno)) fail(FailureKind::kSystem, std::strerror(errno));
     if (count < 0) continue;
     answer.append(buffer.data(), static_cast<std::size_t>(count));
     for (std::size_t end; (end = answer.find('\n', searched)) != std::string::npos;) {
@@ -236,6 +283,7 @@ std::string Process::exchange(std::string_view request,
       line_begin = searched = end + 1;
       if (!is_last(line)) continue;
       if (line_begin != answer.size()) fail(FailureKind::kSaidMore, "said more than it was asked");
+      charge();
       return answer;
     }
     searched = answer.size();
@@ -247,23 +295,29 @@ std::string Process::exchange(std::string_view request,
 
 int Process::finish() {
   close_once(input_);
-  const auto deadline = Clock::now() + std::chrono::duration_cast<Clock::duration>(
-                                           std::chrono::duration<double>(confined_.limits.seconds));
-  std::array<char, 65536> ignored{};
+  std::array<char, 65536> buffer{};
   for (;;) {
+    scene::poll();
     int status = 0;
+    const bool ended = has_ended(status);
     listen();
-    while (read(output_, ignored.data(), ignored.size()) > 0) {
+    for (int turn = 0; turn < kMostTurns; ++turn) {
+      const ssize_t count = read(output_, buffer.data(), buffer.size());
+      if (count < 0 && !is_passing(errno)) fail(FailureKind::kSystem, std::strerror(errno));
+      if (count <= 0) break;
+      printed_.append({buffer.data(), static_cast<std::size_t>(count)});
     }
-    if (has_ended(status)) {
-      const bool signalled = WIFSIGNALED(status) || WEXITSTATUS(status) > kSignalled;
-      if (signalled) fail(FailureKind::kEnded, reason_ended(status));
+    if (ended) {
+      if (signal_of(status) != 0) fail_with(status);
+      // However it ended: what it wrote may not be there.
+      if (const std::string lack = lack_of_room(folder_.path()); !lack.empty()) {
+        fail(FailureKind::kSystem, "ended when " + lack);
+      }
+      charge();
       return WEXITSTATUS(status);
     }
-    if (Clock::now() > deadline) {
-      fail(FailureKind::kTimeUp, fmt::format("did not end within {} s", confined_.limits.seconds));
-    }
-    usleep(500);
+    look("did not end");
+    usleep(kPause);
   }
 }
 

@@ -6,16 +6,27 @@
 #include <cstddef>
 #include <cstdint>
 #include <functional>
+#include <optional>
 #include <string>
 #include <string_view>
 
+#include "tools/external/sandbox/control_group.h"
+#include "tools/external/sandbox/kept_text.h"
 #include "tools/external/sandbox/launch.h"
 #include "tools/external/sandbox/private_folder.h"
+#include "tools/external/sandbox/watch.h"
 
 namespace raycheck::tools {
 
 /// The end of what a program said, as a clause; empty where it was silent.
-std::string last_line_text(const std::string& said);
+std::string last_line_text(const KeptText& said);
+
+/// Which limit a program that failed says that it met, as a clause; empty where it says of none.
+std::string limit_text(const KeptText& said, const Limits& limits);
+
+/// What a finished program said: on the standard error, else on the standard output, as a clause
+/// with its first and last lines; empty where it was silent.
+std::string said_text(const KeptText& said, const KeptText& printed);
 
 /// A process that is talked to through pipes, in a folder of its own; its end is the end of all
 /// that it started.
@@ -34,24 +45,31 @@ class Process {
                        std::size_t most_bytes);
   /// Closes its input and waits for its end; returns its exit code.
   int finish();
-  /// The end of what it wrote on the standard error.
-  const std::string& said() const { return said_; }
+  /// What it wrote on the standard error, and, where it was waited for, on the standard output: the
+  /// beginning and the end of each.
+  const KeptText& said() const { return said_; }
+  const KeptText& printed() const { return printed_; }
   const std::filesystem::path& folder() const { return folder_.path(); }
 
  private:
   [[noreturn]] void fail(FailureKind kind, const std::string& words);
+  [[noreturn]] void fail_with(int status);
   [[noreturn]] void fail_ended();
+  void blame(FailureKind kind, const std::string& words) const;
+  void charge();
+  void look(const char* doing);
   void listen();
   bool has_ended(int& status);
   void kill_all();
-  void kill_rest(pid_t group) const;
 
   PrivateFolder folder_;
   Confined confined_;
+  std::optional<ControlGroup> group_;
   std::uint64_t user_ = 0;
   pid_t pid_ = -1;
+  std::optional<Watch> watch_;
   int input_ = -1, output_ = -1, error_ = -1;
-  std::string said_;
+  KeptText said_, printed_;
 };
 
 }  // namespace raycheck::tools

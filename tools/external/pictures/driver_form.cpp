@@ -1,0 +1,164 @@
+#include "tools/external/pictures/driver_form.h"
+
+#include <fmt/core.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cctype>
+#include <charconv>
+#include <map>
+
+#include "scene/number.h"
+
+namespace raycheck::tools {
+namespace {
+
+using scene::Dialect;
+
+constexpr int kUpToSpecular = 13;
+constexpr int kUpToReflected = 16;
+
+/// The line on which renderers of a dialect read how often a ray is reflected.
+std::string recursion_line(Dialect dialect, int level) {
+  return fmt::format("{} {}", dialect == Dialect::kA ? "recursionLevel" : "recursionlevel", level);
+}
+
+std::string number_text(double x, DriverNumbers numbers) {
+  if (numbers == DriverNumbers::kShortest) return scene::shortest(x);
+  std::array<char, 1100> text{};
+  const auto end =
+      std::to_chars(text.data(), text.data() + text.size(), x, std::chars_format::fixed);
+  return {text.data(), end.ptr};
+}
+
+/// A position behind the eye, as far from it as what is looked at, and not the origin.
+scene::Point3 light_position(const scene::Camera& camera) {
+  const auto& E = camera.eye;
+  const auto& A = camera.look_at;
+  const auto behind = [&](double k) {
+    return scene::Point3{E.x + k * (E.x - A.x), E.y + k * (E.y - A.y), E.z + k * (E.z - A.z)};
+  };
+  const scene::Point3 at = behind(1);
+  return at.x == 0 && at.y == 0 && at.z == 0 ? behind(2) : at;
+}
+
+}  // namespace
+
+std::string DriverForm::text() const {
+  std::string said(kDialectNames[static_cast<std::size_t>(dialect)]);
+  said += fmt::format(", spheres of {} numbers", sphere_numbers);
+  for (const std::string& line : extra_lines) said += ", " + line;
+  said += light == DriverLight::kBehind ? ", a light" : ", no light";
+  if (numbers == DriverNumbers::kFixed) said += ", no exponents";
+  if (!order.empty()) said += fmt::format(", in the order {}", fmt::join(order, " "));
+  return said;
+}
+
+std::vector<std::string> usual_order(Dialect dialect) {
+  if (dialect == Dialect::kC) {
+    return {"camera", "bounds", "res", "extra", "ambient", "light", "sphere"};
+  }
+  return {"eye", "look", "up", "d", "bounds", "res", "extra", "ambient", "light", "sphere"};
+}
+
+DriverForm form_of(Dialect dialect) {
+  DriverForm form;
+  form.dialect = dialect;
+  return form;
+}
+
+std::span<const DriverPreset> driver_presets() {
+  const auto year = [](Dialect dialect, int sphere_numbers) {
+    DriverForm form = form_of(dialect);
+    form.sphere_numbers = sphere_numbers;
+    form.extra_lines = {recursion_line(dialect, 0)};
+    return form;
+  };
+  static const std::vector<DriverPreset> kPresets = {
+      {"A", form_of(Dialect::kA)},     {"B", form_of(Dialect::kB)},
+      {"C", form_of(Dialect::kC)},     {"2017", year(Dialect::kA, 16)},
+      {"2018", year(Dialect::kA, 20)}, {"2019", year(Dialect::kB, 16)},
+      {"2020", year(Dialect::kC, 17)}};
+  return kPresets;
+}
+
+std::optional<DriverForm> driver_preset(std::string_view name) {
+  for (const DriverPreset& preset : driver_presets()) {
+    const bool is_it =
+        std::equal(name.begin(), name.end(), preset.name.begin(), preset.name.end(),
+                   [](char a, char b) { return std::toupper(static_cast<unsigned char>(a)) == b; });
+    if (is_it) return preset.form;
+  }
+  return {};
+}
+
+std::vector<DriverForm> known_forms(const DriverForm& first) {
+  std::vector<DriverForm> forms = {first};
+  const auto add = [&](DriverForm form) {
+    form.numbers = first.numbers;
+    if (form.dialect == first.dialect) form.order = first.order;
+    if (std::find(forms.begin(), forms.end(), form) == forms.end()) forms.push_back(form);
+  };
+  for (const DriverPreset& preset : driver_presets()) add(preset.form);
+  std::vector<Dialect> dialects = {first.dialect};
+  for (const Dialect other : {Dialect::kA, Dialect::kB, Dialect::kC}) {
+    if (other != first.dialect) dialects.push_back(other);
+  }
+  const auto add_all = [&](const auto& recursion) {
+    for (const DriverLight light : {DriverLight::kBehind, DriverLight::kNone}) {
+      for (const int numbers : kSphereNumbers) {
+        for (const Dialect dialect : dialects) add({dialect, numbers, recursion(dialect), light});
+      }
+    }
+  };
+  using Lines = std::vector<std::string>;
+  add_all([](Dialect dialect) { return Lines{recursion_line(dialect, 0)}; });
+  add_all([](Dialect) { return Lines{}; });
+  add_all([](Dialect dialect) { return Lines{recursion_line(dialect, 1)}; });
+  return forms;
+}
+
+std::string driver_text(const scene::Scene& scene, const DriverForm& form,
+                        const std::vector<Colour>& colours) {
+  const scene::Camera& c = *scene.camera;
+  const auto number = [&](double x) { return number_text(x, form.numbers); };
+  const auto words = [&](const auto& v) {
+    return fmt::format("{} {} {}", number(v.x), number(v.y), number(v.z));
+  };
+  const bool is_a = form.dialect == Dialect::kA;
+  const std::string d = number(is_a ? -c.near : c.near);
+  std::map<std::string, std::string> lines;
+  lines["camera"] =
+      fmt::format("camera {} {} {} {}\n", words(c.eye), words(c.look_at), words(c.up), d);
+  lines["eye"] = fmt::format("eye {}\n", words(c.eye));
+  lines["look"] = fmt::format("look {}\n", words(c.look_at));
+  lines["up"] = fmt::format("up {}\n", words(c.up));
+  lines["d"] = fmt::format("d {}\n", d);
+  lines["bounds"] =
+      fmt::format("bounds {} {} {} {}\n", number(c.left), number(is_a ? c.bottom : c.right),
+                  number(is_a ? c.right : c.bottom), number(c.top));
+  lines["res"] = fmt::format("res {} {}\n", c.width, c.height);
+  for (const std::string& line : form.extra_lines) lines["extra"] += line + "\n";
+  lines["ambient"] = "ambient 1 1 1\n";
+  if (form.light == DriverLight::kBehind) {
+    lines["light"] = fmt::format("light {} 1 1 1 1\n", words(light_position(c)));
+  }
+  for (std::size_t k = 0; k < scene.spheres.size(); ++k) {
+    const auto& [centre, radius] = scene.spheres[k];
+    const auto& [red, green, blue] = colours[k];
+    std::string line =
+        fmt::format("sphere {} {} {} {} {} 0 0 0 0 0 0", words(centre), number(radius),
+                    number(red / 255.0), number(green / 255.0), number(blue / 255.0));
+    for (int n = kUpToSpecular; n < form.sphere_numbers; ++n) {
+      line += n < kUpToReflected ? " 0" : " 1";
+    }
+    lines["sphere"] += line + "\n";
+  }
+  std::string text;
+  for (const std::string& keyword : form.order.empty() ? usual_order(form.dialect) : form.order) {
+    text += lines[keyword];
+  }
+  return text;
+}
+
+}  // namespace raycheck::tools

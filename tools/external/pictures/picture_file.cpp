@@ -1,0 +1,63 @@
+#include "tools/external/pictures/picture_file.h"
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <string_view>
+#include <tuple>
+#include <vector>
+
+namespace raycheck::tools {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::array<std::string_view, 5> kUsual = {"out", "output", "image", "picture", "result"};
+
+std::string lower_case(std::string text) {
+  for (char& c : text) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  return text;
+}
+
+bool is_picture(const fs::path& path) {
+  const std::string ending = lower_case(path.extension().string());
+  return ending == ".ppm" || ending == ".pnm" || ending == ".png";
+}
+
+/// 0 for the driver file's own name, then the usual ones in their order, then all others.
+std::size_t rank(const fs::path& path, const std::string& scene) {
+  const std::string stem = lower_case(path.stem().string());
+  if (stem == lower_case(fs::path(scene).stem().string()) || stem == lower_case(scene)) return 0;
+  return 1 +
+         static_cast<std::size_t>(std::find(kUsual.begin(), kUsual.end(), stem) - kUsual.begin());
+}
+
+}  // namespace
+
+std::optional<FoundPicture> found_picture(const fs::path& folder, const std::string& named,
+                                          const std::string& scene) {
+  if (fs::exists(fs::symlink_status(folder / named))) return FoundPicture{folder / named, true};
+  struct Found {
+    std::size_t rank;
+    fs::file_time_type made;
+    fs::path path;
+  };
+  std::vector<Found> pictures;
+  // A program may close its own folders to others.
+  std::error_code error;
+  fs::recursive_directory_iterator entry(folder, fs::directory_options::skip_permission_denied,
+                                         error);
+  for (; !error && entry != fs::recursive_directory_iterator(); entry.increment(error)) {
+    std::error_code gone;
+    if (!fs::is_regular_file(entry->symlink_status(gone)) || !is_picture(entry->path())) continue;
+    pictures.push_back({rank(entry->path(), scene), entry->last_write_time(gone), entry->path()});
+  }
+  if (pictures.empty()) return {};
+  const auto best =
+      std::min_element(pictures.begin(), pictures.end(), [](const Found& a, const Found& b) {
+        return std::tuple(a.rank, b.made, a.path) < std::tuple(b.rank, a.made, b.path);
+      });
+  return FoundPicture{best->path, false};
+}
+
+}  // namespace raycheck::tools

@@ -1,0 +1,25 @@
+#ifndef RAYCHECK_TOOLS_EXTERNAL_PICTURES_PICTURE_FILE_H_
+#define RAYCHECK_TOOLS_EXTERNAL_PICTURES_PICTURE_FILE_H_
+
+#include <filesystem>
+#include <optional>
+#include <string>
+
+namespace raycheck::tools {
+
+/// The picture that a program made, and whether it is called as it was told.
+struct FoundPicture {
+  std::filesystem::path path;
+  bool is_named = true;
+};
+
+/// The picture that a program left in its folder, which held the driver file `scene` and nothing
+/// else: the one of the name it was told; else one of a usual name (that of the driver file, out,
+/// output, image, picture, result); else the newest. PPM and PNG count, links do not.
+/// Empty where there is none.
+std::optional<FoundPicture> found_picture(const std::filesystem::path& folder,
+                                          const std::string& named, const std::string& scene);
+
+}  // namespace raycheck::tools
+
+#endif  // RAYCHECK_TOOLS_EXTERNAL_PICTURES_PICTURE_FILE_H_

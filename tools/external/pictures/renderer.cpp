@@ -1,0 +1,155 @@
+#include "tools/external/pictures/renderer.h"
+
+#include <fmt/core.h>
+#include <sys/stat.h>
+
+#include <stdexcept>
+#include <system_error>
+#include <utility>
+
+#include "properties/other_size.h"
+#include "tools/external/pictures/picture_file.h"
+#include "tools/external/pictures/stored_picture.h"
+#include "tools/external/sandbox/file_tree.h"
+
+namespace raycheck::tools {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr const char* kSceneFile = "scene.txt";
+constexpr const char* kImageFile = "image.ppm";
+
+/// What a picture may have at most, whatever the scene's size.
+constexpr std::int64_t kMostPicturePixels = std::int64_t{1} << 26;
+
+/// Of a program that has ended. `most`: as large as its files may be.
+std::string read_made(const fs::path& path, std::uint64_t most) {
+  struct stat status {};
+  if (lstat(path.c_str(), &status) != 0 || !S_ISREG(status.st_mode)) {
+    throw std::runtime_error("its picture {image} is no file");
+  }
+  // That it closed its picture is no failure of the machine.
+  chmod(path.c_str(), S_IRUSR | S_IWUSR);
+  return file_bytes(path, most);
+}
+
+/// Runs the program.
+MadePicture drawn(const Renderer& renderer, const std::string& driver) {
+  Confined program = renderer.program;
+  program.files = {{kSceneFile, driver}};
+  for (std::string& word : program.arguments) {
+    for (const auto& [mark, file] : {std::pair("{scene}", kSceneFile), {"{image}", kImageFile}}) {
+      for (std::size_t at; (at = word.find(mark)) != std::string::npos;) {
+        word.replace(at, std::string_view(mark).size(), file);
+      }
+    }
+  }
+  Process process(program);
+  std::optional<ProcessFailure> failure;
+  try {
+    const int code = process.finish();
+    if (code != 0) failure.emplace(FailureKind::kEnded, fmt::format("exited with {}", code));
+  } catch (const ProcessFailure& thrown) {
+    failure.emplace(thrown);
+  }
+  const auto found = found_picture(process.folder(), kImageFile, kSceneFile);
+  const std::string said = said_text(process.said(), process.printed());
+  // What is whole counts, however the program ended afterwards.
+  if (found && (!failure || failure->kind() == FailureKind::kEnded)) {
+    try {
+      return {parse_picture(read_made(found->path, program.limits.file), kMostPicturePixels),
+              found->is_named ? "" : found->path.filename().string(),
+              failure ? failure->what() : "",
+              (process.said().empty() ? process.printed() : process.said()).excerpt()};
+    } catch (const PictureError& error) {
+      if (!failure) throw PictureError(error.what() + said);
+    }
+  }
+  if (failure) {
+    throw ProcessFailure(failure->kind(),
+                         fmt::format("it {}{}{}", failure->what(),
+                                     limit_text(process.said(), program.limits), said));
+  }
+  throw std::runtime_error("it made no picture {image}" + said);
+}
+
+}  // namespace
+
+std::string driver_text(const scene::Scene& scene, const DriverForm& form) {
+  return driver_text(scene, form, SphereColours(scene.spheres.size()).all());
+}
+
+properties::ImageAnswer image_answer(const ReadPicture& picture, const scene::Camera& camera,
+                                     scene::Rows rows, std::size_t spheres,
+                                     const ColourHabit& habit) {
+  if (picture.width != camera.width || picture.height != camera.height) {
+    throw properties::OtherSize(
+        fmt::format("its picture has {} x {} pixels, the scene {} x {}{}", picture.width,
+                    picture.height, camera.width, camera.height,
+                    picture.width == camera.height && picture.height == camera.width
+                        ? ": width and height are exchanged"
+                        : ""),
+        picture.width, picture.height);
+  }
+  const SphereColours colours(spheres);
+  properties::ImageAnswer answer(picture.pixels.size());
+  for (std::int64_t j = 0; j < camera.height; ++j) {
+    const std::int64_t line = rows == scene::Rows::kTopFirst ? j : camera.height - 1 - j;
+    for (std::int64_t i = 0; i < camera.width; ++i) {
+      const Colour& colour = picture.pixels[static_cast<std::size_t>(line * camera.width + i)];
+      if (colour == habit.background) continue;
+      answer[static_cast<std::size_t>(j * camera.width + i)] =
+          colours.sphere_of(colour, habit).value_or(properties::kSomeSphere);
+    }
+  }
+  return answer;
+}
+
+MadePicture rendered(const Renderer& renderer, const std::string& driver) {
+  class None : public AnswerStore {
+    std::optional<StoredAnswer> find(const std::string& /*request*/) const override { return {}; }
+    void keep(const std::string& /*request*/, StoredAnswer /*answer*/) override {}
+  } none;
+  AnswerStore& answers = renderer.answers ? *renderer.answers : none;
+  const std::string request =
+      fmt::format("within {} s\n{}", renderer.program.limits.seconds, driver);
+  SpentTime& spent = *renderer.program.spent;
+  if (const auto known = answers.find(request)) {
+    spent.add(known->seconds);
+    if (known->failure) throw ProcessFailure(*known->failure, known->text);
+    if (auto made = stored_picture(known->text)) return std::move(*made);
+  }
+  const double before = spent.seconds();
+  const auto keep = [&](const std::string& text, std::optional<FailureKind> failure = {}) {
+    answers.keep(request, {text, failure, spent.seconds() - before});
+  };
+  try {
+    MadePicture made = drawn(renderer, driver);
+    keep(stored_text(made));
+    return made;
+  } catch (const ProcessFailure& failure) {
+    if (is_lasting(failure.kind())) keep(failure.what(), failure.kind());
+    throw;
+  } catch (const std::system_error& error) {
+    if (!is_of_the_machine(error.code())) {
+      // A folder or a picture that the program has closed to others.
+      const std::string words = "its picture cannot be read: " + error.code().message();
+      keep(words, FailureKind::kBadReply);
+      throw std::runtime_error(words);
+    }
+    if (const auto& told = renderer.program.surroundings) told->blame(error.what());
+    throw;
+  } catch (const std::runtime_error& error) {
+    keep(error.what(), FailureKind::kBadReply);
+    throw;
+  }
+}
+
+properties::ImageAnswer render(const Renderer& renderer, const scene::Scene& scene,
+                               scene::Rows rows) {
+  return image_answer(rendered(renderer, driver_text(scene, renderer.driver)).picture,
+                      *scene.camera, rows, scene.spheres.size(), renderer.colours);
+}
+
+}  // namespace raycheck::tools

@@ -1,0 +1,261 @@
+#include "tools/external/sandbox/control_group.h"
+
+#include <fcntl.h>
+#include <fmt/core.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <atomic>
+#include <cerrno>
+#include <charconv>
+#include <csignal>
+#include <fstream>
+#include <iterator>
+#include <optional>
+#include <sstream>
+#include <stdexcept>
+#include <string_view>
+#include <system_error>
+#include <vector>
+
+namespace raycheck::tools {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::string_view kGroupPrefix = "raycheck-", kLeafPrefix = "judge-";
+/// What bubblewrap adds to a program's processes: one waits outside, one inside takes orphans.
+constexpr std::uint64_t kOfBubblewrap = 2;
+/// A group goes when all in it have died, which is looked at so often, after so many microseconds.
+constexpr int kMostLooks = 10000;
+constexpr useconds_t kLookPause = 500;
+
+std::string text_of(const fs::path& path) {
+  std::ifstream file(path, std::ios::binary);
+  return {std::istreambuf_iterator<char>(file), {}};
+}
+
+std::vector<std::string> words_of(const std::string& text) {
+  std::istringstream words(text);
+  return {std::istream_iterator<std::string>(words), {}};
+}
+
+bool has_word(const std::string& text, const std::string& word) {
+  const std::vector<std::string> words = words_of(text);
+  return std::find(words.begin(), words.end(), word) != words.end();
+}
+
+/// The number behind a name; 0 where it is not there.
+std::uint64_t value_of(const std::string& text, const std::string& name) {
+  const std::vector<std::string> words = words_of(text);
+  const auto at = std::find(words.begin(), words.end(), name);
+  std::uint64_t value = 0;
+  if (at != words.end() && at + 1 != words.end()) {
+    std::from_chars((at + 1)->data(), (at + 1)->data() + (at + 1)->size(), value);
+  }
+  return value;
+}
+
+/// At once, as the kernel wants it.
+void write_value(const fs::path& path, const std::string& value) {
+  const int file = open(path.c_str(), O_WRONLY | O_CLOEXEC);
+  const ssize_t written = file < 0 ? -1 : write(file, value.data(), value.size());
+  const int error = errno;
+  if (file >= 0) close(file);
+  if (written < 0) throw std::system_error(error, std::generic_category(), path);
+}
+
+bool try_value(const fs::path& path, const std::string& value) {
+  try {
+    write_value(path, value);
+    return true;
+  } catch (const std::system_error&) {
+    return false;
+  }
+}
+
+fs::path new_group(const fs::path& path) {
+  constexpr mode_t kMode = 0755;
+  if (mkdir(path.c_str(), kMode) != 0) {
+    throw std::system_error(errno, std::generic_category(), path);
+  }
+  return path;
+}
+
+/// What /proc/self/mountinfo writes as \040 and the like.
+std::string unescaped(const std::string& text) {
+  constexpr std::size_t kDigits = 3;
+  std::string result;
+  for (std::size_t k = 0; k < text.size(); ++k) {
+    unsigned char byte = 0;
+    const char* const begin = text.data() + k + 1;
+    const char* const end = begin + std::min(kDigits, text.size() - k - 1);
+    const bool is_escape = text[k] == '\\' && end == begin + kDigits &&
+                           std::from_chars(begin, end, byte, 8).ptr == end;
+    result += is_escape ? static_cast<char>(byte) : text[k];
+    if (is_escape) k += kDigits;
+  }
+  return result;
+}
+
+/// Those of no process that lives; a number that is this one's was another's before. What still has
+/// processes in it stays.
+void remove_dead_groups(const fs::path& own) {
+  std::error_code error;
+  for (fs::directory_iterator at(own, error), end; !error && at != end; at.increment(error)) {
+    const std::string name = at->path().filename();
+    std::string_view rest = name;
+    if (!rest.starts_with(kGroupPrefix)) continue;
+    rest.remove_prefix(kGroupPrefix.size());
+    if (rest.starts_with(kLeafPrefix)) rest.remove_prefix(kLeafPrefix.size());
+    pid_t pid = 0;
+    std::from_chars(rest.data(), rest.data() + rest.size(), pid);
+    if (pid <= 0) continue;
+    if (pid == getpid() || (::kill(pid, 0) != 0 && errno == ESRCH)) rmdir(at->path().c_str());
+  }
+}
+
+/// The place of this run's groups.
+class RunGroups {
+ public:
+  RunGroups()
+      : own_(own_control_group(text_of("/proc/self/mountinfo"), text_of("/proc/self/cgroup"))) {
+    remove_dead_groups(own_);
+    // The root's alone has no type, and may hold processes beside groups with controllers.
+    if (fs::exists(own_ / "cgroup.type")) move_to_leaf();
+    const std::string offered = text_of(own_ / "cgroup.controllers");
+    for (const char* name : {"memory", "pids", "cpu"}) {
+      const bool is_new = has_word(offered, name) && !has_word(controllers(), name);
+      if (is_new && try_value(own_ / kControllers, std::string("+") + name)) {
+        enabled_.emplace_back(name);
+      }
+    }
+  }
+  ~RunGroups() {
+    // In the root's group other runs may rely on what this one has enabled.
+    if (leaf_.empty()) return;
+    for (const std::string& name : enabled_) try_value(own_ / kControllers, "-" + name);
+    try_value(own_ / kProcesses, "0");
+    rmdir(leaf_.c_str());
+  }
+  RunGroups(const RunGroups&) = delete;
+  RunGroups& operator=(const RunGroups&) = delete;
+
+  const fs::path& own() const { return own_; }
+  GroupLimits limits() const {
+    return {has_word(controllers(), "memory"), has_word(controllers(), "pids")};
+  }
+
+ private:
+  static constexpr const char* kControllers = "cgroup.subtree_control";
+  static constexpr const char* kProcesses = "cgroup.procs";
+
+  std::string controllers() const { return text_of(own_ / kControllers); }
+
+  /// Groups of groups with controllers hold no processes.
+  void move_to_leaf() {
+    for (const std::string& one : words_of(text_of(own_ / kProcesses))) {
+      if (one == std::to_string(getpid())) continue;
+      throw std::runtime_error(
+          fmt::format("{} holds other processes besides raycheck", own_.string()));
+    }
+    const fs::path leaf =
+        new_group(own_ / fmt::format("{}{}{}", kGroupPrefix, kLeafPrefix, getpid()));
+    try {
+      write_value(leaf / kProcesses, "0");
+    } catch (const std::system_error&) {
+      rmdir(leaf.c_str());
+      throw;
+    }
+    leaf_ = leaf;
+  }
+
+  fs::path own_, leaf_;
+  std::vector<std::string> enabled_;
+};
+
+std::optional<RunGroups>& run_groups() {
+  static std::optional<RunGroups> groups;
+  return groups;
+}
+
+}  // namespace
+
+fs::path own_control_group(const std::string& mountinfo, const std::string& cgroup) {
+  constexpr std::string_view kOwn = "0::";
+  std::string own;
+  std::istringstream groups(cgroup);
+  for (std::string line; std::getline(groups, line);) {
+    if (line.starts_with(kOwn)) own = line.substr(kOwn.size());
+  }
+  bool is_mounted = false;
+  std::istringstream mounts(mountinfo);
+  for (std::string line; std::getline(mounts, line);) {
+    if (line.find(" - cgroup2 ") == std::string::npos) continue;
+    is_mounted = true;
+    // ID, parent, device, which folder of it is mounted, where.
+    constexpr std::size_t kRoot = 3, kPoint = 4;
+    const std::vector<std::string> fields = words_of(line);
+    const std::string root = unescaped(fields.at(kRoot));
+    const std::string below = root == "/" ? root : root + "/";
+    if (own.starts_with("/..") || !(own + "/").starts_with(below)) continue;
+    const std::string rest = own.substr(std::min(below.size(), own.size()));
+    const fs::path point = unescaped(fields.at(kPoint));
+    return rest.empty() ? point : point / rest;
+  }
+  throw std::runtime_error(
+      is_mounted && !own.empty()
+          ? fmt::format("raycheck's own control group, {}, is mounted nowhere", own)
+          : "this machine has no control groups of version 2");
+}
+
+bool has_met_memory_limit(const std::string& events) {
+  // Kills are counted whoever ordered them; "oom" is counted where the limit is that was met.
+  return value_of(events, "oom") > 0 && value_of(events, "oom_kill") > 0;
+}
+
+GroupLimits begin_control_groups() { return run_groups().emplace().limits(); }
+
+void end_control_groups() { run_groups().reset(); }
+
+ControlGroup::ControlGroup(const Layers& layers, const Limits& limits) {
+  static std::atomic<std::uint64_t> number = 0;
+  path_ = new_group(run_groups().value().own() /
+                    fmt::format("{}{}-{}", kGroupPrefix, getpid(), number++));
+  try {
+    if (layers.group_memory) {
+      write_value(path_ / "memory.max", std::to_string(limits.memory));
+      write_value(path_ / "memory.oom.group", "1");
+      const fs::path swap = path_ / "memory.swap.max";
+      if (fs::exists(swap)) write_value(swap, "0");
+    }
+    if (layers.group_processes) {
+      const std::uint64_t more = layers.bubblewrap ? kOfBubblewrap : 0;
+      write_value(path_ / "pids.max", std::to_string(limits.processes + more));
+    }
+  } catch (const std::exception&) {
+    rmdir(path_.c_str());
+    throw;
+  }
+}
+
+ControlGroup::~ControlGroup() {
+  kill();
+  for (int k = 0; k < kMostLooks && rmdir(path_.c_str()) != 0 && errno == EBUSY; ++k) {
+    usleep(kLookPause);
+  }
+}
+
+double ControlGroup::cpu_seconds() const {
+  constexpr double kMicro = 1e-6;
+  return kMicro * static_cast<double>(value_of(text_of(path_ / "cpu.stat"), "usage_usec"));
+}
+
+bool ControlGroup::has_met_memory_limit() const {
+  return tools::has_met_memory_limit(text_of(path_ / "memory.events"));
+}
+
+bool ControlGroup::kill() const { return try_value(path_ / "cgroup.kill", "1"); }
+
+}  // namespace raycheck::tools

@@ -1,0 +1,146 @@
+#include "tools/external/sandbox/file_tree.h"
+
+#include <dirent.h>
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <cerrno>
+#include <memory>
+#include <string>
+#include <string_view>
+#include <system_error>
+
+namespace raycheck::tools {
+namespace {
+
+/// Folders in folders whose sizes are added up.
+constexpr int kMostDepth = 128;
+
+using Entries = std::unique_ptr<DIR, int (*)(DIR*)>;
+
+/// The entries of an open folder, which is closed with them; of none where it cannot be read.
+Entries entries_of(int folder) {
+  DIR* const entries = fdopendir(folder);
+  if (entries == nullptr) close(folder);
+  return {entries, closedir};
+}
+
+bool is_here_or_above(std::string_view name) { return name == "." || name == ".."; }
+
+constexpr int kOpenFolder = O_RDONLY | O_DIRECTORY | O_NOFOLLOW | O_CLOEXEC;
+
+int open_folder_in(int folder, const char* name) {
+  int opened = openat(folder, name, kOpenFolder);
+  if (opened < 0 && errno == EACCES && fchmodat(folder, name, S_IRWXU, 0) == 0) {
+    opened = openat(folder, name, kOpenFolder);
+  }
+  return opened;
+}
+
+/// Removes what an open folder holds that is no folder with something in it; the name of one that
+/// is, if there is one. `failed`: something stays.
+std::string remove_entries(int folder, bool& failed) {
+  const Entries entries = entries_of(openat(folder, ".", kOpenFolder));
+  if (!entries) {
+    failed = true;
+    return "";
+  }
+  fchmod(folder, S_IRWXU);
+  while (const dirent* const entry = readdir(entries.get())) {
+    if (is_here_or_above(entry->d_name)) continue;
+    if (unlinkat(folder, entry->d_name, 0) == 0) continue;
+    if (unlinkat(folder, entry->d_name, AT_REMOVEDIR) == 0) continue;
+    if (errno == ENOTEMPTY || errno == EEXIST) return entry->d_name;
+    failed = true;
+  }
+  return "";
+}
+
+void add_up(int folder, int depth, DiskUse& use) {
+  const Entries entries = entries_of(folder);
+  if (!entries) return;
+  while (const dirent* const entry = readdir(entries.get())) {
+    if (is_here_or_above(entry->d_name)) continue;
+    struct stat status {};
+    if (fstatat(folder, entry->d_name, &status, AT_SYMLINK_NOFOLLOW) != 0) continue;
+    if (++use.files > kMostFiles) {
+      use.are_too_many = true;
+      return;
+    }
+    constexpr std::uint64_t kBlock = 512;
+    const auto bytes = static_cast<std::uint64_t>(status.st_blocks) * kBlock;
+    if (!S_ISDIR(status.st_mode)) {
+      // Of each name its part.
+      use.bytes += bytes / std::max<std::uint64_t>(status.st_nlink, 1);
+      continue;
+    }
+    use.bytes += bytes;
+    if (depth >= kMostDepth) {
+      use.is_too_deep = true;
+      continue;
+    }
+    const int below = openat(folder, entry->d_name, kOpenFolder);
+    if (below >= 0) {
+      add_up(below, depth + 1, use);
+    } else if (errno == EACCES) {
+      use.is_closed = true;
+    }
+    if (use.are_too_many) return;
+  }
+}
+
+}  // namespace
+
+std::string file_bytes(const std::filesystem::path& file, std::size_t most) {
+  const int opened = open(file.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK);
+  const auto fail = [&] {
+    throw std::system_error(errno, std::generic_category(), file.filename());
+  };
+  if (opened < 0) fail();
+  std::string bytes;
+  std::array<char, 65536> buffer{};
+  ssize_t count = 0;
+  while (bytes.size() < most &&
+         (count = read(opened, buffer.data(), std::min(buffer.size(), most - bytes.size()))) != 0) {
+    if (count < 0 && errno == EINTR) continue;
+    if (count < 0) break;
+    bytes.append(buffer.data(), static_cast<std::size_t>(count));
+  }
+  const int error = errno;
+  close(opened);
+  errno = error;
+  if (count < 0) fail();
+  return bytes;
+}
+
+bool remove_tree(const std::filesystem::path& folder) {
+  int here = open_folder_in(AT_FDCWD, folder.c_str());
+  if (here < 0) return errno == ENOENT;
+  bool failed = false;
+  // Down into a folder that holds something, up from one that is empty: one is open at a time, so
+  // that neither descriptors nor names of paths run out.
+  for (std::int64_t depth = 0;;) {
+    const std::string below = remove_entries(here, failed);
+    if (below.empty() && (depth == 0 || failed)) break;
+    const int next =
+        below.empty() ? openat(here, "..", kOpenFolder) : open_folder_in(here, below.c_str());
+    if (next < 0) break;
+    close(here);
+    here = next;
+    depth += below.empty() ? -1 : 1;
+  }
+  close(here);
+  return rmdir(folder.c_str()) == 0 || errno == ENOENT;
+}
+
+DiskUse disk_use(const std::filesystem::path& folder) {
+  DiskUse use;
+  const int opened = open(folder.c_str(), kOpenFolder);
+  if (opened >= 0) add_up(opened, 0, use);
+  return use;
+}
+
+}  // namespace raycheck::tools

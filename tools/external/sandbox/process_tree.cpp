@@ -1,0 +1,165 @@
+#include "tools/external/sandbox/process_tree.h"
+
+#include <dirent.h>
+#include <fcntl.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <csignal>
+#include <fstream>
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+
+namespace raycheck::tools {
+namespace {
+
+/// As much as /proc gives of a file at a time, which is all of the short ones that are read here.
+std::string start_of(const std::string& path) {
+  std::array<char, 4096> text{};
+  const int file = open(path.c_str(), O_RDONLY | O_CLOEXEC);
+  if (file < 0) return "";
+  const ssize_t size = read(file, text.data(), text.size());
+  close(file);
+  return size <= 0 ? "" : std::string(text.data(), static_cast<std::size_t>(size));
+}
+
+/// Calls what with each number that names an entry of a folder.
+template <class What>
+void for_each_number(const std::string& folder, const What& what) {
+  const std::unique_ptr<DIR, int (*)(DIR*)> entries(opendir(folder.c_str()), closedir);
+  if (!entries) return;
+  while (const dirent* const entry = readdir(entries.get())) {
+    pid_t number = 0;
+    const std::string_view name = entry->d_name;
+    const auto [end, error] = std::from_chars(name.data(), name.data() + name.size(), number);
+    if (error == std::errc() && end == name.data() + name.size()) what(number);
+  }
+}
+
+/// The fields of proc(5)'s /proc/PID/stat from the third on: names may hold anything before.
+std::vector<std::string_view> fields_of(std::string_view line) {
+  const std::size_t name_end = line.rfind(')');
+  std::vector<std::string_view> fields;
+  if (name_end == std::string_view::npos) return fields;
+  line.remove_prefix(name_end + 1);
+  while (!line.empty()) {
+    const std::size_t begin = line.find_first_not_of(" \n");
+    if (begin == std::string_view::npos) break;
+    const std::size_t end = std::min(line.find_first_of(" \n", begin), line.size());
+    fields.push_back(line.substr(begin, end - begin));
+    line.remove_prefix(end);
+  }
+  return fields;
+}
+
+std::uint64_t number_of(std::string_view text) {
+  std::uint64_t value = 0;
+  std::from_chars(text.data(), text.data() + text.size(), value);
+  return value;
+}
+
+std::optional<ProcessState> state_of(pid_t pid) {
+  // Counted from the third field: state, ppid, utime to cstime, num_threads, rss.
+  constexpr std::size_t kState = 0, kParent = 1, kTimes = 11, kThreads = 17, kMemory = 21;
+  const std::string line = start_of("/proc/" + std::to_string(pid) + "/stat");
+  const std::vector<std::string_view> fields = fields_of(line);
+  if (fields.size() <= kMemory) return {};
+  std::uint64_t ticks = 0;
+  for (std::size_t k = 0; k < 4; ++k) ticks += number_of(fields[kTimes + k]);
+  ProcessState state;
+  state.pid = pid;
+  state.parent = static_cast<pid_t>(number_of(fields[kParent]));
+  state.is_dead = fields[kState] == "Z" || fields[kState] == "X";
+  state.cpu_seconds = static_cast<double>(ticks) / static_cast<double>(sysconf(_SC_CLK_TCK));
+  state.threads = number_of(fields[kThreads]);
+  state.memory = number_of(fields[kMemory]) * static_cast<std::uint64_t>(sysconf(_SC_PAGESIZE));
+  return state;
+}
+
+/// Whether the machine has a thread that waits for a disk.
+bool disks_keep_waiting() {
+  std::ifstream file("/proc/stat");
+  constexpr std::string_view kName = "procs_blocked ";
+  for (std::string line; std::getline(file, line);) {
+    if (line.starts_with(kName)) return number_of(std::string_view(line).substr(kName.size())) > 0;
+  }
+  return true;
+}
+
+}  // namespace
+
+std::vector<ProcessState> process_tree(pid_t root, double* others_seconds) {
+  std::vector<ProcessState> all, tree;
+  for_each_number("/proc", [&](pid_t pid) {
+    const auto state = state_of(pid);
+    if (!state || state->is_dead) return;
+    (pid == root ? tree : all).push_back(*state);
+  });
+  if (others_seconds != nullptr) *others_seconds = 0;
+  if (tree.empty()) return tree;
+  // Generation by generation.
+  for (std::size_t k = 0; k < tree.size(); ++k) {
+    const pid_t parent = tree[k].pid;
+    const auto rest = std::stable_partition(
+        all.begin(), all.end(), [&](const ProcessState& one) { return one.parent != parent; });
+    tree.insert(tree.end(), rest, all.end());
+    all.erase(rest, all.end());
+  }
+  if (others_seconds != nullptr) {
+    for (const ProcessState& one : all) *others_seconds += one.cpu_seconds;
+  }
+  return tree;
+}
+
+Waiting waiting_of(const std::vector<ProcessState>& processes) {
+  bool runs = false, sleeps = false;
+  for (const ProcessState& process : processes) {
+    const std::string tasks = "/proc/" + std::to_string(process.pid) + "/task";
+    for_each_number(tasks, [&](pid_t task) {
+      const std::string line = start_of(tasks + "/" + std::to_string(task) + "/stat");
+      const std::vector<std::string_view> fields = fields_of(line);
+      runs = runs || (!fields.empty() && fields[0] == "R");
+      sleeps = sleeps || (!fields.empty() && fields[0] == "D");
+    });
+  }
+  // A parent sleeps as deeply until its child of vfork() is another program.
+  if (sleeps && disks_keep_waiting()) return Waiting::kForADisk;
+  return runs ? Waiting::kForAProcessor : Waiting::kForNothing;
+}
+
+MemoryUse memory_together(const std::vector<ProcessState>& processes) {
+  MemoryUse use;
+  for (const ProcessState& process : processes) {
+    const std::string text = start_of("/proc/" + std::to_string(process.pid) + "/smaps_rollup");
+    const auto bytes_of = [&](std::string_view name) -> std::optional<std::uint64_t> {
+      const std::size_t at = text.find(name);
+      if (at == std::string::npos) return {};
+      const std::size_t digit = text.find_first_of("0123456789", at);
+      return number_of(std::string_view(text).substr(std::min(digit, text.size()))) << 10;
+    };
+    const std::uint64_t all = bytes_of("\nPss:").value_or(process.memory);
+    const std::uint64_t shared = std::min(bytes_of("\nPss_Shmem:").value_or(0), all);
+    use.own += all - shared;
+    use.shared += shared;
+  }
+  return use;
+}
+
+void kill_below(pid_t root) {
+  for (;;) {
+    std::vector<ProcessState> tree = process_tree(root);
+    std::erase_if(tree, [&](const ProcessState& one) { return one.pid == root; });
+    if (tree.empty()) return;
+    // Stopped first, so that none starts another while its neighbour is killed.
+    for (const int signal : {SIGSTOP, SIGKILL}) {
+      for (const ProcessState& one : tree) kill(one.pid, signal);
+    }
+    usleep(500);
+  }
+}
+
+}  // namespace raycheck::tools

@@ -1,0 +1,45 @@
+#ifndef RAYCHECK_TOOLS_EXTERNAL_SANDBOX_PROCESS_TREE_H_
+#define RAYCHECK_TOOLS_EXTERNAL_SANDBOX_PROCESS_TREE_H_
+
+#include <sys/types.h>
+
+#include <cstdint>
+#include <vector>
+
+namespace raycheck::tools {
+
+/// A process as /proc has it.
+struct ProcessState {
+  pid_t pid = 0, parent = 0;
+  bool is_dead = false;    ///< It only waits to be asked about.
+  double cpu_seconds = 0;  ///< Its own, and of children that it has waited for.
+  std::uint64_t threads = 0;
+  std::uint64_t memory = 0;  ///< In the machine's memory, in bytes; what is shared, too.
+};
+
+/// A process and all that it started, and they: the living ones. What a process leaves behind when
+/// it ends belongs to its nearest ancestor that takes orphans.
+/// `others_seconds`: what all other processes have computed until now.
+std::vector<ProcessState> process_tree(pid_t root, double* others_seconds = nullptr);
+
+/// What threads wait for that could run otherwise.
+enum class Waiting { kForNothing, kForAProcessor, kForADisk };
+
+/// Of all of these; a disk counts most. Whoever waits for a child of his own waits for nothing.
+Waiting waiting_of(const std::vector<ProcessState>& processes);
+
+/// What processes have in memory together, in bytes.
+struct MemoryUse {
+  std::uint64_t own = 0;     ///< And of programs and files.
+  std::uint64_t shared = 0;  ///< Shared memory.
+};
+
+/// What several have in common counts once.
+MemoryUse memory_together(const std::vector<ProcessState>& processes);
+
+/// Kills all that a process started, and they, until none is left; not the process itself.
+void kill_below(pid_t root);
+
+}  // namespace raycheck::tools
+
+#endif  // RAYCHECK_TOOLS_EXTERNAL_SANDBOX_PROCESS_TREE_H_

@@ -1,0 +1,115 @@
+#include "tools/grade/intake/as_it_comes.h"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <array>
+#include <chrono>
+#include <cmath>
+#include <optional>
+#include <tuple>
+
+#include "tools/external/compile.h"
+#include "tools/external/sandbox/file_tree.h"
+#include "tools/grade/intake/build_plan.h"
+#include "tools/grade/intake/quoting.h"
+
+namespace raycheck::tools {
+namespace {
+
+namespace fs = std::filesystem;
+using Clock = std::chrono::steady_clock;
+
+/// The first bytes of a file, enough to tell what kind of program it is.
+std::string head_of(const fs::path& path) {
+  constexpr std::size_t kHead = 64;
+  return file_bytes(path, kHead);
+}
+
+bool is_executable(const fs::path& path) {
+  return (fs::status(path).permissions() & fs::perms::owner_exec) != fs::perms::none &&
+         path.filename().string().find(".so") == std::string::npos &&
+         is_program_here(head_of(path));
+}
+
+/// The program that a build made, of those in its folder: of the likeliest name, else the newest.
+/// Empty: there is none.
+std::string made_program(const fs::path& folder, const std::vector<std::string>& likely) {
+  std::optional<std::tuple<std::ptrdiff_t, fs::file_time_type::duration, std::string>> best;
+  for (const auto& entry : fs::recursive_directory_iterator(folder)) {
+    if (!entry.is_regular_file() || !is_executable(entry.path())) continue;
+    const std::string name = entry.path().filename().string();
+    const std::tuple here(std::find(likely.begin(), likely.end(), name) - likely.begin(),
+                          -entry.last_write_time().time_since_epoch(),
+                          fs::relative(entry.path(), folder).string());
+    if (!best || here < *best) best = here;
+  }
+  return best ? std::get<2>(*best) : "";
+}
+
+/// One way; the words that start what it made.
+std::string tried(const BuildAttempt& attempt, const fs::path& folder, const fs::path& to,
+                  const RunOptions& options) {
+  if (attempt.words.empty()) {
+    fs::copy(folder, to, fs::copy_options::recursive);
+    return attempt.program;
+  }
+  const bool makes_program = attempt.program == kMade;
+  BuildWords words{attempt.words, attempt.shown};
+  if (makes_program) {
+    // Programs, and libraries of theirs; not what compilers leave on the way.
+    words.keeps = [](const fs::path& file) {
+      return is_elf(head_of(file)) && file.extension() != ".o" &&
+             file.string().find("/CMakeFiles/") == std::string::npos;
+    };
+  }
+  build(folder, words, to, options);
+  if (!makes_program) return attempt.program;
+  const std::string made = made_program(to, attempt.made);
+  if (made.empty()) throw CandidateError(fmt::format("'{}' makes no program", attempt.shown));
+  return candidate_word("./" + made);
+}
+
+void empty(const fs::path& folder) {
+  for (const auto& entry : fs::directory_iterator(folder)) fs::remove_all(entry.path());
+}
+
+}  // namespace
+
+Built build_as_it_comes(const fs::path& folder, const HandedInFiles& files, const fs::path& to,
+                        const RunOptions& options) {
+  const BuildPlan plan = build_plan(files);
+  if (plan.attempts.empty()) throw CandidateError(plan.why_none);
+  RunOptions left = options;
+  const auto begin = Clock::now();
+  std::vector<std::string> failed;
+  std::string why, said;
+  for (const BuildAttempt& attempt : plan.attempts) {
+    if (!failed.empty()) {
+      const std::chrono::duration<double> passed = Clock::now() - begin;
+      left.build_seconds = std::floor(options.build_seconds - passed.count());
+    }
+    if (left.build_seconds <= 0) break;
+    try {
+      Built built{tried(attempt, folder, to, left), attempt.words, {}};
+      for (const std::string& what : failed) {
+        built.notes.push_back(fmt::format("{} failed; built from {}", what, attempt.what));
+      }
+      built.notes.insert(built.notes.end(), attempt.notes.begin(), attempt.notes.end());
+      return built;
+    } catch (const CandidateError& error) {
+      if (why.empty()) {
+        why = error.why();
+        said = error.said();
+      } else {
+        said += fmt::format("{}{}{}{}", said.empty() ? "" : "\n\n", error.why(),
+                            error.said().empty() ? "" : ":\n", error.said());
+      }
+      if (failed.empty() || failed.back() != attempt.what) failed.push_back(attempt.what);
+      empty(to);
+    }
+  }
+  throw CandidateError(why, said);
+}
+
+}  // namespace raycheck::tools

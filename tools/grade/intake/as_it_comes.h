@@ -1,0 +1,20 @@
+#ifndef RAYCHECK_TOOLS_GRADE_INTAKE_AS_IT_COMES_H_
+#define RAYCHECK_TOOLS_GRADE_INTAKE_AS_IT_COMES_H_
+
+#include <filesystem>
+
+#include "tools/external/locate.h"
+#include "tools/grade/intake/handed_in.h"
+#include "tools/grade/store/built.h"
+
+namespace raycheck::tools {
+
+/// Builds what lies in a folder in the first way that works, in the time that the options allow for
+/// all of them; what it made lies in the folder `to` then.
+/// Errors: CandidateError with what the ways said, or why there is none.
+Built build_as_it_comes(const std::filesystem::path& folder, const HandedInFiles& files,
+                        const std::filesystem::path& to, const RunOptions& options);
+
+}  // namespace raycheck::tools
+
+#endif  // RAYCHECK_TOOLS_GRADE_INTAKE_AS_IT_COMES_H_

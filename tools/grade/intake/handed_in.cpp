@@ -1,0 +1,114 @@
+#include "tools/grade/intake/handed_in.h"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <array>
+#include <stdexcept>
+#include <string_view>
+#include <vector>
+
+#include "tools/external/sandbox/file_tree.h"
+#include "tools/grade/intake/quoting.h"
+#include "tools/grade/rubric/digest.h"
+
+namespace raycheck::tools {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::size_t kReadOfFile = std::size_t{4} << 20;
+
+/// Folders that archives, editors and compilers leave behind.
+constexpr std::array<std::string_view, 11> kLeftFolders = {
+    "__macosx", ".git",        ".svn",  ".hg",        ".vscode",           ".idea",
+    ".vs",      "__pycache__", ".venv", "cmakefiles", ".ipynb_checkpoints"};
+constexpr std::array<std::string_view, 4> kLeftFiles = {".ds_store", "thumbs.db", "desktop.ini",
+                                                        "cmakecache.txt"};
+/// Objects and precompiled headers, of whatever machine and compiler.
+constexpr std::array<std::string_view, 6> kLeftEndings = {".o",   ".obj", ".gch",
+                                                          ".pch", ".pyc", ".pdb"};
+
+template <std::size_t N>
+bool is_among(const std::array<std::string_view, N>& names, const std::string& name) {
+  return std::find(names.begin(), names.end(), name) != names.end();
+}
+
+bool is_left_behind(const fs::path& path, bool is_folder) {
+  const std::string name = lower_case(path.filename().string());
+  if (is_folder) return is_among(kLeftFolders, name) || fs::exists(path / "pyvenv.cfg");
+  return name.starts_with("._") || is_among(kLeftFiles, name) ||
+         is_among(kLeftEndings, fs::path(name).extension().string());
+}
+
+}  // namespace
+
+std::map<std::string, fs::path> files_of(const fs::path& path, const IntakeLimits& limits) {
+  const std::uintmax_t most = limits.mib << 20;
+  std::map<std::string, fs::path> files;
+  const fs::file_status status = fs::symlink_status(path);
+  if (fs::is_regular_file(status) && fs::file_size(path) <= most) {
+    return {{path.filename().string(), path}};
+  }
+  if (!fs::is_directory(status)) {
+    throw std::invalid_argument(
+        fs::is_regular_file(status)
+            ? fmt::format("it has more than {} MiB (submission_mib)", limits.mib)
+            : "it is neither a file nor a folder");
+  }
+  std::uintmax_t bytes = 0;
+  for (fs::recursive_directory_iterator entry(path), end; entry != end; ++entry) {
+    const fs::file_status own = entry->symlink_status();
+    if (fs::is_directory(own) && is_left_behind(entry->path(), true)) {
+      entry.disable_recursion_pending();
+    }
+    if (!fs::is_regular_file(own) || is_left_behind(entry->path(), false)) continue;
+    files.emplace(entry->path().lexically_relative(path).string(), entry->path());
+    bytes += entry->file_size();
+    if (files.size() > limits.files) {
+      throw std::invalid_argument(fmt::format("it has more than {} files (files)", limits.files));
+    }
+    if (bytes > most) {
+      throw std::invalid_argument(
+          fmt::format("it has more than {} MiB (submission_mib)", limits.mib));
+    }
+  }
+  return files;
+}
+
+fs::path innermost(fs::path path) {
+  while (fs::is_directory(fs::symlink_status(path))) {
+    std::vector<fs::directory_entry> entries;
+    for (const auto& entry : fs::directory_iterator(path)) {
+      const bool is_folder = fs::is_directory(entry.symlink_status());
+      const bool is_hidden = entry.path().filename().string().starts_with('.');
+      if (!is_hidden && !is_left_behind(entry.path(), is_folder)) entries.push_back(entry);
+    }
+    if (entries.size() != 1 || !fs::is_directory(entries[0].symlink_status())) break;
+    path = entries[0].path();
+  }
+  return path;
+}
+
+std::string digest_of(const std::map<std::string, fs::path>& files) {
+  std::vector<std::string> texts;
+  for (const auto& [name, path] : files) {
+    texts.push_back(name);
+    const bool runs = (fs::status(path).permissions() & fs::perms::owner_exec) != fs::perms::none;
+    texts.emplace_back(runs ? "runs" : "");
+    texts.push_back(file_bytes(path));
+  }
+  return digest(texts);
+}
+
+HandedInFiles read_files(const std::map<std::string, fs::path>& paths) {
+  HandedInFiles files;
+  for (const auto& [name, path] : paths) {
+    HandedInFile& file = files[name];
+    file.text = file_bytes(path, kReadOfFile);
+    file.runs = (fs::status(path).permissions() & fs::perms::owner_exec) != fs::perms::none;
+  }
+  return files;
+}
+
+}  // namespace raycheck::tools

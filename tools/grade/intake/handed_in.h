@@ -1,0 +1,45 @@
+#ifndef RAYCHECK_TOOLS_GRADE_INTAKE_HANDED_IN_H_
+#define RAYCHECK_TOOLS_GRADE_INTAKE_HANDED_IN_H_
+
+#include <cstdint>
+#include <filesystem>
+#include <map>
+#include <string>
+
+namespace raycheck::tools {
+
+/// How much is taken of what someone hands in.
+struct IntakeLimits {
+  std::uintmax_t mib = 64;
+  std::size_t files = 10000;
+};
+
+/// A file as it was handed in.
+struct HandedInFile {
+  std::string text;   ///< Its first 4 MiB.
+  bool runs = false;  ///< Its mode says that it is a program.
+};
+
+/// By their paths in the submission: "src/rt.cpp".
+using HandedInFiles = std::map<std::string, HandedInFile>;
+
+/// The regular files of a submission by their paths in it, without what archives, editors and
+/// compilers leave behind: __MACOSX, .git, virtual environments, objects, precompiled headers.
+/// Links are not followed: they may lead to what is not the submission's.
+/// Errors: std::invalid_argument with what is wrong: no file or folder, or too large.
+std::map<std::string, std::filesystem::path> files_of(const std::filesystem::path& path,
+                                                      const IntakeLimits& limits);
+
+/// Where a folder has nothing but another, as unpacked archives do, that; what is left behind
+/// aside.
+std::filesystem::path innermost(std::filesystem::path path);
+
+/// A digest of files: their names, contents, and which are programs.
+std::string digest_of(const std::map<std::string, std::filesystem::path>& files);
+
+/// Files with their contents.
+HandedInFiles read_files(const std::map<std::string, std::filesystem::path>& paths);
+
+}  // namespace raycheck::tools
+
+#endif  // RAYCHECK_TOOLS_GRADE_INTAKE_HANDED_IN_H_

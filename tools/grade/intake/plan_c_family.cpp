@@ -1,0 +1,284 @@
+// Makefiles, CMake, and plain sources of C and C++.
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <array>
+#include <set>
+#include <sstream>
+
+#include "tools/grade/intake/build_plan.h"
+#include "tools/grade/intake/include_repairs.h"
+#include "tools/grade/intake/quoting.h"
+#include "tools/grade/intake/sources.h"
+
+namespace raycheck::tools {
+namespace {
+
+constexpr const char* kSystemEigen = "/usr/include/eigen3";
+/// Beyond so many main files the others are not tried.
+constexpr std::size_t kMostMains = 3;
+
+/// The folders with headers, of the submission and of what lies in it of others.
+std::vector<std::string> include_folders(const HandedInFiles& files, const Vendored& vendored) {
+  std::vector<std::string> folders = {"."};
+  const auto add = [&](const std::string& folder) {
+    if (std::find(folders.begin(), folders.end(), folder) == folders.end()) {
+      folders.push_back(folder);
+    }
+  };
+  for (const auto& [name, file] : files) {
+    const bool is_header = is_c_family(name) && !is_c_or_cpp(name);
+    if (!is_header || vendored.has(name) || folder_of(name).empty()) continue;
+    add(folder_of(name));
+    // "include/math/vec.h" is included as "math/vec.h".
+    add(folder_of(folder_of(name)).empty() ? "." : folder_of(folder_of(name)));
+  }
+  for (const std::string& folder : vendored.include) add(folder);
+  return folders;
+}
+
+/// The submission's C and C++: what is included, repaired, and searched.
+struct CSources {
+  explicit CSources(const HandedInFiles& files)
+      : vendored(vendored_in(files)),
+        include(include_folders(files, vendored)),
+        repairs(include_repairs(files, vendored, include)) {}
+
+  std::vector<std::string> notes() const {
+    std::set<std::string> names;
+    for (const IncludeRepair& repair : repairs) {
+      names.insert(fmt::format("{} is taken for {}", repair.name, repair.instead));
+    }
+    return {names.begin(), names.end()};
+  }
+  /// For compilers that a Makefile calls: after the folders that it names itself.
+  std::string search_path() const {
+    std::string path = "export CPATH=";
+    for (const std::string& folder : include) path += "\"$PWD\"/" + shell_word(folder) + ":";
+    return path + kSystemEigen + "; ";
+  }
+  std::string flags() const {
+    std::string flags;
+    for (const std::string& folder : include) flags += "-I " + shell_word(folder) + " ";
+    return flags + "-I " + kSystemEigen;
+  }
+
+  Vendored vendored;
+  std::vector<std::string> include;
+  std::vector<IncludeRepair> repairs;
+};
+
+/// Removes programs and libraries that were handed in, lest they are taken for what is made, and
+/// lists of dependencies, which name files of another machine.
+std::string removal_words(const HandedInFiles& files) {
+  std::vector<std::string> stale;
+  for (const auto& [name, file] : files) {
+    const bool is_program = is_elf(file.text) && name.find(".so") == std::string::npos;
+    const bool is_dependencies = ending_of(name) == ".d" || base_of(name) == ".depend";
+    if (is_program || is_dependencies) stale.push_back(name);
+  }
+  return stale.empty() ? "" : "rm -f -- " + shell_words(stale) + "; ";
+}
+
+/// The file of one of these names that is closest to the top; empty: none, or several of a kind.
+std::string top_file(const HandedInFiles& files, const std::vector<std::string>& names,
+                     const Vendored& vendored) {
+  std::vector<std::string> found;
+  const auto depth = [](const std::string& name) {
+    return std::count(name.begin(), name.end(), '/');
+  };
+  for (const auto& [name, file] : files) {
+    const bool is_named = std::find(names.begin(), names.end(), base_of(name)) != names.end();
+    const bool is_generated = file.text.find("CMAKE generated file") != std::string::npos;
+    if (is_named && !is_generated && !vendored.has(name) && !is_aside(name)) found.push_back(name);
+  }
+  if (found.empty()) return "";
+  std::stable_sort(found.begin(), found.end(),
+                   [&](const std::string& a, const std::string& b) { return depth(a) < depth(b); });
+  const std::string folder = folder_of(found.front());
+  for (const std::string& other : found) {
+    if (depth(other) == depth(found.front()) && folder_of(other) != folder) return "";
+  }
+  // make prefers them in this order.
+  for (const std::string& name : names) {
+    const std::string path = folder.empty() ? name : folder + "/" + name;
+    if (std::find(found.begin(), found.end(), path) != found.end()) return path;
+  }
+  return found.front();
+}
+
+/// What a Makefile is likely to make: the values of its variables, and its targets, in order.
+std::vector<std::string> made_by(const std::string& makefile) {
+  std::vector<std::string> names;
+  std::istringstream lines(makefile);
+  for (std::string line; std::getline(lines, line);) {
+    if (line.empty() || line[0] == '\t' || line[0] == '#' || line[0] == '.') continue;
+    const std::size_t mark = line.find_first_of(":=");
+    if (mark == std::string::npos) continue;
+    const bool is_rule = line[mark] == ':' && line.substr(mark, 2) != ":=";
+    std::istringstream words(is_rule ? line.substr(0, mark)
+                                     : line.substr(line.find('=', mark) + 1));
+    for (std::string word; words >> word;) names.push_back(base_of(word));
+  }
+  return names;
+}
+
+/// The names of add_executable(NAME ...).
+std::vector<std::string> executables_of(const HandedInFiles& files) {
+  constexpr std::string_view kCall = "add_executable";
+  std::vector<std::string> names;
+  for (const auto& [path, file] : files) {
+    if (base_of(path) != "CMakeLists.txt") continue;
+    const std::string text = lower_case(file.text);
+    for (std::size_t at = 0; (at = text.find(kCall, at)) != std::string::npos;) {
+      at += kCall.size();
+      const std::size_t begin = text.find_first_not_of(" \t\r\n(", at);
+      const std::size_t end = text.find_first_of(" \t\r\n)", begin);
+      if (begin == std::string::npos || end == std::string::npos) break;
+      names.push_back(file.text.substr(begin, end - begin));
+    }
+  }
+  return names;
+}
+
+/// What some sources are linked with besides.
+std::string libraries_of(const HandedInFiles& files, const std::vector<std::string>& sources) {
+  std::string libraries = "-pthread -lm";
+  std::set<std::string> headers;
+  for (const auto& [name, file] : files) {
+    if (!is_c_family(name)) continue;
+    for (const IncludeLine& one : includes_of(file.text)) headers.insert(one.name);
+  }
+  const bool is_mixed = std::any_of(sources.begin(), sources.end(), is_cpp) &&
+                        !std::all_of(sources.begin(), sources.end(), is_cpp);
+  if (is_mixed) libraries += " -lstdc++";
+  if (headers.contains("omp.h")) libraries += " -fopenmp";
+  if (headers.contains("execution"))
+    libraries += " $(test -e /usr/include/tbb/tbb.h && echo -ltbb)";
+  if (headers.contains("png.h")) libraries += " -lpng";
+  if (headers.contains("zlib.h")) libraries += " -lz";
+  return libraries;
+}
+
+std::string names_shown(const std::vector<std::string>& names) {
+  if (names.size() > 3) return fmt::format("{} and {} more", names.front(), names.size() - 1);
+  std::string text;
+  for (const std::string& name : names) text += (text.empty() ? "" : " ") + name;
+  return text;
+}
+
+/// Compiles and links by the first standard that takes them; says what the newest said of them.
+BuildAttempt compiled(const HandedInFiles& files, const CSources& c,
+                      const std::vector<std::string>& sources) {
+  constexpr const char* kProgram = "raycheck-built";
+  const bool has_cpp = std::any_of(sources.begin(), sources.end(), is_cpp);
+  const bool all_cpp = std::all_of(sources.begin(), sources.end(), is_cpp);
+  const std::string compiler = all_cpp ? "g++" : "gcc";
+  const std::string first = has_cpp ? "c++20" : "gnu17";
+  const std::string rest = fmt::format("-O2 -w -fmax-errors=20 {} -o {} {} {}", c.flags(), kProgram,
+                                       shell_words(sources), libraries_of(files, sources));
+  std::string words = removal_words(files) + repair_words(c.repairs);
+  words += fmt::format("{} -std={} {} 2> raycheck-said", compiler, first, rest);
+  for (const char* const older : {"gnu++17", "gnu++14"}) {
+    if (has_cpp) words += fmt::format(" || {} -std={} {} 2> /dev/null", compiler, older, rest);
+  }
+  words += " || { cat raycheck-said >&2; false; }";
+  return {"its sources", fmt::format("{} -O2 -std={} {}", compiler, first, names_shown(sources)),
+          words,         std::string(kMade),
+          {kProgram},    c.notes()};
+}
+
+/// A source and those of the files that its headers lead to: "vec.cpp" of "vec.h".
+std::vector<std::string> reached_from(const std::string& main, const HandedInFiles& files,
+                                      const std::vector<std::string>& others) {
+  const auto stem = [](const std::string& name) {
+    const std::string base = lower_case(base_of(name));
+    return base.substr(0, base.rfind('.'));
+  };
+  std::set<std::string> stems, seen = {main};
+  std::vector<std::string> open = {main};
+  while (!open.empty()) {
+    const std::string from = open.back();
+    open.pop_back();
+    for (const IncludeLine& one : includes_of(files.at(from).text)) stems.insert(stem(one.name));
+    for (const auto& [name, file] : files) {
+      if (is_c_family(name) && stems.contains(stem(name)) && seen.insert(name).second) {
+        open.push_back(name);
+      }
+    }
+  }
+  std::vector<std::string> reached = {main};
+  for (const std::string& other : others) {
+    if (seen.contains(other)) reached.push_back(other);
+  }
+  return reached;
+}
+
+}  // namespace
+
+void plan_make(const HandedInFiles& files, BuildPlan& plan) {
+  const CSources c(files);
+  const std::string path =
+      top_file(files, {"GNUmakefile", "makefile", "Makefile", "MAKEFILE"}, c.vendored);
+  if (path.empty()) return;
+  const std::string folder = folder_of(path).empty() ? "." : folder_of(path);
+  std::vector<std::string> notes = c.notes();
+  plan.attempts.push_back({"its " + path, folder == "." ? "make" : "make -C " + folder,
+                           removal_words(files) + repair_words(c.repairs) + c.search_path() +
+                               "cd " + shell_word(folder) + " && make -f " +
+                               shell_word(base_of(path)),
+                           std::string(kMade), made_by(files.at(path).text), std::move(notes)});
+}
+
+void plan_cmake(const HandedInFiles& files, BuildPlan& plan) {
+  const CSources c(files);
+  const std::string path = top_file(files, {"CMakeLists.txt"}, c.vendored);
+  if (path.empty()) return;
+  const std::string folder = folder_of(path).empty() ? "." : folder_of(path);
+  plan.attempts.push_back(
+      {"its " + path, "cmake",
+       removal_words(files) + repair_words(c.repairs) + c.search_path() + "cmake -S " +
+           shell_word(folder) +
+           " -B raycheck-build -DCMAKE_BUILD_TYPE=Release && make -C raycheck-build",
+       std::string(kMade), executables_of(files), c.notes()});
+}
+
+void plan_c_family(const HandedInFiles& files, BuildPlan& plan) {
+  const CSources c(files);
+  std::set<std::string> included;
+  for (const auto& [name, file] : files) {
+    if (!is_c_family(name) || c.vendored.has(name)) continue;
+    for (const IncludeLine& one : includes_of(file.text)) {
+      if (is_c_or_cpp(one.name)) included.insert(base_of(one.name));
+    }
+  }
+  std::vector<std::string> mains, others;
+  for (const std::string& name :
+       own_sources(files, c.vendored, [&](const std::string&path, const HandedInFile&) {
+         return is_c_or_cpp(path) && !included.contains(base_of(path));
+       })) {
+    (defines_main(files.at(name).text) ? mains : others).push_back(name);
+  }
+  sort_by_likelihood(mains);
+  const std::size_t count = mains.size();
+  mains.resize(std::min(count, kMostMains));
+  for (const std::string& main : mains) {
+    std::vector<std::string> sources = others;
+    sources.insert(sources.begin(), main);
+    const std::vector<std::string> reached = reached_from(main, files, others);
+    const std::size_t first = plan.attempts.size();
+    plan.attempts.push_back(compiled(files, c, sources));
+    if (reached.size() < sources.size()) {
+      plan.attempts.push_back(compiled(files, c, reached));
+      plan.attempts.back().notes.push_back("only files whose headers are included are compiled");
+    }
+    if (count == 1) continue;
+    for (std::size_t k = first; k < plan.attempts.size(); ++k) {
+      plan.attempts[k].notes.push_back(
+          fmt::format("{} of its files have a main; this is that of {}", count, main));
+    }
+  }
+}
+
+}  // namespace raycheck::tools

@@ -1,0 +1,185 @@
+// Java, JavaScript and Python.
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <nlohmann/json.hpp>
+#include <string_view>
+#include <vector>
+
+#include "tools/grade/intake/build_plan.h"
+#include "tools/grade/intake/quoting.h"
+#include "tools/grade/intake/sources.h"
+
+namespace raycheck::tools {
+namespace {
+
+std::string stem_of(const std::string& path) {
+  const std::string base = base_of(path);
+  return base.substr(0, base.rfind('.'));
+}
+
+std::vector<std::string> with_ending(const HandedInFiles& files,
+                                     const std::vector<std::string>& endings) {
+  return own_sources(files, {}, [&](const std::string& path, const HandedInFile&) {
+    return std::find(endings.begin(), endings.end(), ending_of(path)) != endings.end();
+  });
+}
+
+/// Those of the files that are started, by what they say, likeliest first; the only one is.
+std::vector<std::string> starting(const HandedInFiles& files, std::vector<std::string> names,
+                                  const std::vector<std::string>& signs) {
+  if (names.size() == 1) return names;
+  std::vector<std::string> found;
+  for (const std::string& name : names) {
+    const std::string& text = files.at(name).text;
+    for (const std::string& sign : signs) {
+      if (text.find(sign) == std::string::npos) continue;
+      found.push_back(name);
+      break;
+    }
+  }
+  sort_by_likelihood(found);
+  return found;
+}
+
+std::vector<std::string> several_note(const std::vector<std::string>& names) {
+  if (names.size() == 1) return {};
+  return {fmt::format("{} of its files could be started; this is {}", names.size(), names.front())};
+}
+
+/// The words of Java: names with their dots, and every other character that is no space. A regular
+/// expression would call itself for each space of a file that has a million.
+std::vector<std::string_view> java_words(std::string_view text) {
+  const auto is_of_name = [](char c) {
+    return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_' || c == '.';
+  };
+  std::vector<std::string_view> words;
+  for (std::size_t at = 0; at < text.size();) {
+    std::size_t end = at;
+    while (end < text.size() && is_of_name(text[end])) ++end;
+    if (end == at) ++end;
+    if (std::isspace(static_cast<unsigned char>(text[at])) == 0) {
+      words.push_back(text.substr(at, end - at));
+    }
+    at = end;
+  }
+  return words;
+}
+
+/// Whether there is a `public static void main(`.
+bool has_java_main(const std::vector<std::string_view>& words) {
+  for (std::size_t k = 2; k + 1 < words.size(); ++k) {
+    if (words[k] != "main" || words[k + 1] != "(" || words[k - 1] != "void") continue;
+    bool is_public = false, is_static = false;
+    for (std::size_t before = k - 1; before-- > 0;) {
+      is_public = is_public || words[before] == "public";
+      is_static = is_static || words[before] == "static";
+      if (words[before] != "public" && words[before] != "static" && words[before] != "final") break;
+    }
+    if (is_public && is_static) return true;
+  }
+  return false;
+}
+
+/// The class that a Java file's main is of, with its package.
+std::string main_class(const std::string& path, const std::vector<std::string_view>& words) {
+  constexpr std::array<std::string_view, 4> kTypes = {"class", "record", "enum", "interface"};
+  std::string package, first_class;
+  bool has_own = false;
+  for (std::size_t k = 0; k + 1 < words.size(); ++k) {
+    const std::string_view next = words[k + 1];
+    if (words[k] == "package" && package.empty() && k + 2 < words.size() && words[k + 2] == ";") {
+      package = std::string(next) + ".";
+    }
+    if (words[k] == "class" && first_class.empty()) first_class = next;
+    has_own = has_own || (next == stem_of(path) &&
+                          std::find(kTypes.begin(), kTypes.end(), words[k]) != kTypes.end());
+  }
+  if (has_own) return package + stem_of(path);
+  return first_class.empty() ? "" : package + first_class;
+}
+
+/// What package.json says is started, if it was handed in.
+std::string of_package_json(const HandedInFiles& files) try {
+  const auto package = files.find("package.json");
+  if (package == files.end()) return "";
+  const nlohmann::json json = nlohmann::json::parse(package->second.text);
+  std::vector<std::string> named;
+  if (json.contains("bin") && json.at("bin").is_string()) named.push_back(json.at("bin"));
+  if (json.contains("bin") && json.at("bin").is_object()) {
+    for (const auto& [name, path] : json.at("bin").items()) named.push_back(path);
+  }
+  if (json.contains("main")) named.push_back(json.at("main"));
+  for (std::string name : named) {
+    if (name.starts_with("./")) name.erase(0, 2);
+    if (files.contains(name)) return name;
+    if (files.contains(name + ".js")) return name + ".js";
+  }
+  return "";
+} catch (const nlohmann::json::exception&) {
+  return "";
+}
+
+}  // namespace
+
+void plan_java(const HandedInFiles& files, BuildPlan& plan) {
+  const std::vector<std::string> sources = with_ending(files, {".java"});
+  std::vector<std::string> mains;
+  for (const std::string& name : sources) {
+    const std::string text = without_comments(files.at(name).text);
+    if (has_java_main(java_words(text))) mains.push_back(name);
+  }
+  if (mains.empty()) return;
+  sort_by_likelihood(mains);
+  const std::string text = without_comments(files.at(mains.front()).text);
+  const std::string started = main_class(mains.front(), java_words(text));
+  if (started.empty()) return;
+  constexpr const char* kClasses = "raycheck-classes";
+  std::string path, jars;
+  for (const auto& [name, file] : files) {
+    if (ending_of(name) == ".jar") jars += ":" + name;
+  }
+  BuildAttempt attempt;
+  attempt.what = "its sources";
+  attempt.shown = fmt::format(
+      "javac {}{}", jars.empty() ? "" : "-cp " + jars.substr(1) + " ",
+      sources.size() > 3 ? fmt::format("({} files)", sources.size()) : shell_words(sources));
+  attempt.words = fmt::format("javac -encoding UTF-8 -nowarn -d {} -cp {} {}", kClasses,
+                              shell_word("." + jars), shell_words(sources));
+  // Pictures and the like that lie beside the classes.
+  attempt.program =
+      fmt::format("java -cp {} {}", candidate_word(std::string(kClasses) + jars), started);
+  attempt.notes = several_note(mains);
+  plan.attempts.push_back(std::move(attempt));
+}
+
+void plan_javascript(const HandedInFiles& files, BuildPlan& plan) {
+  std::vector<std::string> mains =
+      starting(files, with_ending(files, {".js", ".mjs", ".cjs"}), {"process.argv", "Deno.args"});
+  const std::string packaged = of_package_json(files);
+  if (!packaged.empty()) mains = {packaged};
+  if (mains.empty()) return;
+  plan.attempts.push_back({"its sources",
+                           "node",
+                           "",
+                           "node " + candidate_word("./" + mains.front()),
+                           {},
+                           several_note(mains)});
+}
+
+void plan_python(const HandedInFiles& files, BuildPlan& plan) {
+  const std::vector<std::string> mains = starting(
+      files, with_ending(files, {".py"}), {"__main__", "sys.argv", "argparse", "import argv"});
+  if (mains.empty()) return;
+  plan.attempts.push_back({"its sources",
+                           "python3",
+                           "",
+                           "python3 " + candidate_word("./" + mains.front()),
+                           {},
+                           several_note(mains)});
+}
+
+}  // namespace raycheck::tools

@@ -1,0 +1,190 @@
+#include "tools/grade/intake/sources.h"
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <tuple>
+
+#include "tools/grade/intake/quoting.h"
+
+namespace raycheck::tools {
+namespace {
+
+template <std::size_t N>
+bool is_one_of(const std::array<std::string_view, N>& names, const std::string& name) {
+  return std::find(names.begin(), names.end(), name) != names.end();
+}
+
+constexpr std::array<std::string_view, 5> kCpp = {".cpp", ".cc", ".cxx", ".c++", ".C"};
+constexpr std::array<std::string_view, 7> kHeaders = {".h",   ".hh",  ".hpp", ".hxx",
+                                                      ".h++", ".ipp", ".inl"};
+
+/// The parts of a path's folder, in small letters.
+std::vector<std::string> folders_of(const std::string& path) {
+  std::vector<std::string> parts;
+  for (std::size_t at = 0, slash = 0; (slash = path.find('/', at)) != std::string::npos;
+       at = slash + 1) {
+    parts.push_back(lower_case(path.substr(at, slash - at)));
+  }
+  return parts;
+}
+
+bool is_word(char c) { return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_'; }
+
+/// How likely a file of this name starts a renderer: less is likelier.
+int rank(const std::string& path) {
+  std::string stem = lower_case(base_of(path));
+  stem.resize(std::min(stem.rfind('.'), stem.size()));
+  for (const char* const other : {"test", "old", "backup", "copy", "example", "demo", "convert",
+                                  "compare", "setup", "plot"}) {
+    if (stem.find(other) != std::string::npos) return 4;
+  }
+  constexpr std::array<std::string_view, 8> kFirst = {
+      "rt", "raytracer", "ray_tracer", "raytrace", "raycaster", "renderer", "render", "tracer"};
+  if (is_one_of(kFirst, stem)) return 0;
+  if (stem == "main" || stem == "__main__" || stem == "index" || stem == "app") return 1;
+  for (const char* const other : {"ray", "trace", "render", "main"}) {
+    if (stem.find(other) != std::string::npos) return 2;
+  }
+  return 3;
+}
+
+}  // namespace
+
+std::string folder_of(const std::string& path) {
+  const std::size_t slash = path.rfind('/');
+  return slash == std::string::npos ? "" : path.substr(0, slash);
+}
+
+std::string base_of(const std::string& path) { return path.substr(path.rfind('/') + 1); }
+
+std::string ending_of(const std::string& path) {
+  const std::string base = base_of(path);
+  const std::size_t dot = base.rfind('.');
+  if (dot == std::string::npos) return "";
+  const std::string ending = base.substr(dot);
+  return ending == ".C" ? ending : lower_case(ending);
+}
+
+bool is_cpp(const std::string& path) { return is_one_of(kCpp, ending_of(path)); }
+
+bool is_c_or_cpp(const std::string& path) { return is_cpp(path) || ending_of(path) == ".c"; }
+
+bool is_c_family(const std::string& path) {
+  return is_c_or_cpp(path) || is_one_of(kHeaders, ending_of(path));
+}
+
+std::string without_comments(std::string_view text) {
+  std::string kept;
+  kept.reserve(text.size());
+  for (std::size_t at = 0; at < text.size();) {
+    const std::string_view rest = text.substr(at);
+    if (rest.starts_with("//")) {
+      at = std::min(text.find('\n', at), text.size());
+    } else if (rest.starts_with("/*")) {
+      const std::size_t end = std::min(text.find("*/", at + 2), text.size());
+      kept.append(static_cast<std::size_t>(std::count(text.begin() + static_cast<long>(at),
+                                                      text.begin() + static_cast<long>(end), '\n')),
+                  '\n');
+      at = std::min(end + 2, text.size());
+    } else if (rest[0] == '"') {
+      // A string: what looks like a comment in it is none.
+      std::size_t end = at + 1;
+      while (end < text.size() && text[end] != '"' && text[end] != '\n') {
+        end += text[end] == '\\' ? 2 : 1;
+      }
+      end = std::min(end + 1, text.size());
+      kept.append(text.substr(at, end - at));
+      at = end;
+    } else {
+      kept += text[at++];
+    }
+  }
+  return kept;
+}
+
+bool defines_main(std::string_view given) {
+  const std::string text = without_comments(given);
+  for (std::size_t at = 0; (at = text.find("main", at)) != std::string::npos; at += 4) {
+    if (at == 0 || std::isspace(static_cast<unsigned char>(text[at - 1])) == 0) continue;
+    const std::size_t after = text.find_first_not_of(" \t\r\n", at + 4);
+    if (after == std::string::npos || text[after] != '(') continue;
+    std::size_t before = text.find_last_not_of(" \t\r\n", at - 1);
+    if (before == std::string::npos) continue;
+    const std::size_t end = before + 1;
+    while (before > 0 && is_word(text[before - 1])) --before;
+    const std::string type = text.substr(before, end - before);
+    if (type == "int" || type == "void" || type == "auto" || type == "signed") return true;
+  }
+  return false;
+}
+
+std::vector<IncludeLine> includes_of(std::string_view given) {
+  std::vector<IncludeLine> found;
+  const std::string text = without_comments(given);
+  int line = 0;
+  for (std::size_t at = 0; at < text.size(); ++line) {
+    const std::size_t end = std::min(text.find('\n', at), text.size());
+    const std::string_view one = std::string_view(text).substr(at, end - at);
+    at = end + 1;
+    std::size_t hash = one.find_first_not_of(" \t");
+    if (hash == std::string_view::npos || one[hash] != '#') continue;
+    hash = one.find_first_not_of(" \t", hash + 1);
+    if (hash == std::string_view::npos || !one.substr(hash).starts_with("include")) continue;
+    const std::size_t begin = one.find_first_of("\"<", hash);
+    if (begin == std::string_view::npos) continue;
+    const bool is_quoted = one[begin] == '"';
+    const std::size_t close = one.find(is_quoted ? '"' : '>', begin + 1);
+    if (close == std::string_view::npos) continue;
+    found.push_back({line + 1, std::string(one.substr(begin + 1, close - begin - 1)), is_quoted});
+  }
+  return found;
+}
+
+bool Vendored::has(const std::string& path) const {
+  return std::any_of(folders.begin(), folders.end(),
+                     [&](const std::string& folder) { return path.starts_with(folder + "/"); });
+}
+
+Vendored vendored_in(const HandedInFiles& files) {
+  Vendored vendored;
+  for (const auto& [name, file] : files) {
+    const std::string folder = folder_of(name);
+    const std::string base = base_of(name);
+    const bool is_eigen = base == "Dense" && base_of(folder) == "Eigen";
+    const bool is_glm = base == "glm.hpp" && base_of(folder) == "glm";
+    if (!is_eigen && !is_glm) continue;
+    const std::string around = folder_of(folder);
+    vendored.include.push_back(around.empty() ? "." : around);
+    // A whole package: "eigen-3.4.0" has tests and examples, too.
+    const std::string called = lower_case(base_of(around));
+    const bool is_package = !around.empty() && called.starts_with(is_eigen ? "eigen" : "glm");
+    vendored.folders.push_back(is_package ? around : folder);
+    if (is_eigen && !is_package) {
+      vendored.folders.push_back((around.empty() ? "" : around + "/") + std::string("unsupported"));
+    }
+  }
+  return vendored;
+}
+
+bool is_aside(const std::string& path) {
+  constexpr std::array<std::string_view, 9> kAside = {
+      "test", "tests", "example", "examples", "node_modules", "old", "backup", "doc", "docs"};
+  for (const std::string& folder : folders_of(path)) {
+    if (is_one_of(kAside, folder) || folder == "build" || folder.starts_with("build-") ||
+        folder.starts_with("build_") || folder.starts_with("cmake-build")) {
+      return true;
+    }
+  }
+  return false;
+}
+
+void sort_by_likelihood(std::vector<std::string>& names) {
+  const auto key = [](const std::string& name) {
+    return std::tuple(rank(name), std::count(name.begin(), name.end(), '/'), name);
+  };
+  std::sort(names.begin(), names.end(),
+            [&](const std::string& a, const std::string& b) { return key(a) < key(b); });
+}
+
+}  // namespace raycheck::tools

@@ -1,0 +1,71 @@
+#ifndef RAYCHECK_TOOLS_GRADE_INTAKE_SOURCES_H_
+#define RAYCHECK_TOOLS_GRADE_INTAKE_SOURCES_H_
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "tools/grade/intake/handed_in.h"
+
+namespace raycheck::tools {
+
+/// The folder of a path, "" at the top; its last part; its ending as ".cpp", in small letters
+/// but for ".C".
+std::string folder_of(const std::string& path);
+std::string base_of(const std::string& path);
+std::string ending_of(const std::string& path);
+
+bool is_cpp(const std::string& path);
+bool is_c_or_cpp(const std::string& path);
+/// A source or a header of C or C++.
+bool is_c_family(const std::string& path);
+
+/// A text without comments of C, C++, Java and JavaScript; as many lines.
+std::string without_comments(std::string_view text);
+
+/// Whether C or C++ says `int main(`.
+bool defines_main(std::string_view text);
+
+/// An #include of a text.
+struct IncludeLine {
+  int line = 0;  ///< From 1.
+  std::string name;
+  bool is_quoted = false;
+};
+std::vector<IncludeLine> includes_of(std::string_view text);
+
+/// The folders that hold someone else's headers, Eigen and glm, which are no sources to compile.
+struct Vendored {
+  std::vector<std::string> include;  ///< To look for headers in: what has Eigen/Dense below it.
+  std::vector<std::string> folders;  ///< Theirs as a whole.
+  bool has(const std::string& path) const;
+};
+Vendored vendored_in(const HandedInFiles& files);
+
+/// The names for which `holds`, of sources that are the submission's own: those of tests, examples
+/// and builds only where there are no others.
+template <class Holds>
+std::vector<std::string> own_sources(const HandedInFiles& files, const Vendored& vendored,
+                                     const Holds& holds);
+
+/// Whether it lies below a folder of builds, tests or examples.
+bool is_aside(const std::string& path);
+
+/// The names in the order in which a renderer is likely called so: main, rt, raytracer first, tests
+/// last, then those closer to the top.
+void sort_by_likelihood(std::vector<std::string>& names);
+
+template <class Holds>
+std::vector<std::string> own_sources(const HandedInFiles& files, const Vendored& vendored,
+                                     const Holds& holds) {
+  std::vector<std::string> own, aside;
+  for (const auto& [name, file] : files) {
+    if (vendored.has(name) || !holds(name, file)) continue;
+    (is_aside(name) ? aside : own).push_back(name);
+  }
+  return own.empty() ? aside : own;
+}
+
+}  // namespace raycheck::tools
+
+#endif  // RAYCHECK_TOOLS_GRADE_INTAKE_SOURCES_H_

@@ -1,0 +1,51 @@
+#ifndef RAYCHECK_TOOLS_GRADE_JUDGING_CASE_TRIAL_H_
+#define RAYCHECK_TOOLS_GRADE_JUDGING_CASE_TRIAL_H_
+
+// One case of an item, asked and judged. Internal to grading.
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "properties/laws/law.h"
+#include "properties/trial.h"
+#include "tools/external/external_candidate.h"
+#include "tools/grade/results/result.h"
+#include "tools/grade/rubric/rubric.h"
+
+namespace raycheck::tools {
+
+/// Who is judged, and how strictly.
+struct Examinee {
+  const properties::Candidate& candidate;
+  const Tolerance& tolerance;
+  bool pictures = false;
+  bool masks_only = false;             ///< Whether a pixel shows a sphere, not which.
+  LastFailure last_failure = nullptr;  ///< Of someone else's candidate.
+
+  properties::TrialOptions options(std::shared_ptr<properties::Truth> truth = nullptr) const {
+    return {.max_error = tolerance.max_error(), .truth = std::move(truth)};
+  }
+};
+
+/// What became of a case.
+struct CaseOutcome {
+  bool answers = false;  ///< There was something to ask.
+  std::uint64_t compared = 0;
+  properties::Verdict verdict;  ///< By all laws.
+  ItemReason unanswered;        ///< Why less was answered than asked.
+  const properties::Law* broken = nullptr;
+  std::optional<properties::Discrepancy> discrepancy;
+  std::optional<FailureKind> failure;  ///< Of the candidate, where the law is broken by it.
+  bool is_answered() const { return unanswered.kind == ItemReason::Kind::kNone; }
+  bool holds() const { return broken == nullptr && is_answered(); }
+};
+
+/// Tries the laws on a case.
+CaseOutcome try_case(const std::vector<const properties::Law*>& laws,
+                     const properties::Case& the_case, const Examinee& examinee);
+
+}  // namespace raycheck::tools
+
+#endif  // RAYCHECK_TOOLS_GRADE_JUDGING_CASE_TRIAL_H_

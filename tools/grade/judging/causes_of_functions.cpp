@@ -1,0 +1,156 @@
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <stdexcept>
+#include <string>
+
+#include "properties/mistakes/answer_explanation.h"
+#include "properties/trial.h"
+#include "tools/grade/judging/item_causes.h"
+
+namespace raycheck::tools {
+namespace {
+
+using properties::AnswerCause;
+using properties::Candidate;
+using properties::Case;
+using properties::Explanation;
+using properties::Step;
+using properties::Trial;
+
+/// Steps whose mistakes show in each other's answers: a camera's, then the hits, then the choice
+/// among them.
+int part_of(Step step) { return step < Step::kIntersect ? 0 : step == Step::kIntersect ? 1 : 2; }
+
+std::vector<Case> cases_of(const ItemTrial& trial) {
+  std::vector<Case> cases;
+  for (const FailedCase& one : trial.failed) cases.push_back(one.item_case.the_case);
+  return cases;
+}
+
+/// None where the candidate fails, as the verdict says.
+std::vector<AnswerCause> causes_of(const std::vector<Case>& cases, const Candidate& candidate) {
+  try {
+    return properties::answer_causes(cases, candidate);
+  } catch (const std::runtime_error&) {
+    return {};
+  }
+}
+
+bool is_said(const std::string& sentence, const std::vector<AnswerCause>& causes) {
+  return std::any_of(causes.begin(), causes.end(), [&](const AnswerCause& cause) {
+    return std::any_of(cause.alternatives.begin(), cause.alternatives.end(),
+                       [&](const Explanation& one) { return one.sentence == sentence; });
+  });
+}
+
+/// Where roundings are a cause of all items together: of their formula it is said once.
+const AnswerCause* roundings_of(const std::vector<AnswerCause>& causes) {
+  const auto found = std::find_if(causes.begin(), causes.end(),
+                                  [](const AnswerCause& one) { return one.roundings.has_value(); });
+  return found == causes.end() ? nullptr : &*found;
+}
+
+double apart(double a, double b) {
+  return a == b || (std::isnan(a) && std::isnan(b)) ? 0 : std::abs(a - b);
+}
+
+/// What is left of a direction that has none: not a number, or zero where a division is guarded.
+bool is_none(const scene::Vector3& direction) {
+  const auto& [x, y, z] = direction;
+  return std::isnan(x + y + z) || (x == 0 && y == 0 && z == 0);
+}
+
+bool are_alike(const scene::Ray& a, const scene::Ray& b) {
+  const auto& [P, D] = a;
+  const auto& [Q, E] = b;
+  const double size = std::max({std::abs(P.x), std::abs(P.y), std::abs(P.z), 1.0});
+  const double allowed = properties::kAnswerTolerances.back();
+  return std::max({apart(P.x, Q.x), apart(P.y, Q.y), apart(P.z, Q.z)}) <= allowed * size &&
+         ((is_none(D) && is_none(E)) ||
+          std::max({apart(D.x, E.x), apart(D.y, E.y), apart(D.z, E.z)}) <= allowed);
+}
+
+/// Its rays, or none where it fails to answer.
+std::optional<std::vector<scene::Ray>> rays_of(Trial& trial) {
+  try {
+    return trial.rays();
+  } catch (const std::runtime_error&) {
+    return {};
+  }
+}
+
+/// Whether a candidate's rays are those that a mistake makes, so that nothing else is wrong with
+/// them. Where those have no directions, it may well fail.
+bool makes_rays_by(const properties::Mistake& mistake, const std::vector<Case>& cases,
+                   const Candidate& candidate) {
+  Candidate mistaken = mistake.candidate;
+  mistaken.declared = candidate.declared;
+  return std::all_of(cases.begin(), cases.end(), [&](const Case& one) {
+    Trial its(one, candidate), made(one, mistaken);
+    if (!one.scene.camera || !its.has_rays()) return true;
+    const auto its_rays = rays_of(its), made_rays = rays_of(made);
+    if (!made_rays) return false;
+    if (!its_rays) {
+      return std::all_of(made_rays->begin(), made_rays->end(),
+                         [](const scene::Ray& ray) { return is_none(ray.direction); });
+    }
+    return std::equal(its_rays->begin(), its_rays->end(), made_rays->begin(), made_rays->end(),
+                      are_alike);
+  });
+}
+
+}  // namespace
+
+std::vector<ItemCause> causes_of_functions(const Rubric& rubric, const Candidate& candidate,
+                                           std::vector<ItemTrial>& trials) {
+  // Bonus items ask for more than right formulas: what is wrong there is not held against what
+  // explains the others.
+  std::vector<Case> all, ordinary;
+  for (std::size_t k = 0; k < trials.size(); ++k) {
+    const std::vector<Case> cases = cases_of(trials[k]);
+    all.insert(all.end(), cases.begin(), cases.end());
+    if (!rubric.items[k].bonus) ordinary.insert(ordinary.end(), cases.begin(), cases.end());
+  }
+  const std::vector<AnswerCause> of_all = causes_of(all, candidate);
+  const std::vector<AnswerCause> of_ordinary = causes_of(ordinary, candidate);
+  std::vector<ItemCause> item_causes(trials.size());
+  for (std::size_t k = 0; k < trials.size(); ++k) {
+    ItemTrial& trial = trials[k];
+    const auto step = step_of(rubric.items[k]);
+    if (trial.grade.state != ItemState::kFails || trial.failed.empty() || !step) continue;
+    const std::vector<Case> cases = cases_of(trial);
+    for (const AnswerCause& cause : causes_of(cases, candidate)) {
+      const int part = part_of(cause.step);
+      if (part > part_of(*step) || (part == 0) != (part_of(*step) == 0)) continue;
+      std::vector<Explanation> said;
+      for (const Explanation& one : cause.alternatives) {
+        const bool is_of_all = is_said(one.sentence, of_all);
+        if (is_of_all || is_said(one.sentence, of_ordinary)) said.push_back(one);
+      }
+      if (const auto* roundings = cause.roundings ? roundings_of(of_all) : nullptr) {
+        said = cause.alternatives;
+        said.front().sentence = roundings->alternatives.front().sentence;
+      }
+      if (said.empty()) continue;
+      std::string sentence;
+      for (const Explanation& one : said) {
+        sentence += (sentence.empty() ? "" : ", or: ") + one.sentence;
+      }
+      trial.grade.mistakes.push_back({sentence, said.front().errors, said.front().explained});
+      const properties::Mistake* mistake = properties::find_mistake(said.front().sentence);
+      if (cause.roundings) {
+        item_causes[k].others.push_back(sentence);
+        item_causes[k].is_all = item_causes[k].fault.empty();
+      }
+      if (mistake == nullptr) continue;
+      item_causes[k].fault.push_back(mistake);
+      item_causes[k].is_all = item_causes[k].fault.size() == 1 &&
+                              said.front().explained == said.front().errors &&
+                              (part > 0 || makes_rays_by(*mistake, cases, candidate));
+    }
+  }
+  return item_causes;
+}
+
+}  // namespace raycheck::tools

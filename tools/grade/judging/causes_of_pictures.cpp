@@ -1,0 +1,238 @@
+#include <algorithm>
+#include <string>
+#include <utility>
+
+#include "properties/mistakes/picture_causes.h"
+#include "properties/mistakes/picture_evidence.h"
+#include "tools/grade/judging/item_causes.h"
+
+namespace raycheck::tools {
+namespace {
+
+using properties::CauseKind;
+using properties::Causes;
+using properties::Fault;
+using properties::ImageAnswer;
+using properties::Mistake;
+using properties::ShownPicture;
+
+ImageAnswer mask_of(ImageAnswer image) {
+  for (auto& sphere : image) {
+    if (sphere) sphere = properties::kSomeSphere;
+  }
+  return image;
+}
+
+bool shows_something(const ImageAnswer& image) {
+  return std::any_of(image.begin(), image.end(), [](auto& sphere) { return sphere.has_value(); }) &&
+         std::any_of(image.begin(), image.end(), [](auto& sphere) { return !sphere; });
+}
+
+/// Whether it made a picture of the right size.
+bool is_picture(const FailedCase& one) { return one.shown && !one.shown->sides_exchanged; }
+
+/// What a fault leaves of the pixels of an item's wrong pictures.
+struct Agreement {
+  std::uint64_t wrong = 0, left = 0;
+  bool shows = false;  ///< Some failing case shows a sphere and a background.
+  bool explains(std::size_t pictures) const {
+    return static_cast<double>(left) <=
+           static_cast<double>(wrong) * properties::kMostLeftOfAll + static_cast<double>(pictures);
+  }
+};
+
+Agreement agreement(const Fault& fault, const ItemTrial& trial, bool masks_only) {
+  Agreement found;
+  const auto seen = [masks_only](ImageAnswer image) {
+    return masks_only ? mask_of(std::move(image)) : image;
+  };
+  for (const FailedCase& one : trial.failed) {
+    if (!is_picture(one)) continue;
+    const scene::Scene& scene = one.shown->scene;
+    const ImageAnswer& image = one.shown->image;
+    const ImageAnswer made = predicted(fault, scene);
+    found.left += properties::count_otherwise(seen(image), seen(made));
+    found.wrong += properties::count_otherwise(
+        seen(image), seen(properties::exact_image(scene, scene.conventions)));
+    found.shows = found.shows || shows_something(made);
+  }
+  return found;
+}
+
+/// A fault that shows something in so many failing pictures explains those, too, in which it shows
+/// nothing; another one, under which all but these is black, explains too little for others'
+/// points.
+constexpr int kFewestShown = 3;
+
+bool shows_enough(const Fault& fault, const std::vector<ItemTrial>& trials) {
+  int shown = 0;
+  for (const ItemTrial& trial : trials) {
+    for (const FailedCase& one : trial.failed) {
+      if (is_picture(one) && shows_something(predicted(fault, one.shown->scene))) ++shown;
+    }
+  }
+  return shown >= kFewestShown;
+}
+
+/// The smallest part of a fault that makes all that is wrong with an item.
+ItemCause cause_of(const Fault& fault, const ItemTrial& trial, bool masks_only) {
+  std::vector<Fault> parts;
+  for (const Mistake* mistake : fault) parts.push_back({mistake});
+  if (fault.size() > 1) parts.push_back(fault);
+  for (const Fault& part : parts) {
+    const Agreement found = agreement(part, trial, masks_only);
+    if (found.explains(trial.failed.size())) return {part, {}, found.shows};
+  }
+  return {};
+}
+
+/// What explains all pictures, or, where nothing does, all but those of bonus items, which ask for
+/// more than right formulas.
+Causes causes_of(const Rubric& rubric, const std::vector<ItemTrial>& trials) {
+  const auto of = [&](bool with_bonus) {
+    std::vector<ShownPicture> pictures;
+    for (std::size_t k = 0; k < trials.size(); ++k) {
+      if (rubric.items[k].bonus && !with_bonus) continue;
+      pictures.insert(pictures.end(), trials[k].pictures.begin(), trials[k].pictures.end());
+    }
+    return properties::picture_causes(pictures);
+  };
+  const Causes all = of(true);
+  if (all.kind == CauseKind::kUnknown) return of(false);
+  if (!all.imprecision || all.alternatives.empty()) return all;
+  // Beside the mistakes that all other items tell, roundings may explain the bonus; one mistake
+  // more, seen there alone, and roundings explain nearly anything.
+  const Causes ordinary = of(false);
+  const bool is_more = !ordinary.alternatives.empty() &&
+                       all.alternatives.front().size() > ordinary.alternatives.front().size();
+  return is_more ? ordinary : all;
+}
+
+/// Whether a mistake in reading a driver file might make the same: of bounds, of d, of positions.
+bool is_of_driver_files(const Causes& causes) {
+  return std::any_of(causes.alternatives.begin(), causes.alternatives.end(),
+                     [](const Fault& fault) {
+                       return std::any_of(fault.begin(), fault.end(), [](const Mistake* mistake) {
+                         return mistake->step < properties::Step::kRay;
+                       });
+                     });
+}
+
+/// The alternatives in one sentence.
+std::string any_sentence(const std::vector<Fault>& alternatives) {
+  std::string text;
+  for (const Fault& fault : alternatives) {
+    text += (text.empty() ? "" : ", or: ") + properties::sentence_of(fault);
+  }
+  return text;
+}
+
+/// Of an item that fails.
+struct FailedHow {
+  bool wrong = false, exchanged = false, failed = false;  ///< Some of its pictures, or all.
+};
+
+FailedHow failed_how(const ItemTrial& trial) {
+  FailedHow how;
+  for (const FailedCase& one : trial.failed) {
+    (!one.shown ? how.failed : one.shown->sides_exchanged ? how.exchanged : how.wrong) = true;
+  }
+  return how;
+}
+
+/// The sentence of what pictures are, whatever they are to show; empty: they are no such.
+std::string sentence_of_kind(Causes causes) {
+  causes.exchanged = 0;
+  const std::vector<properties::Explanation> said = properties::explanations(causes);
+  return said.empty() ? "" : said.front().sentence;
+}
+
+bool masks_only(const Item& item) { return item.pictures && item.pictures->masks_only; }
+
+/// The roundings that make an item's wrong pictures, with a part of the fault or without, and names
+/// it.
+ItemCause name_imprecision(const Causes& causes, bool masks_only, ItemTrial& trial) {
+  if (!causes.imprecision) return {};
+  std::vector<Fault> faults = {{}};
+  if (!causes.alternatives.empty()) faults.push_back(causes.alternatives.front());
+  for (const Fault& fault : faults) {
+    std::uint64_t left = 0;
+    for (const FailedCase& one : trial.failed) {
+      if (!is_picture(one)) continue;
+      ShownPicture shown = *one.shown;
+      if (masks_only) shown.image = mask_of(std::move(shown.image));
+      left += properties::pixels_left(shown, fault, causes.imprecision->arithmetic);
+    }
+    const std::uint64_t wrong = agreement({}, trial, masks_only).wrong;
+    if (left > 0) continue;
+    const std::string sentence = causes.imprecision->sentence();
+    const std::string whole =
+        fault.empty() ? sentence : any_sentence(causes.alternatives) + "; and " + sentence;
+    trial.grade.mistakes.push_back({whole, wrong, wrong});
+    return {fault, {sentence}, true};
+  }
+  return {};
+}
+
+/// What makes an item's wrong pictures, and names it.
+ItemCause name_cause(const Causes& causes, bool is_shown, bool masks_only, ItemTrial& trial) {
+  if (causes.kind == CauseKind::kImprecise) return name_imprecision(causes, masks_only, trial);
+  if (causes.kind != CauseKind::kExplained) {
+    const std::string sentence = sentence_of_kind(causes);
+    const std::uint64_t wrong = agreement({}, trial, masks_only).wrong;
+    if (!sentence.empty()) trial.grade.mistakes.push_back({sentence, wrong, wrong});
+    return {};
+  }
+  const Fault& fault = causes.alternatives.front();
+  ItemCause cause = cause_of(fault, trial, masks_only);
+  if (cause.fault.empty()) return name_imprecision(causes, masks_only, trial);
+  cause.is_all = cause.is_all || is_shown;
+  const Agreement found = agreement(cause.fault, trial, masks_only);
+  // A part of a fault has its own sentence, the whole one all that could be meant.
+  const std::string sentence = cause.fault.size() == fault.size()
+                                   ? any_sentence(causes.alternatives)
+                                   : properties::sentence_of(cause.fault);
+  trial.grade.mistakes.push_back(
+      {sentence, found.wrong, found.wrong - std::min(found.wrong, found.left)});
+  return cause;
+}
+
+/// Whether a program makes no picture of any scene that an item does not ask about any more.
+bool fails_on_all(const properties::ShapeCause& shape, const std::vector<scene::Scene>& scenes) {
+  return std::all_of(scenes.begin(), scenes.end(), shape.is);
+}
+
+}  // namespace
+
+std::vector<ItemCause> causes_of_pictures(const Rubric& rubric, bool form_is_read,
+                                          std::vector<ItemTrial>& trials) {
+  std::vector<ItemCause> item_causes(trials.size());
+  const Causes causes = causes_of(rubric, trials);
+  if (!form_is_read && is_of_driver_files(causes)) return item_causes;
+  const bool is_shown =
+      causes.kind == CauseKind::kExplained && shows_enough(causes.alternatives.front(), trials);
+  const auto shape = form_is_read ? shape_of_failures(trials) : std::nullopt;
+  for (std::size_t k = 0; k < trials.size(); ++k) {
+    ItemTrial& trial = trials[k];
+    if (trial.grade.state != ItemState::kFails || trial.failed.empty()) continue;
+    ItemCause& cause = item_causes[k];
+    const FailedHow how = failed_how(trial);
+    cause.is_all = true;
+    if (how.wrong) cause = name_cause(causes, is_shown, masks_only(rubric.items[k]), trial);
+    const auto say = [&](const std::string& sentence) {
+      cause.others.push_back(sentence);
+      trial.grade.mistakes.push_back({sentence});
+    };
+    if (how.exchanged) {
+      cause.is_all = cause.is_all && causes.exchanged > 0;
+      if (causes.exchanged > 0) say(properties::kSidesExchanged);
+    }
+    if (how.failed) {
+      cause.is_all = cause.is_all && shape && fails_on_all(*shape, trial.not_asked);
+      if (shape) say(shape->sentence);
+    }
+  }
+  return item_causes;
+}
+
+}  // namespace raycheck::tools

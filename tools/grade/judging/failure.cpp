@@ -1,0 +1,153 @@
+#include "tools/grade/judging/failure.h"
+
+#include <algorithm>
+#include <stdexcept>
+#include <utility>
+
+#include "properties/cases/shrink.h"
+#include "properties/mistakes/picture_evidence.h"
+#include "tools/grade/results/plain_text.h"
+
+namespace raycheck::tools {
+namespace {
+
+using properties::Candidate;
+using properties::Case;
+using properties::Discrepancy;
+using properties::Law;
+using properties::Per;
+using properties::Trial;
+using properties::Verdict;
+using properties::Wrong;
+
+/// Simpler cases tried in place of a failing one: of functions, of programs that fail altogether,
+/// and of pictures, for each of which a program is started.
+constexpr int kTries = 400;
+constexpr int kTriesOfFailures = 40;
+constexpr int kTriesOfPictures = 60;
+
+/// The step from a scene to what is seen that a wrong quantity shows to be wrong.
+std::string step_that_gives(properties::Quantity quantity) {
+  using properties::Quantity;
+  switch (quantity) {
+    case Quantity::kUnitDefect:
+      return std::string(info(Quantity::kDirection).name);
+    case Quantity::kClass:
+      return "discriminant";
+    case Quantity::kParameter:
+      return std::string(info(Quantity::kRoot).name);
+    default:
+      return std::string(info(quantity).name);
+  }
+}
+
+/// Whether a camera still looks the way in which another does, its bounds in the same order: what
+/// programs may rely on.
+bool is_alike(const scene::Scene& now, const scene::Scene& before) {
+  if (!before.camera) return true;
+  const scene::Camera& a = *now.camera;
+  const scene::Camera& b = *before.camera;
+  return (a.near < 0) == (b.near < 0) && (a.left < a.right) == (b.left < b.right) &&
+         (a.bottom < a.top) == (b.bottom < b.top);
+}
+
+/// Whether a picture is what a fault makes, but for a pixel.
+bool is_made_by(const properties::Fault& fault, const Case& the_case, const Candidate& candidate) {
+  scene::Scene scene = the_case.scene;
+  scene.conventions = candidate.declared.over(scene.conventions);
+  try {
+    return properties::count_otherwise(candidate.image(scene, scene.conventions),
+                                       properties::predicted(fault, scene)) <= 1;
+  } catch (const std::runtime_error&) {
+    return false;
+  }
+}
+
+std::optional<std::string> first_wrong_step(const Case& the_case, const Examinee& examinee) {
+  Trial trial(the_case, examinee.candidate, examinee.options());
+  for (const Law& law : properties::laws()) {
+    if (!law.judges_values || law.per == Per::kImage) continue;
+    if (!apply(law, trial).holds()) return step_that_gives(law.quantity);
+  }
+  return {};
+}
+
+/// Both pictures of a case; empty where the candidate draws none. A renderer that drew it last is
+/// not started again.
+std::optional<ComparedPictures> compared_pictures(const Case& the_case, const Examinee& examinee) {
+  const scene::Conventions& conventions = the_case.scene.conventions;
+  ComparedPictures pictures;
+  try {
+    pictures.got = examinee.candidate.image(the_case.scene, conventions);
+  } catch (const std::runtime_error&) {
+    return {};
+  }
+  pictures.exact = properties::exact_image(the_case.scene, conventions);
+  if (pictures.got.size() != pictures.exact->size()) return {};
+  for (auto& sphere : *pictures.exact) {
+    if (sphere && examinee.masks_only) sphere = properties::kSomeSphere;
+  }
+  return pictures;
+}
+
+}  // namespace
+
+WrongAnswer wrong_answer(const Discrepancy& d) {
+  WrongAnswer answer{d.quantity, d.place, plain_text(d.what), d.wrong, d.symbol, d.got,
+                     d.exact,    {},      d.condition};
+  if (d.wrong == Wrong::kNot) answer.error = d.error;
+  return answer;
+}
+
+Case simplest(const FailedCase& first, const ItemExaminee& who, const properties::Fault& fault,
+              const std::function<bool()>& is_late) {
+  const Case& from = first.item_case.the_case;
+  if (first.failure == FailureKind::kTimeUp) return from;
+  const Examinee examinee = who.examinee();
+  const bool failed = first.discrepancy.wrong == Wrong::kFailed;
+  const int tries = failed ? kTriesOfFailures : who.pictures ? kTriesOfPictures : kTries;
+  // A picture is judged in every pixel.
+  const auto whole = [&](Case the_case) {
+    if (who.pictures) the_case.pixels = properties::all_pixels(*the_case.scene.camera);
+    return the_case;
+  };
+  Case start = from;
+  if (who.pictures) start.pixels.clear();
+  return whole(properties::smallest(std::move(start), tries, [&](const Case& next) {
+    if (is_late() || !is_alike(next.scene, from.scene)) return false;
+    const Case judged = whole(next);
+    Trial trial(judged, examinee.candidate, examinee.options());
+    const Verdict verdict = apply(*first.broken, trial);
+    if (verdict.holds()) return false;
+    const Discrepancy now = verdict.worst(1).front();
+    if (now.wrong != first.discrepancy.wrong || now.quantity != first.discrepancy.quantity) {
+      return false;
+    }
+    if (failed) return now.what == first.discrepancy.what;
+    return !who.pictures || fault.empty() || is_made_by(fault, judged, who.candidate);
+  }));
+}
+
+std::optional<FailingCase> failing_case(const Case& the_case, const FailedCase& first,
+                                        const Examinee& examinee) {
+  Trial trial(the_case, examinee.candidate, examinee.options());
+  Discrepancy d = first.discrepancy;
+  if (first.failure != FailureKind::kTimeUp) {
+    const Verdict verdict = apply(*first.broken, trial);
+    if (verdict.holds()) return {};
+    // Asked again, a program that failed may not be asked at all.
+    if (d.wrong != Wrong::kFailed) d = verdict.worst(1).front();
+  }
+  FailingCase failing{
+      std::string(first.broken->name), first.item_case.origin, {}, wrong_answer(d), the_case};
+  failing.the_case.scene.conventions = trial.conventions();
+  if (examinee.pictures) {
+    failing.the_case.pixels.clear();
+    if (d.wrong != Wrong::kFailed) failing.pictures = compared_pictures(failing.the_case, examinee);
+  } else if (d.wrong != Wrong::kFailed) {
+    failing.step = first_wrong_step(the_case, examinee);
+  }
+  return failing;
+}
+
+}  // namespace raycheck::tools

@@ -1,0 +1,46 @@
+#ifndef RAYCHECK_TOOLS_GRADE_JUDGING_ITEM_CASES_H_
+#define RAYCHECK_TOOLS_GRADE_JUDGING_ITEM_CASES_H_
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "properties/candidate.h"
+#include "properties/case.h"
+#include "tools/grade/results/result.h"
+#include "tools/grade/rubric/rubric.h"
+
+namespace raycheck::tools {
+
+/// A case of an item, and where it comes from.
+struct ItemCase {
+  properties::Case the_case;
+  CaseOrigin origin;
+};
+
+/// The cases of an item, by their numbers: its scenes, those of pictures varied as the item says,
+/// then random ones. All follow from a seed.
+class ItemCases {
+ public:
+  /// `declared`: the conventions under which the submission is judged.
+  ItemCases(const ItemTask& task, bool pictures, std::uint64_t seed,
+            const properties::DeclaredConventions& declared);
+
+  std::size_t size() const { return task_.scenes.size() + seeds_.size(); }
+  /// Empty where there is nothing to ask.
+  std::optional<ItemCase> operator[](std::size_t k) const;
+
+ private:
+  ItemCase of_scene(std::size_t k) const;
+  std::optional<ItemCase> of_source(std::size_t k) const;
+
+  const ItemTask& task_;
+  bool pictures_;
+  const properties::DeclaredConventions& declared_;
+  std::vector<std::uint64_t> scene_seeds_;
+  std::vector<std::uint64_t> seeds_;
+};
+
+}  // namespace raycheck::tools
+
+#endif  // RAYCHECK_TOOLS_GRADE_JUDGING_ITEM_CASES_H_

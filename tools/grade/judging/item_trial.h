@@ -1,0 +1,55 @@
+#ifndef RAYCHECK_TOOLS_GRADE_JUDGING_ITEM_TRIAL_H_
+#define RAYCHECK_TOOLS_GRADE_JUDGING_ITEM_TRIAL_H_
+
+// The cases of one item, asked and judged; what its points are is said when all items are known.
+// Internal to grading.
+
+#include <functional>
+#include <optional>
+#include <vector>
+
+#include "properties/mistakes/picture_causes.h"
+#include "tools/grade/judging/case_trial.h"
+#include "tools/grade/judging/item_cases.h"
+
+namespace raycheck::tools {
+
+/// A case that broke a law.
+struct FailedCase {
+  ItemCase item_case;
+  const properties::Law* broken = nullptr;
+  properties::Discrepancy discrepancy;
+  /// How the candidate failed, where it did.
+  std::optional<FailureKind> failure = {};
+  /// What a renderer showed of it; empty where it made no picture. It may have exchanged sides.
+  std::optional<properties::ShownPicture> shown = {};
+};
+
+/// What became of an item's cases.
+struct ItemTrial {
+  ItemGrade grade;                 ///< Without a score, and without what only all items tell.
+  std::vector<FailedCase> failed;  ///< In order; of functions the first alone.
+  /// What a renderer showed of all its cases.
+  std::vector<properties::ShownPicture> pictures;
+  /// The scenes that it was not asked about any more.
+  std::vector<scene::Scene> not_asked;
+};
+
+/// Who is judged on an item, in the item's own units.
+struct ItemExaminee {
+  properties::Candidate candidate;  ///< Held to what the item tolerates.
+  properties::Candidate masked;     ///< The same; of its pictures only the mask may count.
+  Tolerance tolerance;
+  bool pictures = false;
+  bool masks_only = false;
+  LastFailure last_failure = nullptr;
+  Examinee examinee() const { return {masked, tolerance, pictures, masks_only, last_failure}; }
+};
+
+/// Tries the cases of an item, until there is a reason to stop.
+ItemTrial try_item(const ItemTask& task, const ItemCases& cases, const ItemExaminee& who,
+                   const std::function<ItemReason()>& reason_to_stop, ItemGrade grade);
+
+}  // namespace raycheck::tools
+
+#endif  // RAYCHECK_TOOLS_GRADE_JUDGING_ITEM_TRIAL_H_

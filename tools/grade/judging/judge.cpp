@@ -1,0 +1,229 @@
+#include "tools/grade/judging/judge.h"
+
+#include <algorithm>
+#include <limits>
+#include <utility>
+
+#include "properties/cases/random.h"
+#include "scene/interruption.h"
+#include "tools/grade/judging/failure.h"
+#include "tools/grade/judging/item_causes.h"
+#include "tools/grade/judging/item_trial.h"
+
+namespace raycheck::tools {
+namespace {
+
+using properties::Candidate;
+using properties::Fault;
+
+/// The candidate held to what an item tolerates.
+Candidate tolerated(Candidate candidate, const Tolerance& tolerance) {
+  if (tolerance.conditioning) {
+    const double units = *tolerance.conditioning * (tolerance.unit / properties::kDoubleRoundoff);
+    candidate.max_error.fill(properties::kModerateCondition * units);
+    candidate.max_error_end_to_end.fill({});
+    candidate.unit_roundoff = properties::kDoubleRoundoff * units;
+  } else if (tolerance.ulp) {
+    candidate.unit_roundoff = tolerance.unit * *tolerance.ulp *
+                              (properties::kDoubleRoundoff / properties::kExcusedChange);
+  } else if (tolerance.unit > candidate.unit_roundoff) {
+    const double coarser = tolerance.unit / candidate.unit_roundoff;
+    candidate.unit_roundoff = tolerance.unit;
+    for (auto* bounds : {&candidate.max_error, &candidate.max_error_end_to_end}) {
+      for (auto& bound : *bounds) {
+        if (bound) *bound *= coarser;
+      }
+    }
+  }
+  return candidate;
+}
+
+/// The candidate, of whose pictures only the mask counts: whether a pixel shows a sphere, not
+/// which.
+Candidate masked(Candidate candidate) {
+  candidate.image = [image = candidate.image](const scene::Scene& scene,
+                                              const scene::Conventions& conventions) {
+    properties::ImageAnswer answer = image(scene, conventions);
+    for (auto& sphere : answer) {
+      if (sphere) sphere = properties::kSomeSphere;
+    }
+    return answer;
+  };
+  return candidate;
+}
+
+/// All that a submission is asked, item by item.
+class Judge {
+ public:
+  Judge(const Rubric& rubric, Judged judged, std::uint64_t seed,
+        const properties::RunControl& control)
+      : rubric_(rubric),
+        candidate_(std::move(judged.candidate)),
+        control_(control),
+        last_failure_(std::move(judged.last_failure)),
+        pictures_(judged.pictures),
+        form_is_read_(judged.form_is_read),
+        seed_(seed),
+        spent_(std::move(judged.spent)),
+        before_(spent_ ? spent_->seconds() : 0) {
+    candidate_.declared = rubric.conventions.over(candidate_.declared);
+    // A domain that a submission states for itself would excuse it from what the rubric asks.
+    candidate_.smallest_length =
+        std::min(candidate_.smallest_length, properties::kSmallestJudgedLength);
+    candidate_.largest_length = std::numeric_limits<double>::infinity();
+    if (rubric.precision == Precision::kSingle) {
+      candidate_.smallest_length = candidate_.smallest_camera_length = kSmallestSingleLength;
+      candidate_.largest_length = candidate_.largest_camera_length = kLargestSingleLength;
+    }
+  }
+
+  std::vector<ItemGrade> judge() {
+    std::vector<ItemTrial> trials;
+    for (std::size_t k = 0; k < rubric_.items.size(); ++k) trials.push_back(try_item_at(k));
+    std::vector<ItemCause> causes(trials.size());
+    try {
+      causes = pictures_ ? causes_of_pictures(rubric_, form_is_read_, trials)
+                         : causes_of_functions(rubric_, candidate_, trials);
+    } catch (const scene::Interrupted&) {
+      // They are not known, then.
+    }
+    charge_once(rubric_, causes, trials);
+    std::vector<ItemGrade> grades;
+    for (std::size_t k = 0; k < trials.size(); ++k) {
+      leave_out_what_needs_others(rubric_.items[k], grades, trials[k].grade);
+      ItemGrade& grade = trials[k].grade;
+      if (grade.state == ItemState::kFails) {
+        grade.score = score_of(rubric_.items[k], grade.held, grade.cases);
+        show_failure(k, causes[k].fault, trials[k]);
+      } else if (grade.state == ItemState::kHolds || grade.state == ItemState::kFollows) {
+        grade.score = score_of(rubric_.items[k], grade.cases, grade.cases);
+      }
+      grades.push_back(std::move(grade));
+    }
+    return grades;
+  }
+
+ private:
+  /// Why no more is to be asked, if so.
+  ItemReason reason_to_stop() const {
+    if (control_.interrupted()) return {.kind = ItemReason::Kind::kInterrupted};
+    if (!spent_ || spent_->seconds() - before_ < rubric_.seconds) return {};
+    return {.kind = ItemReason::Kind::kTimeUp, .seconds = rubric_.seconds};
+  }
+
+  const std::optional<ItemTask>& task_of(const Item& item) const {
+    return pictures_ ? item.pictures : item.functions;
+  }
+
+  ItemExaminee examinee(const Item& item) const {
+    const ItemTask& task = *task_of(item);
+    ItemExaminee who;
+    who.candidate = tolerated(candidate_, item.tolerance);
+    who.candidate.excused_image_change =
+        task.image_change.value_or(who.candidate.excused_image_change);
+    who.masked = task.masks_only ? masked(who.candidate) : who.candidate;
+    who.tolerance = item.tolerance;
+    who.pictures = pictures_;
+    who.masks_only = task.masks_only;
+    who.last_failure = last_failure_;
+    return who;
+  }
+
+  ItemTrial try_item_at(std::size_t index) {
+    using Kind = ItemReason::Kind;
+    const Item& item = rubric_.items[index];
+    ItemGrade grade;
+    grade.name = item.name;
+    grade.bonus = item.bonus;
+    grade.pictures = pictures_;
+    const auto& task = task_of(item);
+    if (!task) {
+      grade.state = ItemState::kNotAsked;
+      grade.reason.kind = pictures_ ? Kind::kNotInPictures : Kind::kOfRenderers;
+      ItemTrial trial;
+      trial.grade = std::move(grade);
+      return trial;
+    }
+    grade.points = item.points;
+    properties::Random seeds(seed_);
+    for (std::size_t k = 0; k < index; ++k) seeds.bits();
+    const ItemExaminee who = examinee(item);
+    const ItemCases cases(*task, pictures_, seeds.bits(), who.candidate.declared);
+    try {
+      return try_item(
+          *task, cases, who, [this] { return reason_to_stop(); }, grade);
+    } catch (const scene::Interrupted&) {
+      ItemTrial trial;
+      trial.grade = std::move(grade);
+      trial.grade.state = ItemState::kNotJudged;
+      trial.grade.reason.kind = Kind::kInterrupted;
+      return trial;
+    }
+  }
+
+  /// Items that it needs and that have not all points leave it out.
+  static void leave_out_what_needs_others(const Item& item, const std::vector<ItemGrade>& before,
+                                          ItemGrade& grade) {
+    if (grade.state == ItemState::kNotAsked) return;
+    for (const std::string& needed : item.needs) {
+      const auto found = std::find_if(before.begin(), before.end(),
+                                      [&](const ItemGrade& other) { return other.name == needed; });
+      if (found->state == ItemState::kNotAsked || found->score >= found->points) continue;
+      ItemGrade left_out;
+      left_out.name = grade.name;
+      left_out.bonus = grade.bonus;
+      left_out.pictures = grade.pictures;
+      left_out.points = grade.points;
+      left_out.state = ItemState::kLeftOut;
+      left_out.reason = {.kind = ItemReason::Kind::kNeeds, .item = needed, .state = found->state};
+      grade = std::move(left_out);
+      return;
+    }
+  }
+
+  /// The smallest case of an item's first failure.
+  void show_failure(std::size_t index, const Fault& fault, ItemTrial& trial) {
+    if (trial.failed.empty()) return;
+    const FailedCase& first = trial.failed.front();
+    const ItemExaminee who = examinee(rubric_.items[index]);
+    trial.grade.first_wrong = {first.item_case.origin, wrong_answer(first.discrepancy)};
+    const auto is_late = [this] { return reason_to_stop().kind != ItemReason::Kind::kNone; };
+    try {
+      const properties::Case smallest = simplest(first, who, fault, is_late);
+      trial.grade.failing = failing_case(smallest, first, who.examinee());
+    } catch (const scene::Interrupted&) {
+      trial.grade.failing.reset();
+    }
+  }
+
+  const Rubric& rubric_;
+  Candidate candidate_;
+  const properties::RunControl& control_;
+  LastFailure last_failure_;
+  bool pictures_;
+  bool form_is_read_;
+  std::uint64_t seed_;
+  std::shared_ptr<const SpentTime> spent_;
+  double before_;
+};
+
+}  // namespace
+
+double score_of(const Item& item, std::uint64_t held, std::uint64_t cases) {
+  if (cases == 0) return 0;
+  const double share = static_cast<double>(held) / static_cast<double>(cases);
+  if (item.credit == Credit::kAll) return held == cases ? item.points : 0;
+  if (item.credit == Credit::kShare) return share * item.points;
+  double credit = 0;
+  for (const CreditStep& step : item.steps) {
+    if (share >= step.share) credit = std::max(credit, step.credit);
+  }
+  return credit * item.points;
+}
+
+std::vector<ItemGrade> judge(const Rubric& rubric, Judged judged, std::uint64_t seed,
+                             const properties::RunControl& control) {
+  return Judge(rubric, std::move(judged), seed, control).judge();
+}
+
+}  // namespace raycheck::tools

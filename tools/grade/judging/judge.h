@@ -1,0 +1,37 @@
+#ifndef RAYCHECK_TOOLS_GRADE_JUDGING_JUDGE_H_
+#define RAYCHECK_TOOLS_GRADE_JUDGING_JUDGE_H_
+
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+#include "properties/run_control.h"
+#include "tools/external/external_candidate.h"
+#include "tools/grade/results/result.h"
+#include "tools/grade/rubric/rubric.h"
+
+namespace raycheck::tools {
+
+/// Who is judged.
+struct Judged {
+  properties::Candidate candidate;
+  bool pictures = false;               ///< It is asked for pictures, otherwise for functions.
+  bool form_is_read = true;            ///< It is known to read the form of its driver files.
+  LastFailure last_failure = nullptr;  ///< Set where the candidate fails.
+  /// Of its processes; null: its time is not limited.
+  std::shared_ptr<const SpentTime> spent = nullptr;
+};
+
+/// Asks a candidate what the items of a rubric ask, and judges all answers together: a mistake
+/// costs the points of one item, whatever else fails by it. The cases follow from the seed; what
+/// the candidate declares yields to the rubric's conventions. A case holds where the laws hold and
+/// the candidate answers all that raycheck's own methods answer.
+std::vector<ItemGrade> judge(const Rubric& rubric, Judged judged, std::uint64_t seed,
+                             const properties::RunControl& control);
+
+/// The item's points for a share of its cases.
+double score_of(const Item& item, std::uint64_t held, std::uint64_t cases);
+
+}  // namespace raycheck::tools
+
+#endif  // RAYCHECK_TOOLS_GRADE_JUDGING_JUDGE_H_

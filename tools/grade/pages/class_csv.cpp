@@ -1,0 +1,32 @@
+#include <fmt/core.h>
+
+#include "tools/grade/pages/views.h"
+#include "tools/grade/pages/wording.h"
+#include "tools/report/csv.h"
+
+namespace raycheck::tools {
+
+/// A row a submission, a column an item; where it could not be judged no points but those that the
+/// rubric gives for that.
+std::string class_csv(const ClassGrade& graded) {
+  std::string text = "submission,score,points";
+  for (const Item& item : graded.rubric.items) text += "," + csv_cell(item.name);
+  text += ",note\n";
+  for (const SubmissionGrade& grade : graded.submissions) {
+    const bool is_judged = could_be_judged(grade);
+    const bool has_score = is_judged || grade.score > 0;
+    text += fmt::format("{},{},{}", csv_cell(grade.name), has_score ? points_text(grade.score) : "",
+                        points_text(grade.points));
+    for (const ItemGrade& item : grade.items) {
+      const bool has_points = is_judged && item.state != ItemState::kNotAsked;
+      text += "," + (has_points ? points_text(item.score) : "");
+    }
+    const std::string note = !is_judged       ? not_judged_text(grade)
+                             : grade.finished ? mistake_text(grade)
+                                              : "interrupted";
+    text += "," + (note.empty() ? "" : csv_cell(note)) + "\n";
+  }
+  return text;
+}
+
+}  // namespace raycheck::tools

@@ -1,0 +1,303 @@
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <map>
+#include <optional>
+#include <utility>
+
+#include "tools/grade/pages/html.h"
+#include "tools/grade/pages/pictures.h"
+#include "tools/grade/pages/views.h"
+#include "tools/grade/pages/wording.h"
+#include "tools/grade/results/statistics.h"
+#include "tools/report/words.h"
+
+namespace raycheck::tools {
+namespace {
+
+constexpr int kBins = 10;
+
+/// 0 for what has no points.
+double share_of(const SubmissionGrade& grade) {
+  return grade.points > 0 ? grade.score / grade.points : 0;
+}
+
+std::string bar(double share, const char* kind) {
+  return fmt::format(
+      "<td class=\"{}\" style=\"width: 50%\"><span class=\"bar\" style=\"width: "
+      "{:.1f}%\"></span></td>",
+      kind, 100 * share);
+}
+
+std::string distribution(const ClassGrade& graded) {
+  std::array<std::size_t, kBins + 1> counts{};
+  for (const SubmissionGrade* grade : submissions_that(graded, true)) {
+    ++counts[static_cast<std::size_t>(std::clamp(share_of(*grade), 0.0, 1.0) * kBins)];
+  }
+  const std::size_t most =
+      std::max<std::size_t>(1, *std::max_element(counts.begin(), counts.end()));
+  std::string html = "<h2>Scores</h2>\n<table>\n";
+  for (int bin = kBins; bin >= 0; --bin) {
+    const std::size_t count = counts[static_cast<std::size_t>(bin)];
+    const std::string label =
+        bin == kBins ? "100% and more"
+                     : fmt::format("{}% to {}%", bin * 100 / kBins, (bin + 1) * 100 / kBins);
+    html += fmt::format("<tr><td>{}</td><td class=\"number\">{}</td>{}</tr>\n", label, count,
+                        bar(static_cast<double>(count) / static_cast<double>(most), "score"));
+  }
+  return html + "</table>\n";
+}
+
+/// A row on what an item tests, and why.
+std::string about(const Item& item) {
+  std::string html;
+  for (const std::string& text : {item.asks, item.why}) {
+    if (!text.empty()) html += (html.empty() ? "" : "<br>") + escaped(text);
+  }
+  return "<tr class=\"about\"><td colspan=\"5\">" + html + "</td></tr>\n";
+}
+
+std::string failing_items(const ClassGrade& graded) {
+  std::vector<ItemStatistics> rows = item_statistics(graded);
+  std::stable_sort(rows.begin(), rows.end(),
+                   [](const auto& a, const auto& b) { return a.failing > b.failing; });
+  std::string html =
+      "<h2>Items that fail most</h2>\n<div class=\"wide\"><table>\n<tr><th>item</th><th "
+      "class=\"number\">fail</th><th class=\"number\">left out</th><th class=\"number\">asked"
+      "</th><th></th></tr>\n";
+  for (const ItemStatistics& row : rows) {
+    html += fmt::format(
+        "<tr class=\"head\"><td>{}</td><td class=\"number\">{}</td><td class=\"number\">{}</td><td "
+        "class=\"number\">{}</td>{}</tr>\n",
+        escaped(row.item->name), row.failing, row.left_out, row.asked,
+        bar(row.asked == 0 ? 0 : static_cast<double>(row.failing) / static_cast<double>(row.asked),
+            "fail"));
+    html += about(*row.item);
+  }
+  return html + "</table></div>\n";
+}
+
+std::string link(const SubmissionGrade& grade) {
+  std::string address;
+  for (const char c : grade.name) {
+    const bool is_plain = std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '-' || c == '_';
+    address += is_plain ? std::string(1, c) : fmt::format("%{:02X}", static_cast<unsigned char>(c));
+  }
+  return fmt::format("<a href=\"{}/report.html\">{}</a>", address, escaped(grade.name));
+}
+
+std::string links(const Submissions& members) {
+  std::string html;
+  for (const SubmissionGrade* member : members) {
+    html += (html.empty() ? "" : ", ") + link(*member);
+  }
+  return "<p>" + html + "</p>\n";
+}
+
+/// The smallest case of a mistake, to look at and to take along.
+std::string smallest_case(const ItemGrade& item, const DriverForm& form) {
+  const FailingCase& failing = *item.failing;
+  const std::string name = file_name(item.name);
+  const std::string driver = driver_file_text(failing, form);
+  std::string html = "<p>The smallest case, of item " + escaped(item.name) + ": ";
+  if (!driver.empty()) html += download(name + ".txt", driver) + ", ";
+  html += download(name + ".toml", scene_text(failing)) + "</p>\n";
+  return html + pictures_html(failing, "theirs") + "<p>" + escaped(answer_text(failing.answer)) +
+         "</p>\n";
+}
+
+std::string mistakes(const ClassGrade& graded) {
+  const std::size_t judged = submissions_that(graded, true).size();
+  std::string html =
+      "<h2>Mistakes</h2>\n<p>By the number of students whose wrong answers they explain; where "
+      "several explain the same answers, each is counted.</p>\n";
+  const std::vector<MistakeStatistics> all = mistake_statistics(graded);
+  if (all.empty()) return html + "<p>None is known.</p>\n";
+  for (const MistakeStatistics& one : all) {
+    html += fmt::format(
+        "<details><summary><span class=\"name\">{}</span><span>{} of {}</span></summary>\n",
+        escaped(one.sentence), one.students.size(), count_text(judged, "student"));
+    html += links(one.students);
+    if (one.smallest != nullptr) html += smallest_case(*one.smallest, one.whose->driver);
+    html += "</details>\n";
+  }
+  return html;
+}
+
+std::string not_judged(const ClassGrade& graded) {
+  const Submissions all = submissions_that(graded, false);
+  if (all.empty()) return "";
+  std::string html =
+      "<h2>Could not be judged</h2>\n<p>Nothing of these could be run, so that no points are "
+      "known: they are in no number above.";
+  if (graded.rubric.unjudged > 0) {
+    html +=
+        fmt::format(" The rubric gives them {:g}% of the points.", 100 * graded.rubric.unjudged);
+  }
+  html += "</p>\n";
+  for (const SubmissionGrade* grade : all) {
+    html += "<details><summary><span class=\"name\">" + link(*grade) + "</span><span>" +
+            escaped(grade->refused->why) + "</span></summary>\n";
+    if (!grade->refused->said.empty()) html += "<pre>" + escaped(grade->refused->said) + "</pre>\n";
+    html += "</details>\n";
+  }
+  return html;
+}
+
+/// What several submissions have in common: items of which they give the same wrong answer to the
+/// same case.
+struct Alike {
+  Submissions members;
+  std::vector<std::pair<std::string, std::string>> wrong;  ///< Items, and what is wrong.
+};
+
+std::string first_wrong_text(const FirstWrongAnswer& first) {
+  const std::string text = origin_text(first.origin) + ": " + answer_text(first.answer);
+  return first.answer.got.empty() ? text : text + ", " + got_text(first.answer);
+}
+
+std::vector<Alike> find_alike(const ClassGrade& graded) {
+  std::vector<Alike> found;
+  for (std::size_t k = 0; k < graded.rubric.items.size(); ++k) {
+    std::map<std::string, Submissions> by_answer;
+    for (const SubmissionGrade& grade : graded.submissions) {
+      const auto& wrong = grade.items[k].first_wrong;
+      if (wrong) by_answer[first_wrong_text(*wrong)].push_back(&grade);
+    }
+    for (const auto& [wrong, members] : by_answer) {
+      if (members.size() < 2) continue;
+      // A lambda cannot capture a structured binding by clang 14.
+      auto known = std::find_if(found.begin(), found.end(), [&these = members](const Alike& one) {
+        return one.members == these;
+      });
+      if (known == found.end()) known = found.insert(found.end(), Alike{members, {}});
+      known->wrong.emplace_back(graded.rubric.items[k].name, wrong);
+    }
+  }
+  std::stable_sort(found.begin(), found.end(), [](const Alike& a, const Alike& b) {
+    return std::pair(a.members.size(), a.wrong.size()) >
+           std::pair(b.members.size(), b.wrong.size());
+  });
+  return found;
+}
+
+/// Empty where they differ.
+std::string mistake_of_all(const Submissions& members) {
+  const std::string mistake = mistake_text(*members.front());
+  const bool is_same = std::all_of(members.begin(), members.end(), [&](const auto* member) {
+    return mistake_text(*member) == mistake;
+  });
+  return is_same ? mistake : "";
+}
+
+std::string alike(const ClassGrade& graded) {
+  std::string html =
+      "<h2>Alike</h2>\n<p>The same wrong answers to the same cases. That proves no copying: "
+      "whoever makes the same mistake gives the same wrong answers, and classic mistakes "
+      "are made by many; so are those of a template or of a text that all were given. "
+      "Only the programs themselves can tell.</p>\n";
+  const std::vector<Alike> found = find_alike(graded);
+  if (found.empty()) return html + "<p>None.</p>\n";
+  for (const Alike& one : found) {
+    html += fmt::format(
+        "<details><summary><span class=\"name\">{} alike in {}</span><span>{}"
+        "</span></summary>\n",
+        one.members.size(), count_text(one.wrong.size(), "item"),
+        escaped(mistake_of_all(one.members)));
+    html += links(one.members) + "<dl>\n";
+    for (const auto& [item, wrong] : one.wrong) {
+      html += fmt::format("<dt>{}</dt><dd>{}</dd>\n", escaped(item), escaped(wrong));
+    }
+    html += "</dl></details>\n";
+  }
+  return html;
+}
+
+std::string everyone(const ClassGrade& graded) {
+  std::string html =
+      "<h2>Submissions</h2>\n<div class=\"wide\"><table>\n<tr><th>submission</th><th "
+      "class=\"number\">score</th>";
+  for (const Item& item : graded.rubric.items) {
+    html += "<th class=\"number\">" + escaped(item.name) + "</th>";
+  }
+  html += "<th class=\"number\">built</th><th class=\"number\">judged</th></tr>\n";
+  for (const SubmissionGrade& grade : graded.submissions) {
+    const bool is_judged = could_be_judged(grade);
+    html += fmt::format("<tr><td>{}</td><td class=\"number\">{} of {}</td>", link(grade),
+                        score_text(grade), points_text(grade.points));
+    if (!is_judged) {
+      html += fmt::format("<td colspan=\"{}\">{}</td>", graded.rubric.items.size(),
+                          escaped(not_judged_text(grade)));
+    } else {
+      for (const ItemGrade& item : grade.items) {
+        html += fmt::format("<td class=\"number\">{}</td>",
+                            item.state == ItemState::kNotAsked ? "-" : points_text(item.score));
+      }
+    }
+    const std::string built = grade.build_is_stored ? "0 s, from the store"
+                                                    : fmt::format("{:.1f} s", grade.build_seconds);
+    html += fmt::format("<td class=\"number\">{}</td><td class=\"number\">{:.1f} s</td></tr>\n",
+                        built, grade.judge_seconds);
+  }
+  return html + "</table></div>\n";
+}
+
+/// What reading a submission does not show.
+std::string opaque(const ClassGrade& graded) {
+  constexpr std::size_t kMostListed = 8;
+  std::string rows;
+  for (const SubmissionGrade& grade : graded.submissions) {
+    const auto& files = grade.opaque_files;
+    std::string text;
+    for (std::size_t k = 0; k < std::min(files.size(), kMostListed); ++k) {
+      text += fmt::format("{}{} ({}, {:.0f} KiB)", k == 0 ? "" : ", ", files[k].name, files[k].kind,
+                          std::ceil(static_cast<double>(files[k].bytes) / 1024));
+    }
+    if (files.size() > kMostListed) text += fmt::format(" and {} more", files.size() - kMostListed);
+    if (!text.empty())
+      rows += "<tr><td>" + link(grade) + "</td><td>" + escaped(text) + "</td></tr>\n";
+  }
+  if (rows.empty()) return "";
+  return "<h2>Files to look at</h2>\n<p>Programs, archives, pictures and large files that were "
+         "handed in. None is forbidden, and most are harmless; what was computed elsewhere, "
+         "raycheck "
+         "itself too, can be brought along in such a file, and no test can tell.</p>\n"
+         "<div class=\"wide\"><table>\n" +
+         rows + "</table></div>\n";
+}
+
+std::string summary(const ClassGrade& graded) {
+  std::vector<double> shares;
+  for (const SubmissionGrade* grade : submissions_that(graded, true)) {
+    shares.push_back(share_of(*grade));
+  }
+  const std::size_t not_judged = graded.submissions.size() - shares.size();
+  const std::optional<double> middle = median(std::move(shares));
+  std::string html =
+      fmt::format("<h1>{}</h1>\n<p>{}, median {}{}{}</p>\n", escaped(graded.rubric.title),
+                  count_text(graded.submissions.size(), "submission"),
+                  middle ? fmt::format("{:.0f}%", 100 * *middle) : "-",
+                  not_judged > 0 ? fmt::format(", {} could not be judged", not_judged) : "",
+                  graded.times ? "; " + times_text(*graded.times) : "");
+  if (graded.isolation) {
+    html += "<p class=\"quiet\">" + escaped(isolation_text(*graded.isolation)) + "</p>\n";
+  }
+  if (graded.interrupted) {
+    html += "<p><strong>Interrupted: these are the submissions that were reached.</strong></p>\n";
+  }
+  return html;
+}
+
+}  // namespace
+
+/// A self-contained page for instructors: the scores, the items that fail most, the mistakes that
+/// most make, the submissions that fail on the same case in the same way.
+std::string class_page(const ClassGrade& graded) {
+  return page(graded.rubric.title, summary(graded) + distribution(graded) + failing_items(graded) +
+                                       mistakes(graded) + alike(graded) + not_judged(graded) +
+                                       opaque(graded) + everyone(graded));
+}
+
+}  // namespace raycheck::tools

@@ -1,0 +1,243 @@
+#include "tools/grade/pages/pictures.h"
+
+#include <fmt/core.h>
+
+#include <array>
+#include <cstdint>
+#include <set>
+#include <utility>
+#include <vector>
+
+#include "tools/grade/pages/html.h"
+#include "tools/report/png.h"
+#include "tools/report/words.h"
+
+namespace raycheck::tools {
+namespace {
+
+using properties::ImageAnswer;
+using properties::kSomeSphere;
+using Sphere = ImageAnswer::value_type;
+
+/// The colours of Okabe and Ito, which the colour-blind tell apart; black is the background.
+constexpr std::array<Colour, 7> kColours = {{{230, 159, 0},
+                                             {86, 180, 233},
+                                             {0, 158, 115},
+                                             {240, 228, 66},
+                                             {0, 114, 178},
+                                             {213, 94, 0},
+                                             {204, 121, 167}}};
+constexpr Colour kSomeColour = {255, 255, 255};
+constexpr Colour kQuiet = {60, 60, 60};
+
+/// A picture on a page is at most so tall, in rem.
+constexpr double kTallest = 20;
+
+/// A pixel in the picture of differences is a mark of so many pixels across and down, so that marks
+/// differ by their shapes, too.
+constexpr int kMark = 7;
+struct Mark {
+  Colour colour;
+  std::array<const char*, kMark> shape;
+  const char* sign;
+  const char* meaning;
+};
+constexpr Mark kMissing = {
+    {230, 159, 0},
+    {".......", ".#####.", ".#...#.", ".#...#.", ".#...#.", ".#####.", "......."},
+    "&#9633;",
+    "a sphere is missing"};
+constexpr Mark kSurplus = {
+    {86, 180, 233},
+    {".......", ".#...#.", "..#.#..", "...#...", "..#.#..", ".#...#.", "......."},
+    "&#10005;",
+    "a sphere is shown where none is"};
+constexpr Mark kOther = {
+    {240, 228, 66},
+    {".......", ".......", ".#####.", ".......", ".#####.", ".......", "......."},
+    "=",
+    "another sphere is shown"};
+
+/// Null where a pixel is right.
+const Mark* mark_of(const Sphere& got, const Sphere& exact) {
+  if (got == exact || (got == kSomeSphere && exact)) return nullptr;
+  return !got ? &kMissing : !exact ? &kSurplus : &kOther;
+}
+
+/// A picture of the case's camera, its lines from the top.
+struct Canvas {
+  explicit Canvas(const FailingCase& failing)
+      : width(failing.the_case.scene.camera->width),
+        height(failing.the_case.scene.camera->height),
+        bottom_first(failing.the_case.scene.conventions.rows == scene::Rows::kBottomFirst) {}
+
+  /// The pixel in column x of line y.
+  std::size_t at(std::int64_t x, std::int64_t y) const {
+    return static_cast<std::size_t>((bottom_first ? height - 1 - y : y) * width + x);
+  }
+
+  std::int64_t width, height;
+  bool bottom_first;
+};
+
+Colour colour_of(const Sphere& sphere) {
+  if (!sphere) return {};
+  return *sphere == kSomeSphere ? kSomeColour : kColours[*sphere % kColours.size()];
+}
+
+std::string image_html(std::int64_t width, std::int64_t height, const std::vector<Colour>& pixels,
+                       const std::string& alt, const std::string& caption) {
+  return fmt::format(
+      "<figure><img width=\"{}\" height=\"{}\" style=\"width: min(100%, {:.2f}rem)\" alt=\"{}\" "
+      "src=\"{}\"><figcaption>{}</figcaption></figure>\n",
+      width, height, kTallest * static_cast<double>(width) / static_cast<double>(height),
+      escaped(alt), data_address("image/png", png_bytes(width, height, pixels)), caption);
+}
+
+/// "sphere 0", "a sphere"
+std::string name_of(std::size_t sphere) {
+  return sphere == kSomeSphere ? "a sphere" : fmt::format("sphere {}", sphere);
+}
+
+std::set<std::size_t> spheres_of(const ImageAnswer& image) {
+  std::set<std::size_t> shown;
+  for (const Sphere& sphere : image) {
+    if (sphere) shown.insert(*sphere);
+  }
+  return shown;
+}
+
+std::string drawn_html(const Canvas& canvas, const ImageAnswer& image, std::string_view whose) {
+  std::vector<Colour> pixels;
+  for (std::int64_t y = 0; y < canvas.height; ++y) {
+    for (std::int64_t x = 0; x < canvas.width; ++x) {
+      pixels.push_back(colour_of(image[canvas.at(x, y)]));
+    }
+  }
+  const std::set<std::size_t> spheres = spheres_of(image);
+  std::string shown;
+  for (const std::size_t sphere : spheres) shown += (shown.empty() ? "" : ", ") + name_of(sphere);
+  return image_html(canvas.width, canvas.height, pixels,
+                    fmt::format("{}, {} by {} pixels: {}", whose, canvas.width, canvas.height,
+                                shown.empty() ? "no sphere, black" : shown),
+                    std::string(whose) + (shown.empty() ? ": no sphere" : ""));
+}
+
+std::string difference_html(const FailingCase& failing, std::string_view whose) {
+  const Canvas canvas(failing);
+  const ComparedPictures& pictures = *failing.pictures;
+  std::vector<Colour> pixels(static_cast<std::size_t>(canvas.width * canvas.height) * kMark *
+                             kMark);
+  std::set<const Mark*> used;
+  for (std::int64_t y = 0; y < canvas.height * kMark; ++y) {
+    for (std::int64_t x = 0; x < canvas.width * kMark; ++x) {
+      const std::size_t at = canvas.at(x / kMark, y / kMark);
+      const Sphere& exact = (*pictures.exact)[at];
+      Colour& pixel = pixels[static_cast<std::size_t>(y * canvas.width * kMark + x)];
+      pixel = exact ? kQuiet : Colour{};
+      const Mark* const mark = mark_of(pictures.got[at], exact);
+      if (mark == nullptr) continue;
+      used.insert(mark);
+      if (mark->shape[static_cast<std::size_t>(y % kMark)][x % kMark] == '#') pixel = mark->colour;
+    }
+  }
+  std::string caption = "difference";
+  for (const Mark* const mark : {&kMissing, &kSurplus, &kOther}) {
+    if (!used.contains(mark)) continue;
+    caption += fmt::format("<br>{} {}", mark->sign, mark->meaning);
+  }
+  return image_html(canvas.width * kMark, canvas.height * kMark, pixels,
+                    difference_text(failing, whose), caption);
+}
+
+/// Which colour is which sphere; empty where pictures do not tell.
+std::string legend_html(const ComparedPictures& pictures) {
+  std::set<std::size_t> shown = spheres_of(pictures.got);
+  if (pictures.exact) shown.merge(spheres_of(*pictures.exact));
+  if (shown.empty() || *shown.begin() == kSomeSphere) return "";
+  std::string html;
+  for (const std::size_t sphere : shown) {
+    const auto [red, green, blue] = colour_of(sphere);
+    html +=
+        fmt::format("<span class=\"swatch\" style=\"background: #{:02x}{:02x}{:02x}\"></span> {} ",
+                    red, green, blue, name_of(sphere));
+  }
+  return "<p>" + html + "</p>\n";
+}
+
+/// Another order of a picture's pixels, that mistakes make.
+struct Rearrangement {
+  const char* words;
+  bool is_of_squares;
+  std::pair<std::int64_t, std::int64_t> (*source)(const Canvas& canvas, std::int64_t x,
+                                                  std::int64_t y);
+};
+constexpr Rearrangement kRearrangements[] = {
+    {"mirrored left to right", false,
+     [](const Canvas& canvas, std::int64_t x, std::int64_t y) {
+       return std::pair(canvas.width - 1 - x, y);
+     }},
+    {"upside down", false,
+     [](const Canvas& canvas, std::int64_t x, std::int64_t y) {
+       return std::pair(x, canvas.height - 1 - y);
+     }},
+    {"turned by half a turn", false,
+     [](const Canvas& canvas, std::int64_t x, std::int64_t y) {
+       return std::pair(canvas.width - 1 - x, canvas.height - 1 - y);
+     }},
+    {"with rows and columns exchanged", true,
+     [](const Canvas& canvas, std::int64_t x, std::int64_t y) {
+       return canvas.bottom_first ? std::pair(canvas.height - 1 - y, canvas.width - 1 - x)
+                                  : std::pair(y, x);
+     }},
+};
+
+/// Whether every pixel is that of the expected picture, rearranged.
+bool is_rearranged(const Canvas& canvas, const ComparedPictures& pictures,
+                   const Rearrangement& order) {
+  if (order.is_of_squares && canvas.width != canvas.height) return false;
+  for (std::int64_t y = 0; y < canvas.height; ++y) {
+    for (std::int64_t x = 0; x < canvas.width; ++x) {
+      const auto [from_x, from_y] = order.source(canvas, x, y);
+      const Sphere& exact = (*pictures.exact)[canvas.at(from_x, from_y)];
+      if (mark_of(pictures.got[canvas.at(x, y)], exact) != nullptr) return false;
+    }
+  }
+  return true;
+}
+
+}  // namespace
+
+std::string difference_text(const FailingCase& failing, std::string_view whose) {
+  if (!failing.pictures || !failing.pictures->exact) return "";
+  const ComparedPictures& pictures = *failing.pictures;
+  std::size_t wrong = 0;
+  for (std::size_t k = 0; k < pictures.got.size(); ++k) {
+    wrong += mark_of(pictures.got[k], (*pictures.exact)[k]) != nullptr ? 1 : 0;
+  }
+  const std::string text = fmt::format(
+      "{} of {} differ{}", wrong, count_text(pictures.got.size(), "pixel"), wrong == 1 ? "s" : "");
+  if (wrong == 0) return text;
+  if (spheres_of(pictures.got).empty()) return fmt::format("{}: {} shows no sphere", text, whose);
+  for (const Rearrangement& order : kRearrangements) {
+    if (!is_rearranged(Canvas(failing), pictures, order)) continue;
+    return fmt::format("{}: {} is the expected picture {}", text, whose, order.words);
+  }
+  return text;
+}
+
+std::string pictures_html(const FailingCase& failing, std::string_view whose) {
+  if (!failing.pictures) return "";
+  const Canvas canvas(failing);
+  const ComparedPictures& pictures = *failing.pictures;
+  std::string html = "<div class=\"pictures\">\n" + drawn_html(canvas, pictures.got, whose);
+  if (pictures.exact) {
+    html += drawn_html(canvas, *pictures.exact, "expected") + difference_html(failing, whose);
+  }
+  html += "</div>\n";
+  const std::string difference = difference_text(failing, whose);
+  if (!difference.empty()) html += "<p>" + escaped(difference) + "</p>\n";
+  return html + legend_html(pictures);
+}
+
+}  // namespace raycheck::tools

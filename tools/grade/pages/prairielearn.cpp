@@ -1,0 +1,43 @@
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+
+#include "tools/grade/pages/views.h"
+#include "tools/grade/pages/wording.h"
+#include "tools/report/json.h"
+#include "tools/report/words.h"
+
+namespace raycheck::tools {
+
+/// https://prairielearn.readthedocs.io/en/latest/externalGrading/ : hidden items count, but are not
+/// listed.
+std::string prairielearn_results(const StudentGrade& grade) {
+  const SubmissionGrade& submission = grade.submission;
+  const std::string refused = submission.refused ? refusal_text(*submission.refused) : "";
+  Json json;
+  // What cannot be run costs no attempt, unless the rubric gives points for it, which would be
+  // lost.
+  json["gradable"] = !submission.refused || submission.score > 0;
+  if (!json["gradable"]) json["format_errors"] = Json::array({refused});
+  json["score"] = submission.points > 0 ? std::min(submission.score / submission.points, 1.0) : 0.0;
+  json["message"] = fmt::format("{}: {}{} of {} points", grade.title,
+                                could_be_judged(submission) ? "" : "could not be judged, ",
+                                points_text(submission.score), points_text(submission.points));
+  json["output"] = refused;
+  json["tests"] = Json::array();
+  for (std::size_t k = 0; k < grade.items.size(); ++k) {
+    const Item& item = *grade.items[k];
+    const ItemGrade& told = submission.items[k];
+    if (told.state == ItemState::kNotAsked) continue;
+    json["tests"].push_back({{"name", item.name},
+                             {"description", item.asks},
+                             {"points", told.score},
+                             {"max_points", told.points},
+                             {"message", name(told.state)},
+                             {"output", item_text(grade, k)}});
+  }
+  return json_text(json);
+}
+
+}  // namespace raycheck::tools

@@ -1,0 +1,133 @@
+#include <fmt/core.h>
+
+#include "tools/grade/pages/home.h"
+#include "tools/grade/pages/html.h"
+#include "tools/grade/pages/pictures.h"
+#include "tools/grade/pages/views.h"
+#include "tools/grade/pages/wording.h"
+#include "tools/report/words.h"
+
+namespace raycheck::tools {
+namespace {
+
+const char* class_of(const ItemGrade& grade) {
+  return grade.state == ItemState::kHolds   ? "holds"
+         : grade.state == ItemState::kFails ? "fails"
+                                            : "other";
+}
+
+std::string row(std::string_view term, std::string_view text) {
+  if (text.empty()) return "";
+  return fmt::format("<dt>{}</dt><dd>{}</dd>\n", term, escaped(text));
+}
+
+/// A file's text, closed at first.
+std::string file_html(const std::string& name, const std::string& text) {
+  return "<details class=\"file\"><summary>" + escaped(name) + "</summary><pre>" + escaped(text) +
+         "</pre></details>\n";
+}
+
+std::string failing_html(const FailingCase& failing) {
+  const WrongAnswer& answer = failing.answer;
+  return pictures_html(failing) + "<dl>\n" + row("the law", law_text(failing)) +
+         row("smallest failing case", answer_text(answer)) + row("yours", got_text(answer)) +
+         row("exact", exact_text(answer)) + row("goes wrong at", failing.step.value_or("")) +
+         row("found in", origin_text(failing.origin)) + "</dl>\n";
+}
+
+std::string command_html(const HomeCommand& command) {
+  return escaped(command.purpose) + ":<pre class=\"command\">" + escaped(command.words) + "</pre>";
+}
+
+/// The mistake, the hint, the case to try, and how.
+std::string next_steps(const StudentGrade& grade, std::size_t k) {
+  const Item& item = *grade.items[k];
+  const ItemGrade& told = grade.submission.items[k];
+  std::string steps;
+  const auto step = [&](const std::string& html) { steps += "<li>" + html + "</li>\n"; };
+  for (const ExplainingMistake& mistake : told.mistakes) {
+    step("<strong>" + escaped(mistake_text(told, mistake)) + "</strong>");
+  }
+  if (!item.hint.empty()) step("Hint: " + escaped(item.hint));
+  std::string files;
+  if (told.failing) {
+    const std::string name = file_name(item.name);
+    const std::string scene = scene_text(*told.failing);
+    const std::string driver = driver_file_text(*told.failing, grade.submission.driver);
+    std::string links = "The case to try, beside your program: ";
+    if (!driver.empty()) {
+      links += download(name + ".txt", driver) + " (driver file), ";
+      files += file_html(name + ".txt", driver);
+    }
+    step(links + download(name + ".toml", scene) + " (scene)");
+    files += file_html(name + ".toml", scene);
+    for (const HomeCommand& command : commands_for_case(grade, k)) step(command_html(command));
+  }
+  if (steps.empty()) return "";
+  return "<h3>What to do next</h3>\n<ol>\n" + steps + "</ol>\n" + files;
+}
+
+std::string item_html(const StudentGrade& all, std::size_t k) {
+  const Item& item = *all.items[k];
+  const ItemGrade& grade = all.submission.items[k];
+  const bool fails = grade.state == ItemState::kFails;
+  const std::string of =
+      fmt::format(" of {}{}", points_text(grade.points), item.bonus ? " (bonus)" : "");
+  std::string html = fmt::format(
+      "<details class=\"{}\"{}>\n<summary><span class=\"name\">{}</span><span class=\"points\">"
+      "{}</span></summary>\n",
+      class_of(grade), fails ? " open" : "", escaped(item.name),
+      grade.state == ItemState::kNotAsked ? "not asked" : points_text(grade.score) + of);
+  if (!item.asks.empty()) html += "<p>" + escaped(item.asks) + "</p>\n";
+  if (!item.why.empty()) html += "<p class=\"quiet\">Why: " + escaped(item.why) + "</p>\n";
+  html += "<p>" + escaped(state_text(grade)) + "</p>\n";
+  if (grade.failing) html += failing_html(*grade.failing);
+  if (fails) html += next_steps(all, k);
+  return html + "</details>\n";
+}
+
+}  // namespace
+
+std::string student_page(const StudentGrade& grade) {
+  const SubmissionGrade& submission = grade.submission;
+  std::string html =
+      fmt::format("<h1>{}</h1>\n<p>{}</p>\n", escaped(grade.title), escaped(submission.name));
+  html += "<p class=\"total\">";
+  html += could_be_judged(submission)
+              ? points_text(submission.score) + " of " + points_text(submission.points)
+              : "could not be judged";
+  if (!could_be_judged(submission) && submission.score > 0) {
+    html += fmt::format(", for which there are {} of {}", points_text(submission.score),
+                        points_text(submission.points));
+  }
+  html += "</p>\n";
+  const std::string mistake = mistake_text(submission);
+  if (!mistake.empty()) html += "<p><strong>" + escaped(mistake) + "</strong></p>\n";
+  if (!submission.finished) {
+    html += "<p><strong>Grading was cut short: this is what was judged.</strong></p>\n";
+  }
+  for (const std::string& note : submission.notes) {
+    html += "<p>Your program: " + escaped(note) + "</p>\n";
+  }
+  if (submission.refused) {
+    html += "<h2>Nothing could be run</h2>\n<pre>" + escaped(refusal_text(*submission.refused)) +
+            "</pre>\n";
+  } else {
+    for (std::size_t k = 0; k < grade.items.size(); ++k) {
+      html += item_html(grade, k);
+    }
+  }
+  html += "<div>" + command_html(command_for_all(grade)) + "</div>\n";
+  if (grade.unlisted > 0) {
+    html += fmt::format(
+        "<p class=\"quiet\">{} in the score and not shown.</p>\n",
+        grade.unlisted == 1 ? "1 item is" : fmt::format("{} items are", grade.unlisted));
+  }
+  if (submission.program) {
+    html += fmt::format("<p class=\"quiet\">run as {}, isolated by: {}</p>\n",
+                        escaped(submission.program->text()), escaped(submission.isolation.text()));
+  }
+  return page(grade.title + ": " + submission.name, html);
+}
+
+}  // namespace raycheck::tools

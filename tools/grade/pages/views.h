@@ -1,0 +1,37 @@
+#ifndef RAYCHECK_TOOLS_GRADE_PAGES_VIEWS_H_
+#define RAYCHECK_TOOLS_GRADE_PAGES_VIEWS_H_
+
+#include <span>
+#include <string>
+#include <string_view>
+
+#include "tools/grade/results/class_grade.h"
+#include "tools/grade/results/redaction.h"
+
+namespace raycheck::tools {
+
+/// A view of a graded class, for instructors: what the command prints under `--format NAME`, or
+/// what lies in the file NAME beside the submissions' folders.
+struct ClassView {
+  std::string_view name;
+  std::string (*render)(const ClassGrade&);
+};
+
+/// What the command prints; the first where nothing else is asked for.
+std::span<const ClassView> printed_views();
+std::span<const ClassView> class_files();
+
+/// What a course's system reads of each submission, results.json, under `--format NAME`.
+struct ResultsFormat {
+  std::string_view name;
+  HiddenBy hidden_by;
+  std::string (*render)(const StudentGrade&);
+};
+std::span<const ResultsFormat> results_formats();
+
+/// A self-contained page for a student.
+std::string student_page(const StudentGrade& grade);
+
+}  // namespace raycheck::tools
+
+#endif  // RAYCHECK_TOOLS_GRADE_PAGES_VIEWS_H_

@@ -1,0 +1,214 @@
+#include "tools/grade/pages/wording.h"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <string_view>
+#include <utility>
+
+#include "properties/cases/case_text.h"
+#include "properties/laws/law.h"
+#include "scene/files/scene_file.h"
+#include "tools/external/pictures/renderer.h"
+#include "tools/grade/pages/home.h"
+#include "tools/grade/pages/pictures.h"
+#include "tools/report/words.h"
+
+namespace raycheck::tools {
+
+using properties::Quantity;
+using properties::Wrong;
+
+std::string points_text(double points) {
+  std::string text = fmt::format("{:.2f}", points);
+  while (text.back() == '0') text.pop_back();
+  if (text.back() == '.') text.pop_back();
+  return text;
+}
+
+std::string origin_text(const CaseOrigin& origin) {
+  return origin.scene.empty() ? fmt::format("{}, random case {}", origin.source, origin.number)
+                              : "scene " + origin.scene;
+}
+
+std::string answer_text(const WrongAnswer& answer) {
+  if (answer.wrong == Wrong::kFailed || answer.wrong == Wrong::kRefused) return answer.part;
+  std::string text(info(answer.quantity).name);
+  if (has_place(answer.quantity)) text += ", " + place_text(answer.place);
+  if (!answer.part.empty()) text += ", " + answer.part;
+  if (answer.wrong != Wrong::kNot) return fmt::format("{}: {}", text, name(answer.wrong));
+  if (!answer.error) return text;
+  return fmt::format("{}: off by {} {}", text, error_text(answer.error),
+                     info(answer.quantity).unit);
+}
+
+std::string got_text(const WrongAnswer& answer) {
+  if (answer.quantity == Quantity::kRefusal) return "";
+  // Some sphere, of which a picture does not tell which it is.
+  const bool is_untold = answer.quantity == Quantity::kNearestSphere &&
+                         answer.wrong == Wrong::kFalseHit && answer.got.empty();
+  return is_untold ? "a sphere" : answer_text(answer.quantity, answer.symbol, answer.got);
+}
+
+std::string exact_text(const WrongAnswer& answer) {
+  if (answer.quantity == Quantity::kRefusal || !answer.exact) return "";
+  return answer_text(answer.quantity, answer.symbol, *answer.exact);
+}
+
+std::string reason_text(const ItemReason& reason) {
+  using Kind = ItemReason::Kind;
+  switch (reason.kind) {
+    case Kind::kNone:
+      return "";
+    case Kind::kNotInPictures:
+      return "a picture does not show it";
+    case Kind::kOfRenderers:
+      return "it is asked of renderers only";
+    case Kind::kNeeds:
+      if (reason.item.empty()) return "it needs other items";
+      return fmt::format("it needs '{}', which {}{}", reason.item,
+                         reason.state == ItemState::kFails ? "" : "is ", name(reason.state));
+    case Kind::kFollows:
+      return reason.item.empty() ? "from the mistake of another item"
+                                 : fmt::format("from the mistake of '{}'", reason.item);
+    case Kind::kTimeUp:
+      return fmt::format("time is up: a submission has {} s for all that it is asked",
+                         reason.seconds);
+    case Kind::kInterrupted:
+      return "interrupted";
+    case Kind::kOtherColours:
+      return "its colours do not tell which sphere is seen";
+    case Kind::kUnanswered:
+      return fmt::format("{}: {}", reason.law,
+                         reason.said.empty() ? "answers are missing" : reason.said);
+    case Kind::kNothingToCompare:
+      return "there was nothing to compare";
+    case Kind::kNeverRight:
+      return fmt::format("{}: no answer is right, all are excused", reason.quantity);
+    case Kind::kNothingRuns:
+      break;
+  }
+  return "nothing could be asked";
+}
+
+std::string mistake_text(const ItemGrade& grade, const ExplainingMistake& mistake) {
+  if (mistake.wrong == 0) return mistake.sentence;
+  return fmt::format("{}: {} of {} wrong {} are right that way", mistake.sentence,
+                     mistake.explained, mistake.wrong, grade.pictures ? "pixels" : "answers");
+}
+
+std::string mistake_text(const SubmissionGrade& grade) {
+  std::vector<std::pair<std::string_view, int>> counts;
+  for (const ItemGrade& item : grade.items) {
+    for (const ExplainingMistake& mistake : item.mistakes) {
+      const auto known = std::find_if(counts.begin(), counts.end(), [&](const auto& entry) {
+        return entry.first == mistake.sentence;
+      });
+      if (known == counts.end()) {
+        counts.emplace_back(mistake.sentence, 1);
+      } else {
+        ++known->second;
+      }
+    }
+  }
+  const auto most =
+      std::max_element(counts.begin(), counts.end(),
+                       [](const auto& a, const auto& b) { return a.second < b.second; });
+  return most == counts.end() ? "" : std::string(most->first);
+}
+
+std::string state_text(const ItemGrade& grade) {
+  if (grade.state == ItemState::kHolds) {
+    return fmt::format("holds over {}, {}", count_text(grade.cases, "case"),
+                       count_text(grade.comparisons, "comparison"));
+  }
+  const std::string reason = reason_text(grade.reason);
+  if (grade.state == ItemState::kFollows) {
+    return fmt::format("fails {} of {}, which follows {}", grade.cases - grade.held,
+                       count_text(grade.cases, "case"), reason);
+  }
+  if (grade.state != ItemState::kFails) return fmt::format("{}: {}", name(grade.state), reason);
+  const std::string text =
+      fmt::format("fails {} of {}", grade.cases - grade.held, count_text(grade.cases, "case"));
+  return reason.empty() ? text : fmt::format("{} ({})", text, reason);
+}
+
+std::string score_text(const SubmissionGrade& grade) {
+  return could_be_judged(grade) || grade.score > 0 ? points_text(grade.score) : "-";
+}
+
+std::string not_judged_text(const SubmissionGrade& grade) {
+  return "could not be judged: " + grade.refused->why;
+}
+
+std::string refusal_text(const Refusal& refused) {
+  return refused.said.empty() ? refused.why : refused.why + "\n" + refused.said;
+}
+
+std::string law_text(const FailingCase& failing) {
+  return std::string(properties::find_law(failing.law)->sentence);
+}
+
+std::string scene_text(const FailingCase& failing) {
+  return failing.the_case.pixels.empty() ? scene::write_toml(failing.the_case.scene)
+                                         : properties::scene_text(failing.the_case);
+}
+
+std::string driver_file_text(const FailingCase& failing, const DriverForm& form) {
+  const scene::Scene& shown = failing.the_case.scene;
+  return shown.camera ? driver_text(shown, form) : "";
+}
+
+std::string item_text(const StudentGrade& all, std::size_t k) {
+  const Item& item = *all.items[k];
+  const ItemGrade& grade = all.submission.items[k];
+  std::string text;
+  const auto line = [&](const std::string& before, const std::string& words) {
+    if (!words.empty()) text += before + words + "\n";
+  };
+  line("asked: ", item.asks);
+  line("why: ", item.why);
+  line("", state_text(grade));
+  for (const ExplainingMistake& one : grade.mistakes) line("mistake: ", mistake_text(grade, one));
+  if (grade.failing) {
+    line("the law: ", law_text(*grade.failing));
+    line("", answer_text(grade.failing->answer));
+    line("  got   ", got_text(grade.failing->answer));
+    line("  exact ", exact_text(grade.failing->answer));
+    line("", difference_text(*grade.failing));
+    line("goes wrong at: ", grade.failing->step.value_or(""));
+  }
+  if (grade.state == ItemState::kFails) line("hint: ", item.hint);
+  if (grade.failing) {
+    const std::string name = file_name(item.name);
+    text += fmt::format("the smallest failing case (from {}), a scene, {}.toml:\n",
+                        origin_text(grade.failing->origin), name);
+    text += scene_text(*grade.failing);
+    const std::string driver = driver_file_text(*grade.failing, all.submission.driver);
+    if (!driver.empty()) text += fmt::format("the same as a driver file, {}.txt:\n", name) + driver;
+    for (const HomeCommand& one : commands_for_case(all, k)) {
+      text += fmt::format("{}: {}\n", one.purpose, one.words);
+    }
+  }
+  return text;
+}
+
+std::string isolation_text(const LayersHere& isolation) {
+  std::string text = "isolated by: " + isolation.layers.text();
+  for (const auto& [name, why] : isolation.missing) {
+    text += fmt::format("; not by {}: {}", name, line_text(why));
+  }
+  if (!isolation.no_control_group.empty()) {
+    text += "; no control group: " + line_text(isolation.no_control_group);
+  }
+  return text;
+}
+
+std::string times_text(const GradingTimes& times) {
+  const std::string stored =
+      times.stored_builds > 0 ? fmt::format(", {} from the store", times.stored_builds) : "";
+  return fmt::format("built in {:.1f} s{}, judged in {:.1f} s", times.build_seconds, stored,
+                     times.judge_seconds);
+}
+
+}  // namespace raycheck::tools

@@ -1,0 +1,74 @@
+#ifndef RAYCHECK_TOOLS_GRADE_PAGES_WORDING_H_
+#define RAYCHECK_TOOLS_GRADE_PAGES_WORDING_H_
+
+// The words that several views have for the same results.
+
+#include <string>
+#include <vector>
+
+#include "tools/grade/results/class_grade.h"
+#include "tools/grade/results/redaction.h"
+#include "tools/grade/results/result.h"
+#include "tools/grade/rubric/rubric.h"
+
+namespace raycheck::tools {
+
+/// At most two decimals, none that say nothing: "7", "2.5".
+std::string points_text(double points);
+
+/// "scene frame.toml", "course, random case 7"
+std::string origin_text(const CaseOrigin& origin);
+
+/// "class, pixel (3, 4), sphere 0: missed"
+std::string answer_text(const WrongAnswer& answer);
+/// The numbers, or "miss"; empty: none, or withheld.
+std::string got_text(const WrongAnswer& answer);
+std::string exact_text(const WrongAnswer& answer);
+
+/// Empty where there is none.
+std::string reason_text(const ItemReason& reason);
+
+/// "the far root is taken for the near one: 12 of 12 wrong answers are right that way"
+std::string mistake_text(const ItemGrade& grade, const ExplainingMistake& mistake);
+
+/// The mistake that explains most items; empty where none is known.
+std::string mistake_text(const SubmissionGrade& grade);
+
+/// "holds over 40 cases", "fails 3 of 40 cases", "left out: it needs ..."
+std::string state_text(const ItemGrade& grade);
+
+/// What a submission has; "-" of one that could not be judged and for which the rubric gives no
+/// points.
+std::string score_text(const SubmissionGrade& grade);
+
+/// "could not be judged: 'make' exited with 2". Domain: a submission that could not.
+std::string not_judged_text(const SubmissionGrade& grade);
+
+/// Why nothing could be run, and what the compiler said.
+std::string refusal_text(const Refusal& refused);
+
+/// The sentence of a failing case's law.
+std::string law_text(const FailingCase& failing);
+/// The case as a TOML scene; as a driver file, empty where it has no camera.
+std::string scene_text(const FailingCase& failing);
+std::string driver_file_text(const FailingCase& failing, const DriverForm& form);
+
+/// "built in 3.2 s, 4 from the store, judged in 0.5 s"
+std::string times_text(const GradingTimes& times);
+
+/// What isolated submissions: "isolated by: seccomp, bubblewrap", and what did not work here, and
+/// why.
+std::string isolation_text(const LayersHere& isolation);
+
+/// A name without what a terminal would obey.
+std::string line_text(const std::string& name);
+
+/// A line an item, and the mistake, for who looks at one submission; `items` are those of it.
+std::string submission_text(const std::vector<const Item*>& items, const SubmissionGrade& grade);
+
+/// What was asked in item k and became of it, as lines.
+std::string item_text(const StudentGrade& all, std::size_t k);
+
+}  // namespace raycheck::tools
+
+#endif  // RAYCHECK_TOOLS_GRADE_PAGES_WORDING_H_

@@ -1,0 +1,184 @@
+#ifndef RAYCHECK_TOOLS_GRADE_RESULTS_RESULT_H_
+#define RAYCHECK_TOOLS_GRADE_RESULTS_RESULT_H_
+
+// What grading finds out, as data; views (views.h) make words of it.
+
+#include <array>
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "properties/candidate.h"
+#include "properties/truth.h"
+#include "properties/verdict.h"
+#include "tools/external/candidate_spec.h"
+#include "tools/external/pictures/driver_form.h"
+#include "tools/external/sandbox/process.h"
+
+namespace raycheck::tools {
+
+/// Where a case comes from: a scene of the rubric, or a source of random cases.
+struct CaseOrigin {
+  std::string scene = {};    ///< As the rubric calls it; empty: a random case.
+  std::string source = {};   ///< "course", "distance@3"
+  std::uint64_t number = 0;  ///< Of a random case, from 1.
+};
+
+/// An answer that breaks a law.
+struct WrongAnswer {
+  properties::Quantity quantity = properties::Quantity::kFrame;
+  properties::Place place;
+  std::string part;  ///< "U", "scaled by 2^40"; of a failure what the candidate said.
+  properties::Wrong wrong = properties::Wrong::kNot;
+  std::string symbol;                        ///< Of the numbers: "s", "Q"; or empty.
+  std::vector<double> got;                   ///< Empty: a miss, or no number.
+  std::optional<std::vector<double>> exact;  ///< As for got; absent: withheld.
+  /// In the quantity's unit, of a number that is off; absent: withheld, or right or wrong.
+  std::optional<double> error;
+  std::optional<double> condition;  ///< The condition number, where it was worked out.
+};
+
+/// A picture and what it is to show, pixel by pixel, in the order of the case's conventions; of an
+/// item that judges masks kSomeSphere stands for every sphere.
+struct ComparedPictures {
+  properties::ImageAnswer got;
+  std::optional<properties::ImageAnswer> exact;  ///< Absent: withheld.
+};
+
+/// The smallest case found that an item fails on.
+struct FailingCase {
+  std::string law;  ///< Its name.
+  CaseOrigin origin;
+  std::optional<std::string> step;  ///< The first step that goes wrong: "direction".
+  WrongAnswer answer;
+  properties::Case the_case;  ///< No pixels: of a picture, all of them.
+  /// Of a program that drew a picture of the case; as many pixels as its camera has.
+  std::optional<ComparedPictures> pictures = {};
+};
+
+/// The first wrong answer, before the case was made smaller: the same for submissions that go wrong
+/// alike.
+struct FirstWrongAnswer {
+  CaseOrigin origin;
+  WrongAnswer answer;
+};
+
+/// A mistake that makes right so many of an item's wrong answers, or pixels; of no answers, or no
+/// pictures of the right size, none are counted.
+struct ExplainingMistake {
+  std::string sentence;
+  std::uint64_t wrong = 0, explained = 0;
+};
+
+/// What became of an item.
+enum class ItemState {
+  kHolds,
+  kFails,
+  kFollows,   ///< It fails by a mistake alone that costs another item its points.
+  kLeftOut,   ///< A prerequisite failed.
+  kNotAsked,  ///< Not of this form of submission.
+  kNotJudged  ///< Time was up, or it was interrupted.
+};
+inline constexpr std::array<std::string_view, 6> kItemStateNames = {
+    "holds", "fails", "follows", "left out", "not asked", "not judged"};
+constexpr std::string_view name(ItemState state) {
+  return kItemStateNames[static_cast<std::size_t>(state)];
+}
+
+/// Why an item is left out, not asked, not judged, or fails without a case.
+struct ItemReason {
+  enum class Kind {
+    kNone,
+    kNotInPictures,     ///< A picture does not show it.
+    kOfRenderers,       ///< It is asked of renderers only.
+    kNeeds,             ///< Another item, which has not all points.
+    kFollows,           ///< From the mistake of another item.
+    kTimeUp,            ///< For all that the submission is asked.
+    kInterrupted,       ///< The run was.
+    kOtherColours,      ///< A picture's colours do not tell which sphere is seen.
+    kUnanswered,        ///< Less is answered than a law asks.
+    kNothingToCompare,  ///< There were no cases.
+    kNeverRight,        ///< Every answer about some quantity has an excuse, and none is right.
+    kNothingRuns        ///< Nothing of the submission could be run.
+  };
+  Kind kind = Kind::kNone;
+  std::string item = {};                ///< The one that it needs; empty: withheld.
+  ItemState state = ItemState::kFails;  ///< What became of that.
+  double seconds = 0;                   ///< That it had.
+  std::string law = {}, said = {};      ///< Which law was not answered, and why.
+  std::string quantity = {};            ///< Of which no answer was right.
+};
+inline constexpr std::array<std::string_view, 12> kReasonNames = {
+    "",           "not in pictures",    "of renderers", "needs",
+    "follows",    "time is up",         "interrupted",  "other colours",
+    "unanswered", "nothing to compare", "never right",  "nothing runs"};
+
+struct ItemGrade {
+  std::string name;
+  ItemState state = ItemState::kNotJudged;
+  ItemReason reason;
+  double points = 0;  ///< To be had; 0 where it is not asked.
+  double score = 0;
+  bool bonus = false;
+  bool pictures = false;    ///< It was asked for pictures, otherwise for functions.
+  std::uint64_t cases = 0;  ///< Of which something was asked.
+  std::uint64_t held = 0;
+  std::uint64_t comparisons = 0;
+  std::vector<ExplainingMistake> mistakes;
+  std::optional<FailingCase> failing;
+  std::optional<FirstWrongAnswer> first_wrong;
+};
+
+/// Why nothing of a submission could be run.
+struct Refusal {
+  std::string why;   ///< One line.
+  std::string said;  ///< What a compiler said of it, or empty.
+};
+
+/// A file of a submission that cannot be seen through by reading it.
+struct OpaqueFile {
+  std::string name;
+  std::string kind;  ///< "picture"
+  std::uintmax_t bytes = 0;
+};
+
+/// What a grade depends on besides its seed and how the submission was isolated: digests, to tell
+/// what has changed since.
+struct GradeInputs {
+  std::string raycheck;                      ///< Its version, and that of records.
+  std::string submission;                    ///< Its files.
+  std::string rubric;                        ///< What it says beside its items.
+  std::map<std::string, std::string> items;  ///< By name: what each asks, with its scenes.
+};
+
+struct SubmissionGrade {
+  std::string name;
+  std::string key;  ///< Of all that the grade depends on.
+  GradeInputs inputs;
+  std::optional<CandidateSpec> program;  ///< As it was run; absent where none was found.
+  DriverForm driver = {};                ///< Of a renderer: how its driver files are written.
+  /// What the dry run found out, and what is worth knowing of how it was built, a sentence each.
+  std::vector<std::string> notes = {};
+  std::vector<OpaqueFile> opaque_files = {};  ///< For instructors to look at.
+  Layers isolation;
+  std::optional<Refusal> refused;
+  /// To make it run, and to ask it all that the rubric asks.
+  double build_seconds = 0, judge_seconds = 0;
+  bool build_is_stored =
+      false;  ///< What was built by an earlier run, or of equal files, was taken.
+  std::uint64_t seed = 0;
+  bool finished = false;
+  double points = 0;  ///< Of items that are asked, bonus aside.
+  double score = 0;
+  std::vector<ItemGrade> items;
+};
+
+/// Otherwise its points say nothing: nothing of it ran.
+inline bool could_be_judged(const SubmissionGrade& grade) { return !grade.refused; }
+
+}  // namespace raycheck::tools
+
+#endif  // RAYCHECK_TOOLS_GRADE_RESULTS_RESULT_H_

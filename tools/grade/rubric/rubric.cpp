@@ -1,0 +1,403 @@
+#include "tools/grade/rubric/rubric.h"
+
+#include <algorithm>
+#include <cctype>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <set>
+#include <sstream>
+
+#include "scene/files/file_text.h"
+#include "scene/files/toml_fields.h"
+#include "tools/grade/rubric/digest.h"
+#include "tools/grade/rubric/shipped.h"
+#include "tools/grade/rubric/variations.h"
+
+namespace raycheck::tools {
+namespace {
+
+namespace fs = std::filesystem;
+using scene::TomlFields;
+using Field = TomlFields::Field;
+using Table = TomlFields::Table;
+
+constexpr std::array<std::string_view, 2> kJudgeNames = {"spheres", "mask"};
+constexpr std::array<std::string_view, 2> kRaysNames = {"own", "given"};
+constexpr double kMostSeconds = 86400;
+constexpr double kLargest = std::numeric_limits<double>::max();
+constexpr std::int64_t kMostCases = 1000000;
+constexpr std::int64_t kMostOfLimit = std::int64_t{1} << 20;
+/// File systems take 255 bytes at most.
+constexpr std::size_t kLongestName = 80;
+
+/// Without comments, and with its keys in one order.
+std::string toml_text(const toml::table& table) {
+  std::ostringstream text;
+  text << table;
+  return text.str();
+}
+
+class RubricReader {
+ public:
+  explicit RubricReader(const fs::path& path) : path_(path), fields_(path.string()) {}
+
+  Rubric read() {
+    const std::string text = scene::file_text(path_);
+    const toml::table root = scene::parse_toml(text, path_.string());
+    const Table file{root, "rubric", "", 1};
+    fields_.require_known(file, {"title", "seconds", "reply_seconds", "build_seconds", "driver",
+                                 "precision", "image_change", "t_threshold", "bounds", "limits",
+                                 "conventions", "tolerance", "form", "item", "unjudged"});
+    Rubric rubric;
+    rubric.path = path_.string();
+    rubric.title = given_text(file, "title", path_.stem().string());
+    set_positive(file, "seconds", rubric.seconds, kMostSeconds);
+    set_positive(file, "reply_seconds", rubric.reply_seconds, kMostSeconds);
+    set_positive(file, "build_seconds", rubric.build_seconds, kMostSeconds);
+    if (const auto field = fields_.optional(file, "driver")) {
+      rubric.driver = read_driver(fields_, fields_.table(*field));
+    }
+    if (const auto field = fields_.optional(file, "limits")) {
+      read_limits(fields_.table(*field), rubric);
+    }
+    fields_.choose(file, "precision", kPrecisionNames, rubric.precision);
+    tolerance_.unit = unit_ = unit_roundoff(rubric.precision);
+    if (rubric.precision == Precision::kSingle) rubric.image_change = kExcusedSingleImageChange;
+    set_not_negative(file, "image_change", rubric.image_change);
+    set_not_negative(file, "t_threshold", rubric.t_threshold);
+    if (const auto field = fields_.optional(file, "unjudged")) {
+      rubric.unjudged = number_between(*field, 0, 1, "must be between 0 and 1");
+    }
+    if (const auto field = fields_.optional(file, "bounds")) {
+      try {
+        rubric.bounds = find_pair(fields_.text(*field));
+      } catch (const std::invalid_argument& error) {
+        fields_.fail(*field, error.what());
+      }
+    }
+    if (const auto field = fields_.optional(file, "conventions")) {
+      scene::read_conventions(fields_, fields_.table(*field), rubric.conventions);
+    }
+    if (const auto field = fields_.optional(file, "tolerance")) tolerance_ = tolerance(*field);
+    for (const Table& each : fields_.tables(file, "form")) rubric.forms.push_back(form(each));
+    for (const Table& each : fields_.tables(file, "item")) rubric.items.push_back(item(each));
+    if (rubric.items.empty()) fields_.fail(fields_.required(file, "item"), "has no items");
+    rubric.scene_files = scene_files_;
+    std::vector<std::string> digested = {text};
+    for (const auto& [name, path] : rubric.scene_files) {
+      digested.push_back(name);
+      digested.push_back(scene::file_text(path));
+    }
+    rubric.digest = digest(digested);
+    toml::table beside_items = root;
+    beside_items.erase("item");
+    rubric.digest_beside_items = digest({toml_text(beside_items)});
+    return rubric;
+  }
+
+ private:
+  std::string given_text(const Table& from, std::string_view key, std::string otherwise) const {
+    const auto field = fields_.optional(from, key);
+    return field ? fields_.text(*field) : std::move(otherwise);
+  }
+  double number_between(const Field& field, double least, double most,
+                        std::string_view what) const {
+    const double value = fields_.number(field);
+    if (!(value >= least && value <= most)) fields_.fail(field, what);
+    return value;
+  }
+  void set_positive(const Table& from, std::string_view key, double& value, double most) const {
+    if (const auto field = fields_.optional(from, key)) {
+      value = number_between(*field, 0, most, "must be above 0, and at most a day");
+      if (value == 0) fields_.fail(*field, "must be above 0");
+    }
+  }
+  void set_not_negative(const Table& from, std::string_view key, double& value) const {
+    if (const auto field = fields_.optional(from, key)) {
+      value = number_between(*field, 0, kLargest, "must be 0 or more, and finite");
+    }
+  }
+
+  Tolerance tolerance(const Field& field) {
+    const Table from = fields_.table(field);
+    fields_.require_known(from, {"ulp", "conditioning"});
+    Tolerance result;
+    result.unit = unit_;
+    const auto set = [&](std::string_view key, std::optional<double>& value) {
+      if (const auto given = fields_.optional(from, key)) {
+        value = number_between(*given, 0, kLargest, "must be 0 or more, and finite");
+      }
+    };
+    set("ulp", result.ulp);
+    set("conditioning", result.conditioning);
+    if (result.ulp && result.conditioning) {
+      fields_.fail(field, "has both ulp and conditioning; give one");
+    }
+    for (const char* const key : {"ulp", "conditioning"}) {
+      const auto given = fields_.optional(from, key);
+      if (given && fields_.number(*given) * result.unit >= 1) {
+        fields_.fail(*given, "allows every answer: it counts in units of the rubric's precision");
+      }
+    }
+    return result;
+  }
+
+  Form form(const Table& from) {
+    fields_.require_known(from, {"has", "build", "candidate"});
+    const Field candidate = fields_.required(from, "candidate");
+    Form result{fields_.text(fields_.required(from, "has")), given_text(from, "build", ""),
+                program(candidate)};
+    if (result.has.find('/') != std::string::npos) {
+      fields_.fail(fields_.required(from, "has"), "names a file of the submission's own folder");
+    }
+    const bool has_program = result.program.what.find("{program}") != std::string::npos;
+    if (has_program && !result.builds_as_it_comes()) {
+      fields_.fail(candidate, "{program} is what build = \"auto\" makes");
+    }
+    if (result.builds_as_it_comes() && !(has_program && result.program.is_words())) {
+      fields_.fail(candidate,
+                   "build = \"auto\" needs {program} in the words of a renderer: or command:");
+    }
+    return result;
+  }
+
+  void read_limits(const Table& from, Rubric& rubric) {
+    SubmissionLimits& limits = rubric.limits;
+    const std::array<std::pair<std::string_view, std::uint64_t*>, 6> whole = {
+        {{"submission_mib", &limits.submission_mib},
+         {"files", &limits.files},
+         {"file_mib", &limits.file_mib},
+         {"disk_mib", &limits.disk_mib},
+         {"memory_mib", &limits.memory_mib},
+         {"processes", &limits.processes}}};
+    fields_.require_known(from, {"seconds", "reply_seconds", "build_seconds", "submission_mib",
+                                 "files", "file_mib", "disk_mib", "memory_mib", "processes"});
+    set_positive(from, "seconds", rubric.seconds, kMostSeconds);
+    set_positive(from, "reply_seconds", rubric.reply_seconds, kMostSeconds);
+    set_positive(from, "build_seconds", rubric.build_seconds, kMostSeconds);
+    for (const auto& [key, value] : whole) {
+      const auto field = fields_.optional(from, key);
+      if (!field) continue;
+      const std::int64_t given = fields_.integer(*field, "a whole number");
+      if (given < 1 || given > kMostOfLimit) fields_.fail(*field, "must be 1 to 1048576");
+      *value = static_cast<std::uint64_t>(given);
+    }
+  }
+
+  CandidateSpec program(const Field& field) const {
+    try {
+      return parse_candidate(fields_.text(field));
+    } catch (const CandidateError& error) {
+      fields_.fail(field, error.why());
+    }
+  }
+
+  void read_steps(const Table& from, Item& item) {
+    const auto field = fields_.optional(from, "steps");
+    if (item.credit == Credit::kSteps && !field) {
+      fields_.located().fail(from.line, from.prefix + "steps",
+                             "is missing: [[share, credit], ...]");
+    }
+    if (!field) return;
+    if (item.credit != Credit::kSteps) fields_.fail(*field, "goes with credit = \"steps\"");
+    for (const Field& step : fields_.list(*field)) {
+      const auto pair = fields_.list(step);
+      if (pair.size() != 2) fields_.fail(step, "must be [share, credit]");
+      constexpr std::string_view kShare = "must be between 0 and 1";
+      item.steps.push_back(
+          {number_between(pair[0], 0, 1, kShare), number_between(pair[1], 0, 1, kShare)});
+    }
+  }
+
+  Item item(const Table& from) {
+    fields_.require_known(
+        from, {"name", "asks", "why", "hint", "points", "bonus", "credit", "steps", "requires",
+               "tolerance", "visibility", "detail", "functions", "pictures"});
+    Item result;
+    const Field name = fields_.required(from, "name");
+    result.name = fields_.text(name);
+    if (result.name.empty()) fields_.fail(name, "is empty");
+    if (names_.contains(result.name)) fields_.fail(name, "is the name of an item before it");
+    result.asks = given_text(from, "asks", "");
+    result.why = given_text(from, "why", "");
+    result.hint = given_text(from, "hint", "");
+    result.points = number_between(fields_.required(from, "points"), 0, 1e9, "must be 0 to 10^9");
+    if (const auto field = fields_.optional(from, "bonus")) result.bonus = fields_.flag(*field);
+    fields_.choose(from, "credit", kCreditNames, result.credit);
+    read_steps(from, result);
+    if (const auto field = fields_.optional(from, "requires")) {
+      for (const Field& needed : fields_.list(*field)) {
+        result.needs.push_back(fields_.text(needed));
+        if (!names_.contains(result.needs.back())) {
+          fields_.fail(needed, "is no item before this one");
+        }
+      }
+    }
+    if (!file_names_.insert(file_name(result.name)).second) {
+      fields_.fail(name, "has the letters and digits of an item before it, and so its files");
+    }
+    names_.insert(result.name);
+    const auto tolerance_given = fields_.optional(from, "tolerance");
+    result.tolerance = tolerance_given ? tolerance(*tolerance_given) : tolerance_;
+    fields_.choose(from, "visibility", kVisibilityNames, result.visibility);
+    fields_.choose(from, "detail", kDetailNames, result.detail);
+    if (const auto field = fields_.optional(from, "functions")) {
+      result.functions = task(*field, false);
+    }
+    if (const auto field = fields_.optional(from, "pictures")) {
+      result.pictures = task(*field, true);
+    }
+    if (!result.functions && !result.pictures) {
+      fields_.located().fail(from.line, from.prefix + "functions",
+                             "is missing, and so is pictures: the item asks nothing");
+    }
+    result.digest = digest_of(from, result);
+    return result;
+  }
+
+  std::string digest_of(const Table& from, const Item& item) const {
+    std::vector<std::string> texts = {toml_text(from.keys)};
+    for (const auto* task : {&item.functions, &item.pictures}) {
+      if (!*task) continue;
+      for (const RubricScene& scene : (*task)->scenes) {
+        texts.push_back(scene::file_text(scene_files_.at(scene.name)));
+      }
+    }
+    return digest(texts);
+  }
+
+  ItemTask task(const Field& field, bool pictures) {
+    const Table from = fields_.table(field);
+    if (pictures) {
+      fields_.require_known(from, {"judge", "image_change", "vary", "scenes", "sources", "cases"});
+    } else {
+      fields_.require_known(from, {"laws", "scenes", "sources", "cases", "rays"});
+    }
+    ItemTask result;
+    if (pictures) {
+      result.laws = properties::laws_that(
+          [](const properties::Law& law) { return law.per == properties::Per::kImage; });
+      fields_.choose(from, "judge", kJudgeNames, result.masks_only);
+      if (const auto change = fields_.optional(from, "image_change")) {
+        result.image_change = number_between(*change, 0, 1, "must be between 0 and 1");
+      }
+      if (const auto vary = fields_.optional(from, "vary")) {
+        result.vary = read_variations(fields_, *vary);
+      }
+    } else {
+      const Field laws = fields_.required(from, "laws");
+      for (const Field& name : fields_.list(laws)) {
+        result.laws.push_back(properties::find_law(fields_.text(name)));
+        if (result.laws.back() == nullptr) {
+          fields_.fail(name, "is no law; `raycheck list` shows the laws");
+        }
+      }
+      if (result.laws.empty()) fields_.fail(laws, "names no law");
+      bool given = false;
+      fields_.choose(from, "rays", kRaysNames, given);
+      result.given_rays = given;
+    }
+    if (const auto scenes = fields_.optional(from, "scenes")) {
+      for (const Field& name : fields_.list(*scenes))
+        result.scenes.push_back(scene_of(name, pictures));
+    }
+    read_sources(from, pictures, result);
+    if (result.scenes.empty() && result.sources.empty()) {
+      fields_.fail(field, "names neither scenes nor sources");
+    }
+    return result;
+  }
+
+  void read_sources(const Table& from, bool pictures, ItemTask& result) {
+    if (const auto sources = fields_.optional(from, "sources")) {
+      for (const Field& name : fields_.list(*sources)) {
+        try {
+          result.sources.push_back(properties::chosen_source(fields_.text(name)));
+        } catch (const std::invalid_argument& error) {
+          fields_.fail(name, std::string(error.what()) + "; `raycheck list` shows the sources");
+        }
+        if (pictures && !result.sources.back().source->has_camera) {
+          fields_.fail(name, "has no cameras to make pictures with");
+        }
+      }
+    }
+    const auto cases = fields_.optional(from, "cases");
+    if (!result.sources.empty() && !cases) fields_.required(from, "cases");
+    if (!cases) return;
+    const std::int64_t count = fields_.integer(*cases, "a whole number of cases");
+    if (count < 1 || count > kMostCases) fields_.fail(*cases, "must be 1 to 1000000");
+    if (result.sources.empty()) fields_.fail(*cases, "goes with sources");
+    result.cases = static_cast<int>(count);
+  }
+
+  RubricScene scene_of(const Field& field, bool pictures) {
+    const std::string name = fields_.text(field);
+    if (fs::path(name).is_absolute() || name.find("..") != std::string::npos) {
+      fields_.fail(field, "must be a path below the rubric's folder");
+    }
+    const fs::path path = path_of_scene(field, name);
+    const scene::Scene scene = [&] {
+      try {
+        return scene::load_scene(path).scene;
+      } catch (const scene::SceneFileError& error) {
+        fields_.fail(field, error.what());
+      }
+    }();
+    if (pictures && !scene.camera) fields_.fail(field, "has no camera to make a picture with");
+    if (pictures && scene.camera->width > kMostGradedPixels / scene.camera->height) {
+      fields_.fail(field, "has more than 65536 pixels");
+    }
+    scene_files_[name] = path;
+    return {name, scene};
+  }
+
+  /// Beside the rubric, or among the scenes that come with raycheck.
+  fs::path path_of_scene(const Field& field, const std::string& name) const {
+    fs::path beside = path_.parent_path() / name;
+    if (fs::exists(beside)) return beside;
+    if (const auto shipped = shipped_scene(name)) return *shipped;
+    fields_.fail(field, "is neither beside the rubric nor a scene that comes with raycheck");
+  }
+
+  fs::path path_;
+  TomlFields fields_;
+  Tolerance tolerance_;
+  double unit_ = properties::kDoubleRoundoff;  ///< Of every tolerance.
+  std::set<std::string> names_;
+  std::set<std::string> file_names_;
+  std::map<std::string, fs::path> scene_files_;
+};
+
+}  // namespace
+
+std::string file_name(std::string_view item) {
+  std::string name;
+  for (const char c : item) {
+    const bool is_plain = std::isalnum(static_cast<unsigned char>(c)) != 0;
+    if (is_plain) {
+      name += static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+    } else if (!name.empty() && name.back() != '-') {
+      name += '-';
+    }
+  }
+  name.resize(std::min(name.size(), kLongestName));
+  while (!name.empty() && name.back() == '-') name.pop_back();
+  return name.empty() ? "item" : name;
+}
+
+Rubric load_rubric(const fs::path& path, const std::string& dialect) {
+  Rubric rubric =
+      RubricReader(fs::exists(path) ? path : shipped_rubric(path).value_or(path)).read();
+  if (dialect.empty()) return rubric;
+  try {
+    rubric.driver = driver_rule(dialect);
+  } catch (const std::invalid_argument& error) {
+    throw std::invalid_argument("dialect " + dialect + ": " + error.what());
+  }
+  rubric.dialect = dialect;
+  rubric.digest = digest({rubric.digest, dialect});
+  return rubric;
+}
+
+}  // namespace raycheck::tools

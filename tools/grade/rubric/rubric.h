@@ -1,0 +1,180 @@
+#ifndef RAYCHECK_TOOLS_GRADE_RUBRIC_RUBRIC_H_
+#define RAYCHECK_TOOLS_GRADE_RUBRIC_RUBRIC_H_
+
+#include <array>
+#include <cstdint>
+#include <filesystem>
+#include <map>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "properties/cases/case_source.h"
+#include "properties/cases/varied_scene.h"
+#include "properties/laws/law.h"
+#include "scene/files/scene_file.h"
+#include "tools/external/candidate_spec.h"
+#include "tools/grade/rubric/driver_table.h"
+#include "tools/methods/methods.h"
+
+namespace raycheck::tools {
+
+/// How an item's points follow from its cases.
+enum class Credit {
+  kAll,    ///< All points where every case holds, else none.
+  kShare,  ///< The share of the cases that hold.
+  kSteps   ///< The credit of the highest step that this share reaches.
+};
+inline constexpr std::array<std::string_view, 3> kCreditNames = {"all", "share", "steps"};
+
+/// From this share of the cases on, this share of the points.
+struct CreditStep {
+  double share = 0;
+  double credit = 0;
+};
+
+/// When students see an item, in the words of Gradescope.
+enum class Visibility { kVisible, kAfterDueDate, kAfterPublished, kHidden };
+inline constexpr std::array<std::string_view, 4> kVisibilityNames = {"visible", "after_due_date",
+                                                                     "after_published", "hidden"};
+
+/// What students see of a failing case: all, their own answer but not the right one, or nothing.
+enum class Detail { kFull, kActualOnly, kNothing };
+inline constexpr std::array<std::string_view, 3> kDetailNames = {"full", "actual-only", "nothing"};
+
+/// In which arithmetic submissions may compute and keep what they computed.
+enum class Precision { kDouble, kSingle };
+inline constexpr std::array<std::string_view, 2> kPrecisionNames = {"double", "single"};
+
+/// The unit roundoff of `float`s.
+inline constexpr double kSingleRoundoff = 0x1p-24;
+constexpr double unit_roundoff(Precision precision) {
+  return precision == Precision::kSingle ? kSingleRoundoff : properties::kDoubleRoundoff;
+}
+
+/// Relative changes of a scene that may show in a picture that `float`s made: their roundings, in
+/// scenes of a condition number of some thousand.
+inline constexpr double kExcusedSingleImageChange = 1e-4;
+
+/// Products of four lengths, as |T x D|^2 is, stay among the normal `float`s where lengths are
+/// between these: beyond, code in `float`s is not judged.
+inline constexpr double kSmallestSingleLength = 0x1p-30;
+inline constexpr double kLargestSingleLength = 0x1p30;
+
+/// What errors are allowed; neither given: those of the rubric's `bounds`, in the same units.
+struct Tolerance {
+  /// What they count in, as a share of a value: u of the rubric's precision.
+  double unit = properties::kDoubleRoundoff;
+  /// Errors up to so many units (ulp, u), and classes that a relative change of the inputs by as
+  /// many u may flip.
+  std::optional<double> ulp;
+  /// Errors up to so many times the condition number, at least 16, in units; and classes likewise
+  /// that 16 times as many u may flip.
+  std::optional<double> conditioning;
+
+  /// `ulp` in those of doubles.
+  std::optional<double> max_error() const {
+    return ulp ? std::optional(*ulp * (unit / properties::kDoubleRoundoff)) : std::nullopt;
+  }
+};
+
+/// A scene file that an item asks about.
+struct RubricScene {
+  std::string name;  ///< As the rubric calls it.
+  scene::Scene scene;
+};
+
+/// Pictures have at most so many pixels.
+inline constexpr std::int64_t kMostGradedPixels = std::int64_t{1} << 16;
+/// Functions are asked about at most so many rays of a scene, spread evenly.
+inline constexpr std::uint64_t kMostGradedRays = 512;
+
+/// What an item asks: the laws, and the cases that each is tried on.
+struct ItemTask {
+  std::vector<const properties::Law*> laws;
+  std::vector<RubricScene> scenes;  ///< Every pixel or given ray.
+  std::vector<properties::ChosenSource> sources;
+  int cases = 0;                       ///< So many random ones, from the sources in turn.
+  bool masks_only = false;             ///< Of pictures: whether a pixel shows a sphere, not which.
+  std::optional<double> image_change;  ///< Of pictures, in place of the rubric's.
+  /// Of pictures, in what the scenes differ from seed to seed.
+  std::vector<properties::Variation> vary = {properties::Variation::kScale,
+                                             properties::Variation::kSize};
+  bool given_rays = false;  ///< Cameras' rays are raycheck's, not the submission's.
+};
+
+struct Item {
+  std::string name;
+  std::string digest;  ///< Of its table and of the scenes that it names.
+  std::string asks;    ///< What is asked, for students.
+  std::string why;     ///< Why it is: what goes wrong where it fails.
+  std::string hint;
+  double points = 0;
+  bool bonus = false;  ///< Its points come on top.
+  Credit credit = Credit::kAll;
+  std::vector<CreditStep> steps;
+  std::vector<std::string> needs;  ///< Items that come before it and must have all points.
+  Tolerance tolerance;
+  Visibility visibility = Visibility::kVisible;
+  Detail detail = Detail::kFull;
+  std::optional<ItemTask> functions;  ///< Of libraries and programs; empty: not asked of them.
+  std::optional<ItemTask> pictures;   ///< Of renderers.
+};
+
+/// A name of letters, digits and hyphens for the files of an item.
+std::string file_name(std::string_view item);
+
+/// A form of submission: a folder in which a file of that name lies.
+struct Form {
+  std::string has;  ///< A name with * and ?.
+  /// Shell words, run in a copy of the folder; "auto": as it comes; empty: nothing to build.
+  std::string build;
+  CandidateSpec program;  ///< {file} is the file found, {program} what starts what was built.
+
+  bool builds_as_it_comes() const { return build == "auto"; }
+};
+
+/// How much a submission may have and use, beside its times.
+struct SubmissionLimits {
+  std::uint64_t submission_mib = 64;
+  std::uint64_t files = 10000;      ///< Of a submission.
+  std::uint64_t file_mib = 64;      ///< The largest file that its program writes.
+  std::uint64_t disk_mib = 1024;    ///< All files that its program has at a time.
+  std::uint64_t memory_mib = 4096;  ///< Of its program and all that this starts.
+  std::uint64_t processes = 64;     ///< And threads.
+};
+
+struct Rubric {
+  std::string path;
+  std::string title;
+  std::string digest;                           ///< Of the file and of the scenes that it names.
+  std::string digest_beside_items;              ///< Of its table without items.
+  properties::DeclaredConventions conventions;  ///< Whatever a submission declares.
+  double seconds = 120;      ///< That a submission takes for all that it is asked.
+  double reply_seconds = 5;  ///< For one reply, or one picture.
+  double build_seconds = 60;
+  SubmissionLimits limits;
+  DriverRule driver;
+  std::string dialect;  ///< What `driver` is where that is not the file's own; else empty.
+  double unjudged = 0;  ///< The share of its points that a submission has that cannot be judged.
+  Precision precision = Precision::kDouble;
+  double image_change = properties::kExcusedImageChange;
+  double t_threshold = 0;
+  MethodPair bounds = kDefaultMethods;  ///< Whose documented bounds submissions are held to.
+  std::vector<Form> forms;
+  std::vector<Item> items;
+  /// The files besides its own that it names: where they lie, by the names it uses.
+  std::map<std::string, std::filesystem::path> scene_files;
+};
+
+/// Reads a rubric and the scenes that it names, beside it or among those that come with raycheck;
+/// where there is no file of that path, the rubric of that name that comes with raycheck.
+/// `dialect`: in place of its [driver], as driver_rule() takes it; empty: none.
+/// Errors: scene::SceneFileError naming file, line, field and value; std::invalid_argument naming
+/// the dialect.
+Rubric load_rubric(const std::filesystem::path& path, const std::string& dialect = "");
+
+}  // namespace raycheck::tools
+
+#endif  // RAYCHECK_TOOLS_GRADE_RUBRIC_RUBRIC_H_

@@ -1,0 +1,153 @@
+#include "tools/grade/self_test.h"
+
+#include <fmt/core.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <fstream>
+#include <iterator>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "tools/external/locate.h"
+#include "tools/grade/intake/submission.h"
+#include "tools/grade/rubric/digest.h"
+#include "tools/grade/store/toolchain.h"
+
+namespace raycheck::tools {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Of the environment, not of how quick it is.
+constexpr double kLeastSeconds = 10;
+constexpr const char* kNote = "self-test";
+/// What a source is compiled by.
+constexpr const char* kCompiler = "/usr/bin/g++";
+
+// Right about what is asked below, which is all that is asked.
+constexpr const char* kSource = R"(#include <raycheck/candidate.h>
+static raycheck_hit intersect(const raycheck_ray*, const raycheck_sphere* sphere,
+                              const raycheck_conventions*) {
+  const double s = sphere->centre.z - sphere->radius;
+  return {1, s, {0, 0, s}};
+}
+const raycheck_candidate* raycheck_candidate_functions() {
+  static raycheck_candidate own = {};
+  own.version = RAYCHECK_CANDIDATE_VERSION;
+  own.intersect = intersect;
+  return &own;
+}
+)";
+constexpr const char* kCommand = R"(#!/bin/sh
+read -r greeting
+printf 'raycheck 1 own\nfunction intersect\nready\n'
+while read -r word id rest; do
+  case $word in
+    request) asked=$id ;;
+    end) printf 'reply %s\n0 0 4 0 0 4\nend %s\n' "$asked" "$asked" ;;
+  esac
+done
+)";
+constexpr const char* kRenderer = R"(#!/bin/sh
+cat "$1" > /dev/null && printf 'P3\n2 1\n255\n255 0 0\n0 0 0\n' > "$2"
+)";
+
+struct OwnSubmission {
+  CandidateKind kind;
+  const char *file, *text;
+  const char* what;   ///< Behind its kind, as a rubric's form would have it.
+  const char* words;  ///< What errors call it.
+};
+constexpr OwnSubmission kOwn[] = {
+    {CandidateKind::kSource, "own.cpp", kSource, "own.cpp", "function, compiled,"},
+    {CandidateKind::kCommand, "own", kCommand, "./own", "program"},
+    {CandidateKind::kRenderer, "own", kRenderer, "./own {scene} {image}", "renderer"}};
+
+/// Libraries, and what is built, are tried where there is a compiler: else nobody builds here.
+bool is_asked(CandidateKind kind, const Rubric& rubric) {
+  return std::any_of(rubric.forms.begin(), rubric.forms.end(), [&](const Form& form) {
+    const bool may_compile = form.program.kind == CandidateKind::kLibrary || !form.build.empty();
+    return form.program.kind == kind ||
+           (kind == CandidateKind::kSource && may_compile && fs::exists(kCompiler));
+  });
+}
+
+void expect(bool is_right, const char* what) {
+  if (!is_right) throw std::runtime_error(what);
+}
+
+void judge_hit(const External& external) {
+  const scene::Ray ray = {{0, 0, 0}, {0, 0, 1}};
+  const scene::Sphere sphere = {{0, 0, 5}, 1};
+  const auto hits = external_candidate(external).intersect({&ray, 1}, {&sphere, 1}, {});
+  expect(hits.size() == 1 && hits[0].size() == 1 && hits[0][0].hit.parameter == 4,
+         "its answer, 4, did not arrive");
+}
+
+void judge_picture(const External& external) {
+  const ReadPicture picture = rendered(*external.renderer, "a driver file\n").picture;
+  expect(picture.width == 2 && picture.pixels.size() == 2 && picture.pixels[0] == Colour{255, 0, 0},
+         "its picture is not as it drew it");
+}
+
+void judge(const OwnSubmission& own, const RunOptions& given) {
+  const PrivateFolder folder;
+  const fs::path file = folder.path() / own.file;
+  std::ofstream(file, std::ios::binary) << own.text;
+  fs::permissions(file, fs::perms::owner_exec, fs::perm_options::add);
+  open_to_others(folder.path());
+  RunOptions options = given;
+  options.folder = folder.path();
+  const External external = find_external({own.kind, own.what}, options);
+  own.kind == CandidateKind::kRenderer ? judge_picture(external) : judge_hit(external);
+}
+
+std::string key_of(const Rubric& rubric, const RunOptions& options) {
+  const Limits& limits = options.limits;
+  std::string kinds;
+  for (const OwnSubmission& own : kOwn) kinds += is_asked(own.kind, rubric) ? '1' : '0';
+  const fs::path folder = fs::temp_directory_path();
+  return digest({toolchain(), options.layers.text(), folder.string(),
+                 std::to_string(static_cast<unsigned>(fs::status(folder).permissions())),
+                 std::to_string(geteuid()), kinds,
+                 fmt::format("{} {} {} {} {}", limits.seconds, limits.memory, limits.file,
+                             limits.processes, options.build_seconds)});
+}
+
+std::string noted(const fs::path& note) {
+  std::ifstream file(note, std::ios::binary);
+  return {std::istreambuf_iterator<char>(file), {}};
+}
+
+}  // namespace
+
+void test_environment(const Rubric& rubric, const Layers& layers, const fs::path& store) {
+  RunOptions options;
+  options.layers = layers;
+  options.limits = program_limits(rubric);
+  options.limits.seconds = std::max(options.limits.seconds, kLeastSeconds);
+  options.build_seconds = std::max(rubric.build_seconds, kLeastSeconds);
+  const std::string key = key_of(rubric, options);
+  if (!store.empty() && noted(store / kNote) == key) return;
+  for (const OwnSubmission& own : kOwn) {
+    if (!is_asked(own.kind, rubric)) continue;
+    std::string why;
+    try {
+      judge(own, options);
+    } catch (const CandidateError& error) {
+      why = error.why() + (error.said().empty() ? "" : "\n" + error.said());
+    } catch (const std::exception& error) {
+      why = error.what();
+    }
+    if (why.empty()) continue;
+    throw std::invalid_argument(
+        fmt::format("grading does not begin: raycheck's own {} is right, and cannot be judged here "
+                    "(isolated by: {}; temporary files in {}): {}",
+                    own.words, layers.text(), fs::temp_directory_path().string(), why));
+  }
+  if (!store.empty()) std::ofstream(store / kNote, std::ios::binary) << key;
+}
+
+}  // namespace raycheck::tools

@@ -1,0 +1,19 @@
+#ifndef RAYCHECK_TOOLS_GRADE_STORE_BUILT_H_
+#define RAYCHECK_TOOLS_GRADE_STORE_BUILT_H_
+
+#include <string>
+#include <vector>
+
+namespace raycheck::tools {
+
+/// What was made of a submission.
+struct Built {
+  std::string program;     ///< What starts it, or the library's name, from its folder.
+  std::string words = {};  ///< The shell words that built it; empty: nothing was to build.
+  /// What who reads the grade should know: "its Makefile failed; built from its sources".
+  std::vector<std::string> notes = {};
+};
+
+}  // namespace raycheck::tools
+
+#endif  // RAYCHECK_TOOLS_GRADE_STORE_BUILT_H_

@@ -1,0 +1,135 @@
+#include "tools/grade/store/store.h"
+
+#include <fmt/core.h>
+#include <unistd.h>
+
+#include <exception>
+#include <fstream>
+#include <iterator>
+#include <nlohmann/json.hpp>
+#include <stdexcept>
+
+#include "tools/external/sandbox/file_tree.h"
+#include "tools/grade/rubric/digest.h"
+#include "tools/grade/store/answer_file.h"
+#include "tools/report/json.h"
+
+namespace raycheck::tools {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr const char* kFiles = "files";       ///< The folder of what was built.
+constexpr const char* kRecord = "made.json";  ///< What is known of it.
+
+/// Of its contents, and whether it is a program.
+std::string digest_of(const fs::path& path) {
+  const bool runs = (fs::status(path).permissions() & fs::perms::owner_exec) != fs::perms::none;
+  return digest({runs ? "runs" : "", file_bytes(path)});
+}
+
+/// Copies the regular files of a folder, with their times, no links; their digests by name.
+std::map<std::string, std::string> copy_files(const fs::path& from, const fs::path& to) {
+  std::map<std::string, std::string> digests;
+  for (const auto& entry : fs::recursive_directory_iterator(from)) {
+    if (!fs::is_regular_file(entry.symlink_status())) continue;
+    const std::string name = entry.path().lexically_relative(from).string();
+    const fs::path copy = to / name;
+    fs::create_directories(copy.parent_path());
+    fs::copy_file(entry.path(), copy);
+    fs::last_write_time(copy, entry.last_write_time());
+    digests[name] = digest_of(copy);
+  }
+  return digests;
+}
+
+void empty(const fs::path& folder) {
+  for (const auto& entry : fs::directory_iterator(folder)) fs::remove_all(entry.path());
+}
+
+}  // namespace
+
+Store::Store(const fs::path& out) {
+  const fs::path folder = out / kStoreFolder;
+  builds_ = folder / "builds";
+  answers_ = folder / "answers";
+  std::error_code error;
+  fs::create_directories(out, error);
+  if (!error) fs::create_directory(folder, error);
+  if (!error && !fs::is_directory(fs::symlink_status(folder))) {
+    error = std::make_error_code(std::errc::not_a_directory);
+  }
+  if (!error) fs::permissions(folder, fs::perms::owner_all, error);
+  for (const fs::path& part : {builds_, answers_}) {
+    if (!error) fs::create_directory(part, error);
+  }
+  if (error) {
+    throw std::invalid_argument(fmt::format("out {}: {}", folder.string(), error.message()));
+  }
+}
+
+Built Store::built(const std::string& key, const fs::path& to, const std::function<Built()>& make,
+                   bool& is_stored) {
+  std::mutex& alone = [&]() -> std::mutex& {
+    const std::lock_guard lock(mutex_);
+    return building_[key];
+  }();
+  const std::lock_guard lock(alone);
+  if (auto known = find(key, to)) {
+    is_stored = true;
+    return std::move(*known);
+  }
+  is_stored = false;
+  Built made = make();
+  try {
+    keep(key, to, made);
+  } catch (const std::exception&) {
+    // What is not kept is built again.
+  }
+  return made;
+}
+
+std::optional<Built> Store::find(const std::string& key, const fs::path& to) const {
+  const fs::path folder = builds_ / key;
+  if (!fs::exists(folder / kRecord)) return {};
+  try {
+    const Json record = Json::parse(file_bytes(folder / kRecord));
+    const Json& made = record.at("made");
+    if (digest({made.dump()}) != record.at("digest")) return {};
+    const auto digests = made.at("files").get<std::map<std::string, std::string>>();
+    if (copy_files(folder / kFiles, to) == digests) {
+      return Built{made.at("program"), made.at("words"),
+                   made.at("notes").get<std::vector<std::string>>()};
+    }
+  } catch (const std::exception&) {
+    // It is not as it was kept.
+  }
+  empty(to);
+  return {};
+}
+
+void Store::keep(const std::string& key, const fs::path& from, const Built& built) const {
+  const fs::path folder = builds_ / key;
+  const fs::path beside = fmt::format("{}.{}", folder.string(), getpid());
+  fs::remove_all(beside);
+  fs::create_directories(beside / kFiles);
+  const Json made = {{"program", built.program},
+                     {"words", built.words},
+                     {"notes", built.notes},
+                     {"files", copy_files(from, beside / kFiles)}};
+  std::ofstream(beside / kRecord, std::ios::binary)
+      << Json{{"made", made}, {"digest", digest({made.dump()})}}.dump() << "\n";
+  fs::remove_all(folder);
+  fs::rename(beside, folder);
+}
+
+std::shared_ptr<AnswerStore> Store::answers(const std::string& key) {
+  const std::lock_guard lock(mutex_);
+  auto& known = asked_[key];
+  if (auto shared = known.lock()) return shared;
+  auto made = std::make_shared<AnswerFile>(answers_ / key);
+  known = made;
+  return made;
+}
+
+}  // namespace raycheck::tools

@@ -1,0 +1,16 @@
+#ifndef RAYCHECK_TOOLS_MANUAL_COMPLETIONS_H_
+#define RAYCHECK_TOOLS_MANUAL_COMPLETIONS_H_
+
+// Scripts by which shells complete commands, options and files. Internal to the manual.
+
+#include "tools/manual/manual.h"
+
+namespace raycheck::tools {
+
+std::string bash_completion(const ManualCommand& program, std::span<const ManualCommand> commands);
+std::string zsh_completion(std::span<const ManualCommand> commands);
+std::string fish_completion(std::span<const ManualCommand> commands);
+
+}  // namespace raycheck::tools
+
+#endif  // RAYCHECK_TOOLS_MANUAL_COMPLETIONS_H_

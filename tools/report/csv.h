@@ -1,0 +1,16 @@
+#ifndef RAYCHECK_TOOLS_REPORT_CSV_H_
+#define RAYCHECK_TOOLS_REPORT_CSV_H_
+
+#include <string>
+#include <string_view>
+
+namespace raycheck::tools {
+
+/// Text as a cell of a table, in quotes where it needs them, with what acts on a terminal spelled
+/// (scene/text.h). What a spreadsheet would take for a formula, since it begins with = + - @, a tab
+/// or an end of line and is no number, begins with an apostrophe instead.
+std::string csv_cell(std::string_view text);
+
+}  // namespace raycheck::tools
+
+#endif  // RAYCHECK_TOOLS_REPORT_CSV_H_

@@ -1,0 +1,33 @@
+#ifndef RAYCHECK_TOOLS_RUBRIC_RUBRIC_H_
+#define RAYCHECK_TOOLS_RUBRIC_RUBRIC_H_
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+namespace raycheck::tools {
+
+/// A rubric that comes with raycheck.
+struct ShippedRubric {
+  std::string name;  ///< "lecture7"
+  std::string title;
+  std::size_t items = 0;
+};
+std::vector<ShippedRubric> list_rubrics();
+
+/// The file of one, as it is.
+/// Errors: std::invalid_argument where none has that name.
+std::string rubric_file(const std::string& name);
+
+/// What was copied: a rubric and the scenes that it names.
+struct CopiedRubric {
+  std::string path;
+  std::size_t scenes = 0;
+};
+/// Errors: as rubric_file(); std::invalid_argument where a file is there already, or cannot be
+/// written.
+CopiedRubric copy_rubric(const std::string& name, const std::string& out);
+
+}  // namespace raycheck::tools
+
+#endif  // RAYCHECK_TOOLS_RUBRIC_RUBRIC_H_

@@ -1,0 +1,16 @@
+#ifndef RAYCHECK_TOOLS_RUBRIC_RUBRIC_VIEWS_H_
+#define RAYCHECK_TOOLS_RUBRIC_RUBRIC_VIEWS_H_
+
+#include <string>
+#include <vector>
+
+#include "tools/rubric/rubric.h"
+
+namespace raycheck::tools {
+
+std::string rubrics_text(const std::vector<ShippedRubric>& rubrics);
+std::string copied_text(const CopiedRubric& copied);
+
+}  // namespace raycheck::tools
+
+#endif  // RAYCHECK_TOOLS_RUBRIC_RUBRIC_VIEWS_H_

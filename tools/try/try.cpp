@@ -1,0 +1,53 @@
+#include "tools/try/try.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "tools/grade/grade.h"
+#include "tools/grade/intake/apart.h"
+#include "tools/grade/intake/submission.h"
+#include "tools/grade/results/own_files.h"
+
+namespace raycheck::tools {
+
+bool TryReport::holds() const {
+  const auto& items = shown.submission.items;
+  return could_be_judged(shown.submission) &&
+         std::all_of(items.begin(), items.end(), [](const ItemGrade& item) {
+           return item.state == ItemState::kHolds || item.state == ItemState::kNotAsked;
+         });
+}
+
+TryReport try_submission(const TryOptions& options, const properties::RunControl& control) {
+  const std::vector<Submission> submissions = find_submissions({options.submission}, {});
+  std::optional<OwnFiles> own;
+  const std::filesystem::path name = submissions.front().name;
+  if (!options.out.empty()) {
+    const Rubric rubric = load_rubric(options.rubric, options.dialect);
+    require_apart(options.out, submissions);
+    own.emplace(options.out);
+    for (const std::string& file : names_for_student(rubric)) own->require_own(name / file);
+  }
+  ClassGrade graded = grade({.rubric = options.rubric,
+                             .dialect = options.dialect,
+                             .submissions = {options.submission},
+                             .out = "",
+                             .seed = options.seed,
+                             .secret = {},
+                             .sandbox = options.sandbox},
+                            control);
+  TryReport report;
+  report.interrupted = graded.interrupted;
+  report.rubric = std::make_shared<const Rubric>(std::move(graded.rubric));
+  if (graded.submissions.empty()) return report;
+  report.shown = student_grade(*report.rubric, graded.submissions.front(), HiddenBy::kUs);
+  if (!own) return report;
+  own->replace(name, files_for_student(report.shown));
+  report.folder = (std::filesystem::path(options.out) / name).string();
+  return report;
+}
+
+}  // namespace raycheck::tools
