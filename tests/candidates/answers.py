@@ -1,6 +1,9 @@
 """A program between `raycheck generate` and `raycheck verify`: answers.py [MISTAKE]."""
 import sys
+from pathlib import Path
 
+# What raycheck tells a --candidate where to find.
+sys.path.append(str(Path(__file__).resolve().parents[2] / "tools/external/adapters"))
 import right
 
 MISTAKE = sys.argv[1] if len(sys.argv) > 1 else ""

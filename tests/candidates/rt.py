@@ -1,4 +1,5 @@
-"""A finished renderer: rt.py MISTAKE DRIVER IMAGE. It reads a driver file of dialect B and writes a
+"""A finished renderer: rt.py MISTAKE DRIVER IMAGE. It reads a driver file of dialect B (C and A
+where MISTAKE says so) and writes a
 PPM (P3), the top line first, by ambient light alone; MISTAKE says what is wrong with it."""
 import math
 import os
@@ -55,6 +56,8 @@ def main():
     whole = view["camera"] if MISTAKE == "dialect-c" else (
         view["eye"] + view["look"] + view["up"] + view["d"])
     eye, look, up, near = tuple(whole[0:3]), tuple(whole[3:6]), tuple(whole[6:9]), whole[9]
+    if MISTAKE == "dialect-a":
+        bottom, right_, near = right_, bottom, -near
     if MISTAKE == "top-from-right":
         top = right_
     if MISTAKE == "width-height":

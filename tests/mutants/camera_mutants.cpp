@@ -130,7 +130,7 @@ std::vector<Mutant> plane_mutants() {
                    {"pixel-zero-zero", "pixel-point", "bounds", "direction"}),
       from_mistake("mirrored-columns", "columns are mirrored",
                    {"pixel-zero-zero", "pixel-point", "bounds", "direction"}),
-      from_mistake("near-flipped", "W has the wrong sign, the image plane is behind the eye",
+      from_mistake("near-flipped", "near has the wrong sign, the image plane is behind the eye",
                    {"pixel-point", "image-plane", "direction"}),
       from_mistake("beta-by-width", "rows are divided by the width",
                    {"pixel-point", "image-plane", "bounds"}),

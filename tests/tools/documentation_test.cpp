@@ -4,7 +4,9 @@
 
 #include <filesystem>
 #include <fstream>
+#include <map>
 #include <regex>
+#include <set>
 #include <string>
 #include <utility>
 #include <vector>
@@ -60,6 +62,7 @@ std::vector<Shown> shown_in(const std::filesystem::path& path) {
   return result;
 }
 
+const std::string kNextStage = "| ./run ";  ///< Of a pipe.
 const std::string kPictures = "docs/images/";
 
 std::string replaced(std::string text, const std::string& what, const std::string& by) {
@@ -74,6 +77,9 @@ std::string replaced(std::string text, const std::string& what, const std::strin
 /// documentation shows.
 Outcome run_shown(const Shown& shown) {
   if (shown.is_python) return run_python(shown.arguments);
+  if (shown.arguments.find(kNextStage) != std::string::npos) {
+    return run(replaced(shown.arguments, kNextStage, "| '" RAYCHECK_BINARY "' "));
+  }
   const std::string option = " --out " + kPictures;
   if (shown.arguments.find(option) == std::string::npos) return run(shown.arguments);
   const std::string folder = temporary_file("pictures", "") + ".d/";
@@ -102,7 +108,10 @@ std::string without_times(std::string line) {
       {std::regex(R"(^[-0-9.e]+ ms to plan, [-0-9.e]+ ms the image)"),
        "T ms to plan, T ms the image"},
       {std::regex(R"( +[-0-9.e]+ +~?[-0-9.e]+ +-?[0-9]+%  )"), " T  "},  // an item of a plan
+      {std::regex(R"( +[0-9.]+ s(?=  ))"), " T s"},                      // of a dry run
       {std::regex("isolated by: .*$"), "isolated"},
+      {std::regex(R"(built in [0-9.]+ s(, [0-9]+ from the store)?, judged in [0-9.]+ s)"),
+       "built and judged in T s"},
       {std::regex(R"(in [-0-9.e]+ s by [0-9]+ threads?$)"), "in T s"}};
   for (const auto& [time, stands_for] : kTimes) line = std::regex_replace(line, time, stands_for);
   return line;
@@ -159,6 +168,45 @@ TEST(Documentation, shows_what_the_program_prints) {
 TEST(Documentation, lists_the_laws_and_the_packages_there_are) {
   const Outcome outcome = run_python("docs/generate.py --lists --check '" RAYCHECK_BINARY "'");
   EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+}
+
+/// The names of tests, "Suite.Test", by suite, in all of tests/.
+std::map<std::string, std::set<std::string>> tests_by_suite() {
+  static const std::regex kTest(R"(TEST(_F|_P)?\(\s*(\w+),\s*(\w+)\))");
+  std::map<std::string, std::set<std::string>> suites;
+  for (const auto& entry :
+       std::filesystem::recursive_directory_iterator(RAYCHECK_SOURCE_DIR "/tests")) {
+    if (!entry.path().string().ends_with("_test.cpp")) continue;
+    const std::string text = contents(entry.path());
+    for (std::sregex_iterator at(text.begin(), text.end(), kTest), end; at != end; ++at) {
+      suites[(*at)[2]].insert((*at)[2].str() + "." + (*at)[3].str());
+    }
+  }
+  return suites;
+}
+
+TEST(Documentation, of_security_names_tests_that_there_are_and_every_hostile_suite) {
+  const std::string page = contents(RAYCHECK_SOURCE_DIR "/SECURITY.md");
+  const auto suites = tests_by_suite();
+  static const std::regex kName(R"(`((\w+)\.\w+)`)");
+  std::set<std::string> named;
+  const std::size_t table = page.find("## What was tried");
+  ASSERT_NE(table, std::string::npos);
+  for (std::sregex_iterator
+           at(page.begin() + static_cast<std::ptrdiff_t>(table), page.end(), kName),
+       end;
+       at != end; ++at) {
+    const auto suite = suites.find((*at)[2]);
+    named.insert((*at)[2]);
+    ASSERT_NE(suite, suites.end()) << (*at)[1];
+    EXPECT_TRUE(suite->second.contains((*at)[1])) << (*at)[1];
+  }
+  EXPECT_GT(named.size(), 20u);
+  for (const auto& [suite, tests] : suites) {
+    if (suite.starts_with("Hostile")) {
+      EXPECT_TRUE(named.contains(suite)) << suite;
+    }
+  }
 }
 
 /// The session blocks of a page: commands with what they print, run one after the other by one

@@ -19,7 +19,9 @@ std::string temporary_path(const std::string& name) {
   return testing::TempDir() + "raycheck_" + std::to_string(getpid()) + "_" + name;
 }
 
-Outcome start(const std::string& program, const std::string& arguments, int interrupt_after_ms) {
+/// `when`: SIGINT is sent once it holds; null: none is.
+Outcome start(const std::string& program, const std::string& arguments,
+              const std::function<bool()>& when = nullptr) {
   const std::string out = temporary_path("out");
   const std::string err = temporary_path("err");
   const std::string command = std::string("cd '") + RAYCHECK_SOURCE_DIR + "' && exec '" + program +
@@ -29,12 +31,16 @@ Outcome start(const std::string& program, const std::string& arguments, int inte
     execl("/bin/sh", "sh", "-c", command.c_str(), static_cast<char*>(nullptr));
     _exit(127);
   }
-  if (interrupt_after_ms >= 0) {
-    std::this_thread::sleep_for(std::chrono::milliseconds(interrupt_after_ms));
-    kill(child, SIGINT);
-  }
   int status = 0;
-  waitpid(child, &status, 0);
+  bool has_ended = false;
+  if (when) {
+    while (!when() && !has_ended) {
+      std::this_thread::sleep_for(std::chrono::milliseconds(10));
+      has_ended = waitpid(child, &status, WNOHANG) == child;
+    }
+    if (!has_ended) kill(child, SIGINT);
+  }
+  if (!has_ended) waitpid(child, &status, 0);
   Outcome result;
   result.exit_code = WIFEXITED(status) ? WEXITSTATUS(status) : -WTERMSIG(status);
   result.out = contents(out);
@@ -53,14 +59,19 @@ std::string contents(const std::string& path) {
   return text.str();
 }
 
-Outcome run(const std::string& arguments) { return start(RAYCHECK_BINARY, arguments, -1); }
+Outcome run(const std::string& arguments) { return start(RAYCHECK_BINARY, arguments); }
 
-Outcome run_python(const std::string& arguments) { return start("python3", arguments, -1); }
+Outcome run_python(const std::string& arguments) { return start("python3", arguments); }
 
-Outcome run_bash(const std::string& path) { return start("bash", "'" + path + "'", -1); }
+Outcome run_bash(const std::string& path) { return start("bash", "'" + path + "'"); }
 
 Outcome run_interrupted(const std::string& arguments, int milliseconds) {
-  return start(RAYCHECK_BINARY, arguments, milliseconds);
+  const auto due = std::chrono::steady_clock::now() + std::chrono::milliseconds(milliseconds);
+  return run_interrupted(arguments, [due] { return std::chrono::steady_clock::now() >= due; });
+}
+
+Outcome run_interrupted(const std::string& arguments, const std::function<bool()>& when) {
+  return start(RAYCHECK_BINARY, arguments, when);
 }
 
 std::string temporary_file(const std::string& name, const std::string& text) {
@@ -71,7 +82,7 @@ std::string temporary_file(const std::string& name, const std::string& text) {
 
 std::string built_submission(const std::string& source, const std::string& name,
                              const std::string& folder) {
-  const bool is_renderer = source == "rt.cpp";
+  const bool is_renderer = source.ends_with("rt.cpp");
   const std::string built = source.substr(0, source.find('.')) + (is_renderer ? "" : ".so");
   const std::filesystem::path copy =
       std::filesystem::path(folder) / (name + (is_renderer ? ".rt" : ".so"));

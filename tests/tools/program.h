@@ -1,6 +1,7 @@
 #ifndef RAYCHECK_TESTS_TOOLS_PROGRAM_H_
 #define RAYCHECK_TESTS_TOOLS_PROGRAM_H_
 
+#include <functional>
 #include <string>
 
 namespace raycheck::tests {
@@ -24,11 +25,15 @@ Outcome run_bash(const std::string& path);
 /// Starts it, sends SIGINT after `milliseconds`, and waits for its end.
 Outcome run_interrupted(const std::string& arguments, int milliseconds);
 
+/// The same, SIGINT being sent once `when` holds.
+Outcome run_interrupted(const std::string& arguments, const std::function<bool()>& when);
+
 /// Writes a file into the test's temporary folder and returns its path.
 std::string temporary_file(const std::string& name, const std::string& text);
 
-/// A copy, in a folder, of rays.cpp, hostile.cpp or rt.cpp of tests/submissions, built, which does
-/// wrong what has this name there ("none": nothing); its path, NAME.so or NAME.rt. right.cpp of
+/// A copy, in a folder, of a submission of tests/submissions (rays.cpp, hostile.cpp, rt.cpp, ...),
+/// built, which does wrong what has this name there ("none": nothing; of single_*.cpp "careful" or
+/// "lecture"); its path, NAME.so or NAME.rt. right.cpp of
 /// tests/candidates does nothing wrong, whatever it is called.
 std::string built_submission(const std::string& source, const std::string& name,
                              const std::string& folder);

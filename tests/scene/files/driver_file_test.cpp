@@ -65,14 +65,39 @@ TEST(ReadDriverFile, ReadsSpheresInOrder) {
   EXPECT_TRUE(loaded.warnings.empty());
 }
 
+TEST(ReadDriverFile, SaysWhichDialectItFound) {
+  EXPECT_EQ(read(kA).dialect, Dialect::kA);
+  EXPECT_EQ(read(kB).dialect, Dialect::kB);
+  EXPECT_EQ(read(kC).dialect, Dialect::kC);
+  EXPECT_FALSE(read_toml(write_toml(read(kA).scene), "f.toml").dialect);
+}
+
+TEST(ReadDriverFile, KnowsWhatOnlyShadingNeeds) {
+  const std::string sphere = "sphere 0 0 -9 1";
+  std::string text = kB + "ambient .1 .1 .1\nlight 1 1 1\nrecursionLevel 3\nlight 2 2 2\n" +
+                     "model 0 1 0 45 2 0 0 0 cube.obj\nrecursionlevel 2\n";
+  for (const int more : {9, 12, 13, 14, 15, 16, 17}) {
+    text += sphere;
+    for (int k = 0; k < more; ++k) text += " .5";
+    text += "\n";
+  }
+  const LoadedScene loaded = read(text);
+  EXPECT_TRUE(loaded.warnings.empty());
+  EXPECT_EQ(loaded.not_needed,
+            (std::vector<std::string>{"ambient", "2 lights", "recursionLevel", "model",
+                                      "recursionlevel", "numbers after a sphere's first 4"}));
+  EXPECT_EQ(loaded.scene.spheres.size(), 7u);
+  EXPECT_TRUE(read(kB + sphere + "\n").not_needed.empty());
+}
+
 TEST(ReadDriverFile, WarnsOnceOfEachOddity) {
-  std::string text = with(kB, "d -2", "d -2 7") + "light 1 1 1\nlight 2 2 2\nambient .1 .1 .1\n";
-  for (int i = 0; i < 10; ++i) text += "sphere 0 0 -9 1 .1 .1 .1 .5 .5 .5 .9 .9 .9\n";
+  std::string text = with(kB, "d -2", "d -2 7") + "fog 1 1 1\nfog 2 2 2\nAmbient .1 .1 .1\n";
+  for (int i = 0; i < 10; ++i) text += "sphere 0 0 -9 1 .1 .1 .1 red\n";
   const std::vector<std::string> warnings = read(text).warnings;
   EXPECT_EQ(warnings,
             (std::vector<std::string>{
-                "f.txt:7: light: unknown keyword, ignored (first on line 7)",
-                "f.txt:9: ambient: unknown keyword, ignored (first on line 9)",
+                "f.txt:7: fog: unknown keyword, ignored (first on line 7)",
+                "f.txt:9: Ambient: unknown keyword, ignored (first on line 9)",
                 "f.txt:10: sphere: numbers after the first 4 are ignored (first on line 10)",
                 "f.txt:4: d: numbers after the first are ignored (first on line 4)"}));
   EXPECT_EQ(read(text).scene.spheres.size(), 10u);
@@ -157,7 +182,7 @@ TEST(ReadDriverFile, NamesBadNumbersByFileLineFieldAndValue) {
             "f.txt:6: res[0] = 16.0: is not a whole number of pixels");
   EXPECT_EQ(error_of(with(kA, "res 16 9", "res 16")), "f.txt:6: res = 16: needs 2 numbers, has 1");
   EXPECT_EQ(error_of(with(kA, "eye 0 0 4", "eye 0 \x01 4")),
-            "f.txt:1: eye[1] = ?: is not a number");
+            "f.txt:1: eye[1] = \\x01: is not a number");
 }
 
 TEST(ReadDriverFile, LocatesEveryValidationProblem) {

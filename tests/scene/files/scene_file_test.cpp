@@ -25,7 +25,7 @@ TEST(LoadScene, NamesTheFileAndTheReason) {
     load_scene(folder);
     ADD_FAILURE();
   } catch (const SceneFileError& error) {
-    EXPECT_EQ(error.what(), folder.string() + ": cannot be read: Is a directory");
+    EXPECT_EQ(error.what(), folder.string() + ": cannot be read: it is a folder; give a file");
   }
 }
 

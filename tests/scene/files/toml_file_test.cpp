@@ -174,7 +174,7 @@ TEST(ReadToml, NamesWrongTypes) {
   EXPECT_EQ(error_of_toml(camera_with("near = -30", "near = true")),
             "f.toml:5: camera.near = true: must be a number");
   EXPECT_EQ(error_of_toml(camera_with("near = -30", "near = \"\\u0001\\n\"")),
-            "f.toml:5: camera.near = \"??\": must be a number");
+            "f.toml:5: camera.near = \"\\x01\\x0a\": must be a number");
   EXPECT_EQ(error_of_toml("\ncamera = 3\n"),
             "f.toml:2: camera = 3: must be a table, written [camera]");
   EXPECT_EQ(error_of_toml("[sphere]\nradius = 3\n"),

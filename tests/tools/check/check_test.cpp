@@ -143,10 +143,21 @@ TEST(Check, takes_another_bound) {
   EXPECT_EQ(run("check scene/examples/ten-spheres.toml --max-ulp 0.001").exit_code, 1);
 }
 
-TEST(Check, warns_about_materials_in_a_driver_file) {
+TEST(Check, names_a_driver_files_dialect_and_what_is_not_needed_of_it) {
   const Outcome result = run("check scene/examples/driver-a.txt");
-  EXPECT_TRUE(result.exit_code == 0 || result.exit_code == 1) << result.err;
-  EXPECT_NE(result.err.find("warning"), std::string::npos);
+  EXPECT_EQ(result.exit_code, 0) << result.err;
+  EXPECT_EQ(result.err.find("warning"), std::string::npos) << result.err;
+  EXPECT_NE(result.out.find("driver-a.txt (driver file of dialect A): 16 x 16 pixels, 2 spheres\n"
+                            "not needed here: ambient, numbers after a sphere's first 4\n"),
+            std::string::npos)
+      << result.out;
+  const auto report =
+      nlohmann::json::parse(run("check scene/examples/driver-c.txt --format json").out);
+  EXPECT_EQ(report["dialect"], "C");
+  EXPECT_EQ(report["warnings"].size(), 0u);
+  const auto toml = nlohmann::json::parse(run("check scene/examples/probe.toml --format json").out);
+  EXPECT_TRUE(toml["dialect"].is_null());
+  EXPECT_EQ(toml["not_needed"].size(), 0u);
 }
 
 TEST(Check, fails_with_2_and_says_why_on_bad_input) {

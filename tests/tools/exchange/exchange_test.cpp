@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <nlohmann/json.hpp>
+#include <set>
 #include <string>
 
 #include "tests/tools/program.h"
@@ -12,12 +13,18 @@ namespace {
 
 using nlohmann::json;
 
-const std::string kPython =
-    "PYTHONPATH=tools/external/sdk/adapters python3 tests/candidates/answers.py";
+const std::string kPython = "python3 tests/candidates/answers.py";
 const std::string kVerify = "'" RAYCHECK_BINARY "' verify ";
 
+/// verify is told what generate was, and more.
 Outcome piped(const std::string& generate, const std::string& program,
-              const std::string& verify = "--format json") {
+              const std::string& more = "--format json") {
+  return run("generate " + generate + " | " + program + " | " + kVerify + generate + " " + more);
+}
+
+/// The same, where it is told something else.
+Outcome piped_to_others(const std::string& generate, const std::string& program,
+                        const std::string& verify) {
   return run("generate " + generate + " | " + program + " | " + kVerify + verify);
 }
 
@@ -52,17 +59,92 @@ TEST(Questions, of_a_case_are_answered_all_of_them) {
   EXPECT_NE(outcome.out.find("not answered"), std::string::npos);
 }
 
-TEST(Questions, of_whole_cases_are_missed_where_it_is_said_how_many_there_were) {
+TEST(Questions, of_whole_cases_are_missed) {
   const std::string early = kPython + " | grep -v distance@3:2:";
-  EXPECT_EQ(piped("--family distance@3 --cases 3", early).exit_code, 0);
-  const Outcome outcome = piped("--family distance@3 --cases 3", early, "--cases 3");
+  const Outcome outcome = piped("--family distance@3 --cases 3", early, "");
   EXPECT_EQ(outcome.exit_code, 1) << outcome.err;
-  EXPECT_NE(outcome.out.find("1 of 3 cases are not answered"), std::string::npos) << outcome.out;
+  EXPECT_NE(outcome.out.find("1 of 3 cases are not answered: distance@3:2\n"), std::string::npos)
+      << outcome.out;
+}
+
+TEST(Questions, are_answered_in_any_order) {
+  const std::string sorted = kPython + " | sort -R --random-source=/bin/sh";
+  const Outcome outcome = piped("--family distance@3 --cases 200", sorted);
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.out << outcome.err;
+  EXPECT_EQ(json::parse(outcome.out)["cases"], 200);
+  const std::string wrong = kPython + " all-hits";
+  const auto ids = [](const Outcome& judged) {
+    std::set<std::string> found;
+    const json report = json::parse(judged.out);
+    for (const json& one : report["worst"]) found.insert(one["id"]);
+    return found;
+  };
+  const std::string many = "--family tangency@2 --cases 50";
+  const auto in_order = ids(piped(many, wrong, "--top 1000 --format json"));
+  EXPECT_GT(in_order.size(), 10u);
+  EXPECT_EQ(
+      ids(piped(many, wrong + " | sort -R --random-source=/bin/sh", "--top 1000 --format json")),
+      in_order);
+}
+
+TEST(HostileAnswers, to_other_questions_do_not_pass) {
+  const auto fails = [](const std::string& asked, const std::string& program,
+                        const std::string& verify, int code, const std::string& why) {
+    const Outcome outcome = piped_to_others(asked, program, verify);
+    EXPECT_EQ(outcome.exit_code, code) << outcome.out << outcome.err;
+    EXPECT_NE((outcome.out + outcome.err).find(why), std::string::npos)
+        << outcome.out << outcome.err;
+  };
+  const std::string asked = "--family distance@3 --cases 5";
+  const std::string not_asked = "' was not asked: the cases are distance@3:1 to distance@3:5";
+  // Easier ones, other seeds, more of them, and fewer.
+  fails("--family distance@1 --cases 5", kPython, asked, 2,
+        "line 1: 'distance@1:1:0:0" + not_asked);
+  fails("--family rays --cases 5", kPython, asked, 2, "line 1: 'rays:1:0:0" + not_asked);
+  fails("--family distance@3 --cases 5 --seed 2", kPython, asked, 2,
+        "'distance@3:6:0:0" + not_asked);
+  fails("--family distance@3 --cases 6", kPython, asked, 2, "'distance@3:6:0:0" + not_asked);
+  fails("--family distance@3 --cases 4", kPython, asked, 1,
+        "1 of 5 cases are not answered: distance@3:5\n");
+  // An id that is changed, spelt in another way, extra, said again in its case and after it.
+  fails(asked, kPython + " | sed s/3:2:0:0/3:3:0:0/", asked, 2, "it is answered twice");
+  fails(asked, kPython + " | sed s/@3:2:/@3:02:/", asked, 2, "'distance@3:02:0:0" + not_asked);
+  fails(asked, "(" + kPython + "; echo distance@3:a:0:0 miss)", asked, 2,
+        "'distance@3:a:0:0" + not_asked);
+  fails(asked, kPython + " | sed p", asked, 2, "it is answered twice");
+  fails(asked, "(" + kPython + "; echo distance@3:1:0:0 miss)", asked, 2, "it is answered twice");
+  // Without a word of what was asked nothing is verified.
+  fails(asked, kPython, "--cases 5", 2, "--family");
+}
+
+TEST(HostileAnswers, that_are_missing_are_named) {
+  const std::string some = kPython + " | grep -v distance@3:2:";
+  const Outcome outcome = piped("--family distance@3 --cases 30", some);
+  EXPECT_EQ(outcome.exit_code, 1) << outcome.err;
+  const json report = json::parse(outcome.out);
+  EXPECT_EQ(report["cases_missing"], json::array({"distance@3:2"}));
+  EXPECT_EQ(report["holds"], false);
+  const Outcome part = piped("--family distance@3 --cases 30", kPython + " | grep -v ':0:1 '");
+  EXPECT_EQ(part.exit_code, 1) << part.err;
+  const json of_part = json::parse(part.out);
+  EXPECT_EQ(of_part["cases_missing"], json::array());
+  ASSERT_GT(of_part["questions_missing"], 0);
+  EXPECT_TRUE(of_part["questions_named"][0].get<std::string>().ends_with(":0:1"));
+  const Outcome none = piped("--family distance@3 --cases 30", "true");
+  EXPECT_EQ(none.exit_code, 1);
+  EXPECT_EQ(json::parse(none.out)["cases_missing"].size(), 5u);
+}
+
+TEST(HostileAnswers, that_go_on_without_end_are_refused) {
+  const Outcome line = piped("--family rays --cases 1", "head -c 1000000 /dev/zero", "");
+  EXPECT_EQ(line.exit_code, 2);
+  EXPECT_NE(line.err.find("line 1: is longer than 65536 bytes"), std::string::npos) << line.err;
 }
 
 TEST(Questions, take_no_other_lines) {
   const auto refused = [](const std::string& line, const std::string& why) {
-    const Outcome outcome = piped("--family rays --cases 1", "echo '" + line + "'", "");
+    const Outcome outcome = piped_to_others("--family rays --cases 1", "echo '" + line + "'",
+                                            "--family rays --cases 1");
     EXPECT_EQ(outcome.exit_code, 2) << line;
     EXPECT_NE(outcome.err.find("line 1: "), std::string::npos) << outcome.err;
     EXPECT_NE(outcome.err.find(why), std::string::npos) << outcome.err;
@@ -73,8 +155,8 @@ TEST(Questions, take_no_other_lines) {
   refused("rays:1:0:0 1 2 3 x", "'x' is not a number");
   refused("rays:1:0:99 miss", "there is no such question");
   refused("rays:1:a:0 miss", "'a' is not a whole number");
-  refused("nowhere:1:0:0 miss", "nowhere");
-  refused("cameras:1:0:0 miss", "have cameras");
+  refused("nowhere:1:0:0 miss", "'nowhere:1:0:0' was not asked");
+  refused("cameras:1:0:0 miss", "'cameras:1:0:0' was not asked");
   const Outcome none = run("generate --family cameras");
   EXPECT_EQ(none.exit_code, 2);
   EXPECT_NE(none.err.find("family cameras: its cases have cameras"), std::string::npos);

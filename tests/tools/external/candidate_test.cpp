@@ -48,6 +48,56 @@ TEST(Candidate, is_right_as_a_library) {
   std::filesystem::remove_all(folder);
 }
 
+TEST(Candidate, that_makes_no_rays_is_given_them_and_the_report_says_so) {
+  const std::string meets = "command:python3 tests/candidates/meets.py ";
+  const json right = judged(kCamera, meets + "none");
+  EXPECT_EQ(right["discrepancies"], 0) << right.dump(2);
+  EXPECT_TRUE(right["given_rays"]);
+  EXPECT_GT(right["quantities"].size(), 3u);
+  EXPECT_GT(right["quantities"][0]["cases"], 2000);
+  EXPECT_FALSE(judged(kCamera, "command:python3 tests/candidates/right.py")["given_rays"]);
+  EXPECT_FALSE(judged(kRays, meets + "none")["given_rays"]);
+  const Outcome words = run("check " + kCamera + " --candidate '" + meets + "none'");
+  EXPECT_EQ(words.exit_code, 0) << words.out << words.err;
+  EXPECT_NE(words.out.find("makes no rays from this origin: given raycheck's own"),
+            std::string::npos)
+      << words.out;
+}
+
+TEST(Candidate, that_is_wrong_about_given_rays_is_told_at_which_pixels_and_why) {
+  const std::string proofs = temporary_file("proofs", "");
+  const json wrong = judged(kCamera, "command:python3 tests/candidates/meets.py far-root",
+                            "--certificates " + proofs);
+  EXPECT_GT(wrong["discrepancies_by_standing"]["defect"], 0);
+  ASSERT_FALSE(wrong["worst"].empty());
+  for (const json& one : wrong["worst"]) {
+    ASSERT_EQ(one["pixel"].size(), 2u) << one.dump(2);
+    EXPECT_EQ(one["ray"].get<int>() % 16, one["pixel"][0].get<int>());
+  }
+  EXPECT_NE(wrong["explanations"].dump().find("the far root is taken"), std::string::npos)
+      << wrong["explanations"].dump(2);
+  const std::string verify = "python3 " RAYCHECK_SOURCE_DIR "/tools/verify_certificates.py ";
+  EXPECT_EQ(std::system((verify + proofs + " >/dev/null").c_str()), 0);
+  std::filesystem::remove(proofs);
+}
+
+TEST(Candidate, that_makes_no_rays_is_held_to_laws_on_cameras_too) {
+  const auto report = [](const std::string& mistake) {
+    return json::parse(run("properties --filter nearest-root --source course --cases 40 --format "
+                           "json --candidate 'command:python3 tests/candidates/meets.py " +
+                           mistake + "'")
+                           .out)["campaigns"][0];
+  };
+  const json right = report("none");
+  EXPECT_EQ(right["finding"], "holds");
+  EXPECT_EQ(right["given_rays"], 40);
+  const json wrong = report("far-root");
+  EXPECT_EQ(wrong["finding"], "broken");
+  EXPECT_NE(wrong["scene"].get<std::string>().find("[camera]"), std::string::npos);
+  EXPECT_NE(wrong["explanations"].dump().find("the far root is taken"), std::string::npos)
+      << wrong["explanations"].dump(2);
+}
+
 TEST(Candidate, holds_every_law_on_ordinary_cases) {
   const std::string folder = temporary_file("ordinary", "") + ".d";
   const std::string library = built_submission("right.cpp", "right", folder);
@@ -162,7 +212,7 @@ TEST(Candidate, is_right_in_java) {
   const std::string folder = temporary_file("java", "") + ".d";
   const std::string root = RAYCHECK_SOURCE_DIR;
   ASSERT_EQ(std::system(("javac -d " + folder + " " + root +
-                         "/tools/external/sdk/adapters/RaycheckCandidate.java " + root +
+                         "/tools/external/adapters/RaycheckCandidate.java " + root +
                          "/tests/candidates/Right.java")
                             .c_str()),
             0);
@@ -293,10 +343,10 @@ TEST(Candidate, that_fails_leaves_the_others_judged) {
 
 TEST(Candidate, is_kept_as_asked) {
   const std::string right = "command:python3 tests/candidates/right.py";
-  EXPECT_EQ(judged(kRays, right, "--sandbox none")["isolated_by"], "limits only");
+  EXPECT_EQ(judged(kRays, right, "--sandbox none --i-know")["isolated_by"], "limits only");
   const Outcome required = check(kRays, right, "--sandbox require");
   if (required.exit_code == 2) {
-    EXPECT_NE(required.err.find("sandbox require: what works here is"), std::string::npos);
+    EXPECT_NE(required.err.find("sandbox require: what does not work here: "), std::string::npos);
   } else {
     const std::string kept = json::parse(required.out)["candidates"][0]["isolated_by"];
     EXPECT_NE(kept.find("seccomp, bubblewrap"), std::string::npos) << kept;

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <limits>
 
-#include "tools/external/renderer.h"
+#include "tools/external/pictures/renderer.h"
 #include "tools/report/picture_reader.h"
 
 namespace raycheck::tools {
@@ -103,9 +103,9 @@ TEST(Reply, EndsWithItsOwnIdAlone) {
   EXPECT_FALSE(ends_reply("ends 12", "12"));
 }
 
-TEST(IdColours, AreAllDifferentAndNoneIsBlack) {
+TEST(SphereColours, AreAllDifferentAndNoneIsBlack) {
   for (const std::size_t count : {1u, 7u, 8u, 100u, 5000u, 40000u}) {
-    const auto colours = id_colours(count);
+    const auto colours = SphereColours(count).all();
     scene::Camera camera;
     camera.width = static_cast<std::int64_t>(count);
     camera.height = 1;

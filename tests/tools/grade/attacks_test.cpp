@@ -41,6 +41,11 @@ const std::vector<Attack> kAttacks = {
     {"own_sqrt", kDeserved, ""},
     {"compile_error", 0, "static assertion failed: this does not compile"},
     {"slow", 0, "gave no reply within"},
+    {"kills_judge", kDeserved, ""},
+    {"weakens_judge", kDeserved, ""},
+    {"makes_namespaces", kDeserved, ""},
+    {"leaves_memory", kDeserved, ""},
+    {"runs_raycheck", kDeserved, ""},
 };
 
 TEST(Attacks, gain_nothing_and_leave_the_others_as_they_are) {
@@ -71,7 +76,10 @@ TEST(Attacks, gain_nothing_and_leave_the_others_as_they_are) {
     EXPECT_EQ(result["points"], 100) << attack.name;
     const std::string report = grading.file(attack.name, "report.html", "together");
     EXPECT_TRUE(contains(report, attack.what)) << attack.name << "\n" << result.dump(2);
-    EXPECT_TRUE(contains(report, attack.score > 0 ? ">45 of 100<" : ">0 of 100<")) << attack.name;
+    const char* const total = !result["refused"].is_null() ? ">could not be judged<"
+                              : attack.score > 0           ? ">45 of 100<"
+                                                           : ">0 of 100<";
+    EXPECT_TRUE(contains(report, total)) << attack.name;
   }
   EXPECT_FALSE(std::filesystem::exists(grading.path("together/x")));
   EXPECT_EQ(grading.grade(rubric, innocents, "alone", "--jobs 1").exit_code, 0);
@@ -79,7 +87,8 @@ TEST(Attacks, gain_nothing_and_leave_the_others_as_they_are) {
     const std::string name = std::filesystem::path(folder).filename();
     const std::string alone = grading.file(name, "result.json", "alone");
     EXPECT_GT(alone.size(), 1000u) << name;
-    EXPECT_EQ(grading.file(name, "result.json", "together"), alone) << name;
+    EXPECT_EQ(without_times(grading.file(name, "result.json", "together")), without_times(alone))
+        << name;
   }
 }
 
@@ -160,21 +169,37 @@ TEST(Attacks, by_colours_that_are_no_spheres_earn_nothing_where_spheres_are_aske
   const json result = grading.result("grey");
   EXPECT_EQ(item(result, "hit or miss")["state"], "holds");
   for (const char* name : {"nearest sphere", "whole scenes"}) {
-    EXPECT_EQ(item(result, name)["score"], 0) << name;
+    EXPECT_EQ(item(result, name)["state"], "not asked") << name;
+    EXPECT_EQ(item(result, name)["points"], 0) << name;
     EXPECT_EQ(item(result, name)["reason"]["kind"], "other colours");
   }
+  EXPECT_EQ(result["points"], 75) << "neither right nor wrong";
 }
 
-TEST(Attacks, by_renderers_that_hang_cost_three_silences) {
+TEST(Attacks, by_renderers_that_hang_cost_the_time_that_the_rubric_gives) {
   const Grading grading;
-  const std::string rubric = grading.lecture7_with({{"reply_seconds = 5", "reply_seconds = 1"}});
-  grading.write("submissions/hangs/rt.cpp",
+  const std::string rubric = grading.lecture7_with(
+      {{"reply_seconds = 5", "reply_seconds = 1"}, {"seconds = 60 ", "seconds = 3 "}});
+  // It makes the first pictures, which are 25 pixels wide and made of whole numbers.
+  grading.write("submissions/hangs/rt.py", R"(import sys, time
+text = open(sys.argv[1]).read()
+if "eye 0 0 40" not in text:
+    time.sleep(1000)
+open(sys.argv[2], "w").write("P3 25 25 255 " + "255 255 255 " * 625)
+)");
+  grading.write("submissions/never/rt.cpp",
                 "#include <unistd.h>\nint main() { for (;;) pause(); }");
-  EXPECT_EQ(grading.grade(rubric, {grading.path("submissions/hangs")}).exit_code, 0);
-  const json result = grading.result("hangs");
-  EXPECT_EQ(result["score"], 0);
-  EXPECT_TRUE(contains(result.dump(), "did not end within 1 s"));
-  EXPECT_TRUE(contains(result.dump(), "not started, after 3 times without an end"));
+  EXPECT_EQ(
+      grading.grade(rubric, {grading.path("submissions/hangs"), grading.path("submissions/never")})
+          .exit_code,
+      0);
+  const json hangs = grading.result("hangs");
+  EXPECT_EQ(hangs["score"], 0);
+  EXPECT_TRUE(contains(hangs.dump(), "did not end within 1 s"));
+  EXPECT_EQ(item(hangs, "whole scenes")["reason"], json({{"kind", "time is up"}, {"seconds", 3}}));
+  const json never = grading.result("never");
+  EXPECT_EQ(never["score"], 0);
+  EXPECT_TRUE(contains(never["refused"]["why"], "did not end within 1 s")) << never["refused"];
 }
 
 TEST(Attacks, by_links_pipes_and_names_are_refused_and_the_others_graded) {

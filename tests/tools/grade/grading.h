@@ -63,6 +63,7 @@ candidate = "library:{file}"
 [[form]]
 has = "*.rt"
 candidate = "renderer:./{file} {scene} {image}"
+
 )";
 
 /// The line that makes a file of tests/submissions wrong.
@@ -73,6 +74,10 @@ nlohmann::json item(const nlohmann::json& result, const std::string& name);
 
 /// The names of the items in this state.
 std::vector<std::string> items_that(const nlohmann::json& result, const std::string& state);
+
+/// A result or page with "T" for each time: how long it took differs from run to run, and so which
+/// of two equal submissions was built first.
+std::string without_times(const std::string& text);
 
 bool contains(const std::string& text, const std::string& part);
 

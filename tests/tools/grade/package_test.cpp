@@ -68,7 +68,7 @@ class Package : public testing::Test {
 TEST_F(Package, grades_submissions_as_raycheck_does) {
   const json right = graded(grading.submit("right", "rays.cpp"));
   EXPECT_EQ(right["score"], 110) << right.dump(2);
-  EXPECT_EQ(right["tests"].size(), 10u);
+  EXPECT_EQ(right["tests"].size(), 11u);
   const json pictures = graded(grading.submit("pictures", "rt.cpp", "#define MISTAKE mirrored"));
   EXPECT_TRUE(contains(pictures.dump(), "columns are mirrored")) << pictures.dump(2);
   const std::string wrong = grading.submit("submission", "rays.py", "MISTAKE = \"far_root\"");
@@ -85,6 +85,20 @@ TEST_F(Package, grades_submissions_as_raycheck_does) {
   const json none = graded(wrong);
   EXPECT_EQ(none["score"], 0);
   EXPECT_TRUE(contains(none["output"], "raycheck could not grade this"));
+}
+
+TEST_F(Package, grades_in_a_container_without_namespaces_and_says_so) {
+  constexpr const char* kWithout =
+      "unshare -m sh -c 'mount --bind /dev/null /usr/bin/bwrap && exec \"$@\"' sh ";
+  if (std::system((std::string(kWithout) + "true").c_str()) != 0) {
+    GTEST_SKIP() << "bubblewrap cannot be hidden here";
+  }
+  fs::copy(grading.submit("right", "rays.py"), grading.path("root/submission"),
+           fs::copy_options::recursive);
+  const std::string said =
+      said_by(kWithout + ("'" + grading.path("root/source/run_autograder") + "'"));
+  EXPECT_TRUE(contains(said, "; not by bubblewrap: ")) << said;
+  EXPECT_EQ(json::parse(contents(grading.path("root/results/results.json")))["score"], 110) << said;
 }
 
 TEST_F(Package, brings_the_libraries_that_only_raycheck_needs) {

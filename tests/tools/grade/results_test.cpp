@@ -51,7 +51,7 @@ TEST(GradescopeResults, have_the_keys_of_its_specification) {
     EXPECT_EQ(all["stdout_visibility"], "hidden");
     EXPECT_EQ(all["output_format"], "text");
     double sum = 0, most = 0;
-    ASSERT_EQ(all["tests"].size(), 10u) << "whole scenes are not asked of programs";
+    ASSERT_EQ(all["tests"].size(), 11u) << "whole scenes are not asked of programs";
     for (const json& one : all["tests"]) {
       sum += one["score"].get<double>();
       most += one["max_score"].get<double>();
@@ -100,7 +100,7 @@ TEST(PrairieLearnResults, have_the_keys_of_its_specification) {
       EXPECT_TRUE(one["points"].is_number() && one["max_points"].is_number());
       EXPECT_TRUE(one["message"].is_string() && one["output"].is_string());
     }
-    EXPECT_EQ(all["tests"].size(), 8u);
+    EXPECT_EQ(all["tests"].size(), 9u);
     EXPECT_EQ(all["gradable"], std::string(name) != "broken");
   }
   EXPECT_EQ(test_named(results(grading, "wrong"), "unit directions")["points"], 0);
@@ -128,21 +128,50 @@ TEST(ClassResults, are_the_same_as_csv_as_json_and_as_files) {
   ASSERT_EQ(parsed.exit_code, 0) << parsed.err;
   const json rows = json::parse(parsed.out);
   ASSERT_EQ(rows.size(), 4u);
-  for (const json& row : rows) EXPECT_EQ(row.size(), 15u) << row;
+  for (const json& row : rows) EXPECT_EQ(row.size(), 16u) << row;
   EXPECT_EQ(rows[0][0], "submission");
-  EXPECT_EQ(rows[0][5], "pixel (0, 0)");
+  EXPECT_EQ(rows[0][6], "pixel (0, 0)");
   EXPECT_EQ(rows[1][1], "110");
-  EXPECT_EQ(rows[1][14], "");
+  EXPECT_EQ(rows[1][15], "");
   EXPECT_EQ(rows[2][0], "'" + odd) << "no formula";
-  EXPECT_EQ(rows[2][14], "columns are mirrored");
-  EXPECT_EQ(rows[3][1], "0");
-  EXPECT_EQ(rows[3][14], "g++ exited with 1");
+  EXPECT_EQ(rows[2][15], "columns are mirrored");
+  EXPECT_EQ(rows[3][1], "") << "no points are known";
+  EXPECT_EQ(rows[3][5], "");
+  EXPECT_EQ(rows[3][15], "could not be judged: g++ exited with 1");
   const Outcome as_json = grading.grade(kLecture7, folders, "out", "--format json");
   const json report = json::parse(as_json.out);
   EXPECT_EQ(report["rubric"], "Lecture 7: rays and spheres");
   EXPECT_EQ(report["interrupted"], false);
   ASSERT_EQ(report["submissions"].size(), 3u);
   EXPECT_EQ(report["submissions"][1], grading.result(odd));
+}
+
+TEST(ClassResults, say_what_the_rubric_gives_for_what_could_not_be_judged) {
+  const Grading grading;
+  const std::string rubric =
+      grading.lecture7_with({{"seconds = 60", "unjudged = 0.25\nseconds = 60"}});
+  const std::string broken =
+      grading.submit("broken", "hostile.cpp", "#define ATTACK compile_error");
+  const std::string right = grading.submit("right", "rays.py");
+  const Outcome text = grading.grade(rubric, {broken, right}, "out", "--format gradescope");
+  EXPECT_TRUE(contains(text.out, "broken      25 of 100  could not be judged: ")) << text.out;
+  EXPECT_TRUE(contains(text.out, "right      110 of 100\n")) << text.out;
+  EXPECT_TRUE(contains(text.out, "2 submissions graded, 1 could not be judged")) << text.out;
+  EXPECT_EQ(results(grading, "broken")["score"], 25);
+  EXPECT_TRUE(contains(results(grading, "broken")["output"], "could not be judged"));
+  EXPECT_TRUE(contains(grading.file("", "grades.csv"), "\nbroken,25,100,,,"));
+  EXPECT_TRUE(contains(grading.file("", "statistics.csv"), "\nnot judged,,1,,,,\n"));
+  EXPECT_TRUE(contains(grading.file("", "index.html"), "gives them 25% of the points"));
+  EXPECT_TRUE(contains(grading.file("broken", "report.html"),
+                       "could not be judged, for which there are 25 of 100"));
+  EXPECT_EQ(grading.result("broken")["score"], 25);
+  EXPECT_FALSE(grading.result("broken")["refused"].is_null());
+  const Outcome one = grading.grade(rubric, {broken}, "one", "--format prairielearn");
+  EXPECT_TRUE(contains(one.out, "broken: 25 of 100, could not be judged: ")) << one.out;
+  const json prairielearn = json::parse(grading.file("broken", "results.json", "one"));
+  EXPECT_EQ(prairielearn["gradable"], true) << "what is not gradable has no score there";
+  EXPECT_EQ(prairielearn["score"], 0.25);
+  EXPECT_TRUE(contains(prairielearn["message"], "could not be judged"));
 }
 
 /// What a page refers to: addresses and sources.
@@ -183,17 +212,83 @@ TEST(Pages, need_nothing_besides_themselves_and_escape_what_is_the_submissions) 
     EXPECT_FALSE(contains(page, "<i>"));
   }
   EXPECT_TRUE(references(broken).empty());
-  EXPECT_GE(references(wrong).size(), 2u);
+  EXPECT_GE(references(wrong).size(), 1u);
   for (const std::string& reference : references(wrong)) {
     EXPECT_EQ(reference.rfind("data:text/plain;", 0), 0u) << reference;
   }
   const std::vector<std::string> links = references(index);
   EXPECT_GE(links.size(), 5u) << "those that are alike are linked too";
   for (const std::string& link : links) {
-    EXPECT_TRUE(link == "wrong/report.html" || link == "%3Cb%3Ex%26%22/report.html" ||
+    EXPECT_TRUE(link.starts_with("data:text/plain;") || link == "wrong/report.html" ||
+                link == "%3Cb%3Ex%26%22/report.html" ||
                 link == "%27also%20%3Ci%3Ewrong/report.html")
         << link;
   }
+}
+
+/// A class of five, of whom two make the same mistake, and one cannot be judged.
+Outcome grade_five(const Grading& grading) {
+  return grading.grade(grading.lecture7_with({}),
+                       {grading.submit_built("ada", "rays.cpp", "none"),
+                        grading.submit_built("bob", "rays.cpp", "far_root"),
+                        grading.submit_built("cleo", "rt.cpp", "mirrored"),
+                        grading.submit("dan", "hostile.cpp", "#define ATTACK compile_error"),
+                        grading.submit_built("eve", "rays.cpp", "far_root")});
+}
+
+TEST(ClassResults, have_the_statistics_of_items_and_mistakes) {
+  const Grading grading;
+  EXPECT_EQ(grade_five(grading).exit_code, 0);
+  const std::string table = grading.file("", "statistics.csv");
+  EXPECT_EQ(table.find("kind,name,students,full_points,share_full,median_points,points\n"), 0u);
+  for (const char* line :
+       {"\nitem,camera frame,4,4,1.0000,15,15\n", "\nitem,nearest root,4,2,0.5000,5,10\n",
+        "\nitem,\"pixel (0, 0)\",4,3,0.7500,5,5\n", "\nitem,hit or miss,4,4,1.0000,15,15\n",
+        "\nmistake,the far root is taken for the near one,2,,,,\n",
+        "\nmistake,columns are mirrored,1,,,,\n", "\nnot judged,,1,,,,\n"}) {
+    EXPECT_TRUE(contains(table, line)) << line << table;
+  }
+  for (std::size_t at = 0; at < table.size(); at = table.find('\n', at) + 1) {
+    std::size_t commas = 0;
+    bool is_quoted = false;
+    for (std::size_t k = at; table[k] != '\n'; ++k) {
+      is_quoted = is_quoted != (table[k] == '"');
+      commas += table[k] == ',' && !is_quoted ? 1 : 0;
+    }
+    EXPECT_EQ(commas, 6u) << table.substr(at, table.find('\n', at) - at);
+  }
+}
+
+TEST(ClassResults, rank_mistakes_by_students_and_keep_apart_what_could_not_be_judged) {
+  const Grading grading;
+  const Outcome outcome = grade_five(grading);
+  EXPECT_TRUE(contains(outcome.out, "could not be judged: g++ exited with 1\n")) << outcome.out;
+  EXPECT_TRUE(contains(outcome.out, "5 submissions graded, 1 could not be judged (built in "))
+      << outcome.out;
+  const std::string page = grading.file("", "index.html");
+  const std::size_t first = page.find(
+      "<span class=\"name\">the far root is taken for the near one"
+      "</span><span>2 of 4 students</span>");
+  const std::size_t second =
+      page.find("<span class=\"name\">columns are mirrored</span><span>1 of 4 students</span>");
+  ASSERT_NE(first, std::string::npos);
+  ASSERT_NE(second, std::string::npos);
+  EXPECT_LT(first, second);
+  const std::string of_far_root = page.substr(first, second - first);
+  EXPECT_TRUE(contains(of_far_root, "bob/report.html") && contains(of_far_root, "eve/report.html"));
+  EXPECT_TRUE(contains(of_far_root, "download=\"nearest-root.toml\""));
+  const std::string of_mirrored = page.substr(second, page.find("<h2>Alike</h2>") - second);
+  EXPECT_TRUE(contains(of_mirrored, "mirrored left to right\"")) << "its pictures";
+  EXPECT_TRUE(contains(of_mirrored, ".txt\" href=\"data:text/plain"));
+  EXPECT_TRUE(contains(page, "That proves no copying"));
+  const std::size_t apart = page.find("<h2>Could not be judged</h2>");
+  ASSERT_NE(apart, std::string::npos);
+  EXPECT_LT(apart, page.find("dan/report.html"));
+  EXPECT_TRUE(
+      std::regex_search(page, std::regex("<p>5 submissions, median [0-9]+%, 1 could not be judged; "
+                                         "built in [0-9.]+ s, judged in [0-9.]+ s</p>")))
+      << page.substr(0, page.find("<h2>"));
+  EXPECT_TRUE(contains(grading.file("dan", "report.html"), ">could not be judged<"));
 }
 
 TEST(Pages, show_a_case_that_check_takes) {

@@ -52,37 +52,52 @@ json graded(const Grading& grading, const std::string& items, const std::string&
 TEST(RubricKeys, credit_makes_points_of_the_share_of_the_cases_that_hold) {
   const Grading grading;
   const std::string nearest = functions("nearest-sphere");
-  const json result = graded(
-      grading,
-      item_of("all", "points = 8", nearest) +
-          item_of("share", "points = 8\ncredit = \"share\"", nearest) +
-          item_of("steps",
-                  "points = 8\ncredit = \"steps\"\nsteps = [[1, 1], [0.1, 0.25], [0.2, 0.5]]",
-                  nearest) +
-          item_of("high steps", "points = 8\ncredit = \"steps\"\nsteps = [[0.99, 0.5], [1, 1]]",
-                  nearest),
-      "rays.py", "first_sphere_wins");
-  for (const json& one : result["items"]) {
+  const std::string share = "points = 8\ncredit = \"share\"";
+  const std::string steps = "points = 8\ncredit = \"steps\"\nsteps = ";
+  // Each alone: several would have one mistake cost the first of them only.
+  const auto wrong = [&](const std::string& keys) {
+    const json result =
+        graded(grading, item_of("one", keys, nearest), "rays.py", "first_sphere_wins");
+    const json one = item(result, "one");
     EXPECT_EQ(one["state"], "fails");
     EXPECT_EQ(one["cases"], 40);
     EXPECT_GT(one["held"], 12) << "a share between the steps";
     EXPECT_LT(one["held"], 39);
-  }
-  EXPECT_EQ(item(result, "all")["score"], 0);
-  const json share = item(result, "share");
-  EXPECT_EQ(share["score"], share["held"].get<double>() / 40 * 8);
-  EXPECT_EQ(item(result, "steps")["score"], 4);
-  EXPECT_EQ(item(result, "high steps")["score"], 0);
-  EXPECT_EQ(result["score"], 4 + share["score"].get<double>());
-  EXPECT_EQ(result["points"], 32);
+    EXPECT_EQ(result["points"], 8);
+    EXPECT_EQ(result["score"], one["score"]);
+    return one;
+  };
+  EXPECT_EQ(wrong("points = 8")["score"], 0);
+  const json shared = wrong(share);
+  EXPECT_EQ(shared["score"], shared["held"].get<double>() / 40 * 8);
+  EXPECT_EQ(wrong(steps + "[[1, 1], [0.1, 0.25], [0.2, 0.5]]")["score"], 4);
+  EXPECT_EQ(wrong(steps + "[[0.99, 0.5], [1, 1]]")["score"], 0);
   const json right =
       graded(grading,
-             item_of("all", "points = 8", nearest) +
-                 item_of("share", "points = 8\ncredit = \"share\"", nearest) +
+             item_of("all", "points = 8", nearest) + item_of("share", share, nearest) +
                  item_of("steps", "points = 8\ncredit = \"steps\"\nsteps = [[1, 0.5], [0.5, 0.25]]",
                          nearest),
              "rays.py", "none");
   EXPECT_EQ(right["score"], 20) << "the last step gives but half";
+}
+
+TEST(RubricKeys, a_mistake_costs_one_item_and_the_others_follow) {
+  const Grading grading;
+  const std::string nearest = functions("nearest-sphere");
+  const json result = graded(grading,
+                             item_of("first", "points = 8", nearest) +
+                                 item_of("second", "points = 4\ncredit = \"share\"", nearest) +
+                                 item_of("other", "points = 2", functions("class")),
+                             "rays.py", "first_sphere_wins");
+  EXPECT_EQ(item(result, "first")["state"], "fails");
+  EXPECT_EQ(item(result, "first")["score"], 0);
+  const json second = item(result, "second");
+  EXPECT_EQ(second["state"], "follows");
+  EXPECT_LT(second["held"], second["cases"]);
+  EXPECT_EQ(second["score"], 4);
+  EXPECT_EQ(second["reason"], json({{"kind", "follows"}, {"item", "first"}}));
+  EXPECT_EQ(item(result, "other")["state"], "holds");
+  EXPECT_EQ(result["score"], 6);
 }
 
 TEST(RubricKeys, requires_leaves_out_what_cannot_be_right) {

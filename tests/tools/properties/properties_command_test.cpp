@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include <array>
 #include <filesystem>
 #include <nlohmann/json.hpp>
 #include <string>
@@ -92,6 +93,31 @@ TEST(PropertiesCommand, shows_how_far_beyond_the_level_a_law_holds) {
   EXPECT_EQ(broken.exit_code, 1);
   EXPECT_NE(broken.out.find("    broken on distance@"), std::string::npos) << broken.out;
   EXPECT_NE(broken.out.find("    holds on distance up to @"), std::string::npos) << broken.out;
+}
+
+TEST(PropertiesCommand, names_the_mistake_by_which_a_candidate_breaks_a_law) {
+  const std::string folder = temporary_file("mistaken", "") + ".d";
+  const auto explained = [&](const std::string& mistake, const std::string& law) {
+    const json campaign =
+        json::parse(run("properties --filter " + law + " --cases 60 --candidate library:" +
+                        built_submission("rays.cpp", mistake, folder) + " --format json")
+                        .out)["campaigns"][0];
+    EXPECT_EQ(campaign["law"], law);
+    EXPECT_EQ(campaign["finding"] == "broken", mistake != "none") << mistake;
+    return campaign["explanations"];
+  };
+  EXPECT_TRUE(explained("none", "pixel-zero-zero").empty());
+  for (const auto& [mistake, law, sentence] :
+       {std::array{"upside_down", "pixel-zero-zero", "rows are upside down"},
+        {"far_root", "nearest-root", "the far root is taken for the near one"},
+        {"first_sphere_wins", "nearest-sphere", "the first sphere in the file wins"}}) {
+    const json found = explained(mistake, law);
+    ASSERT_EQ(found.size(), 1u) << mistake << found.dump(2);
+    EXPECT_EQ(found[0]["sentence"], sentence);
+    EXPECT_GE(found[0]["wrong"], 3);
+    EXPECT_GE(found[0]["explained"].get<double>(), 0.9 * found[0]["wrong"].get<double>());
+  }
+  std::filesystem::remove_all(folder);
 }
 
 TEST(PropertiesCommand, fails_with_2_and_says_why) {

@@ -32,8 +32,7 @@ std::string scene(const std::string& name) { return " scene/examples/" + name + 
 
 const std::string kRenderer =
     " --candidate \"renderer:python3 tests/candidates/rt.py upside-down {scene} {image}\"";
-const std::string kAnswers =
-    " PYTHONPATH=tools/external/sdk/adapters python3 tests/candidates/answers.py ";
+const std::string kAnswers = " python3 tests/candidates/answers.py ";
 
 const std::vector<Reports>& all_reports() {
   static const std::vector<Reports> reports = {
@@ -63,8 +62,10 @@ const std::vector<Reports>& all_reports() {
       {"plan", {"plan" + scene("ten-spheres")}},
       {"verify",
        {"generate --family tangency@2 --cases 20 |" + kAnswers +
-        "all-hits | '" RAYCHECK_BINARY "' verify"}},
-      {"grade", {"grade lecture7.toml tests/submissions/rays.py --out OUT"}},
+        "all-hits | '" RAYCHECK_BINARY "' verify --family tangency@2 --cases 20"}},
+      {"grade",
+       {"grade lecture7.toml tests/submissions/rays.py --out OUT",
+        "grade lecture7.toml tests/submissions/class/ella tests/submissions/rays.py --probe"}},
       {"list", {"list"}}};
   return reports;
 }

@@ -1,0 +1,44 @@
+// What fuzzers start from, and what they once failed on, read by an ordinary build.
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <string>
+
+#include "tests/fuzz/targets.h"
+
+namespace raycheck::tests {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Runs a target on every file of a folder, at any depth.
+int run_on(const FuzzTarget& target, const fs::path& folder) {
+  int files = 0;
+  if (!fs::exists(folder)) return files;
+  for (const auto& entry : fs::recursive_directory_iterator(folder)) {
+    if (!entry.is_regular_file()) continue;
+    std::ifstream file(entry.path(), std::ios::binary);
+    const std::string bytes{std::istreambuf_iterator<char>(file), {}};
+    EXPECT_NO_THROW(target.run(bytes)) << target.name << ": " << entry.path();
+    ++files;
+  }
+  return files;
+}
+
+TEST(HostileInputs, of_fuzzers_are_read_or_refused) {
+  const fs::path root = RAYCHECK_SOURCE_DIR;
+  int seeds = 0, failed_once = 0;
+  for (const FuzzTarget& target : kFuzzTargets) {
+    seeds += run_on(target, root / "tests/fuzz/seeds");
+    seeds += run_on(target, root / "scene/examples");
+    failed_once += run_on(target, root / "tests/fuzz/regressions" / target.name);
+  }
+  EXPECT_GT(seeds, 100);
+  EXPECT_GT(failed_once, 0);
+}
+
+}  // namespace
+}  // namespace raycheck::tests

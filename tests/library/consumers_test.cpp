@@ -1,0 +1,206 @@
+// The examples as someone else builds them, against an installed tree.
+
+#include <gtest/gtest.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <array>
+#include <cstdio>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+#include <string>
+#include <vector>
+
+namespace raycheck::tests {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct Ended {
+  int code = -1;
+  std::string text;  ///< Of both its outputs.
+};
+
+Ended shell(const std::string& command) {
+  FILE* const pipe = popen(("( " + command + " ) 2>&1").c_str(), "r");
+  Ended ended;
+  std::array<char, 4096> buffer{};
+  for (std::size_t count; (count = fread(buffer.data(), 1, buffer.size(), pipe)) > 0;) {
+    ended.text.append(buffer.data(), count);
+  }
+  const int status = pclose(pipe);
+  ended.code = WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+  return ended;
+}
+
+std::string text_of(const fs::path& path) {
+  std::ifstream file(path);
+  std::ostringstream text;
+  text << file.rdbuf();
+  return text.str();
+}
+
+/// Installed for each program run: ctest starts the tests one by one, several at a time.
+class Consumers : public testing::Test {
+ protected:
+  static void SetUpTestSuite() {
+    const Ended installed =
+        shell(std::string("cmake --install ") + RAYCHECK_BUILD + " --prefix " + prefix().string());
+    ASSERT_EQ(installed.code, 0) << installed.text;
+  }
+  static void TearDownTestSuite() { fs::remove_all(prefix()); }
+  static fs::path prefix() {
+    static const std::string name = "installed-" + std::to_string(getpid());
+    return fs::path(RAYCHECK_BUILD) / "tests" / name;
+  }
+
+  /// Builds an example as its CMakeLists.txt says; the folder of the build.
+  static fs::path built(const std::string& name, const std::string& options = "") {
+    const fs::path from = prefix() / "share/raycheck/examples" / name;
+    const fs::path to = prefix() / "built" / (name + (options.empty() ? "" : "-options"));
+    fs::remove_all(to);
+    const Ended made = shell("cmake -S " + from.string() + " -B " + to.string() +
+                             " -DCMAKE_PREFIX_PATH=" + prefix().string() + " " + options +
+                             " && cmake --build " + to.string());
+    EXPECT_EQ(made.code, 0) << made.text;
+    return to;
+  }
+
+  static std::size_t lines_of(const fs::path& path) {
+    std::ifstream file(path);
+    std::size_t lines = 0;
+    for (std::string line; std::getline(file, line);) lines += line.empty() ? 0 : 1;
+    return lines;
+  }
+};
+
+/// Its variable, the law that it breaks, and what is said of it.
+struct Mistake {
+  std::string name, law, sentence;
+};
+const std::array<Mistake, 5> kMistakes = {{
+    {"far_root", "nearest_root/rays", "far root"},
+    {"behind", "class/rays", "behind"},
+    {"upside_down", "direction/cameras", "upside down"},
+    {"not_unit", "unit_direction/cameras", "not normalised"},
+    {"pixel_step", "direction/cameras", "i/w"},
+}};
+
+TEST_F(Consumers, OfGoogleTestPassAndSeeFiveMistakes) {
+  const fs::path example = prefix() / "share/raycheck/examples/consumer-gtest";
+  EXPECT_LE(lines_of(example / "CMakeLists.txt"), 6u);
+  EXPECT_LE(lines_of(example / "tracer_test.cpp"), 5u);
+  const std::string program = (built("consumer-gtest") / "tracer_test").string();
+  const Ended good = shell(program);
+  EXPECT_EQ(good.code, 0) << good.text;
+  for (const Mistake& mistake : kMistakes) {
+    const Ended bad = shell("TRACER_MISTAKE=" + mistake.name + " " + program);
+    EXPECT_EQ(bad.code, 1) << mistake.name;
+    EXPECT_NE(bad.text.find("[  FAILED  ] Tracer." + mistake.law), std::string::npos)
+        << mistake.name << "\n"
+        << bad.text.substr(0, 4000);
+    EXPECT_NE(bad.text.find(mistake.sentence), std::string::npos) << mistake.name << "\n"
+                                                                  << bad.text.substr(0, 4000);
+  }
+}
+
+/// The page has the examples' text, and what they print.
+TEST_F(Consumers, AreAsThePageShowsThem) {
+  const fs::path source = RAYCHECK_SOURCE_DIR;
+  const std::string page = text_of(source / "docs/library.md");
+  for (const char* file : {"consumer-gtest/CMakeLists.txt", "consumer-gtest/tracer_test.cpp"}) {
+    EXPECT_NE(page.find("\n" + text_of(source / "examples" / file) + "```"), std::string::npos)
+        << file;
+  }
+  const std::string tracer = text_of(source / "examples/tracer.h");
+  const std::size_t from = tracer.find("inline raycheck::Candidate tracer()");
+  EXPECT_NE(page.find(tracer.substr(from, tracer.find("\n}\n", from) - from)), std::string::npos);
+  const std::string test = (built("consumer-gtest") / "tracer_test").string();
+  const std::string printed =
+      shell((built("consumer-exact") / "truth").string()).text +
+      shell("TRACER_MISTAKE=far_root " + test + " --gtest_filter=Tracer.nearest_root/rays").text;
+  std::size_t shown = 0;
+  const std::string fence = "\n```\n";
+  for (std::size_t at = 0; (at = page.find("\n\n```\n", at)) != std::string::npos; ++shown) {
+    at += 1 + fence.size();
+    const std::string block = page.substr(at, page.find("\n```", at) - at);
+    EXPECT_NE(printed.find(block), std::string::npos) << block << "\nis not in\n" << printed;
+  }
+  EXPECT_EQ(shown, 3u);
+}
+
+TEST_F(Consumers, OfCatch2PassAndFail) {
+  if (!fs::exists("/usr/include/catch2")) GTEST_SKIP() << "Catch2 is not installed";
+  const std::string program = (built("consumer-catch2") / "tracer_test").string();
+  EXPECT_EQ(shell(program).code, 0);
+  const Ended bad = shell("TRACER_MISTAKE=far_root " + program);
+  EXPECT_NE(bad.code, 0);
+  EXPECT_NE(bad.text.find("nearest-root/rays"), std::string::npos) << bad.text.substr(0, 4000);
+}
+
+TEST_F(Consumers, OfDoctestPassAndFail) {
+  if (!fs::exists("/usr/include/doctest")) GTEST_SKIP() << "doctest is not installed";
+  const std::string program = (built("consumer-doctest") / "tracer_test").string();
+  EXPECT_EQ(shell(program).code, 0);
+  const Ended bad = shell("TRACER_MISTAKE=far_root " + program);
+  EXPECT_NE(bad.code, 0);
+  EXPECT_NE(bad.text.find("nearest-root/rays"), std::string::npos) << bad.text.substr(0, 4000);
+}
+
+TEST_F(Consumers, OfRapidCheckPassAndFail) {
+  const std::string program = (built("consumer-rapidcheck") / "tracer_properties").string();
+  const Ended good = shell(program);
+  EXPECT_EQ(good.code, 0) << good.text;
+  const Ended bad = shell("TRACER_MISTAKE=far_root " + program);
+  EXPECT_EQ(bad.code, 1);
+  EXPECT_NE(bad.text.find("[[sphere]]"), std::string::npos) << bad.text.substr(0, 4000);
+}
+
+/// How they are compiled touches no proof.
+TEST_F(Consumers, HaveTheSameTruthHoweverTheyAreCompiled) {
+  const Ended plain = shell((built("consumer-exact") / "truth").string());
+  EXPECT_EQ(plain.code, 0);
+  EXPECT_NE(plain.text.find("exactly"), std::string::npos) << plain.text;
+  const std::vector<std::string> ways = {
+      "-DCMAKE_CXX_FLAGS='-Ofast -march=native' -DCMAKE_CXX_STANDARD=17",
+      "-DCMAKE_CXX_COMPILER=clang++ -DCMAKE_CXX_FLAGS='-Ofast -march=native'"};
+  for (const std::string& way : ways) {
+    if (way.find("clang") != std::string::npos && shell("clang++ --version").code != 0) continue;
+    EXPECT_EQ(shell((built("consumer-exact", way) / "truth").string()).text, plain.text) << way;
+  }
+}
+
+TEST_F(Consumers, FindTheLibraryByPkgConfig) {
+  const Ended flags = shell("PKG_CONFIG_PATH=$(dirname $(find " + prefix().string() +
+                            " -name raycheck.pc)) pkg-config --cflags --libs raycheck");
+  if (flags.code == 127) GTEST_SKIP() << "pkg-config is not installed";
+  ASSERT_EQ(flags.code, 0) << flags.text;
+  const fs::path to = prefix() / "by-pkg-config";
+  std::string line = flags.text;
+  while (!line.empty() && line.back() == '\n') line.pop_back();
+  const Ended made =
+      shell("c++ -std=c++17 -Wall -Wextra -Wpedantic -Werror " +
+            (prefix() / "share/raycheck/examples/consumer-exact/truth.cpp").string() + " -o " +
+            to.string() + " " + line);
+  EXPECT_EQ(made.code, 0) << made.text;
+}
+
+TEST_F(Consumers, SeeNothingButTheInterface) {
+  const Ended symbols =
+      shell("nm -D --defined-only -C $(find " + prefix().string() + " -name libraycheck.so.0)");
+  ASSERT_EQ(symbols.code, 0) << symbols.text;
+  std::istringstream lines(symbols.text);
+  std::size_t count = 0;
+  for (std::string line; std::getline(lines, line); ++count) {
+    for (const char* hidden : {"raycheck::scene::", "raycheck::reference::", "raycheck::fast::",
+                               "raycheck::properties::", "raycheck::tools::", "CGAL", "nlohmann"}) {
+      EXPECT_EQ(line.find(hidden), std::string::npos) << line;
+    }
+  }
+  EXPECT_GT(count, 30u);
+}
+
+}  // namespace
+}  // namespace raycheck::tests

@@ -1,0 +1,141 @@
+// What the library says is what the reference says, and its own ways of writing a number agree.
+
+#include <gtest/gtest.h>
+#include <raycheck/cases.h>
+#include <raycheck/exact.h>
+
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+#include <string>
+
+namespace raycheck::tests {
+namespace {
+
+/// From shared lecture answers: eye (0, 0, 0), sphere ((0, 0, 5), 1).
+TEST(Exact, MeetsTheSphereAhead) {
+  const exact::Intersection met = exact::hit({{0, 0, 0}, {0, 0, 1}}, {{0, 0, 5}, 1});
+  EXPECT_EQ(met.hit_class, exact::HitClass::hit);
+  EXPECT_EQ(met.root, exact::WhichRoot::smaller);
+  EXPECT_TRUE(met.is_hit);
+  ASSERT_TRUE(met.parameter && met.point);
+  EXPECT_EQ(met.parameter->rounded(), 4);
+  EXPECT_EQ(met.parameter->closed_form(), "4");
+  EXPECT_EQ(met.parameter->ulp_error(std::nextafter(4.0, 5.0)), 1);
+  EXPECT_EQ(met.point->rounded().z, 4);
+}
+
+TEST(Exact, WritesARootInEveryWay) {
+  // |(2, 1, 0) - s (1, 1, 0)| = 1: s = (3 - 1)/2 or 2, so the direction (1, 2, 0) is taken: 5 s^2 -
+  // 8 s + 4 = 0 has s = (4 - 2)/5 at radius sqrt(...); by hand for the sphere ((3, 1, 0), 2):
+  // 5 s^2 - 10 s + 6 = 0 has no root, and ((3, 1, 0), 3): 5 s^2 - 10 s + 1 = 0, s = 1 - sqrt(20)/5.
+  const exact::Intersection met = exact::hit({{0, 0, 0}, {1, 2, 0}}, {{3, 1, 0}, 3});
+  ASSERT_TRUE(met.parameter);
+  const exact::Number& s = *met.parameter;
+  const long double value = 1 - std::sqrt(20.0L) / 5;
+  EXPECT_EQ(s.rounded(), static_cast<double>(value));
+  EXPECT_EQ(s.closed_form(), "-2/5*sqrt(5) + 1");
+  EXPECT_LE(s.interval().lower, s.rounded());
+  EXPECT_GE(s.interval().upper, s.rounded());
+  EXPECT_LE(s.interval().upper, std::nextafter(std::nextafter(s.interval().lower, 1.0), 1.0));
+  EXPECT_EQ(s.enclosure(60).substr(0, 20), "[0.10557280900008412");
+  EXPECT_LT(s.ulp_error(s.rounded()), 0.5);
+  EXPECT_GT(s.condition(), 1);
+  EXPECT_EQ(exact::ulp_error(std::numeric_limits<double>::infinity(), s),
+            std::numeric_limits<double>::infinity());
+  EXPECT_THROW(s.enclosure(1), std::invalid_argument);
+  EXPECT_THROW(s.enclosure(1 << 20), std::invalid_argument);
+}
+
+TEST(Exact, FollowsTheConventions) {
+  const Ray touching{{0, 1, 0}, {1, 0, 0}};
+  const Sphere sphere{{5, 0, 0}, 1};
+  Conventions asked;
+  EXPECT_EQ(exact::hit(touching, sphere).hit_class, exact::HitClass::tangent);
+  EXPECT_TRUE(exact::hit(touching, sphere).is_hit);
+  asked.tangent = Tangent::miss;
+  EXPECT_FALSE(exact::hit(touching, sphere, asked).is_hit);
+  const Ray inside{{0, 0, 0}, {1, 0, 0}};
+  EXPECT_EQ(exact::hit(inside, {{0, 0, 0}, 2}).parameter->rounded(), 2);
+  asked.root = Root::smaller;
+  EXPECT_FALSE(exact::hit(inside, {{0, 0, 0}, 2}, asked).is_hit);
+}
+
+TEST(Exact, FindsTheNearestAndItsTies) {
+  const Ray ray{{0, 0, 0}, {0, 0, 1}};
+  const auto found = exact::nearest(ray, {{{0, 0, 9}, 1}, {{0, 0, 5}, 1}, {{0, 0, 6}, 2}});
+  ASSERT_TRUE(found);
+  EXPECT_EQ(found->index, 1u);
+  EXPECT_EQ(found->ties, (std::vector<std::size_t>{1, 2}));
+  EXPECT_EQ(found->intersection.parameter->rounded(), 4);
+  EXPECT_FALSE(exact::nearest(ray, {{{0, 0, -9}, 1}}));
+  EXPECT_EQ(exact::nearest({ray, ray}, {{{0, 0, 9}, 1}}).size(), 2u);
+  EXPECT_EQ(exact::hits({ray, ray}, {{{0, 0, 9}, 1}, {{0, 3, 9}, 1}}).size(), 4u);
+}
+
+Camera square_camera() {
+  Camera camera;
+  camera.eye = {0, 0, 10};
+  camera.up = {0, 1, 0};
+  camera.near_plane = -2;
+  camera.left = camera.bottom = -1;
+  camera.right = camera.top = 1;
+  camera.width = camera.height = 3;
+  return camera;
+}
+
+TEST(Exact, KnowsACamera) {
+  const exact::Camera camera(square_camera());
+  EXPECT_EQ(camera.axes().w.rounded().z, 1);
+  EXPECT_EQ(camera.axes().u.rounded().x, 1);
+  const Vector corner = camera.pixel_point({0, 2}).rounded();
+  EXPECT_EQ(corner.x, -1);
+  EXPECT_EQ(corner.y, 1);
+  EXPECT_EQ(corner.z, 8);
+  EXPECT_EQ(camera.ray({0, 2}).direction().z.closed_form(), "-1/3*sqrt(6)");
+  EXPECT_EQ(camera.ray({0, 2}).origin().rounded().z, 8);
+  Conventions focal;
+  focal.origin = Origin::focal;
+  EXPECT_EQ(exact::Camera(square_camera(), focal).ray({0, 2}).origin().rounded().z, 10);
+  EXPECT_THROW((void)camera.ray({3, 0}), std::invalid_argument);
+}
+
+TEST(Exact, RefusesWhatIsNoProblem) {
+  const Ray none{{0, 0, 0}, {0, 0, 0}};
+  EXPECT_THROW(exact::hit(none, {{0, 0, 5}, 1}), std::invalid_argument);
+  EXPECT_THROW(exact::hit({{0, 0, 0}, {0, 0, 1}}, {{0, 0, 5}, -1}), std::invalid_argument);
+  EXPECT_THROW(exact::Camera{Camera{}}, std::invalid_argument);
+}
+
+TEST(Cases, AreTheSameByTheirSeed) {
+  for (const Source& source : sources()) {
+    const Case one = make_case(source.name, 7, 3, source.highest);
+    EXPECT_EQ(scene_text(one), scene_text(make_case(source.name, 7, 3, source.highest)));
+    EXPECT_NE(scene_text(one), scene_text(make_case(source.name, 7, 4, source.highest)))
+        << source.name;
+    EXPECT_EQ(one.scene.camera.has_value(), source.has_camera);
+    EXPECT_THROW(make_case(source.name, 7, 3, source.highest + 1), std::invalid_argument);
+  }
+  EXPECT_THROW(make_case("nowhere", 1), std::invalid_argument);
+}
+
+TEST(Cases, ReadBackAsTheyAreWritten) {
+  const Case one = make_case("rays", 1);
+  const Scene read = read_scene(scene_text(one));
+  EXPECT_EQ(scene_text({read, one.pixels}), scene_text(one));
+  EXPECT_FALSE(simpler(one).empty());
+}
+
+TEST(Cases, AreMadeOfAnyBytes) {
+  std::string bytes;
+  int made = 0;
+  for (int k = 0; k < 500; ++k) {
+    bytes.push_back(static_cast<char>(k * k * 37 + k));
+    const auto* const data = reinterpret_cast<const std::uint8_t*>(bytes.data());
+    if (case_of_bytes(data, bytes.size() % 40)) ++made;
+  }
+  EXPECT_GT(made, 50);
+}
+
+}  // namespace
+}  // namespace raycheck::tests

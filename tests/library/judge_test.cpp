@@ -1,0 +1,106 @@
+// Candidates that are linked in: what is right passes, what is dull or wrong does not.
+
+#include <gtest/gtest.h>
+#include <raycheck/judge.h>
+#include <raycheck/law_tests.h>
+
+#include <algorithm>
+#include <stdexcept>
+#include <string>
+
+#include "examples/tracer.h"
+
+namespace raycheck::tests {
+namespace {
+
+bool contains(const std::string& text, const std::string& part) {
+  return text.find(part) != std::string::npos;
+}
+
+TEST(Judge, LetsAGoodTracerPassEveryLaw) {
+  const LawTests tests(tracer());
+  EXPECT_GT(tests.questions().size(), 100u);
+  std::size_t told = 0;
+  for (const Question& question : tests.questions()) {
+    const LawOutcome outcome = tests.run(question);
+    EXPECT_TRUE(outcome.passes) << outcome.text;
+    told += outcome.says_too_little ? 0 : 1;
+  }
+  EXPECT_GT(told, tests.questions().size() * 2 / 3);
+}
+
+TEST(Judge, BreaksWhatIsDull) {
+  Candidate misses("misses");
+  misses.intersect = [](const Ray&, const Sphere&, const Conventions&) {
+    return std::optional<Hit>();
+  };
+  Candidate at_zero("at-zero");
+  at_zero.intersect = [](const Ray& ray, const Sphere&, const Conventions&) {
+    return std::optional<Hit>({0, ray.origin});
+  };
+  for (const Candidate& dull : {misses, at_zero}) {
+    const Verdict verdict = judge(dull, "class");
+    EXPECT_EQ(verdict.finding, Finding::broken) << verdict.text;
+    EXPECT_FALSE(verdict.passes());
+    for (const char* source : {"rays", "distance", "tangency", "surface"}) {
+      EXPECT_EQ(judge(dull, "class", source).finding, Finding::broken) << source;
+    }
+  }
+}
+
+TEST(Judge, SaysWhereAndWhyALawIsBroken) {
+  Candidate wrong = tracer();
+  wrong.name = "far";
+  wrong.intersect = [](const Ray& ray, const Sphere& sphere, const Conventions& asked) {
+    auto hit = ::intersect(ray, sphere, asked);
+    const Vector to = sphere.centre - ray.origin;
+    if (hit)
+      hit->parameter =
+          2 * dot(to, ray.direction) / dot(ray.direction, ray.direction) - hit->parameter;
+    if (hit) hit->point = ray.origin + hit->parameter * ray.direction;
+    return hit;
+  };
+  const Verdict verdict = judge(wrong, "nearest-root", "rays");
+  ASSERT_EQ(verdict.finding, Finding::broken) << verdict.text;
+  ASSERT_TRUE(verdict.broken);
+  EXPECT_EQ(verdict.broken->shrunk.scene.rays.size(), 1u);
+  EXPECT_TRUE(contains(verdict.broken->replay, "nearest-root:far:rays:")) << verdict.broken->replay;
+  ASSERT_FALSE(verdict.broken->sentences.empty()) << verdict.text;
+  EXPECT_TRUE(contains(verdict.broken->sentences[0], "far root")) << verdict.broken->sentences[0];
+  for (const std::string& part :
+       {verdict.broken->replay, verdict.broken->sentences[0], std::string("[[sphere]]")}) {
+    EXPECT_TRUE(contains(verdict.text, part)) << verdict.text;
+  }
+  const Verdict again = replay(wrong, verdict.broken->replay);
+  EXPECT_EQ(again.finding, Finding::broken);
+  EXPECT_EQ(again.broken->discrepancy, verdict.broken->discrepancy);
+  EXPECT_EQ(replay(tracer(), verdict.broken->replay).finding, Finding::holds);
+  EXPECT_EQ(judge_case(wrong, "nearest-root", verdict.broken->shrunk).finding, Finding::broken);
+  EXPECT_EQ(judge_case(tracer(), "nearest-root", verdict.broken->shrunk).finding, Finding::holds);
+}
+
+TEST(Judge, CountsWhatIsThrownAsNoAnswer) {
+  Candidate throws("throws");
+  throws.intersect = [](const Ray&, const Sphere&, const Conventions&) -> std::optional<Hit> {
+    throw std::runtime_error("no idea");
+  };
+  const Verdict verdict = judge(throws, "class", "rays");
+  EXPECT_EQ(verdict.finding, Finding::broken);
+  EXPECT_TRUE(contains(verdict.text, "no idea")) << verdict.text;
+}
+
+TEST(Judge, AsksOnlyAboutWhatThereIs) {
+  Candidate frames("frames");
+  frames.frame = [](const Camera&) { return Frame{}; };
+  const auto all = questions(frames);
+  ASSERT_FALSE(all.empty());
+  EXPECT_TRUE(
+      std::none_of(all.begin(), all.end(), [](const Question& one) { return one.law == "class"; }));
+  EXPECT_TRUE(questions(Candidate("nothing")).empty());
+  EXPECT_THROW(judge(frames, "nothing"), std::invalid_argument);
+  EXPECT_THROW(judge(frames, "class", "nowhere"), std::invalid_argument);
+  EXPECT_THROW(replay(frames, "nothing"), std::invalid_argument);
+}
+
+}  // namespace
+}  // namespace raycheck::tests

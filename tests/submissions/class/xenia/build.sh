@@ -1,0 +1,3 @@
+#!/bin/sh
+mkdir -p classes
+javac -d classes src/raytracer/*.java

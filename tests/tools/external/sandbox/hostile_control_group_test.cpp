@@ -1,0 +1,314 @@
+// Control groups of programs: that none is left by what it holds, or left behind, what they limit,
+// and what is said where none may be made.
+
+#include <gtest/gtest.h>
+#include <sys/stat.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <csignal>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <optional>
+#include <stdexcept>
+#include <string>
+#include <system_error>
+#include <vector>
+
+#include "tests/tools/external/judged.h"
+#include "tools/external/sandbox/control_group.h"
+
+namespace raycheck::tests {
+namespace {
+
+namespace fs = std::filesystem;
+using nlohmann::json;
+
+constexpr const char* kGroupScene = "scene/examples/probe.toml";
+constexpr const char* kRunAsNobody = "setpriv --reuid 65534 --regid 65534 --clear-groups ";
+constexpr const char* kHidingBubblewrap =
+    "unshare -m sh -c 'mount --bind /dev/null /usr/bin/bwrap && exec \"$@\"' sh ";
+constexpr uid_t kNobodysUser = 65534;
+
+/// A renderer of these lines of Python, which knows a path.
+std::string group_renderer(const std::string& lines, const std::string& path = "none") {
+  const std::string program =
+      temporary_file("group.py", "import ctypes, os, subprocess, sys, time\n" + lines + "\n");
+  return "renderer:python3 " + program + " " + path + " {scene} {image}";
+}
+
+std::vector<fs::path> groups_in(const fs::path& folder) {
+  std::vector<fs::path> folders;
+  std::error_code gone;
+  for (const auto& entry : fs::directory_iterator(folder)) {
+    if (entry.is_directory(gone)) folders.push_back(entry.path());
+  }
+  return folders;
+}
+
+/// A control group for raycheck, as `systemd-run --scope -p Delegate=yes` makes one.
+class Delegated {
+ public:
+  Delegated() {
+    if (geteuid() != 0) {
+      why_not_ = "only root makes a group for others";
+      return;
+    }
+    try {
+      const fs::path own =
+          tools::own_control_group(contents("/proc/self/mountinfo"), contents("/proc/self/cgroup"));
+      for (const char* one : {"+memory", "+pids"}) {
+        std::ofstream(own / "cgroup.subtree_control") << one;
+      }
+      const fs::path path = own / ("test-of-raycheck-" + std::to_string(getpid()));
+      if (!fs::create_directory(path)) throw std::runtime_error(path.string() + " is there");
+      path_ = path;
+    } catch (const std::runtime_error& error) {
+      why_not_ = error.what();
+    }
+  }
+  ~Delegated() {
+    if (path_.empty()) return;
+    std::ofstream(path_ / "cgroup.kill") << 1;
+    for (int k = 0; k < 1000 && rmdir(path_.c_str()) != 0; ++k) usleep(1000);
+  }
+  Delegated(const Delegated&) = delete;
+  Delegated& operator=(const Delegated&) = delete;
+
+  /// Why there is none on this machine; empty where there is.
+  const std::string& why_not() const { return why_not_; }
+  const fs::path& path() const { return path_; }
+  void give_to(uid_t user) const {
+    for (const char* file : {"", "cgroup.procs", "cgroup.threads", "cgroup.subtree_control"}) {
+      EXPECT_EQ(chown((path_ / file).c_str(), user, user), 0) << file;
+    }
+  }
+  /// Those that groups in it have.
+  std::string controllers() const { return contents(path_ / "cgroup.subtree_control"); }
+  /// A run that was killed leaves them on, and then nothing may enter.
+  void switch_off_controllers() const {
+    for (const char* one : {"-memory", "-pids", "-cpu"}) {
+      std::ofstream(path_ / "cgroup.subtree_control") << one;
+    }
+  }
+  bool offers(const std::string& controller) const {
+    return contents(path_ / "cgroup.controllers").find(controller) != std::string::npos;
+  }
+
+  /// What `raycheck check` in it says of a candidate, run by these words, after these lines.
+  json judged(const std::string& words, const std::string& candidate, const std::string& more = "",
+              const std::string& before = "") const {
+    const Outcome outcome = run_bash(temporary_file(
+        "group.sh", before + "echo $$ > '" + path_.string() + "/cgroup.procs' && exec " + words +
+                        "'" RAYCHECK_BINARY "' check " + kGroupScene + " --format json " + more +
+                        " --candidate '" + candidate + "'\n"));
+    EXPECT_TRUE(outcome.exit_code == 0 || outcome.exit_code == 1) << outcome.err << outcome.out;
+    if (outcome.out.empty()) return {};
+    return json::parse(outcome.out)["candidates"][0];
+  }
+
+ private:
+  std::string why_not_;
+  fs::path path_;
+};
+
+std::string group_isolation(const json& candidate) {
+  return candidate.value("isolated_by", std::string("nothing"));
+}
+
+/// Who runs raycheck, as words before it; those that this machine cannot are passed over.
+struct GroupMachine {
+  const char* name;
+  bool is_root, has_bubblewrap;
+  std::string words() const {
+    return std::string(has_bubblewrap ? "" : kHidingBubblewrap) + (is_root ? "" : kRunAsNobody);
+  }
+};
+void PrintTo(const GroupMachine& machine, std::ostream* out) { *out << machine.name; }
+
+class HostileControlGroupOn : public testing::TestWithParam<GroupMachine> {
+ protected:
+  void SetUp() override {
+    if (!delegated.why_not().empty()) GTEST_SKIP() << delegated.why_not();
+    const std::string test = GetParam().words() + "test -x '" RAYCHECK_BINARY "'";
+    if (std::system(test.c_str()) != 0) GTEST_SKIP() << "does not work here: " << test;
+    if (!GetParam().is_root) delegated.give_to(kNobodysUser);
+  }
+  const Delegated delegated;
+};
+
+INSTANTIATE_TEST_SUITE_P(Machines, HostileControlGroupOn,
+                         testing::Values(GroupMachine{"root", true, true},
+                                         GroupMachine{"root_without_bubblewrap", true, false},
+                                         GroupMachine{"nobody", false, true},
+                                         GroupMachine{"nobody_without_bubblewrap", false, false}),
+                         [](const auto& the_test) { return std::string(the_test.param.name); });
+
+TEST_P(HostileControlGroupOn, CannotBeLeftOrChangedByWhatItHolds) {
+  // By the path that it is told, by that of its own group, and by all that it finds.
+  const std::string lines = R"(
+own = open('/proc/self/cgroup').read().split('0::')[1].strip()
+told = sys.argv[1]
+mounted = told.rsplit('/', 1)[0]
+folders = {told, mounted, mounted + own, told + own}
+for place in '/sys/fs/cgroup', told:
+    folders.update(folder for folder, _, _ in os.walk(place))
+gained = []
+for folder in sorted(folders):
+    for name in ('cgroup.procs', 'cgroup.threads', 'cgroup.kill', 'cgroup.subtree_control',
+                 'cgroup.max.descendants', 'memory.max', 'pids.max'):
+        try:
+            os.close(os.open(folder + '/' + name, os.O_WRONLY))
+            gained.append(folder + '/' + name)
+        except OSError:
+            pass
+    try:
+        os.mkdir(folder + '/mine')
+        gained.append(folder + '/mine')
+    except OSError:
+        pass
+here = os.getcwd().encode()
+if ctypes.CDLL(None).mount(b'none', here, b'cgroup2', 0, None) == 0:
+    gained.append('a mount')
+sys.exit('gained ' + ' '.join(gained) if gained else 'tried %d' % len(folders)))";
+  const json candidate =
+      delegated.judged(GetParam().words(), group_renderer(lines, delegated.path().string()));
+  if (!GetParam().has_bubblewrap &&
+      group_isolation(candidate).find("Landlock") == std::string::npos && !GetParam().is_root) {
+    EXPECT_EQ(group_isolation(candidate).find("control group"), std::string::npos);
+    GTEST_SKIP() << "this kernel has no Landlock: " << group_isolation(candidate);
+  }
+  EXPECT_NE(group_isolation(candidate).find("control group"), std::string::npos) << candidate;
+  const std::string words = candidate["worst"].dump();
+  EXPECT_EQ(words.find("gained"), std::string::npos) << words;
+  EXPECT_NE(words.find("it said: tried "), std::string::npos) << words;
+  EXPECT_TRUE(groups_in(delegated.path()).empty()) << groups_in(delegated.path())[0];
+  EXPECT_TRUE(delegated.controllers().empty()) << delegated.controllers();
+}
+
+TEST_P(HostileControlGroupOn, MayHaveSoManyProcessesInAll) {
+  if (!delegated.offers("pids")) GTEST_SKIP() << "the kernel counts no processes in such groups";
+  // The kernel counts those of a user too, which here has others.
+  const std::string others = std::string("for k in $(seq 40); do ") + kRunAsNobody +
+                             "sleep 100 & others=\"$others $!\"; done\n" +
+                             "(sleep 30; kill $others) & sleep 0.5\n";
+  const json candidate = delegated.judged(GetParam().words(), group_renderer(R"(
+count = 1
+try:
+    while count < 200:
+        if os.fork() == 0:
+            time.sleep(60)
+        count += 1
+except OSError:
+    pass
+sys.exit('so many: %d.' % count))"),
+                                          "", others);
+  EXPECT_NE(group_isolation(candidate).find("processes)"), std::string::npos) << candidate;
+  const std::string words = candidate["worst"].dump();
+  const std::size_t at = words.find("so many: ");
+  ASSERT_NE(at, std::string::npos) << words;
+  const int count = std::atoi(words.c_str() + at + std::string("so many: ").size());
+  EXPECT_LE(count, 64);
+  EXPECT_GE(count, 60);
+}
+
+TEST_P(HostileControlGroupOn, MayHaveSoMuchMemoryInAll) {
+  if (!delegated.offers("memory")) GTEST_SKIP() << "the kernel counts no memory in such groups";
+  const json candidate = delegated.judged(GetParam().words(), group_renderer(R"(
+for k in range(5):
+    if os.fork() == 0:
+        kept = b'x' * (1000 << 20)
+        time.sleep(60)
+time.sleep(60))"),
+                                          "--timeout 30");
+  EXPECT_NE(group_isolation(candidate).find("(memory"), std::string::npos) << candidate;
+  const std::string words = candidate["worst"].dump();
+  EXPECT_NE(words.find("was stopped: it uses more than 4096 MiB of memory"), std::string::npos)
+      << words;
+}
+
+TEST(HostileControlGroup, IsNotMadeWhereOthersAreAndItIsSaidWhy) {
+  const Delegated delegated;
+  if (!delegated.why_not().empty()) GTEST_SKIP() << delegated.why_not();
+  const std::string submission = temporary_file("notes.txt", "nothing that runs\n");
+  const std::string out = temporary_file("out", "") + ".d";
+  const std::string group = delegated.path().string();
+  /// What raycheck in the group, after these words, says of its isolation.
+  const auto said = [&](const std::string& before) {
+    const Outcome outcome = run_bash(temporary_file(
+        "group.sh", "echo $$ > '" + group + "/cgroup.procs'\n" + before +
+                        "'" RAYCHECK_BINARY "' grade tools/grade/rubrics/lecture7.toml '" +
+                        submission + "' --sandbox available --out '" + out + "'\n"));
+    fs::remove_all(out);
+    const std::size_t at = outcome.out.find("isolated by: ");
+    if (at == std::string::npos) return outcome.out + outcome.err;
+    return outcome.out.substr(at, outcome.out.find('\n', at) - at);
+  };
+  const std::string alone = said("exec ");
+  EXPECT_NE(alone.find(", control group"), std::string::npos) << alone;
+  const std::string mounted = "'" + fs::path(group).parent_path().string() + "'";
+  const std::string closed =
+      said("exec unshare -m sh -c \"mount --bind " + mounted + " " + mounted +
+           " && mount -o remount,ro,bind " + mounted + " && exec \\\"\\$@\\\"\" sh ");
+  EXPECT_NE(closed.find("; no control group: " + group), std::string::npos) << closed;
+  EXPECT_NE(closed.find(": Read-only file system"), std::string::npos) << closed;
+  EXPECT_TRUE(groups_in(delegated.path()).empty()) << groups_in(delegated.path())[0];
+  const std::string beside = said("sleep 60 & ");
+  EXPECT_NE(beside.find("; no control group: " + group + " holds other processes besides"),
+            std::string::npos)
+      << beside;
+}
+
+/// The processes whose command line has this text, and not those that started them.
+std::vector<pid_t> sleepers_with(const std::string& text) {
+  std::vector<pid_t> found;
+  for (const auto& entry : fs::directory_iterator("/proc")) {
+    const std::string line = contents(entry.path() / "cmdline");
+    if (line.starts_with("sleep") && line.find(text) != std::string::npos) {
+      found.push_back(std::atoi(entry.path().filename().c_str()));
+    }
+  }
+  return found;
+}
+
+TEST(HostileControlGroup, HoldsWhatLeavesItsParentAndIsRemovedByTheNextRun) {
+  const Delegated delegated;
+  if (!delegated.why_not().empty()) GTEST_SKIP() << delegated.why_not();
+  const std::string mark = std::to_string(920000000 + getpid());
+  const std::string candidate = group_renderer(
+      "for k in range(4):\n  if os.fork() == 0:\n    os.setsid()\n    if os.fork() == 0:\n"
+      "      os.execvp('sleep', ['sleep', '" +
+      mark + "'])\n    os._exit(0)\ntime.sleep(60)\n");
+  const std::string script = temporary_file(
+      "killed.sh",
+      "echo $$ > '" + delegated.path().string() +
+          "/cgroup.procs'\nexec '" RAYCHECK_BINARY "' check '" RAYCHECK_SOURCE_DIR "'/" +
+          kGroupScene + " --timeout 60 --candidate '" + candidate + "' > /dev/null 2>&1\n");
+  const pid_t child = fork();
+  if (child == 0) {
+    execl("/bin/bash", "bash", script.c_str(), static_cast<char*>(nullptr));
+    _exit(127);
+  }
+  for (int k = 0; k < 1000 && sleepers_with(mark).size() < 4; ++k) usleep(10000);
+  const std::vector<pid_t> held = sleepers_with(mark);
+  EXPECT_EQ(held.size(), 4u);
+  const std::string begin = "/raycheck-" + std::to_string(child) + "-";
+  for (const pid_t one : held) {
+    const std::string group = contents("/proc/" + std::to_string(one) + "/cgroup");
+    EXPECT_NE(group.find(begin), std::string::npos) << group;
+  }
+  kill(child, SIGKILL);
+  waitpid(child, nullptr, 0);
+  for (int k = 0; k < 500 && !sleepers_with(mark).empty(); ++k) usleep(10000);
+  EXPECT_TRUE(sleepers_with(mark).empty());
+  // Its own, and those of programs.
+  EXPECT_GE(groups_in(delegated.path()).size(), 2u);
+  delegated.switch_off_controllers();
+  const json next = delegated.judged("", group_renderer("pass"));
+  EXPECT_NE(group_isolation(next).find("control group"), std::string::npos) << next;
+  EXPECT_TRUE(groups_in(delegated.path()).empty()) << groups_in(delegated.path())[0];
+}
+
+}  // namespace
+}  // namespace raycheck::tests

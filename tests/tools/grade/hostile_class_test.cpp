@@ -1,0 +1,132 @@
+// A class in which some do harm: the others have the grades that they have alone.
+
+#include <gtest/gtest.h>
+#include <sys/mount.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <csignal>
+#include <cstdlib>
+#include <filesystem>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include "tests/tools/grade/grading.h"
+
+namespace raycheck::tests {
+namespace {
+
+namespace fs = std::filesystem;
+using nlohmann::json;
+
+/// The environment's temporary folder is another one, as long as this lives.
+class TemporaryFolder {
+ public:
+  explicit TemporaryFolder(const std::string& path) {
+    if (const char* const before = std::getenv("TMPDIR")) before_ = before;
+    setenv("TMPDIR", path.c_str(), 1);
+  }
+  ~TemporaryFolder() {
+    before_.empty() ? unsetenv("TMPDIR") : setenv("TMPDIR", before_.c_str(), 1);
+  }
+  TemporaryFolder(const TemporaryFolder&) = delete;
+  TemporaryFolder& operator=(const TemporaryFolder&) = delete;
+
+ private:
+  std::string before_;
+};
+
+/// A disk of this size; empty where none can be made.
+class SmallDisk {
+ public:
+  SmallDisk(const std::string& path, const std::string& size) {
+    fs::create_directories(path);
+    if (mount("tmpfs", path.c_str(), "tmpfs", 0, ("size=" + size + ",mode=1777").c_str()) == 0) {
+      path_ = path;
+    }
+  }
+  ~SmallDisk() {
+    if (!path_.empty()) umount2(path_.c_str(), MNT_DETACH);
+  }
+  SmallDisk(const SmallDisk&) = delete;
+  SmallDisk& operator=(const SmallDisk&) = delete;
+  const std::string& path() const { return path_; }
+
+ private:
+  std::string path_;
+};
+
+constexpr const char* kFillsTheDisk = R"(
+import os, time
+for k in range(100): open('f%d' % k, 'wb').write(bytes(4 << 20))
+time.sleep(4)
+)";
+
+TEST(HostileClass, whose_disk_one_fills_has_the_grades_that_each_has_alone) {
+  const Grading grading;
+  const SmallDisk disk(grading.path("disk"), "330m");
+  if (disk.path().empty()) GTEST_SKIP() << "no disk can be mounted here";
+  const std::string rubric = grading.lecture7_with({{"reply_seconds = 5", "reply_seconds = 20"}});
+  grading.write("submissions/fills/rays.py", kFillsTheDisk);
+  const std::vector<std::string> innocents = {grading.submit("one", "rays.py"),
+                                              grading.submit("two", "rays.py"),
+                                              grading.submit("three", "rays.py")};
+  std::vector<std::string> all = innocents;
+  all.insert(all.begin(), grading.path("submissions/fills"));
+  const Outcome alone = grading.grade(rubric, innocents, "alone");
+  ASSERT_EQ(alone.exit_code, 0) << alone.err;
+  const TemporaryFolder temporary(disk.path());
+  const Outcome together = grading.grade(rubric, all, "together", "--jobs 2");
+  EXPECT_EQ(together.exit_code, 4) << together.out << together.err;
+  EXPECT_TRUE(contains(together.out, "less than 256 MiB of disk left")) << together.out;
+  EXPECT_TRUE(contains(together.out, "1 of them for causes outside: the same command tries again"))
+      << together.out;
+  EXPECT_FALSE(grading.result("fills", "together")["finished"]);
+  for (const char* name : {"one", "two", "three"}) {
+    EXPECT_EQ(without_times(grading.file(name, "result.json", "together")),
+              without_times(grading.file(name, "result.json", "alone")));
+  }
+  // Where there is more room it is its own limit that it meets.
+  const Outcome again =
+      grading.grade(grading.lecture7_with(
+                        {{"reply_seconds = 5", "reply_seconds = 20\nlimits = { disk_mib = 60 }"}}),
+                    {grading.path("submissions/fills")}, "more");
+  EXPECT_EQ(again.exit_code, 0) << again.out << again.err;
+  EXPECT_TRUE(contains(again.out, "its files take more than 60 MiB (disk_mib)")) << again.out;
+}
+
+TEST(HostileClass, of_which_one_is_killed_from_outside_has_it_judged_again_alone) {
+  const Grading grading;
+  const std::string mark = "killed_" + std::to_string(getpid());
+  const std::string victim =
+      grading.submit("victim", "rays.py", "import time; time.sleep(2) # " + mark);
+  fs::rename(victim + "/rays.py", victim + "/" + mark + "_rays.py");
+  grading.write("submissions/suicide/rays.py", "import os\nos.kill(os.getpid(), 9)\n");
+  const std::string rubric = grading.lecture7_with({{"has = \"rays.py\"", "has = \"*rays.py\""}});
+  std::thread killer([&] {
+    for (int k = 0; k < 2000; ++k, usleep(5000)) {
+      for (const auto& entry : fs::directory_iterator("/proc")) {
+        const std::string line = contents(entry.path() / "cmdline");
+        if (line.rfind("python3", 0) != 0 || !contains(line, mark)) continue;
+        kill(std::stoi(entry.path().filename()), SIGKILL);
+        return;
+      }
+    }
+  });
+  const Outcome outcome =
+      grading.grade(rubric, {victim, grading.path("submissions/suicide")}, "out", "--jobs 2");
+  killer.join();
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.out << outcome.err;
+  const json killed = grading.result("victim");
+  EXPECT_EQ(killed["score"], 110) << outcome.out;
+  EXPECT_TRUE(killed["finished"]);
+  // What kills itself is killed alone, too: that is its grade.
+  const json itself = grading.result("suicide");
+  EXPECT_EQ(itself["score"], 0);
+  EXPECT_TRUE(itself["finished"]);
+  EXPECT_TRUE(contains(itself.dump(), "was killed by signal 9")) << itself.dump(2);
+}
+
+}  // namespace
+}  // namespace raycheck::tests

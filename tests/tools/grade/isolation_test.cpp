@@ -1,0 +1,379 @@
+// What keeps submissions, on machines that have more and less of it: the attacks that it keeps from
+// gaining anything, and what is said where it is missing.
+
+#include <gtest/gtest.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <array>
+#include <cstdlib>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "tests/tools/grade/grading.h"
+
+namespace raycheck::tests {
+namespace {
+
+namespace fs = std::filesystem;
+using nlohmann::json;
+
+/// The points of right answers to all that they offer.
+constexpr double kRightHits = 45;
+
+/// Words that run others as a user who owns nothing, here and where bubblewrap does not run.
+constexpr const char* kAsNobody = "setpriv --reuid 65534 --regid 65534 --clear-groups ";
+constexpr const char* kWithoutBubblewrap =
+    "unshare -m sh -c 'mount --bind /dev/null /usr/bin/bwrap && exec \"$@\"' sh ";
+
+/// A machine that has this much to keep submissions by.
+struct Machine {
+  const char* name;
+  bool is_root, has_bubblewrap;
+  const char* isolation;  ///< What it is then; a control group may come to it.
+  std::string words() const {
+    return std::string(has_bubblewrap ? "" : kWithoutBubblewrap) + (is_root ? "" : kAsNobody);
+  }
+};
+void PrintTo(const Machine& machine, std::ostream* out) { *out << machine.name; }
+
+const std::array<Machine, 4> kMachines = {
+    {{"root", true, true, "own user, seccomp, bubblewrap"},
+     {"root_without_bubblewrap", true, false, "own user, seccomp, Landlock"},
+     {"nobody", false, true, "seccomp, bubblewrap"},
+     {"nobody_without_bubblewrap", false, false, "seccomp, Landlock"}}};
+
+/// Why a machine cannot be had here; empty where it can.
+std::string why_not(const Machine& machine) {
+  if (geteuid() != 0) return "only root can be another user or hide a program";
+  if (std::system((machine.words() + "true").c_str()) != 0) return "no " + machine.words();
+  if (std::system((machine.words() + "test -x '" RAYCHECK_BINARY "'").c_str()) != 0) {
+    return std::string("closed to this user: ") + RAYCHECK_BINARY;
+  }
+  return "";
+}
+
+class HostileOnMachine : public testing::TestWithParam<Machine> {
+ protected:
+  void SetUp() override {
+    const std::string why = why_not(GetParam());
+    if (!why.empty()) GTEST_SKIP() << why;
+    fs::create_directories(grading.path("out"));
+    for (const char* folder : {"", "out"}) {
+      ASSERT_EQ(chmod(grading.path(folder).c_str(), 0777), 0);
+    }
+  }
+
+  /// Grades there. `program` is raycheck, wherever it lies.
+  Outcome grade(const std::string& rubric, const std::vector<std::string>& submissions,
+                const std::string& more = "", const std::string& program = RAYCHECK_BINARY,
+                const std::string& before = "") const {
+    const std::string script = grading.write(
+        "grade.sh", before + GetParam().words() + "'" + program + "' " +
+                        grading.arguments(rubric, submissions, "out", "--jobs 2 " + more) + "\n");
+    return run_bash(script);
+  }
+  /// What `grade` is to be told there, for it to go on.
+  std::string as_it_is() const { return GetParam().has_bubblewrap ? "" : "--sandbox available "; }
+
+  const Grading grading;
+};
+
+INSTANTIATE_TEST_SUITE_P(Machines, HostileOnMachine, testing::ValuesIn(kMachines),
+                         [](const auto& the_test) { return std::string(the_test.param.name); });
+
+TEST_P(HostileOnMachine, NothingIsGainedAndTheJudgeSurvives) {
+  const std::string rubric = grading.lecture7_with({});
+  std::vector<std::string> folders;
+  const std::vector<std::string> attacks = {"none",          "kills_judge",   "weakens_judge",
+                                            "reads_others",  "opens_socket",  "makes_namespaces",
+                                            "leaves_memory", "runs_raycheck", "writes_outside"};
+  for (const std::string& attack : attacks) {
+    folders.push_back(grading.submit_built(attack, "hostile.cpp", attack));
+  }
+  const Outcome outcome = grade(rubric, folders, as_it_is());
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.err << outcome.out;
+  const std::string said = std::string("isolated by: ") + GetParam().isolation;
+  if (!contains(outcome.out, said)) GTEST_SKIP() << "this kernel has less: " << outcome.out;
+  EXPECT_TRUE(contains(contents(grading.path("out/index.html")), said));
+  for (const std::string& attack : attacks) {
+    const json result = grading.result(attack);
+    EXPECT_EQ(result["score"], kRightHits) << attack;
+    EXPECT_TRUE(result["finished"]) << attack;
+    const std::string isolated_by = result["isolated_by"];
+    EXPECT_TRUE(isolated_by.starts_with(GetParam().isolation)) << attack << isolated_by;
+  }
+}
+
+TEST_P(HostileOnMachine, RaycheckAndItsRubricsAreHiddenWhereTheyAreInstalled) {
+  // Installed below /usr/local, for this test alone.
+  const std::string build = fs::path(RAYCHECK_BINARY).parent_path().string();
+  const std::string install =
+      grading.write("install.sh",
+                    "set -e\nmount -t tmpfs none /usr/local\nmkdir -p /usr/local/bin "
+                    "/usr/local/share/raycheck /usr/local/include\ncp '" +
+                        build + "'/raycheck '" + build + "'/raycheck-* /usr/local/bin/\ncd '" +
+                        RAYCHECK_SOURCE_DIR +
+                        "'\ncp -r tools/grade/rubrics tools/external/adapters/* "
+                        "/usr/local/share/raycheck/\ncp -r include/raycheck "
+                        "/usr/local/include/\nexec \"$@\"\n");
+  const std::string before = "unshare -m sh '" + install + "' ";
+  const std::string rubric = grading.lecture7_with({});
+  const std::string attack = grading.submit_built("runs_raycheck", "hostile.cpp", "runs_raycheck");
+  const std::string program = grading.submit("python", "rays.py");
+  const Outcome outcome =
+      grade(rubric, {attack, program}, as_it_is(), "/usr/local/bin/raycheck", before);
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.err << outcome.out;
+  EXPECT_TRUE(contains(outcome.out, std::string("isolated by: ") + GetParam().isolation))
+      << outcome.out;
+  EXPECT_EQ(grading.result("runs_raycheck")["score"], kRightHits);
+  EXPECT_EQ(grading.result("python")["score"], 110) << "the adapter is there";
+}
+
+TEST_P(HostileOnMachine, BombsSideBySideDoNotRaiseTheLimitOfEachOther) {
+  const std::string rubric = grading.lecture7_with(
+      {{"seconds = 60 ", "seconds = 8 "}, {"reply_seconds = 5 ", "reply_seconds = 2 "}});
+  std::vector<std::string> submissions = {grading.submit("right", "rays.py")};
+  for (const char* name : {"first", "second", "third"}) {
+    const std::string file = grading.write(std::string(name) + "/rays.py",
+                                           "import os\nwhile True:\n  try: os.fork()\n"
+                                           "  except OSError: pass\n");
+    submissions.push_back(fs::path(file).parent_path());
+  }
+  const Outcome outcome = grade(rubric, submissions, as_it_is());
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.err << outcome.out;
+  EXPECT_EQ(grading.result("right")["score"], 110);
+  for (const char* name : {"first", "second", "third"}) {
+    EXPECT_EQ(grading.result(name)["score"], 0) << name;
+    EXPECT_TRUE(grading.result(name)["finished"]) << name;
+  }
+}
+
+TEST_P(HostileOnMachine, PicturesAndFoldersThatAreClosedAreNoFailureOfTheMachine) {
+  const std::string rubric = grading.lecture7_with({{"preset = \"auto\"", "preset = \"B\""}});
+  const std::string picture =
+      "import os, sys\nopen(sys.argv[2], 'w').write('P3 25 25 255 ' + "
+      "'255 255 255 ' * 625)\nos.chmod(sys.argv[2], 0)\n";
+  const std::string file = grading.write("file/rt.py", picture);
+  const std::string folder = grading.write("folder/rt.py", picture + "os.chmod('.', 0)\n");
+  const Outcome outcome =
+      grade(rubric, {fs::path(file).parent_path(), fs::path(folder).parent_path()}, as_it_is());
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.err << outcome.out;
+  for (const char* name : {"file", "folder"}) {
+    EXPECT_TRUE(grading.result(name)["finished"]) << name << outcome.out;
+    EXPECT_EQ(grading.result(name)["score"], 0) << name;
+  }
+}
+
+TEST_P(HostileOnMachine, LessThanThereShouldBeIsAnErrorUnlessItIsAskedFor) {
+  const std::string rubric = grading.lecture7_with({});
+  const std::string right = grading.submit("right", "rays.py");
+  const Outcome outcome = grade(rubric, {right});
+  if (GetParam().has_bubblewrap) {
+    EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+    return;
+  }
+  EXPECT_EQ(outcome.exit_code, 2);
+  for (const char* part :
+       {"sandbox require: what does not work here: bubblewrap", "bwrap: Permission denied",
+        "sandbox available, which goes on with what does: ", GetParam().isolation}) {
+    EXPECT_TRUE(contains(outcome.err, part)) << outcome.err;
+  }
+  EXPECT_FALSE(fs::exists(grading.path("out/right/result.json")));
+  const Outcome probed =
+      run_bash(grading.write("probe.sh", GetParam().words() + "'" RAYCHECK_BINARY "' grade '" +
+                                             rubric + "' '" + right + "' --probe\n"));
+  EXPECT_EQ(probed.exit_code, 2) << probed.out;
+}
+
+TEST_P(HostileOnMachine, InnocentsInOtherLanguagesHaveTheirScores) {
+  if (GetParam().has_bubblewrap) GTEST_SKIP() << "class_test.cpp has them all";
+  const std::string node = std::string(RAYCHECK_SOURCE_DIR) + "/tests/submissions/class/ella";
+  const std::string notebook = std::string(RAYCHECK_SOURCE_DIR) + "/tests/submissions/class/jonas";
+  if (std::system("node --version > /dev/null") != 0) GTEST_SKIP() << "no node";
+  const Outcome outcome = grade(kLecture7, {node, notebook}, as_it_is());
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+  EXPECT_EQ(grading.result("ella")["score"], 107.5) << outcome.out;
+  EXPECT_EQ(grading.result("jonas")["score"], 110) << outcome.out;
+}
+
+TEST_P(HostileOnMachine, OtherProcessesOfTheUserTakeNothingFromSubmissions) {
+  if (GetParam().is_root) GTEST_SKIP() << "as root each submission has a user of its own";
+  // More than the 64 that a submission may have, as a desktop has them.
+  const std::string rubric = grading.lecture7_with({});
+  const std::string threads = grading.submit("python", "rays.py");
+  const std::string before = std::string("for k in $(seq 80); do ") + kAsNobody +
+                             "sleep 100 & others=\"$others $!\"; done\ntrap 'kill $others' EXIT\n";
+  const Outcome outcome = grade(rubric, {threads}, as_it_is(), RAYCHECK_BINARY, before);
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.err << outcome.out;
+  EXPECT_TRUE(contains(outcome.out, std::string("isolated by: ") + GetParam().isolation))
+      << outcome.out;
+  EXPECT_EQ(grading.result("python")["score"], 110);
+}
+
+TEST(HostileJail, KeepsSignalsInWhereTheKernelCannot) {
+  if (geteuid() != 0) GTEST_SKIP() << "only root can be another user";
+  const Grading grading;
+  const std::string jail =
+      "'" + (fs::path(RAYCHECK_BINARY).parent_path() / "raycheck-jail").string() + "'";
+  // Without Landlock, so by seccomp alone. Its last line is reached by who is not killed.
+  const std::string script = grading.write("signals.sh", R"(
+sleep 100 &
+judge=$!
+)" + jail + R"( seccomp=1 judge=$judge -- python3 -c "
+import os, signal, sys
+judge = int(sys.argv[1])
+def refused(call):
+    try:
+        call()
+    except OSError as error:
+        return error.errno == 1
+for target in judge, -1, -os.getpgid(judge), 1 << 32 | judge:
+    try:
+        assert refused(lambda: os.kill(target, signal.SIGKILL)), target
+    except OverflowError:
+        pass
+assert refused(lambda: os.pidfd_open(judge))
+assert refused(lambda: os.setpriority(os.PRIO_PROCESS, judge, 19))
+assert refused(lambda: os.setpriority(os.PRIO_USER, 0, 19))
+assert refused(lambda: os.sched_setaffinity(judge, [0]))
+import resource
+assert refused(lambda: resource.prlimit(judge, resource.RLIMIT_NOFILE, (0, 0)))
+os.kill(os.getpid(), 0)
+os.kill(0, 0)
+os.nice(1)
+resource.setrlimit(resource.RLIMIT_NOFILE, (16, 16))
+print('kept')
+os.kill(os.getpid(), signal.SIGTERM)
+" $judge
+echo "ended with $?"
+kill -0 $judge && echo 'the judge is alive'
+kill $judge
+)");
+  const Outcome outcome =
+      run_bash(grading.write("nobody.sh", kAsNobody + ("bash '" + script + "'\n")));
+  EXPECT_EQ(outcome.out, "kept\nended with 143\nthe judge is alive\n") << outcome.err;
+}
+
+TEST(HostileSandbox, ThatFailsLaterIsNeverLeftOut) {
+  if (geteuid() != 0) GTEST_SKIP() << "only root can put a program in another's place";
+  const Grading grading;
+  // Works when it is tried and when the candidate introduces itself, and no more.
+  grading.write("count", "0\n");
+  grading.write("bwrap",
+                "#!/bin/sh\ncd '" + grading.path("") +
+                    "'\ncase \"$*\" in */bin/true) exec ./real \"$@\" ;; esac\n"
+                    "read -r n < count\necho $((n + 1)) > count\n[ $n -lt 1 ] && "
+                    "exec ./real \"$@\"\necho 'bwrap: no room for namespaces' >&2\nexit 1\n");
+  fs::copy_file("/usr/bin/bwrap", grading.path("real"));
+  ASSERT_EQ(chmod(grading.path("bwrap").c_str(), 0755), 0);
+  ASSERT_EQ(chmod(grading.path("count").c_str(), 0666), 0);
+  const std::string root = RAYCHECK_SOURCE_DIR;
+  const Outcome outcome = run_bash(grading.write(
+      "check.sh", "exec unshare -m sh -c \"mount --bind '" + grading.path("bwrap") +
+                      "' /usr/bin/bwrap && exec '" RAYCHECK_BINARY "' check '" + root +
+                      "/scene/examples/lecture-examples.toml' --candidate 'command:python3 " +
+                      root + "/tests/candidates/right.py'\"\n"));
+  EXPECT_EQ(outcome.exit_code, 1) << outcome.err;
+  EXPECT_TRUE(contains(outcome.out,
+                       "could not be started in its sandbox: bwrap: no room for "
+                       "namespaces"))
+      << outcome.out;
+  EXPECT_TRUE(contains(outcome.out, "bubblewrap"));
+}
+
+/// A TMPDIR, and what is said of it; empty: it is used.
+struct TriedFolder {
+  const char* name;
+  mode_t mode;
+  const char* said;
+};
+
+TEST(HostileTemporaryFolder, WorksOrIsRefusedBeforeAnythingIsGraded) {
+  const Grading grading;
+  const std::string rubric = grading.lecture7_with({});
+  const std::string right = grading.submit("right", "rays.py");
+  const TriedFolder folders[] = {{"plain-1.2_b+c", 0755, ""},
+                                 {"a b", 0755, "its name has ' '"},
+                                 {"a[b", 0755, "its name has '['"},
+                                 {"a(b", 0755, "its name has '('"},
+                                 {"a:b", 0755, "its name has ':'"},
+                                 {"a\nb", 0755, "its name has a control character"},
+                                 {"closed", 0700, "other users may not enter it"}};
+  const auto grade_in = [&](const std::string& path) {
+    return run_bash(
+        grading.write("grade.sh", "export TMPDIR='" + path + "'\n'" RAYCHECK_BINARY "' " +
+                                      grading.arguments(rubric, {right}, "out") + "\n"));
+  };
+  for (const auto& [name, mode, said] : folders) {
+    if (mode == 0700 && geteuid() != 0) continue;
+    const std::string path = grading.path(name);
+    fs::create_directory(path);
+    ASSERT_EQ(chmod(path.c_str(), mode), 0);
+    const Outcome outcome = grade_in(path);
+    EXPECT_EQ(outcome.exit_code, *said == 0 ? 0 : 2) << name << outcome.err;
+    EXPECT_TRUE(contains(outcome.err, said)) << outcome.err;
+    EXPECT_EQ(fs::exists(grading.path("out/right/result.json")), *said == 0) << name;
+    fs::remove_all(grading.path("out"));
+  }
+  EXPECT_TRUE(contains(grade_in("relative").err, "has to begin with /"));
+  EXPECT_TRUE(contains(grade_in(grading.path("nowhere")).err, "there is no such folder"));
+}
+
+TEST(HostileTemporaryFolder, WhereNothingRunsEndsGradingBeforeItBegins) {
+  if (geteuid() != 0) GTEST_SKIP() << "only root can mount a folder where nothing runs";
+  const Grading grading;
+  const std::string rubric = grading.lecture7_with({});
+  const std::string right = grading.submit("right", "rays.py");
+  fs::create_directory(grading.path("noexec"));
+  const Outcome outcome = run_bash(
+      grading.write("grade.sh",
+                    "exec unshare -m sh -c 'mount -t tmpfs -o noexec,mode=1777 none \"$TMPDIR\" && "
+                    "exec \"$@\"' sh '" RAYCHECK_BINARY "' " +
+                        grading.arguments(rubric, {right}, "out") + "\n"));
+  ASSERT_NE(outcome.exit_code, 0);
+  setenv("TMPDIR", grading.path("noexec").c_str(), 1);
+  const Outcome there = run_bash(grading.path("grade.sh"));
+  unsetenv("TMPDIR");
+  EXPECT_EQ(there.exit_code, 2) << there.out;
+  EXPECT_TRUE(contains(there.err, "grading does not begin: raycheck's own ")) << there.err;
+  EXPECT_FALSE(fs::exists(grading.path("out/right/result.json")));
+}
+
+TEST(HostileSandbox, NoneIsRefusedToRootWhoDoesNotSayThatHeKnows) {
+  const Grading grading;
+  const std::string rubric = grading.lecture7_with({});
+  const std::string right = grading.submit("right", "rays.py");
+  if (geteuid() == 0) {
+    const Outcome refused = grading.grade(rubric, {right}, "out", "--sandbox none");
+    EXPECT_EQ(refused.exit_code, 2);
+    EXPECT_TRUE(contains(refused.err, "--sandbox none: candidates would run as root"))
+        << refused.err;
+    EXPECT_FALSE(fs::exists(grading.path("out")));
+  }
+  const Outcome known = grading.grade(rubric, {right}, "out", "--sandbox none --i-know");
+  EXPECT_EQ(known.exit_code, 0) << known.err;
+  EXPECT_TRUE(contains(known.out, "isolated by: limits only"));
+}
+
+TEST(HostileSubmission, ThatBringsProgramsAndPicturesIsListedForTheInstructor) {
+  const Grading grading;
+  const std::string folder = grading.submit("brings", "rays.py");
+  grading.write("submissions/brings/helper", std::string("\x7f") + "ELF and so on");
+  grading.write("submissions/brings/table.py", "TABLE = '" + std::string(5000, 'x') + "'\n");
+  grading.write("submissions/brings/stored.ppm", "P6 1 1 255\n   ");
+  grading.write("submissions/brings/notes.txt", "nothing to say of it\n");
+  ASSERT_EQ(grading.grade(grading.lecture7_with({}), {folder}).exit_code, 0);
+  const json files = grading.result("brings")["opaque_files"];
+  ASSERT_EQ(files.size(), 3u) << files;
+  EXPECT_EQ(files[0], json({{"name", "helper"}, {"kind", "program or library"}, {"bytes", 14}}));
+  EXPECT_EQ(files[1]["kind"], "picture");
+  EXPECT_EQ(files[2]["kind"], "text with very long lines");
+  const std::string page = contents(grading.path("out/index.html"));
+  EXPECT_TRUE(contains(page, "helper (program or library, 1 KiB), stored.ppm (picture, 1 KiB)"));
+  EXPECT_FALSE(contains(grading.file("brings", "report.html"), "helper")) << "it is for them alone";
+}
+
+}  // namespace
+}  // namespace raycheck::tests

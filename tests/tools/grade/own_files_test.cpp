@@ -1,0 +1,153 @@
+// What is not raycheck's own is neither replaced nor removed, and nothing is written into what was
+// handed in.
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "tests/tools/grade/grading.h"
+
+namespace raycheck::tests {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// One item, which the mirrored submission fails.
+constexpr const char* kShort = R"toml(
+[[item]]
+name = "pixel (0, 0)"
+points = 4
+[item.pictures]
+judge = "mask"
+scenes = ["lecture7/orientation.toml"]
+)toml";
+
+/// Every file below a folder, links as what they lead to.
+std::map<std::string, std::string> files_below(const std::string& folder) {
+  std::map<std::string, std::string> files;
+  for (const auto& entry : fs::recursive_directory_iterator(folder)) {
+    const bool is_link = entry.is_symlink();
+    files[entry.path()] = is_link                   ? fs::read_symlink(entry.path()).string()
+                          : entry.is_regular_file() ? contents(entry.path())
+                                                    : "folder";
+  }
+  return files;
+}
+
+class HostileOut : public testing::Test {
+ public:
+  HostileOut()
+      : rubric_(grading_.write("short.toml", kFormsOfBuilt + std::string(kShort))),
+        mine_(grading_.submit_built("mine", "rt.cpp", "mirrored")) {
+    for (const char* name : {"README.txt", "CMakeLists.txt", "scene.toml", "results.json"}) {
+      grading_.write(std::string("submissions/mine/") + name, "handed in");
+    }
+  }
+
+  /// It ends with 2 and a reason, and leaves all files as they are.
+  void refuses(const std::string& words, const std::string& why) {
+    const auto before = files_below(grading_.path("."));
+    const Outcome outcome = run(words);
+    EXPECT_EQ(outcome.exit_code, 2) << words << outcome.out;
+    EXPECT_TRUE(contains(outcome.err, why)) << words << "\n" << outcome.err;
+    EXPECT_EQ(outcome.out, "") << words;
+    EXPECT_EQ(files_below(grading_.path(".")), before) << words;
+  }
+  std::string grade_words(const std::string& out) const {
+    return grading_.arguments(rubric_, {mine_}, out);
+  }
+  std::string try_words(const std::string& out) const {
+    return "try '" + rubric_ + "' '" + mine_ + "' --out '" + grading_.path(out) + "'";
+  }
+
+  Grading grading_;
+  std::string rubric_, mine_;
+};
+
+TEST_F(HostileOut, ThatIsHoldsOrLiesInASubmissionIsRefused) {
+  fs::create_directory(grading_.path("linked"));
+  fs::create_directory_symlink(mine_, grading_.path("linked/mine"));
+  fs::create_directory_symlink(grading_.path("submissions"), grading_.path("also"));
+  grading_.write("submissions/mine/below/file", "");
+  for (const auto& words : {&HostileOut::grade_words, &HostileOut::try_words}) {
+    const auto out = [&](const char* folder) { return (this->*words)(folder); };
+    refuses(out("submissions/mine"), " is " + mine_ + ", which is handed in; results take another");
+    refuses(out("submissions/mine/"), " is " + mine_ + ", which");
+    refuses(out("submissions"), " holds " + mine_ + ", which is handed in");
+    refuses(out("."), " holds " + mine_);
+    refuses(out("also"), " holds " + mine_);
+    refuses(out("submissions/mine/below"), " lies in " + mine_);
+    refuses(out("submissions/mine/new/one"), " lies in " + mine_);
+    refuses(out("linked"), "linked/mine is " + mine_);
+  }
+}
+
+TEST_F(HostileOut, HasFilesOfOthersThatStay) {
+  const std::string notes = grading_.write("out/mine/notes.txt", "do not lose");
+  const std::string scene = grading_.write("out/mine/other.toml", "do not lose");
+  const std::string above = grading_.write("out/README.txt", "do not lose");
+  for (int time = 0; time < 2; ++time) {
+    const Outcome graded = run(grade_words("out"));
+    EXPECT_EQ(graded.exit_code, 0) << graded.err;
+    EXPECT_FALSE(grading_.file("mine", "pixel-0-0.toml").empty());
+  }
+  const Outcome tried = run(try_words("out"));
+  EXPECT_EQ(tried.exit_code, 1) << tried.err;
+  for (const std::string& file : {notes, scene, above}) EXPECT_EQ(contents(file), "do not lose");
+}
+
+TEST_F(HostileOut, HasNoFileInTheWayThatRaycheckDidNotWrite) {
+  for (const char* name : {"index.html", "grades.csv", "mine/report.html", "mine/result.json",
+                           "mine/pixel-0-0.toml", "mine/pixel-0-0.txt", ".raycheck-files"}) {
+    const std::string file = grading_.write(std::string("out/") + name, "someone's");
+    refuses(grade_words("out"), file);
+    fs::remove(file);
+  }
+  fs::create_symlink(mine_ + "/README.txt", grading_.path("out/mine/report.html"));
+  refuses(grade_words("out"), "out/mine/report.html");
+  refuses(try_words("out"), "out/mine/report.html");
+}
+
+TEST_F(HostileOut, HasItsOwnFilesReplacedUnlessSomeoneEditedThem) {
+  EXPECT_EQ(run(grade_words("out")).exit_code, 0);
+  const std::string scene = grading_.path("out/mine/pixel-0-0.toml");
+  const std::string page = grading_.path("out/mine/report.html");
+  EXPECT_TRUE(fs::exists(scene));
+  const std::string original = contents(page);
+  grading_.write("out/mine/report.html", original + "<p>2 points more: see me</p>");
+  refuses(grade_words("out"), page + " is not as raycheck wrote it, and stays; move it away");
+  grading_.write("out/mine/report.html", original);
+  fs::remove_all(mine_);
+  grading_.submit_built("mine", "rt.cpp", "none");
+  EXPECT_EQ(run(grade_words("out")).exit_code, 0);
+  EXPECT_FALSE(fs::exists(scene)) << "of an earlier grade";
+  EXPECT_NE(contents(page), original);
+}
+
+TEST_F(HostileOut, ThatIsAFileWhichIsReadIsRefused) {
+  const std::string scene = grading_.write(
+      "scene.ppm", contents(std::string(RAYCHECK_SOURCE_DIR) + "/scene/examples/far-sphere.toml"));
+  const std::string beside = grading_.write(
+      "lecture7/orientation.toml", contents(std::string(RAYCHECK_SOURCE_DIR) +
+                                            "/tools/grade/rubrics/lecture7/orientation.toml"));
+  fs::create_symlink(rubric_, grading_.path("link.zip"));
+  const std::string source = grading_.submit("source", "rays.py") + "/rays.py";
+  const auto named = [](const std::string& file) { return " '" + file + "'"; };
+  const std::string is_read = ", which is read; give another file";
+  refuses("grade" + named(rubric_) + " --package" + named(rubric_), is_read);
+  refuses("grade" + named(rubric_) + " --package" + named(grading_.path("link.zip")), is_read);
+  refuses("grade" + named(rubric_) + " --package" + named(beside), is_read);
+  refuses("image" + named(scene) + " --out" + named(scene), is_read);
+  refuses("check" + named(scene) + " --certificates" + named(scene), is_read);
+  refuses("check" + named(scene) + " --candidate" + named("source:" + source) + " --certificates" +
+              named(source),
+          is_read);
+  const std::string plot = grading_.write("scene.svg", contents(scene));
+  refuses("tradeoff" + named(plot) + " --plot" + named(plot), is_read);
+}
+
+}  // namespace
+}  // namespace raycheck::tests

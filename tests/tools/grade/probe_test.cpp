@@ -1,0 +1,210 @@
+// `grade --probe`: what the dry run says, and that what it suggests does the same.
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "tests/tools/grade/grading.h"
+
+namespace raycheck::tests {
+namespace {
+
+namespace fs = std::filesystem;
+using nlohmann::json;
+
+/// A renderer whose picture says nothing.
+const std::string kBlackPicture = R"(import sys
+print("line 4: I do not know that word")
+with open(sys.argv[2], "w") as image:
+    image.write("P3 25 25 255\n" + "0 0 0 " * 625)
+)";
+const std::string kSilentlyMissing = R"(import sys
+print("first words", file=sys.stderr)
+print("last words", file=sys.stderr)
+)";
+const std::string kEmptyPicture = R"(import sys
+print("wrote it", file=sys.stderr)
+open(sys.argv[2], "w")
+)";
+
+/// Renderers as they come, one picture of each.
+const std::string kAsTheyCome = R"(
+[[form]]
+has = "*"
+build = "auto"
+candidate = "renderer:{program} {scene} {image}"
+)";
+const std::string kOnePicture = R"(
+[[item]]
+name = "one picture"
+points = 10
+[item.pictures]
+judge = "mask"
+image_change = 0.01
+scenes = ["lecture7/frame.toml"]
+)";
+
+class Probe : public testing::Test {
+ protected:
+  Outcome probe(const std::string& rubric, const std::vector<std::string>& submissions,
+                const std::string& more = "") const {
+    return grading_.grade(rubric, submissions, "out", "--probe " + more);
+  }
+  /// One submission, as JSON.
+  json probed(const std::string& folder, const std::string& rubric = kLecture7) const {
+    const Outcome outcome = probe(rubric, {folder}, "--format json");
+    EXPECT_TRUE(outcome.exit_code == 0 || outcome.exit_code == 1) << outcome.err;
+    const json report = json::parse(outcome.out);
+    EXPECT_EQ(report["submissions"].size(), 1u);
+    EXPECT_EQ(outcome.exit_code, report["submissions"][0]["refused"].is_null() ? 0 : 1);
+    return report["submissions"][0];
+  }
+  std::string hand_in(const std::string& name, const std::string& file,
+                      const std::string& text) const {
+    grading_.write("submissions/" + name + "/" + file, text);
+    return grading_.path("submissions/" + name);
+  }
+  /// Driver files of one form alone.
+  std::string one_form() const {
+    return grading_.write("one-form.toml",
+                          "[driver]\npreset = \"2018\"\n" + kAsTheyCome + kOnePicture);
+  }
+  static std::string of_class(const std::string& name) {
+    return RAYCHECK_SOURCE_DIR "/tests/submissions/class/" + name;
+  }
+
+  const Grading grading_;
+};
+
+TEST_F(Probe, says_what_each_builds_reads_writes_and_shows_and_writes_nothing) {
+  const std::vector<std::string> folders = {
+      of_class("farid"), of_class("ella"), grading_.submit("functions", "rays.py"),
+      hand_in("broken", "rt.cpp", "int main() { return 0 }\n")};
+  const Outcome outcome = probe(kLecture7, folders);
+  EXPECT_EQ(outcome.exit_code, 1) << "one cannot be judged" << outcome.err;
+  EXPECT_FALSE(fs::exists(grading_.path("out"))) << "nothing is graded";
+  for (const char* part :
+       {"  2018   out.ppm  spheres\n    it writes out.ppm whatever name it is given\n",
+        "\n    offers focal_ray, frame, intersect, nearest, pixel_point, pixel_ray\n",
+        "could not be judged: 'g++ -O2 -std=c++20 rt.cpp' exited with 1\n",
+        "error: expected ';' before '}' token\n", "4 submissions tried, 1 could not be judged\n"}) {
+    EXPECT_TRUE(contains(outcome.out, part)) << part << "\n" << outcome.out;
+  }
+  EXPECT_FALSE(contains(outcome.out, "does not read")) << "the rubric names no form";
+  const json farid = probed(folders[0]);
+  EXPECT_EQ(farid["dry_run"]["dialect"], "2018");
+  EXPECT_EQ(farid["dry_run"]["driver"]["sphere_numbers"], 20);
+  EXPECT_EQ(farid["dry_run"]["writes"], "out.ppm");
+  EXPECT_EQ(farid["dry_run"]["shows_a_sphere"], true);
+  EXPECT_GT(farid["build_seconds"], 0);
+  EXPECT_TRUE(contains(farid["build"], "make")) << farid["build"];
+  EXPECT_EQ(farid["program"], "renderer:./rt {scene} {image}");
+}
+
+TEST_F(Probe, suggests_what_does_the_same_in_a_rubric) {
+  const std::vector<std::string> folders = {of_class("farid"), of_class("dmitri"),
+                                            of_class("ella")};
+  const Outcome printed = probe(kLecture7, folders);
+  const std::string suggestion =
+      json::parse(probe(kLecture7, folders, "--format json").out)["suggestion"];
+  EXPECT_TRUE(printed.out.ends_with(suggestion)) << printed.out;
+  EXPECT_TRUE(contains(suggestion, "[driver]\npreset = \"2018\"\nothers = true\n")) << suggestion;
+  const std::string before = grading_.write("before.toml", kAsTheyCome + kOnePicture);
+  const std::string pasted = grading_.write("pasted.toml", suggestion + kOnePicture);
+  grading_.grade(before, folders, "before");
+  grading_.grade(pasted, folders, "pasted");
+  for (const char* name : {"farid", "dmitri", "ella"}) {
+    const json now = grading_.result(name, "pasted");
+    const json then = grading_.result(name, "before");
+    EXPECT_EQ(now["score"], 10) << name;
+    for (const char* key : {"items", "driver", "program"}) EXPECT_EQ(now[key], then[key]) << name;
+  }
+  // The forms are those in words, not the one that builds as it comes.
+  for (const json& one : json::parse(probe(pasted, folders, "--format json").out)["submissions"]) {
+    const bool is_built = one["name"] == "farid";
+    EXPECT_EQ(one["build"].is_string(), is_built) << one["name"];
+  }
+  EXPECT_FALSE(contains(probe(pasted, folders).out, "[[form]]")) << "there is no more to say";
+}
+
+TEST_F(Probe, suggests_no_form_that_would_fit_others_too) {
+  const std::vector<std::string> folders = {hand_in("one", "rt.py", kBlackPicture),
+                                            hand_in("two", "rt.py", kBlackPicture),
+                                            hand_in("three", "rt.py", "#!/usr/bin/python3\n")};
+  grading_.write("submissions/three/main.cpp", "int main() {}\n");
+  const std::string text = probe(one_form(), folders).out;
+  EXPECT_FALSE(contains(text, "has = \"rt.py\"")) << text;
+  EXPECT_TRUE(contains(text, "has = \"*\"\nbuild = \"auto\"")) << text;
+  EXPECT_FALSE(contains(text, "\n[driver]\n")) << "no form is read";
+}
+
+TEST_F(Probe, repeats_a_programs_own_words_where_its_picture_is_missing_empty_or_black) {
+  const json missing = probed(hand_in("missing", "rt.py", kSilentlyMissing), one_form());
+  EXPECT_EQ(missing["refused"]["why"], "it made no picture {image}");
+  EXPECT_EQ(missing["refused"]["said"], "first words\nlast words");
+  const json empty = probed(hand_in("empty", "rt.py", kEmptyPicture), one_form());
+  ASSERT_FALSE(empty["refused"].is_null());
+  EXPECT_TRUE(contains(empty["refused"].dump(), "wrote it")) << empty;
+  const std::string folder = hand_in("black", "rt.py", kBlackPicture);
+  const json black = probed(folder, one_form());
+  EXPECT_TRUE(black["refused"].is_null());
+  EXPECT_EQ(black["dry_run"]["shows_a_sphere"], false);
+  EXPECT_TRUE(contains(black["dry_run"]["said"], "line 4: I do not know that word"));
+  EXPECT_TRUE(contains(black["notes"].dump(), "its picture is black"));
+  const std::string text = probe(one_form(), {folder}).out;
+  EXPECT_TRUE(contains(text, "    it said:\n      line 4: I do not know that word\n")) << text;
+}
+
+TEST_F(Probe, says_how_much_time_a_slow_renderer_needs) {
+  const std::string folder =
+      hand_in("slow", "rt.py", "import sys, time\ntime.sleep(1.5)\n" + kBlackPicture);
+  const json slow =
+      probed(folder, grading_.lecture7_with({{"reply_seconds = 5", "reply_seconds = 1"},
+                                             {"preset = \"auto\"", "preset = \"2019\""}}));
+  ASSERT_FALSE(slow["refused"].is_null());
+  EXPECT_TRUE(contains(slow["refused"]["why"], "it needs more time")) << slow;
+  // A tenth of a second in which it waits for a processor is not its own.
+  EXPECT_GT(slow["dry_run"]["needed_seconds"], 1.2);
+}
+
+TEST_F(Probe, needs_submissions_and_prints_text_or_json) {
+  const Outcome none = run(std::string("grade ") + kLecture7 + " --probe");
+  EXPECT_EQ(none.exit_code, 2);
+  EXPECT_TRUE(contains(none.err, "--probe")) << none.err;
+  const Outcome csv = probe(kLecture7, {of_class("ella")}, "--format csv");
+  EXPECT_EQ(csv.exit_code, 2);
+  EXPECT_TRUE(contains(csv.err, "--format csv")) << csv.err;
+}
+
+TEST_F(Probe, is_the_first_step_of_grading_whose_table_has_its_notes) {
+  const Outcome outcome =
+      grading_.grade(one_form(), {of_class("farid"), hand_in("black", "rt.py", kBlackPicture)});
+  EXPECT_TRUE(contains(outcome.out, "    it writes out.ppm whatever name it is given\n"))
+      << outcome.out;
+  EXPECT_TRUE(contains(outcome.out, "    its picture is black in ")) << outcome.out;
+}
+
+TEST_F(Probe, reads_what_the_dialect_says_in_place_of_the_rubrics) {
+  const std::string farid = of_class("farid");
+  const std::string as_2018 =
+      grading_.write("2018.toml", "[driver]\npreset = \"2018\"\n" + kAsTheyCome + kOnePicture);
+  const auto form_of = [&](const std::string& rubric, const std::string& more) {
+    grading_.grade(rubric, {farid}, "out", more);
+    const json result = grading_.result("farid");
+    return result["driver"]["dialect"].get<std::string>() +
+           std::to_string(result["driver"]["sphere_numbers"].get<int>());
+  };
+  EXPECT_EQ(form_of(as_2018, ""), "A20");
+  EXPECT_EQ(form_of(as_2018, "--dialect auto"), "A20");
+  // Not the record of the run before, whose rubric and files are the same.
+  EXPECT_EQ(form_of(as_2018, "--dialect B:17:no-light"), "B17");
+  EXPECT_EQ(form_of(as_2018, ""), "A20");
+  const Outcome wrong = grading_.grade(kLecture7, {farid}, "out", "--dialect D");
+  EXPECT_EQ(wrong.exit_code, 2);
+  EXPECT_TRUE(contains(wrong.err, "dialect D")) << wrong.err;
+}
+
+}  // namespace
+}  // namespace raycheck::tests

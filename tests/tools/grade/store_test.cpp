@@ -1,0 +1,284 @@
+// What is kept between runs: nothing is built or asked twice, and nothing else is believed.
+
+#include <gtest/gtest.h>
+#include <sys/stat.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <string>
+#include <vector>
+
+#include "tests/tools/grade/grading.h"
+
+namespace raycheck::tests {
+namespace {
+
+namespace fs = std::filesystem;
+using nlohmann::json;
+
+/// Without a sandbox, so that builds and programs may say, in files of the test, that they were
+/// started.
+constexpr const char* kUnkept = "--sandbox none --i-know --format json ";
+
+/// A library of functions that is right about spheres; what it does when it starts comes first.
+constexpr const char* kHits = R"(
+import raycheck_candidate as rc
+def dot(a, b): return sum(x * y for x, y in zip(a, b))
+def intersect(ray, sphere, asked):
+    P, D = ray
+    n = dot(D, D) ** 0.5
+    D = [x / n for x in D]
+    Q, r = sphere
+    T = [q - p for q, p in zip(Q, P)]
+    v = dot(T, D)
+    d2 = r * r - dot(T, T) + v * v
+    if d2 < 0: return None
+    s = v - d2 ** 0.5
+    if s < 0: s = v + d2 ** 0.5
+    if s < 0: return None
+    return s / n, tuple(p + s * x for p, x in zip(P, D))
+rc.run('hits', intersect=intersect)
+)";
+
+/// A renderer whose every picture is black.
+constexpr const char* kBlack = R"(
+import sys
+words = open(sys.argv[1]).read().split()
+w, h = (int(x) for x in words[words.index('res') + 1:][:2])
+open(sys.argv[2], 'wb').write(b'P6 %d %d 255\n' % (w, h) + bytes(3 * w * h))
+)";
+
+class Store : public testing::Test {
+ protected:
+  /// A rubric of one item that programs `rays.py` are asked, and renderers `rt.py`.
+  std::string rubric(int points, const std::string& more = "") const {
+    return grading.write("rubric.toml", "reply_seconds = 2\n" + more + R"(
+[[form]]
+has = "rays.py"
+build = "echo x >> ')" + grading.path("builds") +
+                                            R"('"
+candidate = "command:python3 {file}"
+[[form]]
+has = "rt.py"
+candidate = "renderer:python3 {file} {scene} {image}"
+[[item]]
+name = "hits"
+points = )" + std::to_string(points) + R"(
+[item.functions]
+laws = ["class"]
+rays = "given"
+sources = ["rays"]
+cases = 5
+[item.pictures]
+judge = "mask"
+sources = ["course"]
+cases = 1
+)");
+  }
+
+  /// A submission that says that it is started.
+  std::string submit(const std::string& name, const std::string& file, const std::string& text) {
+    const std::string start = "open('" + grading.path("starts") + "', 'a').write('x\\n')\n";
+    grading.write("submissions/" + name + "/" + file, start + text);
+    return grading.path("submissions/" + name);
+  }
+
+  std::size_t lines(const std::string& file) const {
+    const std::string text = contents(grading.path(file));
+    return static_cast<std::size_t>(std::count(text.begin(), text.end(), '\n'));
+  }
+
+  json graded(const std::string& by, const std::vector<std::string>& folders,
+              const std::string& out = "out") const {
+    const Outcome outcome = grading.grade(by, folders, out, kUnkept);
+    EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+    return json::parse(outcome.out);
+  }
+
+  /// What a grade says, times and the key aside.
+  static json said(json result) {
+    for (const char* key : {"build_seconds", "judge_seconds", "key", "build_is_stored"}) {
+      result.erase(key);
+    }
+    return result;
+  }
+
+  fs::path stored(const std::string& what) const {
+    return fs::path(grading.path("out/.raycheck")) / what;
+  }
+
+  Grading grading;
+};
+
+TEST_F(Store, starts_and_builds_nothing_when_an_item_has_changed) {
+  const std::vector<std::string> folders = {submit("functions", "rays.py", kHits),
+                                            submit("pictures", "rt.py", kBlack)};
+  const json first = graded(rubric(10), folders);
+  EXPECT_EQ(first["submissions"][0]["score"], 10) << first.dump(2);
+  EXPECT_EQ(first["submissions"][1]["score"], 0);
+  const std::size_t starts = lines("starts"), builds = lines("builds");
+  EXPECT_GT(starts, 4u);
+  EXPECT_EQ(builds, 1u);
+  const json again = graded(rubric(12), folders);
+  EXPECT_TRUE(again["submissions"][0]["build_is_stored"]);
+  EXPECT_FALSE(first["submissions"][0]["build_is_stored"]);
+  EXPECT_EQ(again["reused"], 0);
+  EXPECT_EQ(lines("starts"), starts);
+  EXPECT_EQ(lines("builds"), builds);
+  const json anew = graded(rubric(12), folders, "other");
+  EXPECT_GT(lines("starts"), starts);
+  for (std::size_t k = 0; k < folders.size(); ++k) {
+    EXPECT_EQ(said(again["submissions"][k]), said(anew["submissions"][k]));
+  }
+  EXPECT_EQ(again["submissions"][0]["score"], 12);
+}
+
+TEST_F(Store, gives_the_grades_of_a_class_that_is_graded_anew) {
+  const std::vector<std::string> folders = {
+      grading.submit_built("mirrored", "rt.cpp", "mirrored"),
+      grading.submit_built("crashes", "hostile.cpp", "crashes"),
+      grading.submit("axes", "rays.py", mistake_line("rays.py", "axes_dropped"))};
+  const auto all = [&](const std::string& points, const std::string& out) {
+    const std::string rubric = grading.lecture7_with({{"points = 15", "points = " + points}});
+    const Outcome outcome = grading.grade(rubric, folders, out, "--format json");
+    EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+    return json::parse(outcome.out)["submissions"];
+  };
+  all("15", "out");
+  const json again = all("14", "out"), anew = all("14", "other");
+  ASSERT_EQ(again.size(), folders.size());
+  for (std::size_t k = 0; k < folders.size(); ++k) EXPECT_EQ(said(again[k]), said(anew[k]));
+}
+
+TEST_F(Store, builds_and_asks_what_has_changed_or_was_not_asked) {
+  const std::string folder = submit("mine", "rays.py", kHits);
+  graded(rubric(10), {folder});
+  const std::size_t starts = lines("starts");
+  submit("mine", "rays.py", std::string(kHits) + "# changed\n");
+  graded(rubric(10), {folder});
+  EXPECT_EQ(lines("builds"), 2u);
+  EXPECT_GT(lines("starts"), starts);
+  const std::size_t then = lines("starts");
+  graded(rubric(10, "[conventions]\nroot = \"smaller\"\n"), {folder});
+  EXPECT_EQ(lines("builds"), 2u);
+  EXPECT_GT(lines("starts"), then) << "other requests";
+}
+
+TEST_F(Store, builds_equal_submissions_once) {
+  const std::vector<std::string> folders = {submit("one", "rays.py", kHits),
+                                            submit("two", "rays.py", kHits),
+                                            submit("three", "rays.py", kHits)};
+  const json report = graded(rubric(10), folders);
+  EXPECT_EQ(lines("builds"), 1u);
+  for (const json& one : report["submissions"]) EXPECT_EQ(one["score"], 10);
+}
+
+TEST_F(Store, refuses_what_is_not_as_it_was_kept) {
+  const std::string folder = submit("mine", "rays.py", kHits);
+  graded(rubric(10), {folder});
+  const std::size_t starts = lines("starts");
+  const auto change = [](const fs::path& path, const std::string& from, const std::string& to) {
+    std::string text = contents(path.string());
+    const std::size_t at = from.empty() ? text.size() - 1 : text.find(from);
+    ASSERT_NE(at, std::string::npos) << path;
+    text.replace(at, std::max<std::size_t>(1, from.size()), to);
+    std::ofstream(path, std::ios::binary) << text;
+  };
+  int changed = 0;
+  for (const auto& entry : fs::directory_iterator(stored("answers"))) {
+    change(entry.path(), "", "?");
+    ++changed;
+  }
+  EXPECT_EQ(changed, 1);
+  EXPECT_EQ(graded(rubric(11), {folder})["submissions"][0]["score"], 11);
+  EXPECT_GT(lines("starts"), starts);
+  EXPECT_EQ(lines("builds"), 1u);
+  for (const auto& entry : fs::directory_iterator(stored("builds"))) {
+    change(entry.path() / "files/rays.py", "return None", "return 1, (0, 0, 0)");
+  }
+  EXPECT_EQ(graded(rubric(12), {folder})["submissions"][0]["score"], 12);
+  EXPECT_EQ(lines("builds"), 2u);
+}
+
+TEST_F(Store, keeps_no_failure_that_time_may_mend) {
+  const std::string there = grading.path("there");
+  const std::string folder =
+      submit("slow", "rays.py",
+             "import os, time\nif not os.path.exists('" + there + "'): time.sleep(60)\n" + kHits);
+  const json slow = graded(rubric(10), {folder});
+  EXPECT_FALSE(slow["submissions"][0]["refused"].is_null()) << slow.dump(2);
+  grading.write("there", "");
+  EXPECT_EQ(graded(rubric(11), {folder})["submissions"][0]["score"], 11);
+}
+
+TEST_F(Store, keeps_that_replies_took_too_long) {
+  std::string hangs = kHits;
+  hangs.insert(hangs.find("    P, D = ray"), "    import time; time.sleep(60)\n");
+  const std::string folder = submit("hangs", "rays.py", hangs);
+  const json first = graded(rubric(10), {folder});
+  const std::size_t starts = lines("starts");
+  EXPECT_TRUE(contains(first.dump(), "gave no reply within 2 s")) << first.dump(2);
+  EXPECT_TRUE(contains(graded(rubric(11), {folder}).dump(), "gave no reply within 2 s"));
+  EXPECT_EQ(lines("starts"), starts);
+}
+
+TEST_F(Store, is_its_owners_and_no_submission_is_called_so) {
+  const std::string folder = submit("mine", "rays.py", kHits);
+  graded(rubric(10), {folder});
+  struct stat status {};
+  ASSERT_EQ(stat(stored("").c_str(), &status), 0);
+  EXPECT_EQ(status.st_mode & 0777, 0700u);
+  const std::string hidden = submit(".raycheck", "rays.py", kHits);
+  const Outcome outcome = grading.grade(rubric(10), {hidden}, "out", kUnkept);
+  EXPECT_EQ(outcome.exit_code, 2);
+  EXPECT_TRUE(contains(outcome.err, "rename it")) << outcome.err;
+}
+
+TEST_F(Store, against_an_earlier_grading_lists_changed_points_with_their_causes) {
+  const std::string steady = submit("steady", "rays.py", kHits);
+  const std::string mine = submit("mine", "rays.py", "raise SystemExit(3)\n");
+  const auto changes = [&](const std::string& by, const std::vector<std::string>& folders,
+                           const std::string& more) {
+    const Outcome outcome = grading.grade(
+        by, folders, "out", kUnkept + ("--against '" + grading.path("out") + "' ") + more);
+    EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+    return json::parse(outcome.out)["changes"];
+  };
+  graded(rubric(10), {steady, mine});
+  submit("mine", "rays.py", kHits);
+  const json mended = changes(rubric(10), {steady, mine}, "");
+  EXPECT_EQ(mended["compared"], 2);
+  ASSERT_EQ(mended["changed"].size(), 1u) << mended.dump(2);
+  EXPECT_EQ(mended["changed"][0]["name"], "mine");
+  EXPECT_TRUE(mended["changed"][0]["before"].is_null());
+  EXPECT_EQ(mended["changed"][0]["now"], 10);
+  EXPECT_EQ(mended["changed"][0]["causes"], json({"submission"}));
+  const json reweighed = changes(rubric(12), {steady, mine}, "");
+  ASSERT_EQ(reweighed["changed"].size(), 2u);
+  EXPECT_EQ(reweighed["changed"][0]["causes"], json({"items"}));
+  EXPECT_EQ(reweighed["changed"][0]["rubric_items"], json({"hits"}));
+  EXPECT_EQ(reweighed["changed"][0]["items"],
+            json::parse(R"([{"name": "hits", "before": 10, "now": 12}])"));
+  EXPECT_TRUE(changes(rubric(12), {steady, mine}, "--seed 2")["changed"].empty())
+      << "the same points";
+  const json both =
+      changes(rubric(13, "[conventions]\nroot = \"smaller\"\n"), {steady}, "--seed 3");
+  ASSERT_EQ(both["changed"].size(), 1u);
+  EXPECT_EQ(both["changed"][0]["causes"], json({"items", "rubric", "seed"}));
+  EXPECT_EQ(both["changed"][0]["now"], 0) << "it takes the nearest root, not the smaller";
+  const Outcome text =
+      grading.grade(rubric(14), {steady, submit("new", "rays.py", kHits)}, "out",
+                    "--sandbox none --i-know --seed 3 --against '" + grading.path("out") + "'");
+  EXPECT_TRUE(contains(text.out, "1 of 1 submission changed since ")) << text.out;
+  EXPECT_TRUE(contains(text.out, ", 1 had no grade there\n")) << text.out;
+  EXPECT_TRUE(contains(text.out,
+                       "  steady  0 -> 14: hits 0 -> 14\n"
+                       "    the rubric changed: hits\n"
+                       "    the rubric changed beside its items\n"))
+      << text.out;
+  EXPECT_EQ(grading.grade(rubric(14), {steady}, "out", "--against nowhere").exit_code, 2);
+}
+
+}  // namespace
+}  // namespace raycheck::tests

@@ -1,0 +1,141 @@
+// `try` says what `grade` says.
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <map>
+#include <sstream>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "tests/tools/grade/grading.h"
+
+namespace raycheck::tests {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// The files of a folder that students are given.
+std::map<std::string, std::string> files_of(const std::string& folder) {
+  std::map<std::string, std::string> files;
+  for (const auto& entry : fs::directory_iterator(folder)) {
+    const std::string name = entry.path().filename();
+    if (name != "result.json") files[name] = contents(entry.path());
+  }
+  return files;
+}
+
+Outcome try_it(const Grading& grading, const std::string& rubric, const std::string& submission,
+               const std::string& more = "") {
+  return run("try '" + rubric + "' '" + submission + "' --out '" + grading.path("tried") + "' " +
+             more);
+}
+
+/// The lines of `text` between the title and the first empty line, or what follows the items.
+std::vector<std::string> item_lines(const std::string& text) {
+  std::vector<std::string> lines;
+  std::istringstream stream(text);
+  std::string line;
+  std::getline(stream, line);
+  while (std::getline(stream, line) && !line.empty() && !line.starts_with("see ") &&
+         !line.starts_with("written: ") && !contains(line, " in the score and not shown")) {
+    const bool is_of_items =
+        !line.starts_with("isolated by: ") && !contains(line, " submission graded");
+    if (is_of_items) lines.push_back(line);
+  }
+  return lines;
+}
+
+struct HandIn {
+  const char* name;
+  const char* file;
+  const char* first_line;
+  int exit_code;
+};
+
+constexpr HandIn kHandIns[] = {
+    {"right", "rays.py", "", 0},
+    {"far", "rays.py", "MISTAKE = \"far_root\"", 1},
+    {"mirrored", "rt.cpp", "#define MISTAKE mirrored", 1},
+    {"crashing", "hostile.cpp", "#define ATTACK crashes", 1},
+    {"broken", "rt.cpp", "#error this does not compile", 1},
+};
+
+TEST(TryCommand, agrees_with_grade_in_every_file_and_line) {
+  const Grading grading;
+  const std::string rubric = grading.lecture7_with({});
+  for (const HandIn& hand_in : kHandIns) {
+    const std::string submission = grading.submit(hand_in.name, hand_in.file, hand_in.first_line);
+    const Outcome graded = grading.grade(rubric, {submission});
+    const Outcome tried = try_it(grading, rubric, submission);
+    EXPECT_EQ(graded.exit_code, 0) << graded.err;
+    EXPECT_EQ(tried.exit_code, hand_in.exit_code) << tried.err;
+    const auto lines = item_lines(tried.out);
+    EXPECT_EQ(lines, item_lines(graded.out)) << hand_in.name;
+    EXPECT_GE(lines.size(), std::string(hand_in.name) == "broken" ? 2u : 12u);
+    const auto files = files_of(grading.path(std::string("tried/") + hand_in.name));
+    EXPECT_EQ(files, files_of(grading.path(std::string("out/") + hand_in.name))) << hand_in.name;
+    EXPECT_TRUE(files.contains("report.html"));
+  }
+}
+
+TEST(TryCommand, shows_causes_and_the_smallest_case_of_what_fails) {
+  const Grading grading;
+  const Outcome tried = run("try " + std::string(kLecture7) + " '" +
+                            grading.submit("mine", "rays.py", "MISTAKE = \"far_root\"") + "'");
+  EXPECT_EQ(tried.exit_code, 1) << tried.err;
+  for (const char* part :
+       {"\nnearest root\n  asked: ", "\n  mistake: the far root is taken for the near one: ",
+        "\n  hint: What does your code do", "\n  [[sphere]]\n",
+        "\n  Judge every ray of it: raycheck check nearest-root.toml --candidate "}) {
+    EXPECT_TRUE(contains(tried.out, part)) << part << "\n" << tried.out;
+  }
+  EXPECT_FALSE(contains(tried.out, "written: ")) << "nothing is";
+}
+
+TEST(TryCommand, shows_what_students_may_see_and_counts_all) {
+  const Grading grading;
+  const std::string rubric = grading.lecture7_with(
+      {{"name = \"camera frame\"", "name = \"camera frame\"\nvisibility = \"hidden\""},
+       {"name = \"nearest root\"", "name = \"nearest root\"\ndetail = \"nothing\""}});
+  const std::string submission = grading.submit("mine", "rays.py", "MISTAKE = \"no_test_for_t\"");
+  const Outcome graded = grading.grade(rubric, {submission});
+  const Outcome tried = try_it(grading, rubric, submission);
+  EXPECT_FALSE(contains(tried.out, "camera frame")) << tried.out;
+  EXPECT_TRUE(contains(tried.out, "\n  1 item is in the score and not shown\n")) << tried.out;
+  const std::size_t at = tried.out.find("\nnearest root\n");
+  ASSERT_NE(at, std::string::npos) << tried.out;
+  const std::string told = tried.out.substr(at, tried.out.find("\n\n", at) - at);
+  EXPECT_TRUE(contains(told, "hint: ")) << told;
+  for (const char* part : {"mistake", "[[sphere]]", "got", "the law"}) {
+    EXPECT_FALSE(contains(told, part)) << told;
+  }
+  EXPECT_EQ(item_lines(tried.out).front(), item_lines(graded.out).front()) << "the same score";
+  EXPECT_EQ(files_of(grading.path("tried/mine")), files_of(grading.path("out/mine")));
+}
+
+TEST(TryCommand, fails_with_2_and_writes_nothing) {
+  const Grading grading;
+  const std::string mine = grading.submit("mine", "rays.py");
+  const std::string kept = grading.write("submissions/mine/notes.txt", "mine");
+  const auto fails = [&](const std::string& words, const std::string& why) {
+    const Outcome outcome = run("try " + words);
+    EXPECT_EQ(outcome.exit_code, 2) << words;
+    EXPECT_TRUE(contains(outcome.err, why)) << words << "\n" << outcome.err;
+    EXPECT_EQ(outcome.out, "") << words;
+  };
+  const std::string rubric = kLecture7;
+  fails(rubric, "SUBMISSION");
+  fails("nowhere.toml '" + mine + "'", "nowhere.toml: cannot be read");
+  fails(rubric + " nowhere", "nowhere: there is no such file or folder");
+  fails(rubric + " '" + mine + "' --out '" + grading.path("submissions") + "'",
+        "is handed in; results take another folder");
+  const Outcome graded = grading.grade(rubric, {mine}, "submissions");
+  EXPECT_EQ(graded.exit_code, 2);
+  EXPECT_TRUE(contains(graded.err, "is handed in; results take another folder")) << graded.err;
+  EXPECT_EQ(contents(kept), "mine");
+}
+
+}  // namespace
+}  // namespace raycheck::tests

@@ -1,0 +1,131 @@
+// Names and files with bytes that act on terminals, or that are no UTF-8, and files that are none.
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include "tests/tools/program.h"
+
+namespace raycheck::tests {
+namespace {
+
+using nlohmann::json;
+
+/// A copy of an example under a name that is no UTF-8, and acts on a terminal.
+class HostileNames : public testing::Test {
+ protected:
+  HostileNames() : folder_(temporary_file("\x1b[31m\xff", "") + ".d") {
+    std::filesystem::create_directories(folder_);
+    for (const char* file : {"probe.toml", "driver-b.txt"}) {
+      std::filesystem::copy_file(std::string(RAYCHECK_SOURCE_DIR) + "/scene/examples/" + file,
+                                 folder_ + "/" + file);
+    }
+  }
+  ~HostileNames() override { std::filesystem::remove_all(folder_); }
+
+  std::string scene(const std::string& file) const { return " '" + folder_ + "/" + file + "' "; }
+
+  /// Nothing that is printed acts on a terminal, or is no UTF-8 (which JSON is the judge of).
+  static void expect_plain(const Outcome& outcome) {
+    for (const std::string& text : {outcome.out, outcome.err}) {
+      EXPECT_EQ(text.find('\x1b'), std::string::npos) << text;
+      EXPECT_EQ(text.find('\xff'), std::string::npos) << text;
+      EXPECT_NO_THROW(json(text).dump()) << text;
+    }
+  }
+
+  std::string folder_;
+};
+
+TEST_F(HostileNames, are_printed_in_every_format) {
+  const std::vector<std::string> all = {
+      "check" + scene("probe.toml"),
+      "plan" + scene("driver-b.txt"),
+      "explain" + scene("probe.toml") + "--pixel 3,3",
+      "image" + scene("probe.toml") + "--out '" + folder_ + "/x.ppm'",
+      "check" + scene("probe.toml") +
+          "--candidate \"command:python3 tests/candidates/right.py \xff\x1b[31m\"",
+      "tradeoff" + scene("probe.toml") + "--method cross"};
+  for (const std::string& command : all) {
+    const Outcome text = run(command);
+    EXPECT_EQ(text.exit_code, 0) << command << text.err;
+    expect_plain(text);
+    const Outcome report = run(command + " --format json");
+    EXPECT_EQ(report.exit_code, 0) << command << report.err;
+    expect_plain(report);
+    EXPECT_FALSE(json::parse(report.out).empty());
+  }
+  EXPECT_NE(run("check" + scene("probe.toml")).out.find("\\x1b[31m\uFFFD"), std::string::npos);
+}
+
+TEST_F(HostileNames, are_shown_in_errors) {
+  const std::string hostile = "'\x1b[31m\xff'";
+  const std::vector<std::string> all = {"check" + scene("nowhere.toml"),
+                                        "check" + scene(""),
+                                        "grade" + scene("probe.toml"),
+                                        "explain" + scene("probe.toml") + "--pixel 99,99",
+                                        "check --" + hostile,
+                                        hostile,
+                                        "check a " + hostile,
+                                        "properties --filter " + hostile,
+                                        "properties --level " + hostile,
+                                        "properties --replay " + hostile,
+                                        "check" + scene("probe.toml") + "--rays " + hostile};
+  for (const std::string& arguments : all) {
+    const Outcome outcome = run(arguments);
+    EXPECT_EQ(outcome.exit_code, 2) << arguments << outcome.out;
+    EXPECT_NE(outcome.err, "");
+    expect_plain(outcome);
+  }
+}
+
+TEST(HostileKeywords, are_shown) {
+  const std::string file = temporary_file(
+      "keywords.txt", "camera 0 0 10 0 0 0 0 1 0 -5\nbounds -1 1 -1 1\nres 4 4\n\x1b]0;\xff\a 1\n");
+  for (const char* format : {"text", "json"}) {
+    const Outcome outcome = run("check '" + file + "' --format " + format);
+    EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+    EXPECT_NE(outcome.err.find("4: \\x1b]0;\uFFFD\\x07: unknown keyword"), std::string::npos)
+        << outcome.err;
+  }
+  std::filesystem::remove(file);
+}
+
+TEST(HostileInput, that_has_no_end_is_refused) {
+  const auto refused = [](const std::string& arguments, const std::string& why) {
+    const Outcome outcome = run(arguments);
+    EXPECT_EQ(outcome.exit_code, 2) << arguments << outcome.out;
+    EXPECT_NE(outcome.err.find(why), std::string::npos) << arguments << "\n" << outcome.err;
+  };
+  const std::string device = "/dev/zero: cannot be read: it is a device; give a file";
+  refused("check /dev/zero", device);
+  refused("plan /dev/zero", device);
+  refused("grade /dev/zero", device);
+  refused("grade lecture7.toml README.md --out nowhere --secret-file /dev/zero",
+          "--secret-file " + device);
+  refused("verify --family rays </dev/zero", "line 1: is longer than 65536 bytes");
+  refused("check /dev/stdin </dev/zero", "it is a device");
+  refused("check /tmp", "/tmp: cannot be read: it is a folder; give a file");
+}
+
+TEST(HostileInput, of_pipes_is_read) {
+  const std::string file = std::string(RAYCHECK_SOURCE_DIR) + "/scene/examples/driver-b.txt";
+  const Outcome of_file = run("plan '" + file + "' --format json");
+  for (const char* const words : {"cat FILE | RAYCHECK plan /dev/stdin --format json",
+                                  "RAYCHECK plan <(cat FILE) --format json"}) {
+    std::string script = words;
+    script.replace(script.find("FILE"), 4, "'" + file + "'");
+    script.replace(script.find("RAYCHECK"), 8, "'" RAYCHECK_BINARY "'");
+    const Outcome of_pipe = run_bash(temporary_file("pipe.sh", script));
+    EXPECT_EQ(of_pipe.exit_code, 0) << of_pipe.err;
+    EXPECT_EQ(json::parse(of_pipe.out)["spheres"], json::parse(of_file.out)["spheres"]);
+  }
+}
+
+}  // namespace
+}  // namespace raycheck::tests

@@ -1,0 +1,203 @@
+// SIGINT, SIGTERM and SIGHUP in the middle of every command, and readers that go away.
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <csignal>
+#include <cstdint>
+#include <cstdlib>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <random>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include "tests/tools/limited_run.h"
+#include "tests/tools/program.h"
+
+namespace raycheck::tests {
+namespace {
+
+using nlohmann::json;
+
+/// Two seconds are promised; machines are loaded at times.
+constexpr double kMostSecondsToEnd = 10;
+
+/// A command line of a command that takes long, or at least as long as it can. BIG and MANY stand
+/// for scenes, OUT for a file or folder that is to be written.
+struct Line {
+  std::string name;
+  std::vector<std::string> arguments;
+  bool is_json = true;
+  bool is_quick = false;  ///< It may be over before it is seen to catch signals.
+};
+
+const std::string kSilent = "command:python3 tests/candidates/hostile.py sleep";
+const std::string kHangs = "renderer:python3 tests/candidates/rt.py hang {scene} {image}";
+const std::string kTen = "scene/examples/ten-spheres.toml";
+
+const std::vector<Line>& lines() {
+  static const std::vector<Line> all = {
+      {"check", {"check", "BIG", "--threads", "2"}},
+      {"check_many_spheres", {"check", "MANY"}},
+      {"check_every_method", {"check", "MANY", "--all"}},
+      {"check_silent", {"check", kTen, "--candidate", kSilent, "--timeout", "60"}},
+      {"check_hanging_renderer", {"check", kTen, "--candidate", kHangs, "--timeout", "60"}},
+      {"check_compiling",
+       {"check", kTen, "--candidate", "source:tests/candidates/right.cpp", "--pixels", "all"}},
+      {"properties", {"properties", "--cases", "1000000000"}},
+      {"properties_shrinking",
+       {"properties", "--cases", "100000", "--intersect", "quadratic", "--level", "extreme"}},
+      {"properties_frontier", {"properties", "--cases", "200", "--frontier"}},
+      {"explain", {"explain", "MANY", "--pixel", "7,7"}},
+      {"stress", {"stress", "--cases", "1000000"}},
+      {"tradeoff", {"tradeoff", "--cases", "1000000000"}},
+      {"tradeoff_timing", {"tradeoff", "--cases", "20"}},
+      {"tradeoff_scene", {"tradeoff", "MANY", "--cases", "1000000000"}},
+      {"worst",
+       {"worst", "--method", "intersect/cross", "--family", "rays", "--cases", "1000000000"}},
+      {"worst_climbing",
+       {"worst", "--method", "intersect/cross", "--family", "rays", "--cases", "10", "--steps",
+        "1000000000"}},
+      {"image", {"image", "BIG", "--out", "OUT.png"}},
+      {"image_of_errors", {"image", "MANY", "--what", "error", "--out", "OUT.ppm"}},
+      {"plan", {"plan", "MANY"}},
+      {"plan_classes", {"plan", "BIG", "--wanted", "class"}},
+      {"grade", {"grade", "lecture7.toml", "tests/submissions/rays.py", "--out", "OUT"}},
+      {"grade_own", {"grade", "lecture7.toml"}},
+      {"grade_probe", {"grade", "lecture7.toml", "tests/submissions/class/ella", "--probe"}},
+      {"try", {"try", "lecture7.toml", "tests/submissions/rays.py"}, false},
+      {"rubric", {"rubric"}, false, true},
+      {"generate", {"generate", "--family", "rays", "--cases", "1000000000"}, false},
+      {"verify", {"verify", "--family", "rays"}},
+      {"list", {"list"}, true, true}};
+  return all;
+}
+
+/// A scene of a camera's image, with spheres spread over it.
+void write_scene(const std::string& path, int side, int spheres) {
+  std::mt19937 random(1);
+  std::uniform_real_distribution<double> across(-40, 50), along(-30, 60), radius(0.5, 5);
+  std::ofstream file(path);
+  file << "[camera]\neye = [8, 8, 100]\nlook_at = [8, 8, 54]\nup = [0, 1, 0]\nnear = -30\n"
+          "far = -75\nleft = -20\nright = 20\nbottom = -20\ntop = 20\n"
+       << "width = " << side << "\nheight = " << side << "\n";
+  for (int k = 0; k < spheres; ++k) {
+    file << "[[sphere]]\ncentre = [" << across(random) << ", " << across(random) << ", "
+         << along(random) << "]\nradius = " << radius(random) << "\n";
+  }
+}
+
+/// Moments that differ from line to line; RAYCHECK_SIGNAL_SEED gives others.
+double moment(std::size_t line, int signal) {
+  const char* const seed = std::getenv("RAYCHECK_SIGNAL_SEED");
+  std::mt19937_64 random((seed == nullptr ? 1 : std::strtoull(seed, nullptr, 10)) * 100000 +
+                         line * 100 + static_cast<std::size_t>(signal));
+  return std::uniform_real_distribution<double>(0.05, 1.5)(random);
+}
+
+bool ends_with_newline(const std::string& text) { return text.empty() || text.back() == '\n'; }
+
+class HostileSignals : public testing::TestWithParam<std::size_t> {};
+
+TEST_P(HostileSignals, end_a_command_with_a_partial_report_and_nothing_left_behind) {
+  const Line& line = lines()[GetParam()];
+  const TestFolder scenes;
+  const std::string big = scenes.path() / "big.toml", many = scenes.path() / "many.toml";
+  write_scene(big, 30000, 3);
+  write_scene(many, 4096, 5000);
+  double slowest = 0;
+  for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
+    const TestFolder temporary, written;
+    std::vector<std::string> arguments = line.arguments;
+    for (std::string& word : arguments) {
+      if (word == "BIG") word = big;
+      if (word == "MANY") word = many;
+      if (word.rfind("OUT", 0) == 0) word = written.path() / word;
+    }
+    if (line.is_json) arguments.insert(arguments.end(), {"--format", "json"});
+    const LimitedOutcome outcome =
+        run_limited(arguments, {.signal = signal,
+                                .signal_after = moment(GetParam(), signal),
+                                .stays_in = temporary.path()});
+    EXPECT_TRUE(outcome.caught || line.is_quick);
+    EXPECT_EQ(temporary.names(), std::vector<std::string>{});
+    for (const std::string& name : written.names()) {
+      EXPECT_FALSE(name.ends_with(".part")) << name;
+    }
+    EXPECT_TRUE(ends_with_newline(outcome.out));
+    const json report = line.is_json ? json::parse(outcome.out, nullptr, false) : json();
+    EXPECT_FALSE(report.is_discarded()) << outcome.out.substr(0, 200);
+    if (!outcome.was_signalled || outcome.exit_code < 128) {
+      // It was done, or had nothing more to do than to say so.
+      EXPECT_TRUE(outcome.exit_code == 0 || outcome.exit_code == 1 || outcome.exit_code == 4)
+          << outcome.exit_code << outcome.err;
+      EXPECT_LT(outcome.seconds_after, kMostSecondsToEnd);
+      continue;
+    }
+    slowest = std::max(slowest, outcome.seconds_after);
+    EXPECT_EQ(outcome.exit_code, 128 + signal) << outcome.err;
+    EXPECT_LT(outcome.seconds_after, kMostSecondsToEnd);
+    if (line.is_json) {
+      EXPECT_EQ(report.value("interrupted", json()), true) << outcome.out;
+    }
+  }
+  RecordProperty("slowest_seconds", std::to_string(slowest));
+}
+
+INSTANTIATE_TEST_SUITE_P(Every, HostileSignals, testing::Range(std::size_t{0}, lines().size()),
+                         [](const auto& each) { return lines()[each.param].name; });
+
+TEST(HostileSignalsToAll, are_tried_on_every_command) {
+  std::istringstream help(run("--help").out);
+  std::string text;
+  while (std::getline(help, text) && text != "Subcommands:") continue;
+  int commands = 0;
+  while (std::getline(help, text)) {
+    std::istringstream words(text);
+    std::string name;
+    if (!(words >> name) || text.find_first_not_of(' ') != 2) continue;
+    ++commands;
+    EXPECT_TRUE(std::any_of(lines().begin(), lines().end(), [&](const Line& line) {
+      return line.arguments.front() == name;
+    })) << name;
+  }
+  EXPECT_GE(commands, 14);
+}
+
+TEST(HostileSignalsToAll, of_which_an_ignored_hangup_stays_ignored) {
+  std::signal(SIGHUP, SIG_IGN);
+  const LimitedOutcome outcome =
+      run_limited({"plan", kTen}, {.signal = SIGHUP, .signal_after = 0.01});
+  std::signal(SIGHUP, SIG_DFL);
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+}
+
+TEST(HostileReaders, that_go_away_end_a_command_as_sigpipe_would) {
+  const TestFolder temporary;
+  const auto piped = [&](const std::string& command) {
+    return run_bash(temporary_file("pipe.sh", "export TMPDIR='" + temporary.path().string() +
+                                                  "'\n'" RAYCHECK_BINARY "' " + command +
+                                                  "\necho \"${PIPESTATUS[@]}\" >&2\n"));
+  };
+  const Outcome endless = piped("generate --family rays --cases 1000000000 | head -n 1");
+  EXPECT_EQ(endless.out.rfind("rays:1:0:0 ", 0), 0u) << endless.out;
+  EXPECT_EQ(endless.err, "141 0\n");
+  const Outcome candidate = piped("check " + kTen +
+                                  " --candidate 'command:python3 tests/candidates/right.py' "
+                                  "--format json | true");
+  EXPECT_EQ(candidate.err, "141 0\n");
+  EXPECT_EQ(temporary.names(), std::vector<std::string>{});
+}
+
+TEST(HostileReaders, that_do_not_read_keep_no_command_from_its_end) {
+  const LimitedOutcome outcome =
+      run_limited({"generate", "--family", "rays", "--cases", "1000000000"},
+                  {.signal = SIGTERM, .signal_after = 0.5, .stalled = true});
+  EXPECT_EQ(outcome.exit_code, 128 + SIGTERM);
+  EXPECT_LT(outcome.seconds_after, kMostSecondsToEnd);
+}
+
+}  // namespace
+}  // namespace raycheck::tests
