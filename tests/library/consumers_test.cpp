@@ -1,46 +1,21 @@
 // The examples as someone else builds them, against an installed tree.
 
 #include <gtest/gtest.h>
-#include <sys/wait.h>
 #include <unistd.h>
 
 #include <array>
-#include <cstdio>
-#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <sstream>
 #include <string>
 #include <vector>
 
+#include "tests/library/shell.h"
+
 namespace raycheck::tests {
 namespace {
 
 namespace fs = std::filesystem;
-
-struct Ended {
-  int code = -1;
-  std::string text;  ///< Of both its outputs.
-};
-
-Ended shell(const std::string& command) {
-  FILE* const pipe = popen(("( " + command + " ) 2>&1").c_str(), "r");
-  Ended ended;
-  std::array<char, 4096> buffer{};
-  for (std::size_t count; (count = fread(buffer.data(), 1, buffer.size(), pipe)) > 0;) {
-    ended.text.append(buffer.data(), count);
-  }
-  const int status = pclose(pipe);
-  ended.code = WIFEXITED(status) ? WEXITSTATUS(status) : -1;
-  return ended;
-}
-
-std::string text_of(const fs::path& path) {
-  std::ifstream file(path);
-  std::ostringstream text;
-  text << file.rdbuf();
-  return text.str();
-}
 
 /// Installed for each program run: ctest starts the tests one by one, several at a time.
 class Consumers : public testing::Test {
@@ -58,12 +33,8 @@ class Consumers : public testing::Test {
 
   /// Builds an example as its CMakeLists.txt says; the folder of the build.
   static fs::path built(const std::string& name, const std::string& options = "") {
-    const fs::path from = prefix() / "share/raycheck/examples" / name;
     const fs::path to = prefix() / "built" / (name + (options.empty() ? "" : "-options"));
-    fs::remove_all(to);
-    const Ended made = shell("cmake -S " + from.string() + " -B " + to.string() +
-                             " -DCMAKE_PREFIX_PATH=" + prefix().string() + " " + options +
-                             " && cmake --build " + to.string());
+    const Ended made = build_example(prefix(), name, to, options);
     EXPECT_EQ(made.code, 0) << made.text;
     return to;
   }
