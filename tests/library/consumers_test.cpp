@@ -129,6 +129,43 @@ TEST_F(Consumers, OfRapidCheckPassAndFail) {
   EXPECT_NE(bad.text.find("[[sphere]]"), std::string::npos) << bad.text.substr(0, 4000);
 }
 
+/// What a fuzzer says of the far root, having ended.
+void expect_far_root(const Ended& bad) {
+  EXPECT_NE(bad.code, 0) << bad.text;
+  EXPECT_NE(bad.text.find("nearest-root: tracer broken"), std::string::npos) << bad.text;
+  EXPECT_NE(bad.text.find("[[sphere]]"), std::string::npos) << bad.text;
+}
+
+TEST_F(Consumers, OfLibFuzzerSurviveAndFail) {
+  if (shell("echo 'extern \"C\" int LLVMFuzzerTestOneInput() { return 0; }' | clang++ -x c++ "
+            "-fsanitize=fuzzer -o /dev/null -")
+          .code != 0) {
+    GTEST_SKIP() << "clang++ with libFuzzer is not installed";
+  }
+  EXPECT_LE(lines_of(prefix() / "share/raycheck/examples/consumer-fuzz/tracer_fuzz.cpp"), 5u);
+  const fs::path folder = built("consumer-fuzz", "-DCMAKE_CXX_COMPILER=clang++");
+  const std::string fuzzer = "cd " + folder.string() + " && ./tracer_fuzz -seed=1 ";
+  const Ended good = shell(fuzzer + "-runs=20000");
+  EXPECT_EQ(good.code, 0) << good.text;
+  EXPECT_NE(good.text.find("Done 20000 runs"), std::string::npos) << good.text;
+  expect_far_root(shell("export TRACER_MISTAKE=far_root; " + fuzzer + "-runs=20000"));
+}
+
+/// The same entry, by the compiler that there is, on random bytes.
+TEST_F(Consumers, OfFuzzHSurviveAndFailOnRandomBytes) {
+  const fs::path example = prefix() / "share/raycheck/examples/consumer-fuzz";
+  const std::string program = (prefix() / "random_bytes").string();
+  const std::string library = "$(find " + prefix().string() + " -name libraycheck.so.0)";
+  const Ended made = shell("c++ -std=c++17 -I" + (prefix() / "include").string() + " " +
+                           (example / "tracer_fuzz.cpp").string() + " " + RAYCHECK_SOURCE_DIR +
+                           "/tests/library/random_bytes.cpp " + library + " -Wl,-rpath,$(dirname " +
+                           library + ") -o " + program);
+  ASSERT_EQ(made.code, 0) << made.text;
+  const Ended good = shell(program + " 5000");
+  EXPECT_EQ(good.code, 0) << good.text;
+  expect_far_root(shell("TRACER_MISTAKE=far_root " + program + " 5000"));
+}
+
 /// How they are compiled touches no proof.
 TEST_F(Consumers, HaveTheSameTruthHoweverTheyAreCompiled) {
   const Ended plain = shell((built("consumer-exact") / "truth").string());
