@@ -72,6 +72,8 @@ inline raycheck::Candidate tracer() {
   raycheck::Candidate candidate("tracer");
   candidate.declares = {raycheck::Rows::bottom_first, raycheck::Samples::edges,
                         raycheck::Origin::pixel, raycheck::Root::nearest, raycheck::Tangent::hit};
+  candidate.smallest_length = 1e-70;  // the fourth powers of lengths are doubles
+  candidate.largest_length = 1e70;
   candidate.pixel_ray = pixel_ray;
   candidate.intersect = intersect;
   return candidate;

@@ -17,8 +17,8 @@ std::vector<ManualFile> manual_files(const ManualCommand& program, const std::st
   std::vector<ManualFile> files = {
       {"man/man1/raycheck.1", program_page(program, version, commands)},
       {"bash-completion/completions/raycheck", bash_completion(program, commands)},
-      {"zsh/vendor-completions/_raycheck", zsh_completion(commands)},
-      {"fish/vendor_completions.d/raycheck.fish", fish_completion(commands)}};
+      {"zsh/vendor-completions/_raycheck", zsh_completion(program, commands)},
+      {"fish/vendor_completions.d/raycheck.fish", fish_completion(program, commands)}};
   for (const ManualCommand& command : commands) {
     files.push_back({"man/man1/raycheck-" + command.name + ".1", command_page(command, version)});
   }
