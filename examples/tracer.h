@@ -30,7 +30,7 @@ inline Vector unit(Vector a) { return (1 / std::sqrt(dot(a, a))) * a; }
 /// Where between two bounds line k of so many is.
 inline double between(double low, double high, double k, double count) {
   const double steps = makes("pixel_step") ? count : count - 1;
-  return low + (high - low) * (k / steps);
+  return low * ((steps - k) / steps) + high * (k / steps);  // both bounds are met exactly
 }
 
 inline raycheck::Ray pixel_ray(const raycheck::Camera& camera, const raycheck::Conventions&,
