@@ -69,7 +69,7 @@ def code(node):
     """A type or a list of arguments as C++ is written here."""
     text = "".join(node.itertext()) if node is not None else ""
     text = re.sub(r"\s+", " ", text).strip()
-    return re.sub(r" ([&*])", r"\1", text.replace("< ", "<").replace(" >", ">"))
+    return re.sub(r" ([&*>])", r"\1", text.replace("< ", "<"))
 
 
 def place(node):
@@ -80,8 +80,21 @@ def place(node):
     return pathlib.Path(location.get("file")).stem, int(location.get("line"))
 
 
+def arguments(member):
+    """Of a function, with their names and defaults, and what follows them."""
+    texts = []
+    for one in member.findall("param"):
+        text = f"{code(one.find('type'))} {one.findtext('declname') or ''}".strip()
+        default = code(one.find("defval"))
+        texts.append(text + (f" = {default}" if default else ""))
+    return f"({', '.join(texts)})" + (" const" if member.get("const") == "yes" else "")
+
+
 def signature(member):
+    """A declaration; what is in a namespace below raycheck is named with it."""
     kind, name = member.get("kind"), member.findtext("name")
+    if member.get("id").startswith("namespace"):
+        name = (member.findtext("qualifiedname") or name).removeprefix("raycheck::")
     if kind == "define":
         parameters = [code(one.find("defname")) for one in member.findall("param")]
         return f"#define {name}" + (f"({', '.join(parameters)})" if parameters else "")
@@ -91,9 +104,7 @@ def signature(member):
     words_before = [word for word in ("explicit", "static") if member.get(word) == "yes"]
     type_text = code(member.find("type"))
     before = " ".join(words_before + [type_text]).strip()
-    arguments = re.sub(r" ([&*])", r"\1", member.findtext("argsstring") or "").replace("< ", "<")
-    initializer = code(member.find("initializer")) if kind == "variable" else ""
-    return f"{before} {name}{arguments} {initializer}".strip() + ";"
+    return f"{before} {name}{arguments(member)}".strip() + ";"
 
 
 class Page:
@@ -170,17 +181,17 @@ def own_comment(header):
     match = re.search(r"\n\n((?:// ?.*\n|//\n)+)\n", text)
     if match is None:
         return ""
-    lines, inside, shown = [line[3:] for line in match[1].splitlines()], False, []
-    for line in lines:
-        is_code = line.startswith("    ") and not shown[-1].startswith(("Domain:", "         "))
-        if inside and not is_code and line.strip():
-            shown[-1:] = ["```", ""] if not shown[-1] else [shown[-1], "```", ""]
-            inside = False
-        if is_code and not inside:
-            shown.append("```cpp")
-            inside = True
-        shown.append(line[4:] if is_code else line)
-    return "\n".join(shown) + "\n"
+    shown, in_code = [], False
+    for line in (line[3:] for line in match[1].splitlines()):
+        is_code = line.startswith("    ") and (in_code or shown[-1] == "")
+        if is_code != in_code and line:
+            shown += ["```cpp"] if is_code else ["```", ""]
+            in_code = is_code
+        if line.startswith(("Domain: ", "Errors: ", "Thread safety: ")):
+            shown.append("")
+        shown.append(line[4:] if is_code else line.strip())
+    text = "\n".join(shown + ["```"] * in_code) + "\n"
+    return re.sub(r"\n\n+(```\n)(?!cpp)", r"\n\1", re.sub(r"\n{3,}", "\n\n", text))
 
 
 def page(folder):

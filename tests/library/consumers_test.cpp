@@ -81,7 +81,8 @@ TEST_F(Consumers, OfGoogleTestPassAndSeeFiveMistakes) {
 TEST_F(Consumers, AreAsThePageShowsThem) {
   const fs::path source = RAYCHECK_SOURCE_DIR;
   const std::string page = text_of(source / "docs/library.md");
-  for (const char* file : {"consumer-gtest/CMakeLists.txt", "consumer-gtest/tracer_test.cpp"}) {
+  for (const char* file : {"consumer-gtest/CMakeLists.txt", "consumer-gtest/tracer_test.cpp",
+                           "consumer-fuzz/tracer_fuzz.cpp"}) {
     EXPECT_NE(page.find("\n" + text_of(source / "examples" / file) + "```"), std::string::npos)
         << file;
   }
