@@ -2,6 +2,7 @@
 #define RAYCHECK_PROPERTIES_VERDICT_H_
 
 #include <array>
+#include <compare>
 #include <cstddef>
 #include <cstdint>
 #include <functional>
@@ -35,6 +36,16 @@ struct Discrepancy {
   std::optional<double> condition;  ///< The condition number, where it was asked for.
   Excuse excuse;
 };
+
+/// Which answers are wrong, and how, wherever they are.
+struct DefectKind {
+  Quantity quantity = Quantity::kFrame;
+  Wrong wrong = Wrong::kNot;  ///< kNot of an error above its bound.
+  auto operator<=>(const DefectKind&) const = default;
+};
+
+/// Whether a discrepancy breaks a law; `strictly`, what is excused or undecided does, too.
+bool is_held_against(const Discrepancy& discrepancy, bool strictly);
 
 /// The order of reports: by standing, defects first; among those the worst of each quantity first,
 /// then the second worst of each, and so on, so that no quantity hides the others. Worse is the
@@ -98,6 +109,8 @@ class Verdict {
   /// than so many times: of that a law has shown too little to hold. Values are one question,
   /// whatever the quantity.
   std::optional<std::pair<Quantity, Question>> too_few_right(std::uint64_t fewest) const;
+  /// The kinds of those kept that break the law, each once, in order.
+  std::vector<DefectKind> defects(bool strictly = false) const;
   const std::string& reason_left_out() const { return left_out_; }
 
  private:

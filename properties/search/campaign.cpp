@@ -94,7 +94,10 @@ Answer ask(const Law& law, const Candidate& candidate, const Asking& asking,
       part.verdict.merge(verdict);
     }
     if (verdict.holds(asking.strict)) return false;
-    part.replay = replay_text(law, candidate, from);
+    if (!answer.failure) {
+      part.replay = replay_text(law, candidate, from);
+      part.defects = verdict.defects(asking.strict);
+    }
     answer.failure = Failure{the_case, std::move(verdict), part.replay};
     return true;
   };

@@ -12,6 +12,7 @@
 #include "properties/verdict.h"
 #include "scene/files/scene_file.h"
 #include "tools/external/contestant.h"
+#include "tools/gates/baseline.h"
 
 namespace raycheck::tools {
 
@@ -78,6 +79,7 @@ struct CheckReport {
   bool interrupted = false;
   bool strict = false;
   std::optional<double> max_error;  ///< A bound in place of the documented ones.
+  std::optional<Ratchet> ratchet;   ///< Where it is held against a baseline.
 
   std::uint64_t discrepancies() const;
   std::uint64_t count(properties::Standing standing) const;

@@ -1,6 +1,7 @@
 #include <nlohmann/json.hpp>
 
 #include "tools/check/check_views.h"
+#include "tools/gates/ratchet_json.h"
 #include "tools/report/json.h"
 
 namespace raycheck::tools {
@@ -61,6 +62,7 @@ std::string check_json(const CheckReport& report, const ViewOptions& /*options*/
   json["strict"] = report.strict;
   json["holds"] = report.holds();
   json["left_out"] = report.left_out;
+  json["held_against"] = ratchet_json(report.ratchet);
   return json_text(json);
 }
 

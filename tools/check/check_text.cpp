@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "tools/check/check_views.h"
+#include "tools/gates/gate_views.h"
 #include "tools/report/table.h"
 #include "tools/report/words.h"
 
@@ -159,6 +160,7 @@ std::string check_text(const CheckReport& report, const ViewOptions& options) {
   }
   if (!report.left_out.empty()) text += "\nleft out:\n";
   for (const std::string& line : report.left_out) text += "  " + line + "\n";
+  if (report.ratchet) text += "\n" + ratchet_text(*report.ratchet);
   return text;
 }
 

@@ -32,6 +32,8 @@ struct External {
   std::shared_ptr<Pictures> pictures = {};
   /// What its functions replied in earlier runs; null: they are always asked.
   std::shared_ptr<AnswerStore> answers = {};
+  /// The file that it is made of, as it was named; empty where that is not one file.
+  std::string source_file = {};
 };
 
 /// Starts the program once to hear its introduction, where that is not among the answers.

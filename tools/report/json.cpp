@@ -21,8 +21,11 @@ namespace {
 std::string spelled(const Json& json, int indent) {
   const std::string text = json.dump(indent, ' ', false, Json::error_handler_t::replace);
   std::string without_delete;
-  for (const char c : text)
-    without_delete += c == '\x7f' ? std::string("\\u007f") : std::string(1, c);
+  for (const char c : text) {
+    // Logs of GitHub's workflows obey "##[error]" wherever it stands.
+    const bool begins_command = c == '[' && without_delete.ends_with("##");
+    without_delete += c == '\x7f' ? "\\u007f" : begins_command ? "\\u005b" : std::string(1, c);
+  }
   return scene::visible(without_delete) + "\n";
 }
 
