@@ -1,5 +1,5 @@
-#include "tracer.h"
-
 #include <raycheck/fuzz.h>
+
+#include "tracer.h"
 
 RAYCHECK_FUZZ(tracer(), "nearest-root")
