@@ -54,7 +54,7 @@ struct Ratchet {
   std::string file;
   std::vector<Identity> known;   ///< Found, as the baseline has it.
   std::vector<Identity> added;   ///< Found, and not in the baseline.
-  std::vector<Identity> mended;  ///< In the baseline, asked for, and not found.
+  std::vector<Identity> mended;  ///< In the baseline, and no longer wrong.
   bool strict = false;           ///< What is mended fails, too.
 
   bool fails() const { return !added.empty() || (strict && !mended.empty()); }
@@ -62,7 +62,8 @@ struct Ratchet {
 
 /// What a run asked, and what it found.
 struct Findings {
-  std::set<Scope> asked;  ///< What was judged to its end.
+  std::set<Scope> asked;     ///< What was judged.
+  std::set<Scope> complete;  ///< Of that, all that is wrong is among what was found.
   std::set<Identity> found;
 };
 

@@ -32,6 +32,7 @@ Findings findings(const std::set<Identity>& found, const std::set<Identity>& ask
   all.found = found;
   for (const Identity& one : asked) all.asked.insert(scope_of(one));
   for (const Identity& one : found) all.asked.insert(scope_of(one));
+  all.complete = all.asked;
   return all;
 }
 
