@@ -136,6 +136,10 @@ Ratchet compare(const Baseline& baseline, const Findings& findings) {
                       std::back_inserter(ratchet.added));
   std::set_difference(known.begin(), known.end(), found.begin(), found.end(),
                       std::back_inserter(ratchet.mended));
+  std::copy_if(known.begin(), known.end(), std::back_inserter(ratchet.unasked),
+               [&](const Identity& one) {
+                 return !findings.asked.contains(scope_of(one)) && !found.contains(one);
+               });
   std::erase_if(ratchet.mended,
                 [&](const Identity& one) { return !findings.complete.contains(scope_of(one)); });
   return ratchet;

@@ -52,10 +52,11 @@ std::string baseline_text(const Baseline& baseline);
 /// What a run found, held against a baseline.
 struct Ratchet {
   std::string file;
-  std::vector<Identity> known;   ///< Found, as the baseline has it.
-  std::vector<Identity> added;   ///< Found, and not in the baseline.
-  std::vector<Identity> mended;  ///< In the baseline, and no longer wrong.
-  bool strict = false;           ///< What is mended fails, too.
+  std::vector<Identity> known;    ///< Found, as the baseline has it.
+  std::vector<Identity> added;    ///< Found, and not in the baseline.
+  std::vector<Identity> mended;   ///< In the baseline, and no longer wrong.
+  std::vector<Identity> unasked;  ///< In the baseline, of what this run did not judge.
+  bool strict = false;            ///< What is mended fails, too.
 
   bool fails() const { return !added.empty() || (strict && !mended.empty()); }
 };
