@@ -124,6 +124,7 @@ Findings findings_of(const CheckReport& report) {
       findings.asked.insert({std::string(law.name), report.path, candidate.name});
     }
   }
+  findings.complete = findings.asked;
   return findings;
 }
 

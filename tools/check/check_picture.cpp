@@ -11,10 +11,8 @@
 namespace raycheck::tools {
 namespace {
 
-/// Larger images are shown at a fraction of their size.
-constexpr std::int64_t kMostSide = 320;
-/// What is wrong is at least so many points wide.
-constexpr std::int64_t kMarkSide = 3;
+/// The longer side of the picture, whatever the image has.
+constexpr std::int64_t kLongerSide = 320;
 
 constexpr Colour kNothing = {244, 244, 246};
 constexpr Colour kSeen = {176, 184, 196};
@@ -47,12 +45,28 @@ void draw_silhouettes(Canvas& canvas, scene::Scene scene) {
   }
 }
 
-void mark(Canvas& canvas, std::int64_t x, std::int64_t y, const Colour& colour) {
-  constexpr std::int64_t kHalf = kMarkSide / 2;
-  for (std::int64_t j = std::max<std::int64_t>(y - kHalf, 0);
-       j <= std::min(y + kHalf, canvas.height - 1); ++j) {
-    for (std::int64_t i = std::max<std::int64_t>(x - kHalf, 0);
-         i <= std::min(x + kHalf, canvas.width - 1); ++i) {
+/// Where on a side of the canvas a column or a row of an image is sampled.
+std::int64_t position(std::int64_t index, std::int64_t count, std::int64_t side,
+                      scene::Samples samples) {
+  if (samples == scene::Samples::kCentres) return (2 * index + 1) * side / (2 * count);
+  return count == 1 ? 0 : index * (side - 1) / (count - 1);
+}
+
+/// A square around a place, of half of what a pixel of the image takes.
+void mark(Canvas& canvas, const scene::Scene& scene, const scene::Pixel& pixel,
+          const Colour& colour) {
+  const scene::Camera& camera = *scene.camera;
+  const std::int64_t half =
+      std::max<std::int64_t>(canvas.width / std::max(camera.width, camera.height) / 4, 1);
+  const scene::Samples samples = scene.conventions.samples;
+  const std::int64_t x = position(pixel.i, camera.width, canvas.width, samples);
+  const std::int64_t row = position(pixel.j, camera.height, canvas.height, samples);
+  const bool top_first = scene.conventions.rows == scene::Rows::kTopFirst;
+  const std::int64_t y = top_first ? row : canvas.height - 1 - row;
+  for (std::int64_t j = std::max<std::int64_t>(y - half, 0);
+       j <= std::min(y + half, canvas.height - 1); ++j) {
+    for (std::int64_t i = std::max<std::int64_t>(x - half, 0);
+         i <= std::min(x + half, canvas.width - 1); ++i) {
       canvas.pixels[static_cast<std::size_t>(j * canvas.width + i)] = colour;
     }
   }
@@ -66,22 +80,16 @@ std::string check_picture(const CheckReport& report, const ViewOptions& /*option
   if (report.scene.camera) {
     const scene::Camera& camera = *report.scene.camera;
     const std::int64_t longer = std::max(camera.width, camera.height);
-    const auto shrunk = [&](std::int64_t side) {
-      return longer <= kMostSide ? side : std::max<std::int64_t>(side * kMostSide / longer, 2);
-    };
-    canvas.width = shrunk(camera.width);
-    canvas.height = shrunk(camera.height);
+    canvas.width = std::max<std::int64_t>(camera.width * kLongerSide / longer, 2);
+    canvas.height = std::max<std::int64_t>(camera.height * kLongerSide / longer, 2);
     canvas.pixels.assign(static_cast<std::size_t>(canvas.width * canvas.height), kNothing);
     draw_silhouettes(canvas, report.scene);
-    const bool top_first = report.scene.conventions.rows == scene::Rows::kTopFirst;
     for (const CandidateReport& candidate : report.candidates) {
       auto worst = candidate.verdict.worst(properties::kKeptDiscrepancies);
       std::reverse(worst.begin(), worst.end());  // defects last, on top
       for (const auto& one : worst) {
         if (!one.place.pixel) continue;
-        const std::int64_t x = one.place.pixel->i * canvas.width / camera.width;
-        const std::int64_t y = one.place.pixel->j * canvas.height / camera.height;
-        mark(canvas, x, top_first ? y : canvas.height - 1 - y,
+        mark(canvas, report.scene, *one.place.pixel,
              kMarks[static_cast<std::size_t>(one.excuse.standing())]);
       }
     }

@@ -104,7 +104,7 @@ Baseline parse_baseline(std::string_view text) {
       if (line.starts_with("<<<<<<<") || line.starts_with("=======") ||
           line.starts_with(">>>>>>>")) {
         throw std::invalid_argument(
-            "git left a conflict here; keep either side and run --update-baseline");
+            "git left a conflict here; keep either side and update the baseline");
       }
       add_line(baseline, line);
     } catch (const std::invalid_argument& error) {
@@ -136,8 +136,12 @@ Ratchet compare(const Baseline& baseline, const Findings& findings) {
                       std::back_inserter(ratchet.added));
   std::set_difference(known.begin(), known.end(), found.begin(), found.end(),
                       std::back_inserter(ratchet.mended));
+  std::copy_if(known.begin(), known.end(), std::back_inserter(ratchet.unasked),
+               [&](const Identity& one) {
+                 return !findings.asked.contains(scope_of(one)) && !found.contains(one);
+               });
   std::erase_if(ratchet.mended,
-                [&](const Identity& one) { return !findings.asked.contains(scope_of(one)); });
+                [&](const Identity& one) { return !findings.complete.contains(scope_of(one)); });
   return ratchet;
 }
 

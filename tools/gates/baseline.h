@@ -52,17 +52,19 @@ std::string baseline_text(const Baseline& baseline);
 /// What a run found, held against a baseline.
 struct Ratchet {
   std::string file;
-  std::vector<Identity> known;   ///< Found, as the baseline has it.
-  std::vector<Identity> added;   ///< Found, and not in the baseline.
-  std::vector<Identity> mended;  ///< In the baseline, asked for, and not found.
-  bool strict = false;           ///< What is mended fails, too.
+  std::vector<Identity> known;    ///< Found, as the baseline has it.
+  std::vector<Identity> added;    ///< Found, and not in the baseline.
+  std::vector<Identity> mended;   ///< In the baseline, and no longer wrong.
+  std::vector<Identity> unasked;  ///< In the baseline, of what this run did not judge.
+  bool strict = false;            ///< What is mended fails, too.
 
   bool fails() const { return !added.empty() || (strict && !mended.empty()); }
 };
 
 /// What a run asked, and what it found.
 struct Findings {
-  std::set<Scope> asked;  ///< What was judged to its end.
+  std::set<Scope> asked;     ///< What was judged.
+  std::set<Scope> complete;  ///< Of that, all that is wrong is among what was found.
   std::set<Identity> found;
 };
 

@@ -53,7 +53,7 @@ std::string github(const Gate& gate) {
                         shown.size() - count, gate.checks.size(), outcomes_text(gate));
   }
   if (gate.ratchet && !gate.ratchet->mended.empty()) {
-    text += fmt::format("::notice title=raycheck::{} of {} are mended: --update-baseline\n",
+    text += fmt::format("::notice title=raycheck::{} of {} are mended: update it\n",
                         gate.ratchet->mended.size(), spelled(gate.ratchet->file, false));
   }
   return text + fmt::format("{}\n", outcomes_text(gate));

@@ -11,7 +11,7 @@
 namespace raycheck::tools {
 namespace {
 
-constexpr std::string_view kCut = "\n... (cut: --format json has all)";
+constexpr std::string_view kCut = "\n... (cut: the report as JSON has all)";
 
 /// What XML 1.0 has no place for, beyond what scene::visible spells.
 constexpr std::array<std::string_view, 2> kNoCharacters = {"\uFFFE", "\uFFFF"};
@@ -49,13 +49,17 @@ std::string xml(std::string_view text) {
   return escaped;
 }
 
-/// As much of a text as so many bytes hold, whole characters and entities.
-std::string cut(const std::string& escaped, std::size_t most) {
-  if (escaped.size() <= most) return escaped;
-  std::size_t end = most > kCut.size() ? most - kCut.size() : 0;
-  while (end > 0 && (static_cast<unsigned char>(escaped[end]) & 0xC0U) == 0x80U) --end;
+/// As much of a text as so many bytes hold, escaped: whole characters and entities.
+std::string shortened(std::string_view text, std::size_t most) {
+  std::string escaped = xml(text.substr(0, most));
+  if (text.size() <= most && escaped.size() <= most) return escaped;
+  std::size_t end = most > kCut.size() ? std::min(most - kCut.size(), escaped.size()) : 0;
+  while (end > 0 && end < escaped.size() &&
+         (static_cast<unsigned char>(escaped[end]) & 0xC0U) == 0x80U) {
+    --end;
+  }
   const std::size_t entity = escaped.rfind('&', end);
-  if (entity != std::string::npos && escaped.find(';', entity) >= end) end = entity;
+  if (entity != std::string::npos && entity < end && escaped.find(';', entity) >= end) end = entity;
   return escaped.substr(0, end) + std::string(kCut);
 }
 
@@ -77,8 +81,9 @@ std::string test_case(const GateCheck& check, std::size_t most_text) {
   if (check.outcome == GateOutcome::kPassed) return begin + "/>\n";
   const std::string_view element = element_of(check.outcome);
   return fmt::format("{}>\n      <{} type=\"{}\" message=\"{}\">{}</{}>\n    </testcase>\n", begin,
-                     element, name(check.outcome), cut(xml(check.summary), most_text),
-                     cut(xml(check.text.empty() ? check.summary : check.text), most_text), element);
+                     element, name(check.outcome), shortened(check.summary, most_text),
+                     shortened(check.text.empty() ? check.summary : check.text, most_text),
+                     element);
 }
 
 struct Suite {
@@ -120,12 +125,15 @@ std::string file_of(const Gate& gate, std::size_t most_text) {
 }  // namespace
 
 std::string junit(const Gate& gate) {
-  std::string text = file_of(gate, kMostJunitBytes);
-  // Half as much of each until all of them fit.
-  for (std::size_t most = kMostJunitBytes / 2; text.size() > kMostJunitBytes && most > 0;
-       most /= 2) {
-    text = file_of(gate, most);
+  // What each text may have where all of them together fit; half as much until they do.
+  std::size_t texts = 0, bytes = 0;
+  for (const GateCheck& check : gate.checks) {
+    texts += check.outcome == GateOutcome::kPassed ? 0 : 2;
+    bytes += 2 * check.summary.size() + check.text.size();
   }
+  std::size_t most = bytes < kMostJunitBytes / 2 ? kMostJunitBytes : kMostJunitBytes / texts;
+  std::string text = file_of(gate, most);
+  for (; text.size() > kMostJunitBytes && most > 0; text = file_of(gate, most)) most /= 2;
   return text;
 }
 

@@ -115,7 +115,7 @@ std::string markdown(const Gate& gate, const std::string& picture_link) {
       }
     }
   }
-  if (left_out > 0) text += fmt::format("\n{} more: `--format json` has all.\n", left_out);
+  if (left_out > 0) text += fmt::format("\n{} more: the report as JSON has all.\n", left_out);
   return text;
 }
 

@@ -25,6 +25,7 @@ Json ratchet_json(const std::optional<Ratchet>& ratchet) {
           {"known", identities_json(ratchet->known)},
           {"new", identities_json(ratchet->added)},
           {"mended", identities_json(ratchet->mended)},
+          {"not_asked", identities_json(ratchet->unasked)},
           {"strict", ratchet->strict},
           {"fails", ratchet->fails()}};
 }

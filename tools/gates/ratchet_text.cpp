@@ -17,10 +17,13 @@ std::string lines_of(std::string_view what, const std::vector<Identity>& identit
 }  // namespace
 
 std::string ratchet_text(const Ratchet& ratchet) {
-  return fmt::format("held against {}: {} known, {} new, {} mended{}\n", ratchet.file,
-                     ratchet.known.size(), ratchet.added.size(), ratchet.mended.size(),
-                     ratchet.mended.empty() ? "" : " (--update-baseline)") +
-         lines_of("new", ratchet.added) + lines_of("mended", ratchet.mended);
+  std::string text = fmt::format("held against {}: {} known, {} new, {} mended{}", ratchet.file,
+                                 ratchet.known.size(), ratchet.added.size(), ratchet.mended.size(),
+                                 ratchet.mended.empty() ? "" : " (--update-baseline)");
+  if (!ratchet.unasked.empty()) {
+    text += fmt::format("; {} of the baseline not asked", ratchet.unasked.size());
+  }
+  return text + "\n" + lines_of("new", ratchet.added) + lines_of("mended", ratchet.mended);
 }
 
 }  // namespace raycheck::tools

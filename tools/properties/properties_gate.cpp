@@ -152,11 +152,14 @@ Findings findings_of(const PropertiesReport& report) {
   Findings findings;
   for (const CampaignReport& campaign : report.campaigns) {
     for (const Parts parts : by_source(campaign.result)) {
-      for (Identity& one : defects_of(campaign, parts)) findings.found.insert(std::move(one));
+      const std::vector<Identity> defects = defects_of(campaign, parts);
+      findings.found.insert(defects.begin(), defects.end());
       const bool is_judged = compared(parts) > 0 && count(parts, Standing::kUndecided) == 0;
       if (!is_judged || report.interrupted) continue;
-      findings.asked.insert(
-          {std::string(campaign.law->name), source_of(parts), campaign.candidate});
+      const Scope scope = {std::string(campaign.law->name), source_of(parts), campaign.candidate};
+      findings.asked.insert(scope);
+      // The first break ends a part: what else is wrong there is not known.
+      if (defects.empty()) findings.complete.insert(scope);
     }
   }
   return findings;

@@ -122,7 +122,8 @@ std::string campaign_text(const CampaignReport& campaign, bool colours) {
     return text + fmt::format(": {}\n", result.counts.reason);
   }
   text += fmt::format(" on {} ({})\n", name(result.level), counts_text(result));
-  return campaign.finding == Finding::kTooFewJudged ? text + too_few_text(result) : text;
+  if (campaign.finding != Finding::kTooFewJudged) return text;
+  return text + fmt::format("    {}\n", too_few_text(result));
 }
 
 }  // namespace

@@ -32,6 +32,7 @@ Findings findings(const std::set<Identity>& found, const std::set<Identity>& ask
   all.found = found;
   for (const Identity& one : asked) all.asked.insert(scope_of(one));
   for (const Identity& one : found) all.asked.insert(scope_of(one));
+  all.complete = all.asked;
   return all;
 }
 
@@ -79,6 +80,8 @@ TEST(Baseline, FailsForWhatIsNewAlsoWhereAsMuchIsMended) {
   EXPECT_TRUE(mended.fails());
   // What was not asked is not mended, and stays.
   EXPECT_TRUE(compare(baseline, findings({}, {b})).mended.empty());
+  EXPECT_EQ(compare(baseline, findings({}, {b})).unasked, std::vector{a});
+  EXPECT_TRUE(compare(baseline, findings({}, {a})).unasked.empty());
   EXPECT_EQ(updated(baseline, findings({}, {b})).known, baseline.known);
   EXPECT_TRUE(updated(baseline, findings({}, {a})).known.empty());
   // Another way of being wrong at the same place is new.
