@@ -138,15 +138,15 @@ TEST_F(Package, HasWhatItIsFor) {
                     development = contents("libraycheck-dev");
   for (const char* file : {"bin/raycheck\n", "bin/raycheck-jail\n", "man1/raycheck-jail.1.gz\n",
                            "man1/raycheck-check.1.gz\n", "bash-completion/completions/raycheck\n",
-                           "include/raycheck/candidate.h\n", "share/raycheck/rubrics/"}) {
+                           "share/raycheck/rubrics/"}) {
     EXPECT_NE(programs.find(file), std::string::npos) << file << programs;
   }
   EXPECT_EQ(programs.find("libraycheck"), std::string::npos) << programs;
   EXPECT_NE(library.find("libraycheck.so.0 -> libraycheck.so.0."), std::string::npos) << library;
   EXPECT_EQ(library.find("include"), std::string::npos) << library;
-  for (const char* file :
-       {"libraycheck.so -> libraycheck.so.0\n", "include/raycheck/exact.h\n", "raycheck.pc\n",
-        "raycheckConfig.cmake\n", "examples/consumer-gtest/CMakeLists.txt\n"}) {
+  for (const char* file : {"libraycheck.so -> libraycheck.so.0\n", "include/raycheck/exact.h\n",
+                           "include/raycheck/candidate.hpp\n", "raycheck.pc\n",
+                           "raycheckConfig.cmake\n", "examples/consumer-gtest/CMakeLists.txt\n"}) {
     EXPECT_NE(development.find(file), std::string::npos) << file << development;
   }
   for (const std::string& package : kPackages) {
@@ -162,8 +162,9 @@ TEST_F(Package, NeedsWhatItIsLinkedWith) {
     EXPECT_NE(field("raycheck", "Depends").find(library), std::string::npos) << library;
   }
   const std::string version = field("libraycheck0", "Version");
-  EXPECT_EQ(field("libraycheck-dev", "Depends"),
-            "libraycheck0 (= " + version.substr(0, version.find('\n')) + ")\n");
+  const std::string same = " (= " + version.substr(0, version.find('\n')) + ")";
+  EXPECT_EQ(field("libraycheck-dev", "Depends"), "libraycheck0" + same + "\n");
+  EXPECT_NE(field("raycheck", "Depends").find("libraycheck-dev" + same), std::string::npos);
   EXPECT_EQ(control("libraycheck0", "shlibs").rfind("libraycheck 0 libraycheck0 (>= ", 0), 0u)
       << control("libraycheck0", "shlibs");
   EXPECT_NE(control("libraycheck0", "triggers").find("ldconfig"), std::string::npos);
@@ -194,10 +195,13 @@ TEST_F(Package, ServesConsumersByFindPackageAndByPkgConfig) {
 }
 
 /// With the rubric, the headers and the adapters that lie beside it, and nothing of the sources.
-TEST_F(Package, HasAProgramThatGradesAndFindsItsRubrics) {
+TEST_F(Package, HasAProgramThatJudgesAndSendsAnAutograder) {
   const std::string raycheck = (prefix() / "bin/raycheck").string();
   const fs::path rubric = prefix() / "share/raycheck/rubrics/lecture7";
-  const Ended judged = shell("cd / && " + raycheck + " check " + (rubric / "far.toml").string());
+  const Ended judged =
+      shell("cd / && " + raycheck + " check " + (rubric / "far.toml").string() +
+            " --sandbox none --i-know --pixels 4 --candidate source:" + RAYCHECK_SOURCE_DIR +
+            "/tests/candidates/right.cpp");
   EXPECT_EQ(judged.code, 0) << judged.text;
   const fs::path archive = folder() / "autograder.zip";
   const Ended packed =
