@@ -49,9 +49,11 @@ Json discrepancy_json(const properties::Discrepancy& discrepancy);
 Json explanations_json(const std::vector<properties::Explanation>& explanations);
 
 /// What was compared for one quantity: the same object in every report.
-Json tally_json(properties::Quantity quantity, const properties::Tally& tally);
+Json tally_json(properties::Quantity quantity, const properties::Tally& tally,
+                scene::Precision precision = scene::Precision::kDouble);
 /// All that a verdict compared.
-Json tallies_json(const properties::Verdict& verdict);
+Json tallies_json(const properties::Verdict& verdict,
+                  scene::Precision precision = scene::Precision::kDouble);
 /// How many discrepancies of a verdict are defects, undecided, excused, not judged.
 Json standings_json(const properties::Verdict& verdict);
 
