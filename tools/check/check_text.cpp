@@ -92,9 +92,9 @@ std::string precision_text(const CandidateReport& candidate) {
   std::string text = "  judged in single precision: u = 2^-24, ulp of float\n";
   if (candidate.rounded_numbers > 0) {
     text += fmt::format(
-        "  {} of the scene {} no float: asked and judged on the scene rounded to floats\n",
+        "  {} of the scene {}: asked and judged on the scene rounded to floats\n",
         count_text(candidate.rounded_numbers, "number"),
-        candidate.rounded_numbers == 1 ? "is" : "are");
+        candidate.rounded_numbers == 1 ? "is no float" : "are no floats");
   }
   return text;
 }
