@@ -29,9 +29,10 @@ struct Discrepancy {
   /// Of the numbers got and exact: "s", "Q"; empty where `what` says what they are.
   std::string symbol;
   std::vector<double> got;       ///< Empty: a miss, or no number.
-  std::vector<double> exact;     ///< Correctly rounded; empty as for got.
+  std::vector<double> exact;     ///< Correctly rounded to `precision`; empty as for got.
   bool got_some_sphere = false;  ///< A picture shows a sphere, but not which.
   double error = 0;              ///< In the quantity's unit; infinite where right or wrong.
+  scene::Precision precision = scene::Precision::kDouble;  ///< What that unit is of.
   Wrong wrong = Wrong::kNot;
   std::optional<double> condition;  ///< The condition number, where it was asked for.
   Excuse excuse;

@@ -174,12 +174,19 @@ void add_external(CLI::App& command, ExternalArguments& arguments) {
 void add_renderer(CLI::App& command, ExternalArguments& arguments) {
   CLI::Option* const candidate = command.get_option("--candidate");
   command
-      .add_option("--image-change", arguments.image_change,
-                  "relative changes of the scene that a renderer's picture may not show (1e-4 "
-                  "where it computes in float)")
-      ->check(number_between(0, 1))
+      .add_option("--precision", arguments.precision,
+                  "of renderers: double, or single: it computes in float, and is given scenes of "
+                  "floats; other candidates say themselves which")
+      ->check(CLI::IsMember(
+          std::vector<std::string>(scene::kPrecisionNames.begin(), scene::kPrecisionNames.end())))
       ->needs(candidate)
       ->capture_default_str();
+  command
+      .add_option("--image-change", arguments.image_change,
+                  "relative changes of the scene that a renderer's picture may not show (default: "
+                  "1e-6, with --precision single 1e-4)")
+      ->check(number_between(0, 1))
+      ->needs(candidate);
   command
       .add_option("--t-threshold", arguments.threshold,
                   "a renderer's hits with a parameter of at most this are not judged")
@@ -213,7 +220,11 @@ std::vector<Contestant> find_contestants(const ExternalArguments& arguments,
   options.limits.seconds = arguments.seconds;
   if (!arguments.bounds.empty()) options.bounds = find_pair(arguments.bounds);
   if (driver) options.driver = driver->form;
-  options.excused_image_change = arguments.image_change;
+  if (arguments.precision == name(scene::Precision::kSingle)) {
+    options.precision = scene::Precision::kSingle;
+  }
+  options.excused_image_change =
+      arguments.image_change.value_or(properties::excused_image_change(options.precision));
   options.image_threshold = arguments.threshold;
   for (const std::string& what : arguments.candidates) {
     External external = find_external(parse_candidate(what), options);

@@ -63,11 +63,12 @@ struct ExternalArguments {
   SandboxArguments sandbox;
   double seconds = Limits{}.seconds;
   std::string bounds;  ///< Whose; empty: kDefaultMethods'.
-  double image_change = properties::kExcusedImageChange;
+  std::string precision = std::string(scene::kPrecisionNames[0]);  ///< Of renderers.
+  std::optional<double> image_change;  ///< Empty: what suits the precision.
   double threshold = 0;
 };
 void add_external(CLI::App& command, ExternalArguments& arguments);
-/// --image-change and --t-threshold, which go with a --candidate
+/// --precision, --image-change and --t-threshold, which go with a --candidate
 void add_renderer(CLI::App& command, ExternalArguments& arguments);
 /// Each once compiled, where it has to be, and introduced; `driver` is what renderers read, found
 /// out by a dry run where it tries several.

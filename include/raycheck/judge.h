@@ -37,6 +37,9 @@ struct Candidate {
   Level level = Level::unstated;
   /// Scenes with a nonzero length that is smaller or larger are not judged; both 0: all are.
   double smallest_length = 0, largest_length = 0;
+  /// Of single: cases are rounded to floats, given as doubles, and errors and bounds count u and
+  /// ulp of float.
+  Precision precision = Precision::double_;
 
   /// The camera's axes, unit and at right angles.
   std::function<Frame(const Camera&)> frame;

@@ -81,6 +81,9 @@ struct Scene {
   Conventions conventions;       ///< What is asked of an implementation.
 };
 
+/// The format that an implementation computes in, and is judged in.
+enum class Precision { double_, single };
+
 /// Up to which cases an implementation is to be right: ordinary ones (careful doubles), demanding
 /// ones (stable formulas), extreme ones (all that doubles can say).
 enum class Level { unstated, ordinary, demanding, extreme };

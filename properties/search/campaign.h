@@ -38,7 +38,8 @@ struct CampaignOptions {
 /// What became of cases, all of which are counted once.
 struct CaseCounts {
   int cases = 0;       ///< Tried, before an end or a break.
-  int left_out = 0;    ///< Of those, the ones that the law had nothing to say about,
+  int left_out = 0;    ///< Of those, the ones that the law had nothing to say about, or that the
+                       ///< candidate's format cannot hold,
   int not_judged = 0;  ///< and those outside the candidate's stated domain.
   int given_rays = 0;  ///< Of all, those whose camera's rays were raycheck's own (given_rays.h).
   std::string reason;  ///< Why the last of those left out was.

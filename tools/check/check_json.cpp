@@ -19,9 +19,12 @@ Json candidate_json(const CandidateReport& candidate, std::size_t top) {
   json["conventions"] = conventions_json(candidate.conventions);
   json["ns_per_ray"] = {{"make", error_json(candidate.timing.make)},
                         {"intersect", error_json(candidate.timing.intersect)}};
-  json["quantities"] = tallies_json(candidate.verdict);
+  json["quantities"] = tallies_json(candidate.verdict, candidate.precision);
   json["explanations"] = explanations_json(candidate.explanations);
   json["given_rays"] = candidate.given_rays;
+  json["precision"] = name(candidate.precision);
+  json["rounded_numbers"] = candidate.rounded_numbers;
+  json["not_asked"] = candidate.not_asked.empty() ? Json(nullptr) : Json(candidate.not_asked);
   json["discrepancies"] = candidate.verdict.discrepancies();
   json["discrepancies_by_standing"] = standings_json(candidate.verdict);
   json["inside_domain"] = candidate.inside_domain;

@@ -82,13 +82,28 @@ std::string quantities_table(const CandidateReport& candidate) {
     const bool measured = !tally.errors.empty();
     table.add({std::string(info(quantity).name), std::to_string(tally.cases),
                measured ? "" : class_error_text(tally), error_text(tally.median()),
-               error_text(tally.max()), error_text(tally.bound()), std::string(info(quantity).unit),
-               worst_text(tally, quantity)});
+               error_text(tally.max()), error_text(tally.bound()),
+               std::string(unit_name(quantity, candidate.precision)), worst_text(tally, quantity)});
   }
   return table.text();
 }
 
+std::string precision_text(const CandidateReport& candidate) {
+  if (candidate.precision == scene::Precision::kDouble) return "";
+  std::string text = "  judged in single precision: u = 2^-24, ulp of float\n";
+  if (candidate.rounded_numbers > 0) {
+    text += fmt::format(
+        "  {} of the scene {}: asked and judged on the scene rounded to floats\n",
+        count_text(candidate.rounded_numbers, "number"),
+        candidate.rounded_numbers == 1 ? "is no float" : "are no floats");
+  }
+  return text;
+}
+
 std::string too_few_text(const CandidateReport& candidate) {
+  if (!candidate.not_asked.empty()) {
+    return fmt::format("  not judged here: {}\n", candidate.not_asked);
+  }
   if (!candidate.inside_domain) {
     return "  not judged here: a length of the scene lies outside the domain that is judged\n";
   }
@@ -127,6 +142,7 @@ std::string check_text(const CheckReport& report, const ViewOptions& options) {
     if (candidate.given_rays) {
       text += "  makes no rays from this origin: given raycheck's own, correctly rounded\n";
     }
+    text += precision_text(candidate);
     text += quantities_table(candidate);
     const bool renders = external != nullptr && external->renderer;
     text +=

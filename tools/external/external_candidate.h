@@ -22,6 +22,8 @@ struct External {
   std::string name;  ///< "library:PATH.so", as it was asked for.
   Confined program;
   Introduction introduction;
+  /// The format that it is asked and judged in: its own word, or, of a renderer, the user's.
+  scene::Precision precision = scene::Precision::kDouble;
   /// It documents no bounds: these are what its errors are held to.
   MethodPair bounds = kDefaultMethods;
   /// A renderer introduces itself by pictures alone.

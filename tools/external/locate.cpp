@@ -222,6 +222,7 @@ External renderer(const CandidateSpec& spec, const RunOptions& options) {
   found.threshold = options.image_threshold;
   found.answers = options.answers;
   External external = rendering(spec.text(), std::move(found));
+  external.precision = options.precision;
   external.folder = copies.folder();
   return external;
 }

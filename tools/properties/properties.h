@@ -43,6 +43,7 @@ struct CampaignReport {
   /// The mistakes that explain what someone else's has wrong where it breaks the law.
   std::vector<properties::Explanation> explanations = {};
   std::optional<External> external = {};  ///< Whose it is, where it is someone else's.
+  scene::Precision precision = scene::Precision::kDouble;  ///< That it was asked and judged in.
 };
 
 /// Someone else's implementation, which documents no bounds.

@@ -55,6 +55,7 @@ Json campaign_json(const CampaignReport& campaign) {
   json["sentence"] = campaign.law->sentence;
   json["candidate"] = campaign.candidate;
   json["level"] = name(result.level);
+  json["precision"] = name(campaign.precision);
   json["finding"] = name(campaign.finding);
   json["holds"] = campaign.finding == Finding::kHolds;
   const auto too_few = result.too_few_right();
@@ -63,7 +64,7 @@ Json campaign_json(const CampaignReport& campaign) {
           ? Json{{"quantity", info(too_few->first).name}, {"question", name(too_few->second)}}
           : Json(nullptr);
   json["explanations"] = explanations_json(campaign.explanations);
-  json["quantities"] = tallies_json(result.verdict);
+  json["quantities"] = tallies_json(result.verdict, campaign.precision);
   json["parts"] = Json::array();
   for (const auto& part : result.parts) json["parts"].push_back(part_json(part));
   json["frontier"] = Json::array();

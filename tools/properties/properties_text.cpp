@@ -150,7 +150,11 @@ std::string replay_text(const CampaignReport& campaign, const std::string& repla
           form.find_first_of(" ()<>|&;*?[#~{") == std::string::npos ? "" : "'";
       words += fmt::format(" --dialect {1}{0}{1}", form, quote);
     }
-    if (renderer->excused_change != usual.excused_change) {
+    const scene::Precision precision = campaign.external->precision;
+    if (precision != scene::Precision::kDouble) {
+      words += fmt::format(" --precision {}", name(precision));
+    }
+    if (renderer->excused_change != properties::excused_image_change(precision)) {
       words += fmt::format(" --image-change {}", renderer->excused_change);
     }
     if (renderer->threshold != usual.threshold) {
