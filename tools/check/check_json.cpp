@@ -20,6 +20,10 @@ Json candidate_json(const CandidateReport& candidate, std::size_t top) {
                         {"intersect", error_json(candidate.timing.intersect)}};
   json["quantities"] = tallies_json(candidate.verdict);
   json["explanations"] = explanations_json(candidate.explanations);
+  json["failures"] = {{"batches", candidate.search.batches},
+                      {"found", candidate.search.found},
+                      {"most_sought", properties::kMostFailuresSought},
+                      {"not_sought", candidate.search.not_sought}};
   json["given_rays"] = candidate.given_rays;
   json["discrepancies"] = candidate.verdict.discrepancies();
   json["discrepancies_by_standing"] = standings_json(candidate.verdict);

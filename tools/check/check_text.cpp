@@ -87,6 +87,30 @@ std::string quantities_table(const CandidateReport& candidate) {
   return table.text();
 }
 
+std::string failures_text(const properties::FailureSearch& search) {
+  if (search.batches == 0) return "";
+  std::string text = fmt::format(
+      "  failed on {}, asked in halves: {} found to blame (at most {} are sought)",
+      count_text(static_cast<std::uint64_t>(search.batches), search.batches == 1 ? "batch" : "batche"),
+      count_text(static_cast<std::uint64_t>(search.found), "question"),
+      properties::kMostFailuresSought);
+  if (search.not_sought > 0) text += fmt::format(", {} more parts failed", search.not_sought);
+  return text + "\n";
+}
+
+/// The first question that a candidate fails on, as a scene.
+std::string failed_question_text(const CheckReport& report) {
+  for (const CandidateReport& candidate : report.candidates) {
+    for (const auto& discrepancy : candidate.verdict.worst(report.top)) {
+      if (!discrepancy.failed.scene) continue;
+      const std::string comment = fmt::format("{} fails on it", candidate.name);
+      return "\na question that fails, as a scene for `raycheck check`:\n" +
+             indented(scene::write_toml(*discrepancy.failed.scene, comment), "  ");
+    }
+  }
+  return "";
+}
+
 std::string too_few_text(const CandidateReport& candidate) {
   if (!candidate.inside_domain) {
     return "  not judged here: a length of the scene lies outside the domain that is judged\n";
@@ -130,6 +154,7 @@ std::string check_text(const CheckReport& report, const ViewOptions& options) {
     const bool renders = external != nullptr && external->renderer;
     text +=
         indented(explanations_text(candidate.explanations, renders ? "pixels" : "answers"), "  ");
+    text += failures_text(candidate.search);
     text += too_few_text(candidate);
     std::size_t rank = 0;
     for (const auto& discrepancy : candidate.verdict.worst(report.top)) {
@@ -152,6 +177,7 @@ std::string check_text(const CheckReport& report, const ViewOptions& options) {
       text += fmt::format("{:>3}. {}\n", k + 1, ranked[k].candidate->name);
       text += indented(discrepancy_text(ranked[k].discrepancy, options.colours), "     ");
     }
+    text += failed_question_text(report);
   } else if (report.compared() > 0) {
     text += "\nno discrepancy\n";
   } else {
