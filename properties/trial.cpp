@@ -179,8 +179,7 @@ const std::vector<std::shared_ptr<TrialPart>>& Trial::halves() {
     TrialOptions options = options_;
     options.truth = nullptr;
     const bool is_one = to - from == 1 && (!by_ray || case_.scene.spheres.size() <= 1);
-    const double share =
-        options_.share * static_cast<double>(to - from) / static_cast<double>(all);
+    const double share = options_.share * static_cast<double>(to - from) / static_cast<double>(all);
     options.share = is_one ? 1 : std::max(kLeastShare, share);
     halves_.push_back(std::make_shared<TrialPart>(std::move(part), by_ray ? from : 0,
                                                   by_ray ? 0 : from, candidate_, options));

@@ -9,6 +9,7 @@
 #include <initializer_list>
 #include <memory>
 #include <optional>
+#include <set>
 #include <span>
 #include <string>
 #include <utility>
@@ -23,16 +24,19 @@
 
 namespace raycheck::properties {
 
-/// How many of the questions on which a candidate fails are sought in the batches that failed, in
-/// all: each costs at most two new starts for each halving of a batch.
+/// How many failures of a candidate are sought in the batches that failed, in all: each costs at
+/// most two new starts for each halving of a batch.
 inline constexpr int kMostFailuresSought = 8;
 
 /// A search for them, which trials share one after the other.
 struct FailureSearch {
   int batches = 0;     ///< That failed, and were asked in parts.
-  int found = 0;       ///< At most kMostFailuresSought.
-  int not_sought = 0;  ///< Parts that failed after that.
-  bool is_over() const { return found >= kMostFailuresSought; }
+  int found = 0;       ///< Questions that fail alone.
+  int together = 0;    ///< Parts that fail, and are answered when they are halved.
+  int not_sought = 0;  ///< Batches, or parts of them, that failed after that.
+  /// How the candidate failed whatever it was asked: each of them is said once.
+  std::set<std::string> in_vain = {};
+  bool is_over() const { return found + together >= kMostFailuresSought; }
 };
 
 /// A part of a batch has its share of the time for a reply, and no less than this one; a question
@@ -166,8 +170,10 @@ class Trial {
   /// Domain: is_several.
   const std::vector<std::shared_ptr<TrialPart>>& halves();
   bool is_halved() const { return !halves_.empty(); }
-  /// The first call says that a question was found to fail; false of further ones.
-  bool blame() { return !std::exchange(is_blamed_, true); }
+  /// Whether all of this is one failure more: no law has met one in the same words.
+  bool is_new(const std::string& failure) { return failures_.insert(failure).second; }
+  /// Whether it was asked for rays, and failed to make them.
+  bool lacks_rays() const { return rays_.failure != nullptr; }
   /// What is asked of an intersection where it is one ray: that ray, as the candidate was given it,
   /// and the spheres; otherwise the scene.
   scene::Scene question() const;
@@ -225,7 +231,7 @@ class Trial {
   Kept<std::vector<std::optional<std::size_t>>> nearest_;
 
   std::vector<std::shared_ptr<TrialPart>> halves_;
-  bool is_blamed_ = false;
+  std::set<std::string> failures_;
 };
 
 /// Some of a trial's rays, or some spheres of its one ray.

@@ -22,13 +22,14 @@ namespace raycheck::properties {
 
 /// What is to blame for an answer that failed.
 enum class Blame {
-  kNone,      ///< No question of its own: the scene, or whatever is asked.
+  kNone,      ///< None that was sought.
   kQuestion,  ///< One question, which fails when it is asked alone.
   kAmong,     ///< One of several, which was not sought.
-  kTogether   ///< Several asked at once: in parts they are answered.
+  kTogether,  ///< Several asked at once: in parts they are answered.
+  kAnything   ///< It would have failed whatever was asked.
 };
-inline constexpr std::array<std::string_view, 4> kBlameNames = {"none", "question", "among",
-                                                                "together"};
+inline constexpr std::array<std::string_view, 5> kBlameNames = {"none", "question", "among",
+                                                                "together", "anything"};
 constexpr std::string_view name(Blame blame) {
   return kBlameNames[static_cast<std::size_t>(blame)];
 }

@@ -45,13 +45,18 @@ struct Judged {
   bool failed = false;
 };
 
+/// Whether each sphere of a ray is a question of its own. A ray that is not made is one question.
+bool asks_by_sphere(const Law& law, const Trial& trial) {
+  return law.per == Per::kPair && !trial.lacks_rays();
+}
+
 /// A law's verdict on a candidate that gave no answer, `message` being what it threw.
 Judged judged_failure(const Law& law, const Trial& trial, Wrong wrong, const char* message,
                       const FailedQuestions& failed = {}) {
   Verdict verdict(law.name);
   Place place;
-  if (failed.blame != Blame::kNone && trial.ray_count() > 0) {
-    const bool is_pair = failed.blame == Blame::kQuestion && law.per == Per::kPair &&
+  if (failed.count > 0) {
+    const bool is_pair = failed.blame == Blame::kQuestion && asks_by_sphere(law, trial) &&
                          !trial.scene().spheres.empty();
     place = trial.place(0, is_pair ? std::optional<std::size_t>(0) : std::nullopt);
   }
@@ -74,7 +79,7 @@ Judged judge(const Law& law, Trial& trial);
 /// The halves, one after the other. Where the whole is known to fail and the first half does not,
 /// the second is to blame, and is halved at once.
 Judged judge_halves(const Law& law, Trial& trial) {
-  const bool by_sphere = law.per == Per::kPair;
+  const bool by_sphere = asks_by_sphere(law, trial);
   Judged all{Verdict(law.name)};
   bool is_second = false;
   for (const std::shared_ptr<TrialPart>& half : trial.halves()) {
@@ -96,25 +101,34 @@ Judged judge_apart(const Law& law, Trial& trial, const char* message) {
   if (search == nullptr || !asks_apart(law)) {
     return judged_failure(law, trial, Wrong::kFailed, message);
   }
-  const bool by_sphere = law.per == Per::kPair;
+  const bool by_sphere = asks_by_sphere(law, trial);
   const std::uint64_t questions = trial.count_questions(by_sphere);
-  if (!trial.is_several(by_sphere)) {
-    if (trial.blame()) ++search->found;
-    return judged_failure(law, trial, Wrong::kFailed, message,
-                          {Blame::kQuestion, questions, trial.question()});
-  }
+  const auto failed_once = [&](Blame blame, int& count) {
+    if (!trial.is_new(message)) return Judged{Verdict(law.name), true};
+    ++count;
+    FailedQuestions failed{blame, questions, {}};
+    if (blame == Blame::kQuestion) failed.scene = trial.question();
+    return judged_failure(law, trial, Wrong::kFailed, message, failed);
+  };
+  if (!trial.is_several(by_sphere)) return failed_once(Blame::kQuestion, search->found);
   if (search->is_over() && !trial.is_halved()) {
-    if (trial.blame()) ++search->not_sought;
-    return judged_failure(law, trial, Wrong::kFailed, message, {Blame::kAmong, questions, {}});
+    return failed_once(Blame::kAmong, search->not_sought);
   }
   Judged judged = judge_halves(law, trial);
   if (!judged.failed) {
-    judged.verdict.merge(
-        judged_failure(law, trial, Wrong::kFailed, message, {Blame::kTogether, questions, {}})
-            .verdict);
+    judged.verdict.merge(failed_once(Blame::kTogether, search->together).verdict);
     judged.failed = true;
   }
   return judged;
+}
+
+/// It would have failed whatever it was asked: a search says so once.
+Judged judge_in_vain(const Law& law, Trial& trial, const char* message) {
+  FailureSearch* const search = trial.search();
+  if (search != nullptr && !search->in_vain.insert(message).second) {
+    return {Verdict(law.name), true};
+  }
+  return judged_failure(law, trial, Wrong::kFailed, message, {Blame::kAnything, 0, {}});
 }
 
 Judged judge(const Law& law, Trial& trial) {
@@ -128,7 +142,7 @@ Judged judge(const Law& law, Trial& trial) {
   } catch (const std::invalid_argument& error) {
     return judged_failure(law, trial, Wrong::kRefused, error.what());
   } catch (const AskedInVain& error) {
-    return judged_failure(law, trial, Wrong::kFailed, error.what());
+    return judge_in_vain(law, trial, error.what());
   } catch (const std::exception& error) {
     return judge_apart(law, trial, error.what());
   }

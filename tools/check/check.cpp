@@ -57,8 +57,7 @@ struct ChunkVerdict {
 
   bool has_failed() const {
     const auto found = verdict.tallies().find(properties::Quantity::kRefusal);
-    return found != verdict.tallies().end() &&
-           found->second.count(properties::Wrong::kFailed) > 0;
+    return found != verdict.tallies().end() && found->second.count(properties::Wrong::kFailed) > 0;
   }
 };
 
@@ -304,7 +303,10 @@ class Judgement {
   /// now, the verdict stays what it was.
   void seek_failures(std::size_t k, std::uint64_t first, ChunkVerdict& failed) {
     CandidateReport& report = drafts_[k].report;
-    if (report.search.is_over()) return;
+    if (report.search.is_over()) {
+      ++report.search.not_sought;
+      return;
+    }
     searchers_.resize(drafts_.size());
     if (!searchers_[k]) searchers_[k] = candidate_of(report.contestant);
     const Case chunk = cases_.from(first, std::min(first + kChunk, cases_.rays_judged()));

@@ -22,6 +22,7 @@ Json candidate_json(const CandidateReport& candidate, std::size_t top) {
   json["explanations"] = explanations_json(candidate.explanations);
   json["failures"] = {{"batches", candidate.search.batches},
                       {"found", candidate.search.found},
+                      {"together", candidate.search.together},
                       {"most_sought", properties::kMostFailuresSought},
                       {"not_sought", candidate.search.not_sought}};
   json["given_rays"] = candidate.given_rays;

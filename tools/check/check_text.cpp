@@ -89,12 +89,14 @@ std::string quantities_table(const CandidateReport& candidate) {
 
 std::string failures_text(const properties::FailureSearch& search) {
   if (search.batches == 0) return "";
-  std::string text = fmt::format(
-      "  failed on {}, asked in halves: {} found to blame (at most {} are sought)",
-      count_text(static_cast<std::uint64_t>(search.batches), search.batches == 1 ? "batch" : "batche"),
-      count_text(static_cast<std::uint64_t>(search.found), "question"),
-      properties::kMostFailuresSought);
-  if (search.not_sought > 0) text += fmt::format(", {} more parts failed", search.not_sought);
+  std::string text =
+      fmt::format("  failed on {}, asked in halves: {} found to blame (at most {} are sought)",
+                  count_text(static_cast<std::uint64_t>(search.batches),
+                             search.batches == 1 ? "batch" : "batche"),
+                  count_text(static_cast<std::uint64_t>(search.found), "question"),
+                  properties::kMostFailuresSought);
+  if (search.together > 0) text += fmt::format(", {} only fail together", search.together);
+  if (search.not_sought > 0) text += fmt::format(", {} more failed unsought", search.not_sought);
   return text + "\n";
 }
 
@@ -103,7 +105,8 @@ std::string failed_question_text(const CheckReport& report) {
   for (const CandidateReport& candidate : report.candidates) {
     for (const auto& discrepancy : candidate.verdict.worst(report.top)) {
       if (!discrepancy.failed.scene) continue;
-      const std::string comment = fmt::format("{} fails on it", candidate.name);
+      const std::string comment =
+          fmt::format("{} fails on it: {}", candidate.name, place_text(discrepancy.place));
       return "\na question that fails, as a scene for `raycheck check`:\n" +
              indented(scene::write_toml(*discrepancy.failed.scene, comment), "  ");
     }

@@ -20,7 +20,7 @@ struct AnswerFailure {
   std::string words;
   FailureKind kind = FailureKind::kBadReply;
   std::optional<properties::OtherSize> size = {};  ///< Of a picture, where it is the failure.
-  bool is_in_vain = false;  ///< It would have failed whatever it was asked.
+  bool is_in_vain = false;                         ///< It would have failed whatever it was asked.
 
   [[noreturn]] void raise(const LastFailure& last) const {
     if (last) *last = kind;
