@@ -1,6 +1,7 @@
 #ifndef RAYCHECK_TOOLS_EXTERNAL_EXTERNAL_CANDIDATE_H_
 #define RAYCHECK_TOOLS_EXTERNAL_EXTERNAL_CANDIDATE_H_
 
+#include <filesystem>
 #include <memory>
 #include <optional>
 #include <string>
@@ -24,6 +25,8 @@ struct External {
   Introduction introduction;
   /// It documents no bounds: these are what its errors are held to.
   MethodPair bounds = kDefaultMethods;
+  /// The shared library that its process loads; empty: there is none.
+  std::filesystem::path library = {};
   /// A renderer introduces itself by pictures alone.
   std::optional<Renderer> renderer = {};
   /// What the program lies in, where raycheck made that.
