@@ -17,8 +17,31 @@
 #include "properties/quantity.h"
 #include "properties/stability.h"
 #include "properties/tally.h"
+#include "scene/scene.h"
 
 namespace raycheck::properties {
+
+/// What is to blame for an answer that failed.
+enum class Blame {
+  kNone,      ///< None that was sought.
+  kQuestion,  ///< One question, which fails when it is asked alone.
+  kAmong,     ///< One of several, which was not sought.
+  kTogether,  ///< Several asked at once: in parts they are answered.
+  kAnything   ///< It would have failed whatever was asked.
+};
+inline constexpr std::array<std::string_view, 5> kBlameNames = {"none", "question", "among",
+                                                                "together", "anything"};
+constexpr std::string_view name(Blame blame) {
+  return kBlameNames[static_cast<std::size_t>(blame)];
+}
+
+/// Where a failure was sought.
+struct FailedQuestions {
+  Blame blame = Blame::kNone;
+  std::uint64_t count = 0;  ///< Of the questions to blame, from the discrepancy's place on.
+  /// The one question as a scene; empty where there is none, or several.
+  std::optional<scene::Scene> scene;
+};
 
 /// One answer that differs from the truth by more than it may.
 struct Discrepancy {
@@ -36,6 +59,7 @@ struct Discrepancy {
   Wrong wrong = Wrong::kNot;
   std::optional<double> condition;  ///< The condition number, where it was asked for.
   Excuse excuse;
+  FailedQuestions failed;  ///< Where it failed.
 };
 
 /// Which answers are wrong, and how, wherever they are.

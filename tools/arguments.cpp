@@ -18,6 +18,7 @@
 #include "scene/number.h"
 #include "scene/text.h"
 #include "tools/command_line.h"
+#include "tools/external/staged.h"
 #include "tools/grade/intake/dry_run.h"
 
 namespace raycheck::tools {
@@ -233,6 +234,15 @@ std::vector<Contestant> find_contestants(const ExternalArguments& arguments,
     found.emplace_back(std::move(external));
   }
   return found;
+}
+
+std::vector<StagedMethod> find_others(const ExternalArguments& arguments) {
+  std::vector<StagedMethod> methods;
+  for (const Contestant& contestant : find_contestants(arguments)) {
+    const auto one = staged(*external_of(contestant));
+    methods.insert(methods.end(), one.begin(), one.end());
+  }
+  return methods;
 }
 
 void add_format(CLI::App& command, std::string& format, const std::vector<std::string>& formats) {

@@ -75,6 +75,9 @@ void add_renderer(CLI::App& command, ExternalArguments& arguments);
 std::vector<Contestant> find_contestants(const ExternalArguments& arguments,
                                          const std::optional<DriverRule>& driver = {});
 
+/// The same as methods of the stages that they offer.
+std::vector<StagedMethod> find_others(const ExternalArguments& arguments);
+
 /// --format, one of those names; the first where it is not given.
 void add_format(CLI::App& command, std::string& format, const std::vector<std::string>& formats);
 /// The same, of the views of a report.

@@ -9,6 +9,7 @@
 
 #include "properties/mistakes/explanation.h"
 #include "properties/run_control.h"
+#include "properties/trial.h"
 #include "properties/verdict.h"
 #include "scene/files/scene_file.h"
 #include "tools/external/contestant.h"
@@ -57,6 +58,7 @@ struct CandidateReport {
   std::vector<LeftOut> left_out;
   std::vector<properties::Explanation> explanations;  ///< Of what someone else's has wrong.
   Timing timing;                                      ///< Of raycheck's methods.
+  properties::FailureSearch search;                   ///< For the questions that it fails on.
 
   /// Of a candidate without a defect, the first kind of question to which no answer was right
   /// without an excuse, though asked.

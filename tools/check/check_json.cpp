@@ -21,6 +21,11 @@ Json candidate_json(const CandidateReport& candidate, std::size_t top) {
                         {"intersect", error_json(candidate.timing.intersect)}};
   json["quantities"] = tallies_json(candidate.verdict, candidate.precision);
   json["explanations"] = explanations_json(candidate.explanations);
+  json["failures"] = {{"batches", candidate.search.batches},
+                      {"found", candidate.search.found},
+                      {"together", candidate.search.together},
+                      {"most_sought", properties::kMostFailuresSought},
+                      {"not_sought", candidate.search.not_sought}};
   json["given_rays"] = candidate.given_rays;
   json["precision"] = name(candidate.precision);
   json["rounded_numbers"] = candidate.rounded_numbers;

@@ -92,12 +92,38 @@ std::string precision_text(const CandidateReport& candidate) {
   if (candidate.precision == scene::Precision::kDouble) return "";
   std::string text = "  judged in single precision: u = 2^-24, ulp of float\n";
   if (candidate.rounded_numbers > 0) {
-    text += fmt::format(
-        "  {} of the scene {}: asked and judged on the scene rounded to floats\n",
-        count_text(candidate.rounded_numbers, "number"),
-        candidate.rounded_numbers == 1 ? "is no float" : "are no floats");
+    text += fmt::format("  {} of the scene {}: asked and judged on the scene rounded to floats\n",
+                        count_text(candidate.rounded_numbers, "number"),
+                        candidate.rounded_numbers == 1 ? "is no float" : "are no floats");
   }
   return text;
+}
+
+std::string failures_text(const properties::FailureSearch& search) {
+  if (search.batches == 0) return "";
+  std::string text =
+      fmt::format("  failed on {}, asked in halves: {} found to blame (at most {} are sought)",
+                  count_text(static_cast<std::uint64_t>(search.batches),
+                             search.batches == 1 ? "batch" : "batche"),
+                  count_text(static_cast<std::uint64_t>(search.found), "question"),
+                  properties::kMostFailuresSought);
+  if (search.together > 0) text += fmt::format(", {} only fail together", search.together);
+  if (search.not_sought > 0) text += fmt::format(", {} more failed unsought", search.not_sought);
+  return text + "\n";
+}
+
+/// The first question that a candidate fails on, as a scene.
+std::string failed_question_text(const CheckReport& report) {
+  for (const CandidateReport& candidate : report.candidates) {
+    for (const auto& discrepancy : candidate.verdict.worst(report.top)) {
+      if (!discrepancy.failed.scene) continue;
+      const std::string comment =
+          fmt::format("{} fails on it: {}", candidate.name, place_text(discrepancy.place));
+      return "\na question that fails, as a scene for `raycheck check`:\n" +
+             indented(scene::write_toml(*discrepancy.failed.scene, comment), "  ");
+    }
+  }
+  return "";
 }
 
 std::string too_few_text(const CandidateReport& candidate) {
@@ -147,6 +173,7 @@ std::string check_text(const CheckReport& report, const ViewOptions& options) {
     const bool renders = external != nullptr && external->renderer;
     text +=
         indented(explanations_text(candidate.explanations, renders ? "pixels" : "answers"), "  ");
+    text += failures_text(candidate.search);
     text += too_few_text(candidate);
     std::size_t rank = 0;
     for (const auto& discrepancy : candidate.verdict.worst(report.top)) {
@@ -169,6 +196,7 @@ std::string check_text(const CheckReport& report, const ViewOptions& options) {
       text += fmt::format("{:>3}. {}\n", k + 1, ranked[k].candidate->name);
       text += indented(discrepancy_text(ranked[k].discrepancy, options.colours), "     ");
     }
+    text += failed_question_text(report);
   } else if (report.compared() > 0) {
     text += "\nno discrepancy\n";
   } else {

@@ -34,7 +34,9 @@ External library(const std::string& name, const fs::path& path, const RunOptions
                          .layers = options.layers,
                          .limits = options.limits,
                          .surroundings = options.surroundings};
-  return introduced(name, program, std::move(folder), options.answers);
+  External external = introduced(name, program, std::move(folder), options.answers);
+  external.library = copy;
+  return external;
 }
 
 /// What is copied at most of a folder that is closed to others.

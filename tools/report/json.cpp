@@ -3,6 +3,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "scene/files/scene_file.h"
 #include "scene/number.h"
 #include "scene/text.h"
 #include "tools/report/version.h"
@@ -117,6 +118,13 @@ Json discrepancy_json(const Discrepancy& d) {
   json["condition"] = error_json(d.condition);
   json["standing"] = name(d.excuse.standing());
   json["excuse"] = excuse_json(d);
+  json["failed"] = nullptr;
+  if (d.wrong == properties::Wrong::kFailed) {
+    json["failed"] = {
+        {"blame", name(d.failed.blame)},
+        {"questions", d.failed.count},
+        {"scene", d.failed.scene ? Json(scene::write_toml(*d.failed.scene)) : Json(nullptr)}};
+  }
   return json;
 }
 
