@@ -39,6 +39,8 @@ struct Candidate {
   /// Of single: cases are rounded to floats, given as doubles, and errors and bounds count u and
   /// ulp of float.
   Precision precision = Precision::double_;
+  /// Of usual every root >= 0 counts for it; of declared those of declares.valid.
+  Roots roots = Roots::usual;
 
   std::function<Frame(const Camera&)> frame;
   std::function<Vector(const Camera&, const Conventions&, Pixel)> pixel_point;

@@ -4,6 +4,7 @@
 // What is looked at: plain structs, shared by candidates and by libraycheck. C++17.
 
 #include <cstdint>
+#include <limits>
 #include <optional>
 #include <vector>
 
@@ -56,6 +57,23 @@ enum class Origin { as_asked, pixel, focal };
 enum class Root { as_asked, nearest, smaller };
 enum class Tangent { as_asked, hit, miss, either };
 
+enum class Ends { closed, open_max, open_min, open };
+enum class TUnit { absolute, radius };
+enum class Culling { none, back_faces, front_faces };
+
+/// Which roots count: those between t_min and t_max, in s or in radii of the sphere, that are not
+/// culled: v + d lies on back faces, v - d on front faces. As it is: every root >= 0.
+struct ValidRoots {
+  double t_min = 0, t_max = std::numeric_limits<double>::infinity();
+  Ends ends = Ends::closed;
+  TUnit unit = TUnit::absolute;
+  Culling culling = Culling::none;
+};
+
+/// Whether an implementation takes every root >= 0, the valid roots that it declares, or those that
+/// it is asked for.
+enum class Roots { usual, declared, as_asked };
+
 /// What the lecture leaves open. Asked of libraycheck, as_asked stands for the first that is named.
 struct Conventions {
   Rows rows = Rows::as_asked;
@@ -63,6 +81,7 @@ struct Conventions {
   Origin origin = Origin::as_asked;
   Root root = Root::as_asked;
   Tangent tangent = Tangent::as_asked;
+  ValidRoots valid;
 };
 
 /// A camera's rays, or given ones, the spheres that they may meet, and the conventions.
