@@ -51,6 +51,10 @@ Candidate judged_in(scene::Precision precision, Candidate candidate) {
     }
   }
   candidate.precision = precision;
+  if (auto& valid = candidate.declared.valid) {
+    valid->t_min = scene::rounded_to(precision, valid->t_min);
+    valid->t_max = scene::rounded_to(precision, valid->t_max);
+  }
   candidate.unit_roundoff = std::max(candidate.unit_roundoff, roundoff);
   static_cast<Domain&>(candidate) = judged_in(precision, static_cast<const Domain&>(candidate));
   return candidate;

@@ -49,7 +49,7 @@ struct Conventions {
   Origin origin = Origin::kPixel;
   Root root = Root::kNearest;
   Tangent tangent = Tangent::kHit;
-  ValidRoots valid;
+  ValidRoots valid = {};
   bool operator==(const Conventions&) const = default;
 };
 

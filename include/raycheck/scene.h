@@ -81,7 +81,7 @@ struct Conventions {
   Origin origin = Origin::as_asked;
   Root root = Root::as_asked;
   Tangent tangent = Tangent::as_asked;
-  ValidRoots valid;
+  ValidRoots valid = {};
 };
 
 /// A camera's rays, or given ones, the spheres that they may meet, and the conventions.
