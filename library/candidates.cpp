@@ -95,6 +95,10 @@ properties::Candidate inside(const Candidate& candidate) {
   properties::Candidate inside;
   inside.name = candidate.name;
   inside.declared = declared(candidate.declares);
+  if (candidate.roots == Roots::usual) inside.declared.valid = scene::ValidRoots{};
+  if (candidate.roots == Roots::declared) {
+    inside.declared.valid = valid_roots(candidate.declares.valid);
+  }
   inside.refuses = false;
   inside.level = level(candidate.level).value_or(properties::Level::kOrdinary);
   inside.max_error = bounds.max_error;

@@ -29,19 +29,31 @@ Camera camera(const scene::Camera& c) {
           c.right,       c.bottom,          c.top,        c.width, c.height};
 }
 
+scene::ValidRoots valid_roots(const ValidRoots& v) {
+  return {v.t_min, v.t_max, static_cast<scene::Ends>(v.ends), static_cast<scene::TUnit>(v.unit),
+          static_cast<scene::Culling>(v.culling)};
+}
+
+ValidRoots valid_roots(const scene::ValidRoots& v) {
+  return {v.t_min, v.t_max, static_cast<Ends>(v.ends), static_cast<TUnit>(v.unit),
+          static_cast<Culling>(v.culling)};
+}
+
 properties::DeclaredConventions declared(const Conventions& c) {
-  return {asked<scene::Rows>(c.rows), asked<scene::Samples>(c.samples),
-          asked<scene::Origin>(c.origin), asked<scene::Root>(c.root),
-          asked<scene::Tangent>(c.tangent)};
+  return {asked<scene::Rows>(c.rows),       asked<scene::Samples>(c.samples),
+          asked<scene::Origin>(c.origin),   asked<scene::Root>(c.root),
+          asked<scene::Tangent>(c.tangent), {}};
 }
 
 scene::Conventions conventions(const Conventions& c) {
-  return declared(c).over(scene::Conventions{});
+  scene::Conventions inside = declared(c).over(scene::Conventions{});
+  inside.valid = valid_roots(c.valid);
+  return inside;
 }
 
 Conventions conventions(const scene::Conventions& c) {
-  return {seen<Rows>(c.rows), seen<Samples>(c.samples), seen<Origin>(c.origin), seen<Root>(c.root),
-          seen<Tangent>(c.tangent)};
+  return {seen<Rows>(c.rows), seen<Samples>(c.samples), seen<Origin>(c.origin),
+          seen<Root>(c.root), seen<Tangent>(c.tangent), valid_roots(c.valid)};
 }
 
 std::optional<properties::Level> level(Level level) {

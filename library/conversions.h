@@ -35,6 +35,8 @@ Conventions conventions(const scene::Conventions& c);
 properties::DeclaredConventions declared(const Conventions& c);
 /// Empty where it is not stated.
 std::optional<properties::Level> level(Level level);
+scene::ValidRoots valid_roots(const ValidRoots& v);
+ValidRoots valid_roots(const scene::ValidRoots& v);
 scene::Precision precision(Precision precision);
 
 scene::Scene scene_of(const Scene& s);

@@ -150,7 +150,7 @@ SharedRay shared(const raycheck::Ray& ray) {
 
 Intersection hit_of(const SharedRay& of, const scene::Sphere& sphere,
                     const scene::Conventions& conventions) {
-  return intersection(of, sphere, of->ray.intersect(sphere, conventions.root), conventions.tangent);
+  return intersection(of, sphere, of->ray.intersect(sphere, conventions), conventions.tangent);
 }
 
 }  // namespace

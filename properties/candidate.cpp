@@ -19,6 +19,7 @@ Conventions put_over(const DeclaredConventions& declared, Conventions convention
   put(declared.origin, conventions.origin);
   put(declared.root, conventions.root);
   put(declared.tangent, conventions.tangent);
+  put(declared.valid, conventions.valid);
   return conventions;
 }
 
@@ -33,7 +34,7 @@ DeclaredConventions DeclaredConventions::over(DeclaredConventions others) const 
 }
 
 bool is_problem(const Case& the_case, const DeclaredConventions& declared) {
-  if (!declared.samples) return true;
+  if (!declared.samples && !declared.valid) return true;
   scene::Scene scene = the_case.scene;
   scene.conventions = declared.over(scene.conventions);
   return scene::defects(scene).empty();
@@ -50,6 +51,10 @@ Candidate judged_in(scene::Precision precision, Candidate candidate) {
     }
   }
   candidate.precision = precision;
+  if (auto& valid = candidate.declared.valid) {
+    valid->t_min = scene::rounded_to(precision, valid->t_min);
+    valid->t_max = scene::rounded_to(precision, valid->t_max);
+  }
   candidate.unit_roundoff = std::max(candidate.unit_roundoff, roundoff);
   static_cast<Domain&>(candidate) = judged_in(precision, static_cast<const Domain&>(candidate));
   return candidate;

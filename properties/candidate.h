@@ -70,6 +70,7 @@ struct DeclaredConventions {
   std::optional<scene::Origin> origin;
   std::optional<scene::Root> root;
   std::optional<scene::Tangent> tangent;
+  std::optional<scene::ValidRoots> valid = {};
 
   /// The scene's conventions, or what someone else declares, with what is declared here in their
   /// place.

@@ -13,7 +13,7 @@ namespace {
 bool may_be_unjudged(Trial& trial, std::size_t ray) {
   const auto& spheres = trial.scene().spheres;
   return std::any_of(spheres.begin(), spheres.end(), [&](const scene::Sphere& sphere) {
-    return is_unjudged(trial.exact_ray(ray).intersect(sphere, trial.conventions().root),
+    return is_unjudged(trial.exact_ray(ray).intersect(sphere, trial.conventions()),
                        trial.conventions().tangent);
   });
 }
@@ -51,7 +51,7 @@ std::vector<NearestHitError> nearest_hit_errors(Trial& trial, std::span<const st
       if (hit == nullptr) throw std::runtime_error("candidate misses the sphere it sees");
       const reference::ExactRay& exact = trial.exact_ray(ray);
       error.ulp = reference::parameter_error(
-          exact, sphere, exact.intersect(sphere, trial.conventions().root), hit->parameter);
+          exact, sphere, exact.intersect(sphere, trial.conventions()), hit->parameter);
     }
   }
   return errors;

@@ -17,7 +17,7 @@ RoundedCase rounded_case(Case the_case, Precision precision) {
     result.the_case = std::move(the_case);
     return result;
   }
-  for_each_number(the_case.scene, [&](double& x) {
+  const auto round = [&](double& x) {
     const double rounded = scene::rounded_to(precision, x);
     if (rounded == x) return;
     ++result.changed;
@@ -26,7 +26,11 @@ RoundedCase rounded_case(Case the_case, Precision precision) {
       result.reason = "rounded to floats: " + scene::shortest(x) + " leaves their range";
     }
     x = rounded;
-  });
+  };
+  for_each_number(the_case.scene, round);
+  scene::ValidRoots& valid = the_case.scene.conventions.valid;
+  round(valid.t_min);
+  round(valid.t_max);
   if (the_case.scene.camera) the_case.scene.camera->far.reset();
   if (!result.reason.empty()) return result;
   const auto defects = scene::defects(the_case.scene);
@@ -43,8 +47,10 @@ bool is_of_format(const scene::Scene& scene, Precision precision) {
   if (precision == Precision::kDouble) return true;
   bool all = true;
   scene::Scene copy = scene;
-  for_each_number(copy,
-                  [&](const double& x) { all = all && scene::rounded_to(precision, x) == x; });
+  const auto look = [&](const double& x) { all = all && scene::rounded_to(precision, x) == x; };
+  for_each_number(copy, look);
+  look(scene.conventions.valid.t_min);
+  look(scene.conventions.valid.t_max);
   return all;
 }
 

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "properties/rounded_case.h"
+#include "reference/nearby_valid.h"
 #include "reference/ray_error.h"
 #include "scene/interruption.h"
 #include "scene/validate.h"
@@ -45,7 +46,7 @@ struct ValidRays {
 
 /// Whether the class or the root of an answer is not the exact one.
 bool is_wrong(const RayAnswer& answer, const scene::Conventions& conventions) {
-  const reference::Intersection at = answer.ray.intersect(answer.sphere, conventions.root);
+  const reference::Intersection at = answer.ray.intersect(answer.sphere, conventions);
   const bool is_hit = reference::counts_as_hit(at.hit_class, conventions.tangent);
   if (is_hit != answer.s.has_value()) return true;
   return is_hit && reference::is_at_other_root(answer.ray, answer.sphere, at, *answer.s);
@@ -316,7 +317,10 @@ Excuse Trial::excuse(std::initializer_list<RayAnswer> answers) const {
   for (const RayAnswer& answer : answers) {
     scene::poll();
     if (!is_wrong(answer, conventions_)) continue;
-    Excuse one = excuse_of(right_nearby(answer.ray, answer.sphere, around, answer.s),
+    Excuse one = excuse_of(conventions_.valid.is_usual()
+                               ? right_nearby(answer.ray, answer.sphere, around, answer.s)
+                               : reference::refuted_nearby(answer.ray, answer.sphere, conventions_,
+                                                           around.relative_change, answer.s),
                            around.relative_change);
     if (!weakest || one.standing() < weakest->standing()) weakest = std::move(one);
     if (weakest->standing() == Standing::kDefect) break;

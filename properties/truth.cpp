@@ -40,7 +40,7 @@ std::vector<Meeting>& Truth::known_meetings(std::size_t sphere) {
     std::vector<Meeting> found;
     for (std::size_t k = 0; k < rays_.size(); ++k) {
       if (!may_meet(k, sphere)) continue;
-      const auto at = ray(k).intersect(case_.scene.spheres[sphere], conventions_.root);
+      const auto at = ray(k).intersect(case_.scene.spheres[sphere], conventions_);
       if (at.hit_class != reference::HitClass::kMiss) found.push_back({k, at});
     }
     kept = std::move(found);
@@ -94,7 +94,7 @@ std::shared_ptr<Truth> SharedTruths::under(const scene::Conventions& conventions
     if (truth->conventions() == conventions) return truth;
   }
   const auto plan = std::find_if(plans_.begin(), plans_.end(), [&](const scene::ScenePlan& one) {
-    return one.conventions == conventions;
+    return one.conventions == planned(conventions);
   });
   truths_.push_back(
       std::make_shared<Truth>(case_, conventions, plan == plans_.end() ? nullptr : &*plan));

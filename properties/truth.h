@@ -65,6 +65,13 @@ class Truth {
   std::optional<std::vector<std::optional<reference::NearestSphere>>> nearest_;
 };
 
+/// The conventions for which pixels that may meet a sphere are planned: every root that counts is
+/// one of those that count where nothing is said.
+inline scene::Conventions planned(scene::Conventions conventions) {
+  conventions.valid = {};
+  return conventions;
+}
+
 /// The truths about one case, by the conventions under which candidates are judged; with the plan
 /// made for these, where there is one.
 class SharedTruths {

@@ -1,7 +1,9 @@
 #include "reference/exact_ray.h"
 
 #include <algorithm>
+#include <cmath>
 #include <stdexcept>
+#include <type_traits>
 #include <utility>
 
 #include "reference/internal/classify.h"
@@ -124,6 +126,64 @@ Intersection ExactRay::intersect(const scene::Sphere& sphere, scene::Root root, 
       root);
 }
 
+Intersection ExactRay::intersect(const scene::Sphere& sphere, const scene::Conventions& conventions,
+                                 Engine engine, Rung* highest) const {
+  const scene::ValidRoots& valid = conventions.valid;
+  if (valid.is_usual()) return intersect(sphere, conventions.root, engine, highest);
+  scene::require_valid(sphere);
+  const int line_class = decide(sphere, sphere, engine, highest, [](const auto& pair, const auto&) {
+    return sign_of(Coefficient::kDiscriminant, pair);
+  });
+  if (line_class < 0) return {};
+  const HitClass hit = line_class == 0 ? HitClass::kTangent : HitClass::kHit;
+  const auto counts = [&](const Intersection& at) {
+    const int above = compare_parameter(sphere, at, valid.t_min, valid.unit, engine, highest);
+    if (above < 0 || (above == 0 && !valid.includes_min())) return false;
+    if (std::isinf(valid.t_max)) return true;
+    const int beyond = compare_parameter(sphere, at, valid.t_max, valid.unit, engine, highest);
+    return beyond < 0 || (beyond == 0 && valid.includes_max());
+  };
+  const Intersection smaller{hit, WhichRoot::kSmaller}, larger{hit, WhichRoot::kLarger};
+  if (valid.culling != scene::Culling::kFrontFaces && counts(smaller)) return smaller;
+  const bool larger_may_count =
+      conventions.root == scene::Root::kNearest && valid.culling != scene::Culling::kBackFaces;
+  return larger_may_count && counts(larger) ? larger : Intersection{};
+}
+
+namespace {
+
+/// A double as a number of a kernel, exactly.
+template <class Number>
+Number exactly(double value) {
+  if constexpr (std::is_same_v<Number, Enclosure>) {
+    return Enclosure(value, kMiddleBits);
+  } else if constexpr (std::is_same_v<Number, ExactNumber>) {
+    return ExactLift{}(value);
+  } else {
+    return Number(value);
+  }
+}
+
+}  // namespace
+
+int ExactRay::compare_parameter(const scene::Sphere& sphere, const Intersection& at, double t,
+                                scene::TUnit unit, Engine engine, Rung* highest) const {
+  scene::require_valid(sphere);
+  // s = (b + sign sqrt(disc)) / a, of a unit direction over sqrt(a).
+  return decide(sphere, sphere, engine, highest, [&]<class Pair>(const Pair& pair, const Pair&) {
+    using Number = std::decay_t<decltype(pair.radius)>;
+    const Number end = unit == scene::TUnit::kRadius ? Number(exactly<Number>(t) * pair.radius)
+                                                     : exactly<Number>(t);
+    const Number b = linear_coefficient(pair);
+    const Number sign(root_sign(at));
+    const Number under_root = discriminant(pair);
+    if (pair.line.is_unit)
+      return sign_of_radical_sum(b, Number(-end), Number(pair.line.a), sign, under_root);
+    return sign_of_radical_sum(Number(b - end * pair.line.a), sign, under_root, Number(0),
+                               Number(0));
+  });
+}
+
 int ExactRay::compare(const scene::Sphere& first, const Intersection& at_first,
                       const scene::Sphere& second, const Intersection& at_second, Engine engine,
                       Rung* highest) const {
@@ -154,7 +214,7 @@ std::optional<NearestSphere> ExactRay::nearest(std::span<const scene::Sphere> sp
   std::optional<NearestSphere> best;
   for (std::size_t k = 0; k < spheres.size(); ++k) {
     if (k % kBetweenPolls == 0) scene::poll();
-    const Intersection here = intersect(spheres[k], conventions.root, Engine::kFiltered, highest);
+    const Intersection here = intersect(spheres[k], conventions, Engine::kFiltered, highest);
     if (!counts_as_hit(here.hit_class, conventions.tangent)) continue;
     keep_nearest(spheres, k, here, best, highest);
   }

@@ -107,6 +107,14 @@ class ExactRay {
   /// `highest`, where given, rises to the highest rung that a decision took.
   Intersection intersect(const scene::Sphere& sphere, scene::Root root = scene::Root::kNearest,
                          Engine engine = Engine::kFiltered, Rung* highest = nullptr) const;
+  /// The same under all that conventions say of roots: which count, and which of these is taken.
+  Intersection intersect(const scene::Sphere& sphere, const scene::Conventions& conventions,
+                         Engine engine = Engine::kFiltered, Rung* highest = nullptr) const;
+  /// The sign of s - t of a hit or a tangent, t in a unit: with radii of the sphere, t r exactly.
+  /// Domain: t is finite.
+  int compare_parameter(const scene::Sphere& sphere, const Intersection& at, double t,
+                        scene::TUnit unit, Engine engine = Engine::kFiltered,
+                        Rung* highest = nullptr) const;
   /// The sign of s(first) - s(second), both of which must be hits.
   int compare(const scene::Sphere& first, const Intersection& at_first, const scene::Sphere& second,
               const Intersection& at_second, Engine engine = Engine::kFiltered,

@@ -62,14 +62,25 @@ struct Narrow {
 
 /// round_to_nearest(), starting from an enclosure that leaves few values undecided.
 struct Round {
-  scene::Precision precision;
   static constexpr int relative_bits = ExactRay::kValueBits;
   template <class Enclose, class Compare>
   double operator()(Enclosure first, Enclose enclose, Compare compare) const {
-    const double nearest = round_to_nearest(std::move(first), enclose, compare);
-    return precision == scene::Precision::kDouble ? nearest : round_to_single(nearest, compare);
+    return round_to_nearest(std::move(first), enclose, compare);
   }
 };
+struct RoundToSingle {
+  static constexpr int relative_bits = ExactRay::kValueBits;
+  template <class Enclose, class Compare>
+  double operator()(Enclosure first, Enclose enclose, Compare compare) const {
+    return round_to_single(round_to_nearest(std::move(first), enclose, compare), compare);
+  }
+};
+
+/// finish(Round{}) or what rounds to floats.
+template <class Finish>
+auto rounded(scene::Precision precision, const Finish& finish) {
+  return precision == scene::Precision::kDouble ? finish(Round{}) : finish(RoundToSingle{});
+}
 
 /// Exact comparisons of a line's values with rationals; the line is made on first use.
 class ExactValues {
@@ -187,21 +198,26 @@ Enclosure3 ExactRay::point(const scene::Sphere& sphere, const Intersection& inte
 }
 
 scene::Point3 ExactRay::rounded_pixel_point(scene::Precision precision) const {
-  return finish_pixel_point<scene::Point3>(*this, Round{precision});
+  return rounded(precision,
+                 [&](auto round) { return finish_pixel_point<scene::Point3>(*this, round); });
 }
 scene::Point3 ExactRay::rounded_origin(scene::Precision precision) const {
-  return finish_origin<scene::Point3>(*this, Round{precision});
+  return rounded(precision, [&](auto round) { return finish_origin<scene::Point3>(*this, round); });
 }
 scene::UnitVector3 ExactRay::rounded_direction(scene::Precision precision) const {
-  return finish_direction<scene::UnitVector3>(*this, Round{precision});
+  return rounded(precision,
+                 [&](auto round) { return finish_direction<scene::UnitVector3>(*this, round); });
 }
 double ExactRay::rounded_parameter(const scene::Sphere& sphere, const Intersection& intersection,
                                    scene::Precision precision) const {
-  return finish_parameter(*this, sphere, intersection, Round{precision});
+  return rounded(precision,
+                 [&](auto round) { return finish_parameter(*this, sphere, intersection, round); });
 }
 scene::Point3 ExactRay::rounded_point(const scene::Sphere& sphere, const Intersection& intersection,
                                       scene::Precision precision) const {
-  return finish_point<scene::Point3>(*this, sphere, intersection, Round{precision});
+  return rounded(precision, [&](auto round) {
+    return finish_point<scene::Point3>(*this, sphere, intersection, round);
+  });
 }
 
 }  // namespace raycheck::reference

@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstddef>
+#include <limits>
 #include <string_view>
 
 namespace raycheck::scene {
@@ -18,6 +19,29 @@ enum class Root { kNearest, kSmaller };
 /// What a double root counts as; kEither is not judged.
 enum class Tangent { kHit, kMiss, kEither };
 
+/// Whether the ends of an interval of parameters belong to it.
+enum class Ends { kClosed, kOpenMax, kOpenMin, kOpen };
+/// What t_min and t_max count: s itself, or radii of the sphere that is met.
+enum class TUnit { kAbsolute, kRadius };
+/// Which roots are left out whatever they are: v + d, where a ray leaves a sphere (on back faces),
+/// or v - d, where it enters one.
+enum class Culling { kNone, kBackFaces, kFrontFaces };
+
+/// Which roots count: those between t_min and t_max that are not culled. `root` chooses among them.
+struct ValidRoots {
+  double t_min = 0;
+  double t_max = std::numeric_limits<double>::infinity();
+  Ends ends = Ends::kClosed;
+  TUnit unit = TUnit::kAbsolute;
+  Culling culling = Culling::kNone;
+  bool operator==(const ValidRoots&) const = default;
+
+  bool includes_min() const { return ends == Ends::kClosed || ends == Ends::kOpenMax; }
+  bool includes_max() const { return ends == Ends::kClosed || ends == Ends::kOpenMin; }
+  /// Every root >= 0, as where nothing is said.
+  bool is_usual() const { return *this == ValidRoots{}; }
+};
+
 /// The choices that the lecture leaves open; the first value of each is the default.
 struct Conventions {
   Rows rows = Rows::kBottomFirst;
@@ -25,6 +49,7 @@ struct Conventions {
   Origin origin = Origin::kPixel;
   Root root = Root::kNearest;
   Tangent tangent = Tangent::kHit;
+  ValidRoots valid = {};
   bool operator==(const Conventions&) const = default;
 };
 
@@ -35,6 +60,19 @@ inline constexpr std::array<std::string_view, 2> kOriginNames = {"pixel", "focal
 inline constexpr std::array<std::string_view, 2> kRootNames = {"nearest", "smaller"};
 inline constexpr std::array<std::string_view, 3> kTangentNames = {"hit", "miss", "either"};
 
+inline constexpr std::array<std::string_view, 4> kEndsNames = {"[t_min, t_max]", "[t_min, t_max)",
+                                                               "(t_min, t_max]", "(t_min, t_max)"};
+inline constexpr std::array<std::string_view, 2> kTUnitNames = {"absolute", "radius"};
+inline constexpr std::array<std::string_view, 3> kCullingNames = {"none", "back-faces",
+                                                                  "front-faces"};
+
+constexpr std::string_view name(Ends value) { return kEndsNames[static_cast<std::size_t>(value)]; }
+constexpr std::string_view name(TUnit value) {
+  return kTUnitNames[static_cast<std::size_t>(value)];
+}
+constexpr std::string_view name(Culling value) {
+  return kCullingNames[static_cast<std::size_t>(value)];
+}
 constexpr std::string_view name(Rows value) { return kRowsNames[static_cast<std::size_t>(value)]; }
 constexpr std::string_view name(Samples value) {
   return kSamplesNames[static_cast<std::size_t>(value)];

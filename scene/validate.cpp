@@ -152,8 +152,24 @@ std::vector<Defect> defects(const Camera& camera) { return defects_of("camera", 
 std::vector<Defect> defects(const Ray& ray) { return defects_of("ray", ray); }
 std::vector<Defect> defects(const Sphere& sphere) { return defects_of("sphere", sphere); }
 
-std::vector<Defect> defects(const Scene& scene) {
+std::vector<Defect> defects(const Conventions& conventions) {
   std::vector<Defect> found;
+  const ValidRoots& valid = conventions.valid;
+  if (valid.is_usual()) return found;
+  if (!(valid.t_min >= 0) || !std::isfinite(valid.t_min)) {
+    found.push_back({"conventions.t_min", shortest(valid.t_min), "must be 0 or more, and finite"});
+  } else if (!(valid.t_max >= valid.t_min)) {
+    found.push_back({"conventions.t_max", shortest(valid.t_max), "is below t_min"});
+  }
+  if (conventions.root == Root::kSmaller && valid.culling == Culling::kFrontFaces) {
+    found.push_back({"conventions.culling", std::string(name(valid.culling)),
+                     "leaves nothing of root = smaller"});
+  }
+  return found;
+}
+
+std::vector<Defect> defects(const Scene& scene) {
+  std::vector<Defect> found = defects(scene.conventions);
   if (!scene.camera && scene.rays.empty()) {
     found.push_back({"scene", "no camera and no rays", "needs one of the two"});
   }

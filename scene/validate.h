@@ -20,6 +20,7 @@ struct Defect {
 std::vector<Defect> defects(const Camera& camera);
 std::vector<Defect> defects(const Ray& ray);
 std::vector<Defect> defects(const Sphere& sphere);
+std::vector<Defect> defects(const Conventions& conventions);
 std::vector<Defect> defects(const Scene& scene);
 
 /// Throws std::invalid_argument naming the field, its value and what is wrong, unless the input is

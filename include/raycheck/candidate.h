@@ -78,6 +78,34 @@ enum {
   RAYCHECK_LEVEL_EXTREME = 3
 };
 
+/* Which roots count: those between t_min and t_max (the latter INFINITY where there is none), in s
+   or in radii of the sphere, that are not culled. All zero but t_max: every root >= 0. */
+enum {
+  RAYCHECK_ENDS_CLOSED = 0,
+  RAYCHECK_ENDS_OPEN_MAX = 1,
+  RAYCHECK_ENDS_OPEN_MIN = 2,
+  RAYCHECK_ENDS_OPEN = 3
+};
+enum { RAYCHECK_T_ABSOLUTE = 0, RAYCHECK_T_RADIUS = 1 };
+enum { RAYCHECK_CULL_NONE = 0, RAYCHECK_CULL_BACK_FACES = 1, RAYCHECK_CULL_FRONT_FACES = 2 };
+typedef struct raycheck_valid_roots {
+  double t_min, t_max;
+  int32_t ends, unit, culling;
+} raycheck_valid_roots;
+
+/* What a candidate of version 3 or later is given where a function takes conventions. */
+typedef struct raycheck_asked {
+  raycheck_conventions conventions;
+  raycheck_valid_roots valid;
+} raycheck_asked;
+static inline const raycheck_valid_roots* raycheck_valid_roots_of(
+    const raycheck_conventions* asked) {
+  return &((const raycheck_asked*)(const void*)asked)->valid;
+}
+
+/* Whether the candidate follows the scene's valid roots, or declares its own. */
+enum { RAYCHECK_ROOTS_USUAL = 0, RAYCHECK_ROOTS_DECLARED = 1, RAYCHECK_ROOTS_AS_ASKED = 2 };
+
 /* The format that the candidate computes in. Of single precision all inputs are floats, given as
    doubles, and errors count u and ulp of float. */
 enum { RAYCHECK_PRECISION_DOUBLE = 0, RAYCHECK_PRECISION_SINGLE = 1 };
@@ -113,6 +141,8 @@ typedef struct raycheck_candidate {
 
   /* From version 3 on. */
   int32_t precision;
+  int32_t roots; /* RAYCHECK_ROOTS_...; usual: every root >= 0 counts for it */
+  raycheck_valid_roots declared_roots; /* of RAYCHECK_ROOTS_DECLARED */
 } raycheck_candidate;
 
 #if defined(__GNUC__)

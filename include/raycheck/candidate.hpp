@@ -45,6 +45,8 @@ struct Functions {
   double smallest_length = 0, largest_length = 0;
   /// Of single: all inputs are floats, given as doubles, and errors count u and ulp of float.
   Precision precision = Precision::double_;
+  Roots roots = Roots::usual;
+  ValidRoots valid = {};  ///< Of Roots::declared.
 };
 
 namespace detail {
@@ -62,9 +64,18 @@ inline raycheck_ray to_c(const Ray& ray) { return {to_c(ray.origin), to_c(ray.di
 inline Sphere from_c(const raycheck_sphere& sphere) {
   return {from_c(sphere.centre), sphere.radius};
 }
+inline ValidRoots from_c(const raycheck_valid_roots& v) {
+  return {v.t_min, v.t_max, static_cast<Ends>(v.ends), static_cast<TUnit>(v.unit),
+          static_cast<Culling>(v.culling)};
+}
+inline raycheck_valid_roots to_c(const ValidRoots& v) {
+  return {v.t_min, v.t_max, static_cast<int32_t>(v.ends), static_cast<int32_t>(v.unit),
+          static_cast<int32_t>(v.culling)};
+}
 inline Conventions from_c(const raycheck_conventions& c) {
-  return {static_cast<Rows>(c.rows), static_cast<Samples>(c.samples), static_cast<Origin>(c.origin),
-          static_cast<Root>(c.root), static_cast<Tangent>(c.tangent)};
+  return {static_cast<Rows>(c.rows),       static_cast<Samples>(c.samples),
+          static_cast<Origin>(c.origin),   static_cast<Root>(c.root),
+          static_cast<Tangent>(c.tangent), from_c(*raycheck_valid_roots_of(&c))};
 }
 
 inline raycheck_frame frame(const raycheck_camera* camera) {
@@ -115,7 +126,9 @@ inline const raycheck_candidate* offer(const Functions& given) {
                static_cast<int32_t>(given.level),
                given.smallest_length,
                given.largest_length,
-               static_cast<int32_t>(given.precision)};
+               static_cast<int32_t>(given.precision),
+               static_cast<int32_t>(given.roots),
+               to_c(given.valid)};
   return &candidate;
 }
 

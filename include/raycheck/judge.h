@@ -40,6 +40,8 @@ struct Candidate {
   /// Of single: cases are rounded to floats, given as doubles, and errors and bounds count u and
   /// ulp of float.
   Precision precision = Precision::double_;
+  /// Of usual every root >= 0 counts for it; of declared those of declares.valid.
+  Roots roots = Roots::usual;
 
   /// The camera's axes, unit and at right angles.
   std::function<Frame(const Camera&)> frame;

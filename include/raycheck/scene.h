@@ -4,6 +4,7 @@
 // What is looked at: plain structs, shared by candidates and by libraycheck. C++17.
 
 #include <cstdint>
+#include <limits>
 #include <optional>
 #include <vector>
 
@@ -64,6 +65,26 @@ enum class Root { as_asked, nearest, smaller };
 /// What a ray that touches a sphere does.
 enum class Tangent { as_asked, hit, miss, either };
 
+/// Which ends of the interval between t_min and t_max are not part of it.
+enum class Ends { closed, open_max, open_min, open };
+/// What t_min and t_max are given in: s itself, or radii of the sphere.
+enum class TUnit { absolute, radius };
+/// Which faces are not met.
+enum class Culling { none, back_faces, front_faces };
+
+/// Which roots count: those between t_min and t_max, in s or in radii of the sphere, that are not
+/// culled: v + d lies on back faces, v - d on front faces. As it is: every root >= 0.
+struct ValidRoots {
+  double t_min = 0, t_max = std::numeric_limits<double>::infinity();
+  Ends ends = Ends::closed;
+  TUnit unit = TUnit::absolute;
+  Culling culling = Culling::none;
+};
+
+/// Whether an implementation takes every root >= 0, the valid roots that it declares, or those that
+/// it is asked for.
+enum class Roots { usual, declared, as_asked };
+
 /// What the lecture leaves open. Asked of libraycheck, as_asked stands for the first that is named.
 struct Conventions {
   Rows rows = Rows::as_asked;           ///< Else bottom_first.
@@ -71,6 +92,7 @@ struct Conventions {
   Origin origin = Origin::as_asked;     ///< Else pixel.
   Root root = Root::as_asked;           ///< Else nearest.
   Tangent tangent = Tangent::as_asked;  ///< Else hit.
+  ValidRoots valid = {};                ///< Which roots count.
 };
 
 /// A camera's rays, or given ones, the spheres that they may meet, and the conventions.

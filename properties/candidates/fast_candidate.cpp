@@ -177,6 +177,8 @@ Candidate fast_candidate(const fast::PixelRayMethod& rays, const fast::Intersect
   candidate.needs_origin_outside = intersect.contract.origin_outside;
   candidate.declared.root = intersect.contract.root;
   candidate.declared.tangent = intersect.contract.tangent;
+  // Methods choose among all roots >= 0.
+  candidate.declared.valid = scene::ValidRoots{};
   candidate.smallest_length = intersect.domain.smallest_length;
   candidate.largest_length = intersect.domain.largest_length;
   candidate.smallest_camera_length = rays.domain.smallest_length;

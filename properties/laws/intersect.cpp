@@ -250,6 +250,9 @@ bool judge_other_root(Trial& trial, Verdict& verdict, const Place& place, const 
 
 /// The same point from both origins: s from the eye is s from the pixel point plus l.
 void judge_focal_and_pixel(Trial& trial, Verdict& verdict) {
+  if (!trial.conventions().valid.is_usual()) {
+    return verdict.leave_out("t_min and t_max count from another origin");
+  }
   const Candidate& candidate = trial.candidate();
   scene::Conventions from_pixel = trial.conventions();
   from_pixel.origin = scene::Origin::kPixel;

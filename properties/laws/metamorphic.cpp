@@ -129,8 +129,23 @@ std::optional<Scene> scaled(Scene scene, int exponent, scene::Precision precisio
     exact = exact && std::isfinite(result) && std::ldexp(result, -exponent) == x;
     x = result;
   });
+  // s is a length, or counts directions, which are not scaled: both scale with lengths.
+  scene::ValidRoots& valid = scene.conventions.valid;
+  if (valid.unit == scene::TUnit::kAbsolute) {
+    for (double* t : {&valid.t_min, &valid.t_max}) {
+      const double result = std::ldexp(*t, exponent);
+      exact = exact &&
+              (std::isinf(*t) || (std::isfinite(result) && std::ldexp(result, -exponent) == *t));
+      *t = result;
+    }
+  }
   if (scene.camera) scene.camera->far.reset();
   return exact ? std::optional(scene) : std::nullopt;
+}
+
+/// Whether an interval of parameters is the same in every unit of length.
+bool is_scale_free(const scene::ValidRoots& valid) {
+  return valid.t_min == 0 && std::isinf(valid.t_max);
 }
 
 void judge_scaling(Trial& trial, Verdict& verdict) {
@@ -139,6 +154,11 @@ void judge_scaling(Trial& trial, Verdict& verdict) {
   const bool directions = trial.scene().camera.has_value();
   if (!hits && !directions) return verdict.leave_out(std::string(no_hits));
   bool is_tried = false;
+  // A candidate's own absolute ends stay where they are.
+  const auto& own = trial.candidate().declared.valid;
+  if (own && own->unit == scene::TUnit::kAbsolute && !is_scale_free(*own)) {
+    return verdict.leave_out("the candidate's own t_min or t_max does not scale with the scene");
+  }
   for (const int exponent : {-120, -40, 3, 40, 120}) {
     const auto scene = scaled(trial.scene(), exponent, trial.precision());
     if (!scene || !is_inside_domain(trial.candidate(), *scene)) continue;
@@ -313,6 +333,9 @@ void judge_up(Trial& trial, Verdict& verdict) {
 void judge_growing_radius(Trial& trial, Verdict& verdict) {
   if (trial.conventions().root != scene::Root::kNearest) {
     return verdict.leave_out("with root = smaller, a grown sphere may swallow the origin");
+  }
+  if (!trial.conventions().valid.is_usual()) {
+    return verdict.leave_out("with t_min, t_max or culling, a grown sphere's roots may leave them");
   }
   for (std::size_t sphere = 0; sphere < trial.scene().spheres.size(); ++sphere) {
     const scene::Sphere& the_sphere = trial.scene().spheres[sphere];

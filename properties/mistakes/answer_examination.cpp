@@ -154,6 +154,8 @@ Examination::Examination(std::span<const Case> cases, const Candidate& candidate
   for (const Case& the_case : cases) {
     auto rounded = rounded_case(the_case, candidate.precision).the_case;
     if (!rounded || !is_inside_domain(candidate, rounded->scene)) continue;
+    // Classic mistakes are those of who takes every root >= 0.
+    if (!candidate.declared.over(rounded->scene.conventions).valid.is_usual()) continue;
     questions_.push_back({*std::move(rounded), {}});
     AskedCase& question = questions_.back();
     scene::Conventions& conventions = question.the_case.scene.conventions;

@@ -103,15 +103,36 @@ class TomlFields {
   LocatedFields located_;
 };
 
+/// t_min, t_max, interval, t_unit and culling of a table; those of a scene, or declared ones, which
+/// are declared where one of them is.
+inline void read_valid_roots(const TomlFields& fields, const TomlFields::Table& from,
+                             ValidRoots& valid) {
+  if (const auto field = fields.optional(from, "t_min")) valid.t_min = fields.number(*field);
+  if (const auto field = fields.optional(from, "t_max")) valid.t_max = fields.number(*field);
+  fields.choose(from, "interval", kEndsNames, valid.ends);
+  fields.choose(from, "t_unit", kTUnitNames, valid.unit);
+  fields.choose(from, "culling", kCullingNames, valid.culling);
+}
+inline void read_valid_roots(const TomlFields& fields, const TomlFields::Table& from,
+                             std::optional<ValidRoots>& valid) {
+  bool is_declared = false;
+  for (const char* key : {"t_min", "t_max", "interval", "t_unit", "culling"}) {
+    is_declared = is_declared || fields.optional(from, key).has_value();
+  }
+  if (is_declared) read_valid_roots(fields, from, valid.emplace());
+}
+
 /// The conventions that a table sets; a reader of scenes or of what else has them.
 template <typename Conventions>
 void read_conventions(TomlFields& fields, const TomlFields::Table& from, Conventions& conventions) {
-  fields.require_known(from, {"rows", "samples", "origin", "root", "tangent"});
+  fields.require_known(from, {"rows", "samples", "origin", "root", "tangent", "t_min", "t_max",
+                              "interval", "t_unit", "culling"});
   fields.choose(from, "rows", kRowsNames, conventions.rows);
   fields.choose(from, "samples", kSamplesNames, conventions.samples);
   fields.choose(from, "origin", kOriginNames, conventions.origin);
   fields.choose(from, "root", kRootNames, conventions.root);
   fields.choose(from, "tangent", kTangentNames, conventions.tangent);
+  read_valid_roots(fields, from, conventions.valid);
 }
 
 }  // namespace raycheck::scene

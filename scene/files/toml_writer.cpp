@@ -59,6 +59,10 @@ std::string camera_table(const Camera& camera) {
          line("height", std::to_string(camera.height));
 }
 
+std::string number_unless_default(const char* key, double value, double usual) {
+  return value == usual ? "" : line(key, toml_number(value));
+}
+
 std::string conventions_table(const Conventions& conventions) {
   const Conventions usual;
   if (conventions == usual) return "";
@@ -66,7 +70,12 @@ std::string conventions_table(const Conventions& conventions) {
          line_unless_default("samples", conventions.samples, usual.samples) +
          line_unless_default("origin", conventions.origin, usual.origin) +
          line_unless_default("root", conventions.root, usual.root) +
-         line_unless_default("tangent", conventions.tangent, usual.tangent);
+         line_unless_default("tangent", conventions.tangent, usual.tangent) +
+         number_unless_default("t_min", conventions.valid.t_min, usual.valid.t_min) +
+         number_unless_default("t_max", conventions.valid.t_max, usual.valid.t_max) +
+         line_unless_default("interval", conventions.valid.ends, usual.valid.ends) +
+         line_unless_default("t_unit", conventions.valid.unit, usual.valid.unit) +
+         line_unless_default("culling", conventions.valid.culling, usual.valid.culling);
 }
 
 }  // namespace

@@ -56,6 +56,7 @@ struct ChunkVerdict {
   Verdict verdict;
   ReasonsLeftOut left_out;
   bool given_rays = false;
+  Swallowed swallowed;
 
   bool has_failed() const {
     const auto found = verdict.tallies().find(properties::Quantity::kRefusal);
@@ -128,6 +129,10 @@ ChunkVerdict judge_chunk(const Case& chunk, std::uint64_t first, std::shared_ptr
     if (!chunk.scene.camera) verdict.shift_rays(first);
     found.verdict.merge(std::move(verdict));
   }
+  found.swallowed = swallowed(trial);
+  if (!chunk.scene.camera) {
+    for (SwallowedHit& hit : found.swallowed.worst) hit.place.ray += first;
+  }
   return found;
 }
 
@@ -136,6 +141,7 @@ ChunkVerdict judge_chunk(const Case& chunk, std::uint64_t first, std::shared_ptr
 std::vector<properties::Explanation> explained(const CandidateReport& report,
                                                const scene::Scene& scene) {
   if (external_of(report.contestant) == nullptr || report.verdict.holds()) return {};
+  if (!report.conventions.valid.is_usual()) return {};  // mistakes are those of who takes all roots
   const Candidate candidate = candidate_of(report.contestant);
   try {
     if (candidate.image) {
@@ -296,7 +302,7 @@ class Judgement {
       const auto& cases = scenes.of(draft.report.precision);
       if (!cases || !cases->scene().camera) continue;
       auto& plans = plans_[static_cast<std::size_t>(draft.report.precision)];
-      const scene::Conventions& conventions = draft.report.conventions;
+      const scene::Conventions conventions = properties::planned(draft.report.conventions);
       const bool is_planned = std::any_of(
           plans.begin(), plans.end(),
           [&](const scene::ScenePlan& plan) { return plan.conventions == conventions; });
@@ -320,6 +326,7 @@ class Judgement {
             if (verdicts[k].has_failed()) seek_failures(k, rays_judged, verdicts[k]);
             drafts_[k].report.verdict.merge(std::move(verdicts[k].verdict));
             drafts_[k].report.given_rays |= verdicts[k].given_rays;
+            drafts_[k].report.swallowed.merge(verdicts[k].swallowed);
             for (auto& [law, reason] : verdicts[k].left_out) {
               drafts_[k].left_out[law] = std::move(reason);
             }

@@ -12,6 +12,7 @@
 #include "properties/trial.h"
 #include "properties/verdict.h"
 #include "scene/files/scene_file.h"
+#include "tools/check/swallowed.h"
 #include "tools/external/contestant.h"
 #include "tools/gates/baseline.h"
 
@@ -55,6 +56,7 @@ struct CandidateReport {
   bool inside_domain = true;  ///< Outside its stated domain its answers are not judged.
   bool given_rays = false;    ///< It makes no rays: what it says of raycheck's own is judged.
   properties::Verdict verdict;
+  Swallowed swallowed;  ///< What its t_min, t_max and culling cost; nothing where it has none.
   std::vector<LeftOut> left_out;
   std::vector<properties::Explanation> explanations;  ///< Of what someone else's has wrong.
   Timing timing;                                      ///< Of raycheck's methods.

@@ -1,10 +1,35 @@
 #include <nlohmann/json.hpp>
 
+#include "scene/number.h"
 #include "tools/check/check_views.h"
 #include "tools/gates/ratchet_json.h"
 #include "tools/report/json.h"
 
 namespace raycheck::tools {
+
+namespace {
+
+/// Null where every root >= 0 counts.
+Json swallowed_json(const CandidateReport& candidate) {
+  if (candidate.conventions.valid.is_usual()) return nullptr;
+  const auto counts = [](const SwallowedOfSphere& one) {
+    return Json{{"hits", one.hits}, {"swallowed", one.swallowed}, {"moved", one.moved}};
+  };
+  Json json = counts(candidate.swallowed.all());
+  json["spheres"] = Json::array();
+  for (const SwallowedOfSphere& one : candidate.swallowed.spheres) {
+    json["spheres"].push_back(counts(one));
+  }
+  json["worst"] = Json::array();
+  for (const SwallowedHit& hit : candidate.swallowed.worst) {
+    Json entry = place_json(hit.place);
+    entry["s"] = scene::hexfloat(hit.s);
+    json["worst"].push_back(std::move(entry));
+  }
+  return json;
+}
+
+}  // namespace
 
 Json candidate_json(const CandidateReport& candidate, std::size_t top) {
   Json json;
@@ -28,6 +53,7 @@ Json candidate_json(const CandidateReport& candidate, std::size_t top) {
                       {"not_sought", candidate.search.not_sought}};
   json["given_rays"] = candidate.given_rays;
   json["precision"] = name(candidate.precision);
+  json["swallowed"] = swallowed_json(candidate);
   json["rounded_numbers"] = candidate.rounded_numbers;
   json["not_asked"] = candidate.not_asked.empty() ? Json(nullptr) : Json(candidate.not_asked);
   json["discrepancies"] = candidate.verdict.discrepancies();

@@ -88,6 +88,25 @@ std::string quantities_table(const CandidateReport& candidate) {
   return table.text();
 }
 
+/// What an interval of parameters, or culling, costs.
+std::string swallowed_text(const CandidateReport& candidate) {
+  if (candidate.conventions.valid.is_usual()) return "";
+  const Swallowed& swallowed = candidate.swallowed;
+  const SwallowedOfSphere all = swallowed.all();
+  std::string text = fmt::format("  {} swallows {} of {} and moves {} to the other root\n",
+                                 valid_roots_text(candidate.conventions.valid), all.swallowed,
+                                 count_text(all.hits, "exact hit"), all.moved);
+  for (std::size_t k = 0; k < swallowed.spheres.size(); ++k) {
+    const auto& [hits, lost, moved] = swallowed.spheres[k];
+    if (lost + moved == 0) continue;
+    text += fmt::format("    sphere {}: {} of {} swallowed, {} moved\n", k, lost, hits, moved);
+  }
+  for (const SwallowedHit& hit : swallowed.worst) {
+    text += fmt::format("    swallowed: {} at s = {:.6g}\n", place_text(hit.place), hit.s);
+  }
+  return text;
+}
+
 std::string precision_text(const CandidateReport& candidate) {
   if (candidate.precision == scene::Precision::kDouble) return "";
   std::string text = "  judged in single precision: u = 2^-24, ulp of float\n";
@@ -169,6 +188,7 @@ std::string check_text(const CheckReport& report, const ViewOptions& options) {
       text += "  makes no rays from this origin: given raycheck's own, correctly rounded\n";
     }
     text += precision_text(candidate);
+    text += swallowed_text(candidate);
     text += quantities_table(candidate);
     const bool renders = external != nullptr && external->renderer;
     text +=

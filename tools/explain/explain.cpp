@@ -126,7 +126,7 @@ void derive_sphere(const Subject& subject, const scene::Sphere& sphere, const Sp
 SphereReport report_sphere(const Subject& subject, const scene::Sphere& sphere,
                            const scene::Conventions& conventions) {
   SphereReport report;
-  report.intersection = subject.exact.intersect(sphere, conventions.root);
+  report.intersection = subject.exact.intersect(sphere, conventions);
   report.is_hit = reference::counts_as_hit(report.intersection.hit_class, conventions.tangent);
   if (report.intersection.hit_class == reference::HitClass::kMiss) return report;
   report.parameter = subject.exact.rounded_parameter(sphere, report.intersection);

@@ -75,11 +75,10 @@ std::string list_json(const Catalogue& catalogue, const ViewOptions& /*options*/
     }
     json["sources"].push_back(std::move(entry));
   }
-  json["conventions"] = {{"rows", scene::kRowsNames},
-                         {"samples", scene::kSamplesNames},
-                         {"origin", scene::kOriginNames},
-                         {"root", scene::kRootNames},
-                         {"tangent", scene::kTangentNames}};
+  json["conventions"] = {{"rows", scene::kRowsNames},       {"samples", scene::kSamplesNames},
+                         {"origin", scene::kOriginNames},   {"root", scene::kRootNames},
+                         {"tangent", scene::kTangentNames}, {"interval", scene::kEndsNames},
+                         {"t_unit", scene::kTUnitNames},    {"culling", scene::kCullingNames}};
   return json_text(json);
 }
 

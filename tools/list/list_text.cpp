@@ -93,6 +93,10 @@ std::string list_text(const Catalogue& catalogue, const ViewOptions& /*options*/
   text += fmt::format("  origin            {}\n", joined(scene::kOriginNames));
   text += fmt::format("  root              {}\n", joined(scene::kRootNames));
   text += fmt::format("  tangent           {}\n", joined(scene::kTangentNames));
+  text += "  t_min, t_max      0, inf\n";
+  text += fmt::format("  interval          {}\n", joined(scene::kEndsNames));
+  text += fmt::format("  t_unit            {}\n", joined(scene::kTUnitNames));
+  text += fmt::format("  culling           {}\n", joined(scene::kCullingNames));
   return text;
 }
 

@@ -58,8 +58,8 @@ bool is_worth_asking(const Law& law, const Contestant& contestant, bool chosen_b
 Candidate campaigner(const Contestant& contestant) {
   Candidate candidate = candidate_of(contestant);
   if (candidate.image) {
-    candidate.declared = {scene::Rows{}, scene::Samples{}, scene::Origin{}, scene::Root{},
-                          scene::Tangent::kEither};
+    candidate.declared = {scene::Rows{}, scene::Samples{},        scene::Origin{},
+                          scene::Root{}, scene::Tangent::kEither, scene::ValidRoots{}};
   }
   return candidate;
 }

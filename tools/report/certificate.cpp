@@ -210,6 +210,7 @@ constexpr const char* kTie =
 /// Adds the inputs and their proof; returns why there is none, if so.
 std::string add_proof(const scene::Scene& scene, const scene::Conventions& conventions,
                       const Discrepancy& d, Json& json) {
+  if (!conventions.valid.is_usual()) return "t_min, t_max or culling: no proof speaks of them";
   if (auto reason = not_provable(d, scene.camera.has_value()); !reason.empty()) return reason;
   const std::vector<scene::Sphere> spheres = spheres_of(scene, d);
   const reference::Prover prover =

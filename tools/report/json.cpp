@@ -63,7 +63,12 @@ Json conventions_json(const scene::Conventions& conventions) {
           {"samples", name(conventions.samples)},
           {"origin", name(conventions.origin)},
           {"root", name(conventions.root)},
-          {"tangent", name(conventions.tangent)}};
+          {"tangent", name(conventions.tangent)},
+          {"t_min", error_json(conventions.valid.t_min)},
+          {"t_max", error_json(conventions.valid.t_max)},
+          {"interval", name(conventions.valid.ends)},
+          {"t_unit", name(conventions.valid.unit)},
+          {"culling", name(conventions.valid.culling)}};
 }
 
 Json dialect_json(std::optional<scene::Dialect> dialect) {

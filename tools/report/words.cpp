@@ -117,10 +117,22 @@ std::string explanations_text(const std::vector<properties::Explanation>& explan
   return text;
 }
 
+std::string valid_roots_text(const scene::ValidRoots& valid) {
+  std::string text = fmt::format("t in {}{:g}, {:g}{}", valid.includes_min() ? '[' : '(',
+                                 valid.t_min, valid.t_max, valid.includes_max() ? ']' : ')');
+  if (valid.unit == scene::TUnit::kRadius) text += " radii";
+  if (valid.culling != scene::Culling::kNone) {
+    text += fmt::format(", culling {}", name(valid.culling));
+  }
+  return text;
+}
+
 std::string conventions_text(const scene::Conventions& conventions) {
-  return fmt::format("rows {}, samples {}, origin {}, root {}, tangent {}", name(conventions.rows),
-                     name(conventions.samples), name(conventions.origin), name(conventions.root),
-                     name(conventions.tangent));
+  const std::string text =
+      fmt::format("rows {}, samples {}, origin {}, root {}, tangent {}", name(conventions.rows),
+                  name(conventions.samples), name(conventions.origin), name(conventions.root),
+                  name(conventions.tangent));
+  return conventions.valid.is_usual() ? text : text + ", " + valid_roots_text(conventions.valid);
 }
 
 std::string change_text(double relative_change, scene::Precision precision) {

@@ -37,7 +37,9 @@ std::string scene_file_text(std::string_view path, std::optional<scene::Dialect>
 /// "not needed here: ambient, 2 lights", a line, or nothing.
 std::string not_needed_text(const std::vector<std::string>& not_needed);
 
-/// "rows bottom-first, samples edges, ..."
+/// "t in [0.001, inf] radii, culling back-faces"
+std::string valid_roots_text(const scene::ValidRoots& valid);
+/// "rows bottom-first, samples edges, ..."; which roots count, where that is not every one >= 0.
 std::string conventions_text(const scene::Conventions& conventions);
 
 /// A relative change in units of u, or as it is where those would be many: "16 u", "1e-06".

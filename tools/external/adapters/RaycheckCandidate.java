@@ -64,6 +64,11 @@ public abstract class RaycheckCandidate {
    * it is given are floats, and its errors count those of float.
    */
   public String precision() { return null; }
+  /**
+   * Which roots count: "() 1e-4 100 absolute none" (ends, t_min, t_max, "absolute" or "radius",
+   * culling); null: every one that is 0 or more.
+   */
+  public String roots() { return null; }
 
   private record Name(String java, String asked) {}
   private static final List<Name> FUNCTIONS = List.of(new Name("frame", "frame"),
@@ -97,6 +102,7 @@ public abstract class RaycheckCandidate {
     }
     for (String convention : declared()) said.append("convention ").append(convention).append('\n');
     if (level() != null) said.append("level ").append(level()).append('\n');
+    if (roots() != null) said.append("roots ").append(roots()).append('\n');
     if (precision() != null) said.append("precision ").append(precision()).append('\n');
     if (lengths() != null) {
       said.append("lengths ").append(text(lengths()[0])).append(' ');

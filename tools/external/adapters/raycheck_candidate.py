@@ -22,7 +22,9 @@ Conventions that the functions fix are declared: rc.run("mine", rows="top-first"
 up to which cases they are to be right, level="ordinary" (the default), "demanding" or "extreme",
 and between which lengths, lengths=(1e-100, 1e100). Who computes in floats (of struct or numpy) says
 precision="single": all numbers that it is given are floats then, and its errors count those of
-float. What the functions print goes to the standard error. The lines exchanged are those of
+float. Who does not take every root >= 0 says which: roots=Roots("()", 1e-4, 100, "absolute", "none")
+(ends, t_min, t_max, "absolute" or "radius", culling), or follows conventions.roots: "as-asked".
+What the functions print goes to the standard error. The lines exchanged are those of
 docs/candidates.md.
 """
 import collections
@@ -30,7 +32,10 @@ import sys
 
 Camera = collections.namedtuple(
     "Camera", "eye look_at up near left right bottom top width height")
-Conventions = collections.namedtuple("Conventions", "rows samples origin root tangent")
+Roots = collections.namedtuple("Roots", "ends t_min t_max unit culling")
+USUAL_ROOTS = Roots("[]", 0.0, float("inf"), "absolute", "none")
+Conventions = collections.namedtuple("Conventions", "rows samples origin root tangent roots",
+                                     defaults=[USUAL_ROOTS])
 
 _FUNCTIONS = ("frame", "pixel_point", "pixel_ray", "focal_ray", "intersect", "nearest")
 
@@ -63,6 +68,9 @@ def _read(lines, first):
             return request
         if kind == "conventions":
             request["conventions"] = Conventions(*words)
+        elif kind == "roots":
+            roots = Roots(words[0], float(words[1]), float(words[2]), *words[3:])
+            request["conventions"] = request["conventions"]._replace(roots=roots)
         elif kind == "camera":
             request["camera"] = _camera(words)
         elif kind == "pixels":
@@ -98,7 +106,7 @@ def _answer(functions, request):
 
 
 def run(name="-", rows=None, samples=None, origin=None, root=None, tangent=None, level=None,
-        lengths=None, precision=None, **functions):
+        lengths=None, precision=None, roots=None, **functions):
     """Answers raycheck until it has no more requests."""
     unknown = set(functions) - set(_FUNCTIONS)
     if unknown:
@@ -114,6 +122,10 @@ def run(name="-", rows=None, samples=None, origin=None, root=None, tangent=None,
     said += [f"level {level}"] if level else []
     said += [f"lengths {_line(*lengths)}"] if lengths else []
     said += [f"precision {precision}"] if precision else []
+    if roots:
+        told = roots if isinstance(roots, str) else " ".join(
+            word if isinstance(word, str) else repr(float(word)) for word in roots)
+        said.append(f"roots {told}")
     print("\n".join(said + ["ready"]), file=replies, flush=True)
     for line in lines:
         request = _read(lines, line.split())

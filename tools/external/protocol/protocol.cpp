@@ -10,6 +10,7 @@
 #include <optional>
 
 #include "scene/number.h"
+#include "scene/validate.h"
 
 namespace raycheck::tools {
 namespace {
@@ -93,7 +94,34 @@ void declare(std::string_view value, const std::array<std::string_view, kCount>&
   declared = static_cast<Enum>(found - names.begin());
 }
 
+/// The ends in one word, in the order of scene::Ends.
+constexpr std::array<std::string_view, 4> kEndsWords = {"[]", "[)", "(]", "()"};
+
+scene::ValidRoots read_roots(std::string_view ends, Words& words) {
+  const auto choose = [&words]<class Choice>(std::string_view word, const auto& names,
+                                             Choice& choice) {
+    const auto found = std::find(names.begin(), names.end(), word);
+    if (found == names.end()) words.fail("declares no such roots");
+    choice = static_cast<Choice>(found - names.begin());
+  };
+  scene::Conventions conventions;
+  scene::ValidRoots& valid = conventions.valid;
+  choose(ends, kEndsWords, valid.ends);
+  valid.t_min = words.number();
+  valid.t_max = words.number();
+  choose(words.word(), scene::kTUnitNames, valid.unit);
+  choose(words.word(), scene::kCullingNames, valid.culling);
+  if (!scene::defects(conventions).empty()) words.fail("declares no interval");
+  return valid;
+}
+
 }  // namespace
+
+std::string roots_line(const scene::ValidRoots& valid) {
+  return fmt::format("roots {} {} {} {} {}\n", kEndsWords[static_cast<std::size_t>(valid.ends)],
+                     scene::shortest(valid.t_min), scene::shortest(valid.t_max), name(valid.unit),
+                     name(valid.culling));
+}
 
 Introduction parse_introduction(std::string_view text) {
   Introduction introduction;
@@ -134,6 +162,13 @@ Introduction parse_introduction(std::string_view text) {
       const auto found = std::find(names.begin(), names.end(), precision);
       if (found == names.end()) words.fail("states no such precision");
       introduction.precision = static_cast<scene::Precision>(found - names.begin());
+    } else if (kind == "roots") {
+      const std::string_view ends = words.word();
+      if (ends == "as-asked") {
+        introduction.declared.valid.reset();
+      } else {
+        introduction.declared.valid = read_roots(ends, words);
+      }
     } else if (kind == "level") {
       const std::string_view level = words.word();
       const auto& names = properties::kLevelNames;
@@ -162,6 +197,8 @@ Request::Request(std::string id, std::string_view function, const scene::Convent
   body_ = fmt::format("{}\n", function);
   add(fmt::format("conventions {} {} {} {} {}\n", name(conventions.rows), name(conventions.samples),
                   name(conventions.origin), name(conventions.root), name(conventions.tangent)));
+  // Who never heard of it is asked under the usual ones alone.
+  if (!conventions.valid.is_usual()) add(roots_line(conventions.valid));
 }
 
 void Request::add(std::string_view words) {

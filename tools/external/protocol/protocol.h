@@ -30,7 +30,13 @@ inline constexpr int kProtocolVersion = 1;
 struct Introduction {
   std::string name;  ///< "-": none
   std::set<std::string> functions;
-  properties::DeclaredConventions declared;
+  /// Every root >= 0 counts for who says nothing of them.
+  properties::DeclaredConventions declared = {.rows = {},
+                                              .samples = {},
+                                              .origin = {},
+                                              .root = {},
+                                              .tangent = {},
+                                              .valid = scene::ValidRoots{}};
   scene::Precision precision = scene::Precision::kDouble;  ///< The format that it computes in.
   std::optional<properties::Level> level;                  ///< Up to which cases it is to be right.
   /// It is to be judged on scenes whose nonzero lengths lie between these.
@@ -41,6 +47,9 @@ inline constexpr std::string_view kGreeting = "raycheck 1\n";
 inline constexpr std::string_view kReady = "ready";
 inline constexpr std::size_t kMostIntroduction = 4096;  ///< bytes
 Introduction parse_introduction(std::string_view text);
+
+/// "roots ENDS T_MIN T_MAX UNIT CULLING", a line.
+std::string roots_line(const scene::ValidRoots& valid);
 
 /// Builds a request.
 class Request {

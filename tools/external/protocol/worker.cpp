@@ -17,6 +17,7 @@
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
+#include <limits>
 #include <stdexcept>
 #include <string>
 #include <string_view>
@@ -30,6 +31,9 @@ constexpr std::array<std::array<const char*, 4>, 5> kConventionNames = {
      {"as-asked", "pixel", "focal", nullptr},
      {"as-asked", "nearest", "smaller", nullptr},
      {"as-asked", "hit", "miss", "either"}}};
+constexpr std::array<const char*, 4> kEnds = {"[]", "[)", "(]", "()"};
+constexpr std::array<const char*, 2> kUnits = {"absolute", "radius"};
+constexpr std::array<const char*, 3> kCullings = {"none", "back-faces", "front-faces"};
 constexpr std::array<const char*, 5> kConventions = {"rows", "samples", "origin", "root",
                                                      "tangent"};
 
@@ -126,7 +130,7 @@ class Reply {
 
 struct Request {
   std::string id, function;
-  raycheck_conventions conventions{};
+  raycheck_asked asked{};
   raycheck_camera camera{};
   std::vector<raycheck_pixel> pixels;
   std::vector<raycheck_ray> rays;
@@ -141,6 +145,14 @@ std::int32_t convention(std::size_t which, std::string_view name) {
   give_up("no such convention: " + std::string(name));
 }
 
+template <class Names>
+std::int32_t index_in(const Names& names, std::string_view name) {
+  for (std::size_t k = 0; k < names.size(); ++k) {
+    if (name == names[k]) return static_cast<std::int32_t>(k);
+  }
+  give_up("no such word about roots: " + std::string(name));
+}
+
 template <class Item, class Read>
 void read_list(Words& words, std::vector<Item>& list, Read read) {
   const std::int64_t count = words.integer();
@@ -153,6 +165,7 @@ void read_list(Words& words, std::vector<Item>& list, Read read) {
 /// False at the end of the input.
 bool read_request(Words& words, Request& request) {
   request = {};
+  request.asked.valid.t_max = std::numeric_limits<double>::infinity();
   if (!words.next_line()) return false;
   if (words.word() != "request") give_up("not a request");
   request.id = words.word();
@@ -162,11 +175,18 @@ bool read_request(Words& words, Request& request) {
     const std::string_view kind = words.word();
     if (kind == "end") return true;
     if (kind == "conventions") {
-      auto& c = request.conventions;
+      auto& c = request.asked.conventions;
       std::size_t which = 0;
       for (std::int32_t* value : {&c.rows, &c.samples, &c.origin, &c.root, &c.tangent}) {
         *value = convention(which++, words.word());
       }
+    } else if (kind == "roots") {
+      auto& v = request.asked.valid;
+      v.ends = index_in(kEnds, words.word());
+      v.t_min = words.number();
+      v.t_max = words.number();
+      v.unit = index_in(kUnits, words.word());
+      v.culling = index_in(kCullings, words.word());
     } else if (kind == "camera") {
       auto& c = request.camera;
       c.eye = words.vector();
@@ -203,11 +223,11 @@ void intersect(const raycheck_candidate& candidate, const Request& request, Repl
   for (std::size_t sphere = 0; sphere < request.spheres.size(); ++sphere) {
     if (candidate.intersect_batch != nullptr) {
       candidate.intersect_batch(request.rays.data(), request.rays.size(), &request.spheres[sphere],
-                                &request.conventions, hits.data());
+                                &request.asked.conventions, hits.data());
     } else {
       for (std::size_t ray = 0; ray < hits.size(); ++ray) {
-        hits[ray] =
-            candidate.intersect(&request.rays[ray], &request.spheres[sphere], &request.conventions);
+        hits[ray] = candidate.intersect(&request.rays[ray], &request.spheres[sphere],
+                                        &request.asked.conventions);
       }
     }
     for (std::size_t ray = 0; ray < hits.size(); ++ray) {
@@ -225,16 +245,16 @@ void answer(const raycheck_candidate& candidate, const Request& request, Reply& 
     reply << frame.u << "\n" << frame.v << "\n" << frame.w << "\n";
   } else if (function == "pixel_point" && candidate.pixel_point != nullptr) {
     for (const raycheck_pixel& pixel : request.pixels) {
-      reply << candidate.pixel_point(&request.camera, &request.conventions, pixel) << "\n";
+      reply << candidate.pixel_point(&request.camera, &request.asked.conventions, pixel) << "\n";
     }
   } else if (function == "pixel_ray" && candidate.pixel_ray != nullptr) {
     for (const raycheck_pixel& pixel : request.pixels) {
-      const auto ray = candidate.pixel_ray(&request.camera, &request.conventions, pixel);
+      const auto ray = candidate.pixel_ray(&request.camera, &request.asked.conventions, pixel);
       reply << ray.origin << " " << ray.direction << "\n";
     }
   } else if (function == "focal_ray" && candidate.focal_ray != nullptr) {
     for (const raycheck_pixel& pixel : request.pixels) {
-      const auto ray = candidate.focal_ray(&request.camera, &request.conventions, pixel);
+      const auto ray = candidate.focal_ray(&request.camera, &request.asked.conventions, pixel);
       reply << ray.origin << " " << ray.direction << "\n";
     }
   } else if (function == "intersect" &&
@@ -242,8 +262,8 @@ void answer(const raycheck_candidate& candidate, const Request& request, Reply& 
     intersect(candidate, request, reply);
   } else if (function == "nearest" && candidate.nearest != nullptr) {
     for (const raycheck_ray& ray : request.rays) {
-      const std::int64_t index = candidate.nearest(&ray, request.spheres.data(),
-                                                   request.spheres.size(), &request.conventions);
+      const std::int64_t index = candidate.nearest(
+          &ray, request.spheres.data(), request.spheres.size(), &request.asked.conventions);
       if (index < 0) {
         reply << "none\n";
       } else {
@@ -265,6 +285,32 @@ void introduce_precision(const raycheck_candidate& candidate, Reply& reply) {
       return;
     default:
       give_up("no such precision: " + std::to_string(candidate.precision));
+  }
+}
+
+template <class Names>
+const char* name_in(const Names& names, std::int32_t index, const char* what) {
+  if (index < 0 || static_cast<std::size_t>(index) >= names.size()) {
+    give_up(std::string("no such ") + what + ": " + std::to_string(index));
+  }
+  return names[static_cast<std::size_t>(index)];
+}
+
+void introduce_roots(const raycheck_candidate& candidate, Reply& reply) {
+  const raycheck_valid_roots& v = candidate.declared_roots;
+  switch (candidate.roots) {
+    case RAYCHECK_ROOTS_USUAL:
+      return;
+    case RAYCHECK_ROOTS_AS_ASKED:
+      reply << "roots as-asked\n";
+      return;
+    case RAYCHECK_ROOTS_DECLARED:
+      reply << "roots " << name_in(kEnds, v.ends, "ends") << " " << v.t_min << " " << v.t_max << " "
+            << name_in(kUnits, v.unit, "unit") << " " << name_in(kCullings, v.culling, "culling")
+            << "\n";
+      return;
+    default:
+      give_up("no such roots: " + std::to_string(candidate.roots));
   }
 }
 
@@ -305,7 +351,10 @@ void introduce(const raycheck_candidate& candidate, Reply& reply) {
     reply << "convention " << kConventions[k] << " " << kConventionNames[k][value] << "\n";
   }
   if (candidate.version >= 2) introduce_contract(candidate, reply);
-  if (candidate.version >= 3) introduce_precision(candidate, reply);
+  if (candidate.version >= 3) {
+    introduce_precision(candidate, reply);
+    introduce_roots(candidate, reply);
+  }
   reply << "ready\n";
   reply.send();
 }

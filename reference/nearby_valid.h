@@ -1,0 +1,30 @@
+#ifndef RAYCHECK_REFERENCE_NEARBY_VALID_H_
+#define RAYCHECK_REFERENCE_NEARBY_VALID_H_
+
+#include <optional>
+#include <span>
+
+#include "reference/nearby_answer.h"
+#include "reference/nearby_choice.h"
+
+namespace raycheck::reference {
+
+// Wrong answers where not every root >= 0 counts (scene::ValidRoots): t_min and t_max are no
+// inputs, and are taken exactly. A refutation is proven, by balls that hold the roots for all
+// inputs within the relative change; witnesses are not looked for, so that the rest is undecided:
+// roots about as far from an end, from a tangent or from each other as the change is wide. Domain:
+// as ExactRay; conventions without defects (scene/validate.h).
+
+/// Of an answer as right_nearby() takes it: that a ray misses (empty), or meets a sphere at s.
+NearbyAnswer refuted_nearby(const ExactRay& ray, const scene::Sphere& sphere,
+                            const scene::Conventions& conventions, double relative_change,
+                            const std::optional<double>& answer);
+
+/// Of what is said to be met first.
+NearbyAnswer refuted_nearby(const ExactRay& ray, std::span<const scene::Sphere> spheres,
+                            const scene::Conventions& conventions, double relative_change,
+                            const FirstMet& claim);
+
+}  // namespace raycheck::reference
+
+#endif  // RAYCHECK_REFERENCE_NEARBY_VALID_H_

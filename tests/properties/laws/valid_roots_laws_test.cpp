@@ -1,0 +1,143 @@
+// Laws where t_min, t_max and culling say which roots count: who follows them exactly passes, who
+// is off at the ends does not.
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <functional>
+#include <limits>
+
+#include "properties/laws/law.h"
+#include "properties/search/campaign.h"
+
+namespace raycheck::properties {
+namespace {
+
+using Change = std::function<void(scene::Conventions&)>;
+
+/// The exact answers, correctly rounded, under conventions that a mistake changed.
+Candidate follower(const Change& mistake = [](scene::Conventions&) {}) {
+  Candidate candidate;
+  candidate.name = "follower";
+  candidate.refuses = false;
+  candidate.intersect = [mistake](Candidate::Rays rays, Candidate::Spheres spheres,
+                                  const scene::Conventions& asked) {
+    scene::Conventions by = asked;
+    mistake(by);
+    std::vector<SphereHits> all(spheres.size());
+    for (std::size_t k = 0; k < spheres.size(); ++k) {
+      for (std::size_t ray = 0; ray < rays.size(); ++ray) {
+        const reference::ExactRay exact(rays[ray]);
+        const auto at = exact.intersect(spheres[k], by);
+        if (!reference::counts_as_hit(at.hit_class, by.tangent)) continue;
+        all[k].push_back(
+            {ray, {exact.rounded_parameter(spheres[k], at), exact.rounded_point(spheres[k], at)}});
+      }
+    }
+    return all;
+  };
+  return candidate;
+}
+
+/// A ray along x from 0 with roots at 2 and 4 of a sphere of radius 1, and others beside.
+Case a_case(const scene::ValidRoots& valid) {
+  Case one;
+  one.scene.rays = {{{0, 0, 0}, {1, 0, 0}}, {{2.5, 0, 0}, {1, 0, 0}}, {{0, 0.5, 0}, {1, 0, 0}}};
+  one.scene.spheres = {{{3, 0, 0}, 1}, {{9, 0, 0}, 2}};
+  one.scene.conventions.valid = valid;
+  return one;
+}
+
+Verdict verdict(std::string_view law, const Candidate& candidate, const scene::ValidRoots& valid) {
+  const Case the_case = a_case(valid);
+  Trial trial(the_case, candidate);
+  return apply(*find_law(law), trial);
+}
+
+constexpr double kNoEnd = std::numeric_limits<double>::infinity();
+
+TEST(ValidRootsLaws, HoldWhereTheyAreFollowed) {
+  for (const auto ends :
+       {scene::Ends::kClosed, scene::Ends::kOpenMax, scene::Ends::kOpenMin, scene::Ends::kOpen}) {
+    for (const auto unit : {scene::TUnit::kAbsolute, scene::TUnit::kRadius}) {
+      for (const auto culling :
+           {scene::Culling::kNone, scene::Culling::kBackFaces, scene::Culling::kFrontFaces}) {
+        for (const char* law :
+             {"class", "nearest-root", "parameter", "hit-point", "scaling", "axes"}) {
+          const Verdict found = verdict(law, follower(), {2, 7, ends, unit, culling});
+          EXPECT_EQ(found.discrepancies(), 0u) << law;
+        }
+      }
+    }
+  }
+}
+
+TEST(ValidRootsLaws, TellWhoIsOffAtTheEnds) {
+  // The near root of the first ray is t_min, the far one of the second sphere t_max.
+  const auto broken = [](const scene::ValidRoots& valid, const Change& mistake) {
+    return verdict("class", follower(mistake), valid).discrepancies() +
+           verdict("nearest-root", follower(mistake), valid).discrepancies();
+  };
+  const scene::ValidRoots closed{2, 7, scene::Ends::kClosed, {}, {}};
+  const scene::ValidRoots open{2, 7, scene::Ends::kOpen, {}, {}};
+  EXPECT_GT(broken(closed, [](auto& c) { c.valid.ends = scene::Ends::kOpenMin; }), 0u);
+  EXPECT_GT(broken(closed, [](auto& c) { c.valid.ends = scene::Ends::kOpenMax; }), 0u);
+  EXPECT_GT(broken(open, [](auto& c) { c.valid.ends = scene::Ends::kOpenMin; }), 0u);
+  EXPECT_GT(broken(open, [](auto& c) { c.valid.ends = scene::Ends::kOpenMax; }), 0u);
+  EXPECT_EQ(broken(open, [](auto&) {}), 0u);
+}
+
+TEST(ValidRootsLaws, CallDefectsWhatLiesFarFromTheEnds) {
+  const auto defects = [](const scene::ValidRoots& valid, const Change& mistake) {
+    return verdict("class", follower(mistake), valid).count(Standing::kDefect) +
+           verdict("nearest-root", follower(mistake), valid).count(Standing::kDefect);
+  };
+  const auto ignore = [](scene::Conventions& c) { c.valid = {}; };
+  EXPECT_GT(defects({3, kNoEnd, {}, {}, {}}, ignore), 0u);
+  EXPECT_GT(defects({0, 1, {}, {}, {}}, ignore), 0u);
+  EXPECT_GT(defects({0, kNoEnd, {}, {}, scene::Culling::kFrontFaces}, ignore), 0u);
+  EXPECT_GT(defects({0, kNoEnd, {}, {}, scene::Culling::kBackFaces}, ignore), 0u);
+  EXPECT_GT(defects({1.5, kNoEnd, {}, scene::TUnit::kRadius, {}},
+                    [](auto& c) { c.valid.unit = scene::TUnit::kAbsolute; }),
+            0u);
+  // At an end it is not said.
+  EXPECT_EQ(defects({2, 7, scene::Ends::kClosed, {}, {}},
+                    [](auto& c) { c.valid.ends = scene::Ends::kOpenMin; }),
+            0u);
+}
+
+TEST(ValidRootsLaws, ScaleAbsoluteEndsWithTheScene) {
+  const scene::ValidRoots absolute{2.5, 7, scene::Ends::kClosed, {}, {}};
+  EXPECT_GT(verdict("scaling", follower(), absolute).compared(), 0u);
+  // Who keeps them is told apart.
+  EXPECT_GT(
+      verdict("scaling", follower([](auto& c) { c.valid.t_min = 2.5; }), absolute).discrepancies(),
+      0u);
+  Candidate own = follower();
+  own.declared.valid = absolute;
+  const Verdict left_out = verdict("scaling", own, {});
+  EXPECT_EQ(left_out.compared(), 0u);
+  EXPECT_NE(left_out.reason_left_out().find("does not scale"), std::string::npos);
+}
+
+TEST(ValidRootsLaws, LeaveOutWhatTheyCannotSay) {
+  const Verdict grown = verdict("growing-radius", follower(), {1, kNoEnd, {}, {}, {}});
+  EXPECT_EQ(grown.compared(), 0u);
+  EXPECT_NE(grown.reason_left_out().find("t_min"), std::string::npos);
+}
+
+TEST(ValidRootsLaws, HoldOnRandomCasesWithAnEpsilon) {
+  Candidate declares = follower();
+  declares.declared.valid = scene::ValidRoots{1e-3, kNoEnd, scene::Ends::kOpen, {}, {}};
+  Candidate ignores = follower([](auto& c) { c.valid = {}; });
+  ignores.declared.valid = declares.declared.valid;
+  CampaignOptions options;
+  options.cases = 200;
+  for (const char* law : {"class", "nearest-root", "parameter"}) {
+    EXPECT_EQ(run_campaign(*find_law(law), declares, options).finding(), Finding::kHolds) << law;
+  }
+  EXPECT_EQ(run_campaign(*find_law("class"), ignores, options).finding(), Finding::kBroken);
+}
+
+}  // namespace
+}  // namespace raycheck::properties

@@ -1,0 +1,225 @@
+// Which roots count: t_min, t_max with their ends, in s or in radii, and culling, decided exactly.
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+
+#include "reference/exact_ray.h"
+#include "reference/nearby_valid.h"
+#include "tests/numbers.h"
+#include "tests/reference/random_cases.h"
+
+namespace raycheck::reference {
+namespace {
+
+using scene::Culling;
+using scene::Ends;
+using scene::Root;
+using scene::TUnit;
+
+constexpr double kNoEnd = std::numeric_limits<double>::infinity();
+
+scene::Conventions conventions_of(const scene::ValidRoots& valid, Root root = Root::kNearest) {
+  scene::Conventions conventions;
+  conventions.root = root;
+  conventions.valid = valid;
+  return conventions;
+}
+
+/// "near", "far", "tangent" or "miss".
+std::string met(const ExactRay& ray, const scene::Sphere& sphere, const scene::ValidRoots& valid,
+                Root root = Root::kNearest) {
+  const Intersection at = ray.intersect(sphere, conventions_of(valid, root));
+  EXPECT_TRUE(at == ray.intersect(sphere, conventions_of(valid, root), Engine::kFieldOnly));
+  if (at.hit_class == HitClass::kMiss) return "miss";
+  if (at.hit_class == HitClass::kTangent) return "tangent";
+  return at.root == WhichRoot::kSmaller ? "near" : "far";
+}
+
+const ExactRay kAlongX(scene::Ray{{0, 0, 0}, {1, 0, 0}});
+const scene::Sphere kFromTwoToFour{{3, 0, 0}, 1};
+
+TEST(ValidRoots, TakeTheNearestBetweenTheEnds) {
+  const auto between = [](double t_min, double t_max) {
+    return met(kAlongX, kFromTwoToFour, {t_min, t_max, Ends::kClosed, TUnit::kAbsolute, {}});
+  };
+  EXPECT_EQ(between(0, kNoEnd), "near");
+  EXPECT_EQ(between(1, 3), "near");
+  EXPECT_EQ(between(2.5, kNoEnd), "far");
+  EXPECT_EQ(between(2.5, 3.5), "miss");
+  EXPECT_EQ(between(0, 1), "miss");
+  EXPECT_EQ(between(5, kNoEnd), "miss");
+}
+
+TEST(ValidRoots, AreDecidedAtTheEnds) {
+  const auto at = [](double t_min, double t_max, Ends ends) {
+    return met(kAlongX, kFromTwoToFour, {t_min, t_max, ends, TUnit::kAbsolute, {}});
+  };
+  EXPECT_EQ(at(2, 3, Ends::kClosed), "near");
+  EXPECT_EQ(at(2, 3, Ends::kOpenMax), "near");
+  EXPECT_EQ(at(2, 3, Ends::kOpenMin), "miss");
+  EXPECT_EQ(at(2, 3, Ends::kOpen), "miss");
+  EXPECT_EQ(at(2, 5, Ends::kOpenMin), "far");
+  EXPECT_EQ(at(1, 2, Ends::kClosed), "near");
+  EXPECT_EQ(at(1, 2, Ends::kOpenMin), "near");
+  EXPECT_EQ(at(1, 2, Ends::kOpenMax), "miss");
+  EXPECT_EQ(at(1, 2, Ends::kOpen), "miss");
+  EXPECT_EQ(at(2, 2, Ends::kClosed), "near");
+  EXPECT_EQ(at(nudged(2, 1), 3, Ends::kClosed), "miss");
+  EXPECT_EQ(at(nudged(2, -1), 3, Ends::kOpen), "near");
+}
+
+TEST(ValidRoots, OfAnIrrationalRootAreDecidedBetweenDoubles) {
+  // s = 3 - sqrt(3)/2, no double: of its two neighbours one is below and one above.
+  const ExactRay ray(scene::Ray{{0, 0.5, 0}, {1, 0, 0}});
+  const double s = ray.rounded_parameter(kFromTwoToFour, ray.intersect(kFromTwoToFour));
+  int sides = 0;
+  for (const double t : {nudged(s, -1), s, nudged(s, 1)}) {
+    const int side =
+        ray.compare_parameter(kFromTwoToFour, ray.intersect(kFromTwoToFour), t, TUnit::kAbsolute);
+    EXPECT_NE(side, 0);
+    sides += side;
+    for (const Ends ends : {Ends::kClosed, Ends::kOpen}) {
+      EXPECT_EQ(met(ray, kFromTwoToFour, {t, 3.5, ends, TUnit::kAbsolute, {}}),
+                side > 0 ? "near" : "miss");
+    }
+  }
+  EXPECT_EQ(std::abs(sides), 1);
+}
+
+TEST(ValidRoots, InRadiiAreEndsOfTheExactProduct) {
+  // t r is no double: 1/2 + 2^-53 of a radius of 1 + 2^-52.
+  const double r = 1 + 0x1p-52, t = 0.5 + 0x1p-53;
+  ASSERT_NE(std::fma(t, r, -(t * r)), 0);
+  // s = 1/2 (1 + 2^-52)^2 as a point at that distance along a direction scaled by it: L + s d = C.
+  const scene::Sphere sphere{{t * r, 0, 0}, r};
+  const ExactRay ray(scene::Ray{{-r, 0, 0}, {1, 0, 0}});  // its roots: t r rounded, and 2 r more
+  const Intersection at = ray.intersect(sphere);
+  const double rest = std::fma(t, r, -(t * r));
+  EXPECT_EQ(ray.compare_parameter(sphere, at, t, TUnit::kRadius), rest > 0 ? -1 : 1);
+  EXPECT_EQ(ray.compare_parameter(sphere, at, t * r, TUnit::kAbsolute), 0);
+  EXPECT_EQ(met(ray, sphere, {t, kNoEnd, Ends::kClosed, TUnit::kRadius, {}}),
+            rest > 0 ? "far" : "near");
+}
+
+TEST(ValidRoots, OfCamerasAreComparedWithLengths) {
+  // D is unit, g = (1, 1, -1): s counts lengths, and sqrt(3) is none.
+  const scene::Camera camera{{0, 0, 0}, {0, 0, -1}, {0, 1, 0}, -1, {}, -1, 1, -1, 1, 2, 2};
+  scene::Conventions focal;
+  focal.origin = scene::Origin::kFocal;
+  const ExactCamera exact(camera, focal);
+  const ExactRay ray(exact, {1, 1});
+  const scene::Sphere point{{2, 2, -2}, 0};  // at 2 sqrt(3)
+  const Intersection at = ray.intersect(point);
+  ASSERT_EQ(at.hit_class, HitClass::kTangent);
+  const double s = ray.rounded_parameter(point, at);
+  EXPECT_EQ(ray.compare_parameter(point, at, nudged(s, -1), TUnit::kAbsolute), 1);
+  EXPECT_EQ(ray.compare_parameter(point, at, nudged(s, 1), TUnit::kAbsolute), -1);
+  EXPECT_NE(ray.compare_parameter(point, at, s, TUnit::kAbsolute), 0);
+  const scene::Sphere around{{0, 0, 0}, 3};  // its far root is 3, a rational, by square roots
+  EXPECT_EQ(ray.compare_parameter(around, ray.intersect(around), 3, TUnit::kAbsolute), 0);
+  EXPECT_EQ(ray.compare_parameter(around, ray.intersect(around), 1, TUnit::kRadius), 0);
+  EXPECT_EQ(met(ray, around, {0, 1, Ends::kOpenMax, TUnit::kRadius, {}}), "miss");
+  EXPECT_EQ(met(ray, around, {0, 1, Ends::kClosed, TUnit::kRadius, {}}), "far");
+}
+
+TEST(ValidRoots, LeaveOutWhatIsCulled) {
+  const auto culled = [](Culling culling, double t_min, Root root = Root::kNearest) {
+    return met(kAlongX, kFromTwoToFour, {t_min, kNoEnd, Ends::kClosed, TUnit::kAbsolute, culling},
+               root);
+  };
+  EXPECT_EQ(culled(Culling::kBackFaces, 0), "near");
+  EXPECT_EQ(culled(Culling::kBackFaces, 3), "miss");
+  EXPECT_EQ(culled(Culling::kFrontFaces, 0), "far");
+  EXPECT_EQ(culled(Culling::kFrontFaces, 5), "miss");
+  EXPECT_EQ(culled(Culling::kNone, 3), "far");
+  EXPECT_EQ(culled(Culling::kNone, 3, Root::kSmaller), "miss");
+  EXPECT_EQ(culled(Culling::kNone, 1, Root::kSmaller), "near");
+}
+
+TEST(ValidRoots, OfATangentAreOne) {
+  const ExactRay ray(scene::Ray{{0, 1, 0}, {1, 0, 0}});
+  const auto between = [&](double t_min, Ends ends, Culling culling) {
+    return met(ray, kFromTwoToFour, {t_min, kNoEnd, ends, TUnit::kAbsolute, culling});
+  };
+  EXPECT_EQ(between(3, Ends::kClosed, Culling::kNone), "tangent");
+  EXPECT_EQ(between(3, Ends::kOpen, Culling::kNone), "miss");
+  EXPECT_EQ(between(1, Ends::kOpen, Culling::kFrontFaces), "tangent");
+}
+
+TEST(ValidRoots, AreTheUsualOnesWhereNothingIsSaid) {
+  Random random(5);
+  int hits = 0;
+  for (int k = 0; k < 2000; ++k) {
+    const ExactRay ray(random_ray(random, Sizes::kOrdinary));
+    const scene::Sphere sphere = random_sphere(random, Sizes::kOrdinary);
+    const Intersection usual = ray.intersect(sphere);
+    // The same interval, though not by the same code: every root is below the largest double.
+    scene::ValidRoots all;
+    all.t_max = std::numeric_limits<double>::max();
+    EXPECT_TRUE(usual == ray.intersect(sphere, conventions_of(all)));
+    hits += usual.hit_class != HitClass::kMiss ? 1 : 0;
+  }
+  EXPECT_GE(hits, 100);
+}
+
+TEST(ValidRoots, AreTheSameByEveryRungBesideTheEnds) {
+  Random random(6);
+  int at_end = 0, hits = 0;
+  for (int k = 0; k < 3000; ++k) {
+    const ExactRay ray(random_ray(random, Sizes::kOrdinary));
+    const scene::Sphere sphere = random_sphere(random, Sizes::kOrdinary);
+    const Intersection usual = ray.intersect(sphere);
+    if (usual.hit_class == HitClass::kMiss) continue;
+    const double s = ray.rounded_parameter(sphere, usual);
+    if (!std::isfinite(s) || s <= 0) continue;
+    const double t = nudged(s, random.integer(-1, 1));
+    Rung highest{};
+    const int side =
+        ray.compare_parameter(sphere, usual, t, TUnit::kAbsolute, Engine::kFiltered, &highest);
+    EXPECT_EQ(side, ray.compare_parameter(sphere, usual, t, TUnit::kAbsolute, Engine::kFieldOnly));
+    at_end += side == 0 ? 1 : 0;
+    met(ray, sphere, {t, kNoEnd, Ends::kOpen, TUnit::kAbsolute, {}});
+    ++hits;
+  }
+  EXPECT_GE(hits, 200);
+}
+
+Nearby nearby(const std::optional<double>& answer, const scene::ValidRoots& valid) {
+  return refuted_nearby(kAlongX, kFromTwoToFour, conventions_of(valid), 16 * 0x1p-53, answer).found;
+}
+
+TEST(RefutedNearby, IsWhatNoInputsCloseByMakeRight) {
+  const scene::ValidRoots from_one{1, kNoEnd, {}, {}, {}};
+  EXPECT_EQ(nearby({}, from_one), Nearby::kRefuted);                  // a miss, where 2 counts
+  EXPECT_EQ(nearby(4, from_one), Nearby::kRefuted);                   // the far root
+  EXPECT_EQ(nearby(2, {5, kNoEnd, {}, {}, {}}), Nearby::kRefuted);    // nothing counts
+  EXPECT_EQ(nearby(2, {2.5, kNoEnd, {}, {}, {}}), Nearby::kRefuted);  // the culled near one
+}
+
+TEST(RefutedNearby, LeavesUndecidedWhatLiesAtAnEnd) {
+  for (const double t : {nudged(2, -2), 2.0, nudged(2, 2)}) {
+    EXPECT_EQ(nearby({}, {t, kNoEnd, {}, {}, {}}), Nearby::kUndecided) << t;
+    EXPECT_EQ(nearby(2, {t, kNoEnd, {}, {}, {}}), Nearby::kUndecided) << t;
+    EXPECT_EQ(nearby({}, {0, t, {}, {}, {}}), Nearby::kUndecided) << t;
+  }
+  EXPECT_EQ(nearby(2, {2 + 0x1p-40, kNoEnd, {}, {}, {}}), Nearby::kRefuted);
+}
+
+TEST(RefutedNearby, TellsWhichSphereIsMetFirst) {
+  const std::vector<scene::Sphere> spheres = {kFromTwoToFour, {{13, 0, 0}, 1}};
+  const auto claim = [&](FirstMet::What what, std::size_t sphere, double t_min) {
+    return refuted_nearby(kAlongX, spheres, conventions_of({t_min, kNoEnd, {}, {}, {}}),
+                          16 * 0x1p-53, FirstMet{what, sphere})
+        .found;
+  };
+  EXPECT_EQ(claim(FirstMet::What::kSphere, 1, 1), Nearby::kRefuted);
+  EXPECT_EQ(claim(FirstMet::What::kSphere, 0, 5), Nearby::kRefuted);
+  EXPECT_EQ(claim(FirstMet::What::kNothing, 0, 5), Nearby::kRefuted);
+  EXPECT_EQ(claim(FirstMet::What::kSomething, 0, 20), Nearby::kRefuted);
+  EXPECT_EQ(claim(FirstMet::What::kSphere, 1, 4), Nearby::kUndecided);
+}
+
+}  // namespace
+}  // namespace raycheck::reference

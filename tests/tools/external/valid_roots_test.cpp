@@ -1,0 +1,161 @@
+// Candidates that declare or follow t_min, t_max and culling, and what an epsilon costs.
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <nlohmann/json.hpp>
+#include <string>
+
+#include "tests/tools/external/judged.h"
+#include "tools/external/protocol/protocol.h"
+
+namespace raycheck::tests {
+namespace {
+
+using nlohmann::json;
+
+/// A tracer in Python of roots between ends: its own epsilon, or the scene's ends.
+std::string tracer(const std::string& name, const std::string& condition,
+                   const std::string& roots) {
+  return temporary_file(
+      name,
+      "import math, raycheck_candidate as rc\n"
+      "def intersect(ray, sphere, by):\n"
+      "    (o, d), (c, r), roots = ray, sphere, by.roots\n"
+      "    t = [x - y for x, y in zip(c, o)]\n"
+      "    a, b = sum(x * x for x in d), sum(x * y for x, y in zip(t, d))\n"
+      "    disc = b * b - a * (sum(x * x for x in t) - r * r)\n"
+      "    if disc < 0: return None\n"
+      "    unit = r if roots.unit == 'radius' else 1\n"
+      "    for s in ((b - math.sqrt(disc)) / a, (b + math.sqrt(disc)) / a):\n"
+      "        if " +
+          condition +
+          ":\n"
+          "            return s, [x + s * y for x, y in zip(o, d)]\n"
+          "rc.run('mine', intersect=intersect, root='nearest', tangent='hit', roots=" +
+          roots + ")\n");
+}
+
+const std::string kScene =
+    "[[ray]]\norigin = [0, 0, 0]\ndirection = [1, 0, 0]\n"
+    "[[ray]]\norigin = [1.75, 0, 0]\ndirection = [1, 0, 0]\n"
+    "[[ray]]\norigin = [3.75, 0, 0]\ndirection = [1, 0, 0]\n"
+    "[[sphere]]\ncentre = [3, 0, 0]\nradius = 1\n";
+
+json report_on(const std::string& scene, const std::string& candidate) {
+  return judged(scene, "command:python3 " + candidate);
+}
+
+TEST(ValidRoots, that_are_declared_are_judged_and_cost_what_check_says) {
+  const std::string scene = temporary_file("ends.toml", kScene);
+  const std::string candidate =
+      tracer("eps.py", "s > 0.5", "rc.Roots('()', 0.5, float('inf'), 'absolute', 'none')");
+  const json report = report_on(scene, candidate);
+  EXPECT_EQ(report["discrepancies"], 0) << report.dump(2);
+  EXPECT_EQ(report["conventions"]["t_min"], 0.5);
+  EXPECT_EQ(report["conventions"]["interval"], "(t_min, t_max)");
+  // Roots 2 and 4; 1/4 and 9/4; 1/4 alone.
+  const json& swallowed = report["swallowed"];
+  EXPECT_EQ(swallowed["hits"], 3);
+  EXPECT_EQ(swallowed["swallowed"], 1);
+  EXPECT_EQ(swallowed["moved"], 1);
+  EXPECT_EQ(swallowed["spheres"][0]["swallowed"], 1);
+  ASSERT_EQ(swallowed["worst"].size(), 1u);
+  EXPECT_EQ(swallowed["worst"][0]["ray"], 2);
+  EXPECT_EQ(swallowed["worst"][0]["s"], "0x1p-2");
+  const Outcome words = run("check " + scene + " --candidate 'command:python3 " + candidate + "'");
+  EXPECT_NE(words.out.find("t in (0.5, inf) swallows 1 of 3 exact hits and moves 1 to the other "
+                           "root"),
+            std::string::npos)
+      << words.out;
+  EXPECT_NE(words.out.find("swallowed: ray 2, sphere 0 at s = 0.25"), std::string::npos);
+  std::filesystem::remove(candidate);
+  std::filesystem::remove(scene);
+}
+
+TEST(ValidRoots, that_are_declared_but_not_kept_are_defects) {
+  const std::string scene = temporary_file("ends.toml", kScene);
+  const std::string candidate =
+      tracer("none.py", "s >= 0", "rc.Roots('()', 0.5, float('inf'), 'absolute', 'none')");
+  const json report = report_on(scene, candidate);
+  EXPECT_EQ(report["discrepancies_by_standing"]["defect"], 2) << report.dump(2);
+  // Who says nothing is judged by every root >= 0.
+  const std::string silent = tracer("silent.py", "s >= 0", "None");
+  EXPECT_EQ(report_on(scene, silent)["discrepancies"], 0);
+  EXPECT_TRUE(report_on(scene, silent)["swallowed"].is_null());
+  std::filesystem::remove(candidate);
+  std::filesystem::remove(silent);
+  std::filesystem::remove(scene);
+}
+
+TEST(ValidRoots, of_a_scene_are_told_to_who_follows_them) {
+  const std::string scene =
+      temporary_file("asked.toml",
+                     "[conventions]\nt_min = 0.25\nt_max = 2.25\ninterval = \"(t_min, t_max]\"\n"
+                     "t_unit = \"radius\"\n" +
+                         kScene);
+  const std::string right =
+      tracer("right.py", "unit * roots.t_min < s <= unit * roots.t_max", "'as-asked'");
+  const json report = report_on(scene, right);
+  EXPECT_EQ(report["discrepancies"], 0) << report.dump(2);
+  EXPECT_EQ(report["conventions"]["t_unit"], "radius");
+  EXPECT_EQ(report["swallowed"]["moved"], 1);
+  // < for <= at either end is another answer.
+  for (const char* wrong : {"unit * roots.t_min <= s <= unit * roots.t_max",
+                            "unit * roots.t_min < s < unit * roots.t_max"}) {
+    const std::string off = tracer("off.py", wrong, "'as-asked'");
+    EXPECT_GT(report_on(scene, off)["discrepancies"], 0) << wrong;
+    std::filesystem::remove(off);
+  }
+  std::filesystem::remove(right);
+  std::filesystem::remove(scene);
+}
+
+TEST(ValidRoots, are_followed_in_cpp) {
+  const std::string scene =
+      temporary_file("cull.toml", "[conventions]\nculling = \"front-faces\"\nt_max = 4\n" + kScene);
+  const auto source = [](const std::string& name, const std::string& end) {
+    return temporary_file(
+        name,
+        "#include <raycheck/candidate.hpp>\n#include <cmath>\nusing namespace raycheck;\n"
+        "std::optional<Hit> intersect(const Ray& ray, const Sphere& s, const Conventions& by) {\n"
+        "  const double x = s.centre.x - ray.origin.x;\n"
+        "  const double first = by.valid.culling == Culling::front_faces ? x + s.radius : x - "
+        "s.radius;\n"
+        "  if (first < by.valid.t_min || !(first " +
+            end +
+            " by.valid.t_max)) return {};\n"
+            "  return Hit{first, {ray.origin.x + first, 0, 0}};\n}\n"
+            "RAYCHECK_CANDIDATE(.intersect = intersect, .roots = Roots::as_asked)\n");
+  };
+  const std::string right = source("right.cpp", "<="), wrong = source("wrong.cpp", "<");
+  EXPECT_EQ(judged(scene, "source:" + right)["discrepancies"], 0);
+  EXPECT_GT(judged(scene, "source:" + wrong)["discrepancies"], 0);
+  std::filesystem::remove(right);
+  std::filesystem::remove(wrong);
+  std::filesystem::remove(scene);
+}
+
+TEST(ValidRoots, are_introduced_in_a_line) {
+  using tools::parse_introduction;
+  const auto declared = [](const std::string& line) {
+    return parse_introduction("raycheck 1 mine\nfunction frame\n" + line + "ready\n")
+        .declared.valid;
+  };
+  EXPECT_TRUE(declared("")->is_usual());
+  EXPECT_FALSE(declared("roots as-asked\n"));
+  const auto own = declared("roots [) 0x1p-10 inf radius back-faces\n");
+  EXPECT_EQ(own->t_min, 0x1p-10);
+  EXPECT_EQ(own->ends, scene::Ends::kOpenMax);
+  EXPECT_EQ(own->unit, scene::TUnit::kRadius);
+  EXPECT_EQ(own->culling, scene::Culling::kBackFaces);
+  EXPECT_EQ(tools::roots_line(*own), "roots [) 0.0009765625 inf radius back-faces\n");
+  for (const char* wrong : {"roots\n", "roots [[ 0 1 absolute none\n",
+                            "roots [] 2 1 absolute none\n", "roots [] 0 1 metres none\n",
+                            "roots [] -1 1 absolute none\n", "roots [] 0 1 absolute none more\n"}) {
+    EXPECT_THROW(declared(wrong), tools::ProtocolError) << wrong;
+  }
+}
+
+}  // namespace
+}  // namespace raycheck::tests
