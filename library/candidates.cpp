@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <stdexcept>
+#include <utility>
 
 #include "fast/method_list.h"
 #include "library/conversions.h"
@@ -104,7 +105,7 @@ properties::Candidate inside(const Candidate& candidate) {
   if (candidate.largest_length > 0) inside.largest_length = candidate.largest_length;
   add_cameras(candidate, inside);
   add_intersections(candidate, inside);
-  return inside;
+  return judged_in(precision(candidate.precision), std::move(inside));
 }
 
 properties::Case case_of(const Case& the_case) {

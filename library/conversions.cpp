@@ -49,6 +49,10 @@ std::optional<properties::Level> level(Level level) {
   return static_cast<properties::Level>(static_cast<int>(level) - 1);
 }
 
+scene::Precision precision(Precision precision) {
+  return precision == Precision::single ? scene::Precision::kSingle : scene::Precision::kDouble;
+}
+
 scene::Scene scene_of(const Scene& s) {
   scene::Scene inside;
   if (s.camera) inside.camera = camera(*s.camera);

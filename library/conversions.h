@@ -35,6 +35,7 @@ Conventions conventions(const scene::Conventions& c);
 properties::DeclaredConventions declared(const Conventions& c);
 /// Empty where it is not stated.
 std::optional<properties::Level> level(Level level);
+scene::Precision precision(Precision precision);
 
 scene::Scene scene_of(const Scene& s);
 Scene scene_of(const scene::Scene& s);

@@ -1,5 +1,8 @@
 #include "properties/candidate.h"
 
+#include <algorithm>
+#include <utility>
+
 #include "scene/validate.h"
 
 namespace raycheck::properties {
@@ -34,6 +37,22 @@ bool is_problem(const Case& the_case, const DeclaredConventions& declared) {
   scene::Scene scene = the_case.scene;
   scene.conventions = declared.over(scene.conventions);
   return scene::defects(scene).empty();
+}
+
+Candidate judged_in(scene::Precision precision, Candidate candidate) {
+  if (precision == scene::Precision::kDouble) return candidate;
+  const double roundoff = scene::unit_roundoff(precision);
+  const double coarser =
+      std::max(1.0, std::min(candidate.unit_roundoff, roundoff) / kDoubleRoundoff);
+  for (auto* bounds : {&candidate.max_error, &candidate.max_error_end_to_end}) {
+    for (auto& bound : *bounds) {
+      if (bound) *bound /= coarser;
+    }
+  }
+  candidate.precision = precision;
+  candidate.unit_roundoff = std::max(candidate.unit_roundoff, roundoff);
+  static_cast<Domain&>(candidate) = judged_in(precision, static_cast<const Domain&>(candidate));
+  return candidate;
 }
 
 std::optional<double> documented_bound(const Promises& promises, Quantity quantity,

@@ -17,6 +17,7 @@
 #include "properties/level.h"
 #include "properties/quantity.h"
 #include "scene/plan/plan.h"
+#include "scene/precision.h"
 #include "scene/scene.h"
 
 namespace raycheck::properties {
@@ -55,6 +56,12 @@ inline constexpr std::size_t kSomeSphere = std::numeric_limits<std::size_t>::max
 /// Relative changes of a scene that may show in an image: what its text and its renderer's `float`s
 /// or thresholds may lose.
 inline constexpr double kExcusedImageChange = 1e-6;
+/// The same of renderers that are judged in single precision: the roundings of floats, in scenes of
+/// a condition number of some thousand.
+inline constexpr double kExcusedSingleImageChange = 1e-4;
+constexpr double excused_image_change(scene::Precision precision) {
+  return precision == scene::Precision::kSingle ? kExcusedSingleImageChange : kExcusedImageChange;
+}
 
 /// The conventions that an implementation fixes; the others it takes from the scene.
 struct DeclaredConventions {
@@ -117,6 +124,9 @@ struct Functions {
 
 /// What an implementation promises of its answers.
 struct Promises {
+  /// The format that it is asked and judged in: cases are rounded to it (rounded_case.h), and its
+  /// errors and bounds count ulp and u of it.
+  scene::Precision precision = scene::Precision::kDouble;
   /// Its documented bound on the error of a quantity, in that quantity's unit; empty: none.
   std::array<std::optional<double>, kQuantityCount> max_error = {};
   /// The same where the rays come from a camera, so that a hit inherits the error of its ray;
@@ -134,7 +144,7 @@ struct Promises {
   bool refuses = true;
   /// Up to which cases it is to be right, where nobody asks for another level.
   Level level = Level::kDemanding;
-  /// Of the arithmetic that it computes in.
+  /// Of the arithmetic that it computes in; no less than that of the format.
   double unit_roundoff = kDoubleRoundoff;
 };
 
@@ -160,6 +170,11 @@ struct Candidate : Functions, Promises, Domain, ImagePolicy {
   std::string name;
   DeclaredConventions declared;
 };
+
+/// The same candidate, whose bounds count u of doubles, judged in a format: bounds keep their
+/// numbers of u of its arithmetic (those of a method in floats lose 2^29), and in single precision
+/// lengths are between kSmallestSingleLength and kLargestSingleLength.
+Candidate judged_in(scene::Precision precision, Candidate candidate);
 
 }  // namespace raycheck::properties
 

@@ -13,6 +13,17 @@ double length(const Triple& v) {
 
 }  // namespace
 
+Domain judged_in(scene::Precision precision, Domain domain) {
+  if (precision == scene::Precision::kDouble) return domain;
+  const auto cut = [](double& smallest, double& largest) {
+    smallest = std::max(smallest, kSmallestSingleLength);
+    largest = std::min(largest, kLargestSingleLength);
+  };
+  cut(domain.smallest_length, domain.largest_length);
+  cut(domain.smallest_camera_length, domain.largest_camera_length);
+  return domain;
+}
+
 bool lengths_are_within(const scene::Scene& scene, double smallest, double largest) {
   const auto within = [&](double size) {
     return size == 0 || (std::abs(size) >= smallest && std::abs(size) <= largest);

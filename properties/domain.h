@@ -3,6 +3,7 @@
 
 #include <limits>
 
+#include "scene/precision.h"
 #include "scene/scene.h"
 
 namespace raycheck::properties {
@@ -22,6 +23,14 @@ struct Domain {
 /// Of smaller lengths what comes out may be subnormal, of too few digits for any bound in units of
 /// its size.
 inline constexpr double kSmallestJudgedLength = 0x1p-960;
+
+/// Products of four lengths, as |T x D|^2 is, stay among the normal floats where lengths are
+/// between these: beyond, nothing is judged in single precision.
+inline constexpr double kSmallestSingleLength = 0x1p-30;
+inline constexpr double kLargestSingleLength = 0x1p30;
+
+/// A domain cut to the lengths that are judged in a format.
+Domain judged_in(scene::Precision precision, Domain domain);
 
 /// How far from 1 the length of a direction may be that counts as unit: what its roundings make.
 inline constexpr double kUnitTolerance = 0x1p-50;

@@ -15,7 +15,8 @@ Place GivenRays::place(Place of_ray) const {
   return of_ray;
 }
 
-std::optional<GivenRays> given_rays(const Case& the_case, const scene::Conventions& conventions) {
+std::optional<GivenRays> given_rays(const Case& the_case, const scene::Conventions& conventions,
+                                    scene::Precision precision) {
   const reference::ExactCamera camera(the_case.scene.camera.value(), conventions);
   GivenRays given;
   given.width = the_case.scene.camera->width;
@@ -24,8 +25,8 @@ std::optional<GivenRays> given_rays(const Case& the_case, const scene::Conventio
   scene.conventions = the_case.scene.conventions;
   for (const scene::Pixel& pixel : the_case.pixels) {
     const reference::ExactRay exact(camera, pixel);
-    const auto [x, y, z] = exact.rounded_direction();
-    const scene::Ray ray = {exact.rounded_origin(), {x, y, z}};
+    const auto [x, y, z] = exact.rounded_direction(precision);
+    const scene::Ray ray = {exact.rounded_origin(precision), {x, y, z}};
     if (!scene::defects(ray).empty()) continue;
     scene.rays.push_back(ray);
     given.pixels.push_back(pixel);

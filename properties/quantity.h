@@ -5,6 +5,8 @@
 #include <cstddef>
 #include <string_view>
 
+#include "scene/precision.h"
+
 namespace raycheck::properties {
 
 /// What is judged.
@@ -28,12 +30,12 @@ enum class Quantity {
 };
 inline constexpr std::size_t kQuantityCount = 16;
 
-/// A quantity's name in reports, the unit of its errors (ulp of the exact value, u = 2^-53 of its
-/// size, or none for what is right or wrong), and the symbol of the numbers that are answered
+/// A quantity's name in reports, the unit of its errors (ulp of the exact value, u of its size, or
+/// none for what is right or wrong), and the symbol of the numbers that are answered
 /// (docs/problem.md; none where they differ).
 struct QuantityInfo {
   std::string_view name;
-  std::string_view unit;
+  std::string_view unit;  ///< As reports on doubles name it.
   std::string_view symbol = {};
 };
 
@@ -63,8 +65,17 @@ constexpr const QuantityInfo& info(Quantity quantity) {
 /// Whether its answers are right or wrong, without a measure of how far off.
 constexpr bool is_decision(Quantity quantity) { return info(quantity).unit.empty(); }
 
-/// u: errors are counted in it.
-inline constexpr double kDoubleRoundoff = 0x1p-53;
+/// The unit of a quantity's errors where answers are judged in a format: "u", "ulp of float", or
+/// nothing for what is right or wrong.
+constexpr std::string_view unit_name(Quantity quantity, scene::Precision precision) {
+  const std::string_view unit = info(quantity).unit;
+  if (precision == scene::Precision::kDouble || unit.empty()) return unit;
+  return unit == "ulp" ? "ulp of float" : "u of float";
+}
+
+/// u of doubles, in which reference/ measures errors; what is judged in another format counts them
+/// in that format's (scene::unit_roundoff).
+inline constexpr double kDoubleRoundoff = scene::unit_roundoff(scene::Precision::kDouble);
 
 /// The bound on an error where a candidate documents none.
 inline constexpr double kDefaultMaxError = 16;
@@ -78,10 +89,9 @@ constexpr double bound_growth(double condition) {
 /// A class error is excused when a relative change of the inputs by this much may flip the exact
 /// class: what the roundings of a handful of operations amount to. (A method that computes in
 /// another precision is excused as many of its own u.)
-inline constexpr double kExcusedChange = 16 * kDoubleRoundoff;
-constexpr double excused_change(double unit_roundoff) {
-  return kExcusedChange * unit_roundoff / kDoubleRoundoff;
-}
+inline constexpr double kExcusedRoundoffs = 16;
+inline constexpr double kExcusedChange = kExcusedRoundoffs * kDoubleRoundoff;
+constexpr double excused_change(double unit_roundoff) { return kExcusedRoundoffs * unit_roundoff; }
 
 }  // namespace raycheck::properties
 

@@ -33,7 +33,7 @@ constexpr std::string_view name(Outcome outcome) {
 }
 
 /// Errors up to these, in the unit of their quantity (ulp or u) times the method's unit roundoff
-/// over 2^-53, are exact and accurate.
+/// over that of the format it is judged in, are exact and accurate.
 inline constexpr double kExactError = 0.5;
 inline constexpr double kAccurateError = 4;
 

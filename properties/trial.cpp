@@ -6,6 +6,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "properties/rounded_case.h"
 #include "reference/ray_error.h"
 #include "scene/interruption.h"
 #include "scene/validate.h"
@@ -65,8 +66,13 @@ Trial::Trial(const Case& the_case, const Candidate& candidate, TrialOptions opti
       candidate_(candidate),
       conventions_(candidate.declared.over(the_case.scene.conventions)),
       options_(std::move(options)),
-      inside_domain_(is_inside_domain(candidate, the_case.scene)) {
+      inside_domain_(is_inside_domain(candidate, the_case.scene)),
+      u_of_doubles_(kDoubleRoundoff / scene::unit_roundoff(candidate.precision)) {
   scene::require_valid(case_.scene);
+  if (!is_of_format(case_.scene, candidate.precision)) {
+    throw std::invalid_argument("a number of the scene is no " +
+                                std::string(name(candidate.precision)));
+  }
   if (!options_.truth) options_.truth = std::make_shared<Truth>(case_, conventions_);
 }
 
@@ -220,7 +226,7 @@ double Trial::bound(Quantity quantity) const {
 
 Stability Trial::weigh(double error, double condition,
                        const std::function<double()>& backward) const {
-  const double unit = candidate_.unit_roundoff / kDoubleRoundoff;
+  const double unit = candidate_.unit_roundoff / scene::unit_roundoff(candidate_.precision);
   Stability stability;
   stability.condition = condition;
   if (!std::isfinite(error)) {
@@ -228,7 +234,7 @@ Stability Trial::weigh(double error, double condition,
   } else if (!std::isinf(condition)) {
     stability.ratio = error / ((1 + condition) * unit);
   } else {
-    stability.ratio = backward ? backward() / unit : 0;
+    stability.ratio = backward ? backward() * u_of_doubles_ / unit : 0;
   }
   stability.outcome = error <= kExactError * unit       ? Outcome::kExact
                       : error <= kAccurateError * unit  ? Outcome::kAccurate
@@ -247,7 +253,7 @@ bool Trial::grown_bound_allows(Quantity quantity, double error, double bound, do
                                const std::function<double()>& backward) const {
   if (candidate_.is_unconditional[static_cast<std::size_t>(quantity)]) return false;
   if (std::isinf(condition) && backward) {
-    return bound > 0 && backward() <= this->bound(Quantity::kBackwardError);
+    return bound > 0 && backward() * u_of_doubles_ <= this->bound(Quantity::kBackwardError);
   }
   // An infinite error is one of a value whose exact one is 0, or that is not finite.
   return std::isfinite(error) ? error <= bound * bound_growth(condition)
@@ -275,6 +281,7 @@ void Trial::examine(Verdict& verdict, Quantity quantity, const Place& place, dou
   discrepancy.quantity = quantity;
   discrepancy.place = place;
   discrepancy.symbol = info(quantity).symbol;
+  discrepancy.precision = candidate_.precision;
   discrepancy.error = error;
   describe(discrepancy);
   const bool is_number = std::all_of(discrepancy.got.begin(), discrepancy.got.end(),
@@ -328,6 +335,7 @@ void Trial::convict(Verdict& verdict, Quantity quantity, Question question, cons
   discrepancy.quantity = quantity;
   discrepancy.place = place;
   discrepancy.symbol = info(quantity).symbol;
+  discrepancy.precision = candidate_.precision;
   discrepancy.error = std::numeric_limits<double>::infinity();
   discrepancy.wrong = wrong;
   if (!is_judged(quantity)) {

@@ -74,8 +74,9 @@ inline RayAnswer answer_of(const reference::ExactRay& ray, const scene::Sphere& 
 /// A case, the truth about it and a candidate's answers to it, each worked out when a law first
 /// asks and kept for the next law. The truth never sees the candidate. What a candidate throws
 /// passes through.
-/// Domain: a valid scene (scene/validate.h), pixels inside its image; otherwise the constructor
-///         throws std::invalid_argument.
+/// Domain: a valid scene (scene/validate.h) whose numbers are of the candidate's format
+///         (rounded_case.h), pixels inside its image; otherwise the constructor throws
+///         std::invalid_argument.
 class Trial {
  public:
   Trial(const Case& the_case, const Candidate& candidate, TrialOptions options = {});
@@ -85,6 +86,8 @@ class Trial {
   const Candidate& candidate() const { return candidate_; }
   /// The scene's conventions with the candidate's declared ones in their place.
   const scene::Conventions& conventions() const { return conventions_; }
+  /// The format that answers are judged in.
+  scene::Precision precision() const { return candidate_.precision; }
   std::size_t ray_count() const;
   Place place(std::size_t ray, std::optional<std::size_t> sphere = {}) const;
   /// In the roundoff of the candidate's arithmetic.
@@ -134,14 +137,18 @@ class Trial {
 
   /// Counts an error, and adds a discrepancy when it is above `bound`. `condition` and `describe`
   /// are called only then; `describe` fills in what, got and exact. Under `conditioning` every
-  /// error is weighed, by `backward` (a backward error in units of u) where kappa is infinite.
+  /// error is weighed, by `backward` (a backward error) where kappa is infinite.
+  /// Units: an error that counts u, and a backward one, in u of doubles, as reference/ measures
+  ///        them; they are counted in u of the candidate's format. One that counts ulp, and every
+  ///        bound, in the format's own.
   template <class Condition, class Describe>
   void measure(Verdict& verdict, Quantity quantity, const Place& place, double error, double bound,
                const Condition& condition, const Describe& describe,
                const std::function<double()>& backward = {}) const {
-    verdict.measured(quantity, place, error, bound);
-    if (error <= bound && !options_.conditioning) return;
-    examine(verdict, quantity, place, error, bound, condition, describe, backward);
+    const double own = in_own_unit(quantity, error);
+    verdict.measured(quantity, place, own, bound);
+    if (own <= bound && !options_.conditioning) return;
+    examine(verdict, quantity, place, own, bound, condition, describe, backward);
   }
   template <class Condition, class Describe>
   void measure(Verdict& verdict, Quantity quantity, const Place& place, double error,
@@ -188,6 +195,9 @@ class Trial {
 
  private:
   bool promises_exactly(Quantity quantity) const;
+  double in_own_unit(Quantity quantity, double error) const {
+    return quantity == Quantity::kParameter ? error : error * u_of_doubles_;
+  }
   Stability weigh(double error, double condition, const std::function<double()>& backward) const;
   /// Whether the bound on a quantity is a documented one, which grows with the condition number: an
   /// error that it then allows is no discrepancy. The user's does not grow; what it would allow is
@@ -212,6 +222,7 @@ class Trial {
   scene::Conventions conventions_;
   TrialOptions options_;
   bool inside_domain_;
+  double u_of_doubles_;  ///< In u of the candidate's format.
 
   mutable int undecided_ = 0;  ///< Searches that ended so.
 

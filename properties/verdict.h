@@ -2,6 +2,7 @@
 #define RAYCHECK_PROPERTIES_VERDICT_H_
 
 #include <array>
+#include <compare>
 #include <cstddef>
 #include <cstdint>
 #include <functional>
@@ -51,14 +52,25 @@ struct Discrepancy {
   /// Of the numbers got and exact: "s", "Q"; empty where `what` says what they are.
   std::string symbol;
   std::vector<double> got;       ///< Empty: a miss, or no number.
-  std::vector<double> exact;     ///< Correctly rounded; empty as for got.
+  std::vector<double> exact;     ///< Correctly rounded to `precision`; empty as for got.
   bool got_some_sphere = false;  ///< A picture shows a sphere, but not which.
   double error = 0;              ///< In the quantity's unit; infinite where right or wrong.
+  scene::Precision precision = scene::Precision::kDouble;  ///< What that unit is of.
   Wrong wrong = Wrong::kNot;
   std::optional<double> condition;  ///< The condition number, where it was asked for.
   Excuse excuse;
   FailedQuestions failed;  ///< Where it failed.
 };
+
+/// Which answers are wrong, and how, wherever they are.
+struct DefectKind {
+  Quantity quantity = Quantity::kFrame;
+  Wrong wrong = Wrong::kNot;  ///< kNot of an error above its bound.
+  auto operator<=>(const DefectKind&) const = default;
+};
+
+/// Whether a discrepancy breaks a law; `strictly`, what is excused or undecided does, too.
+bool is_held_against(const Discrepancy& discrepancy, bool strictly);
 
 /// The order of reports: by standing, defects first; among those the worst of each quantity first,
 /// then the second worst of each, and so on, so that no quantity hides the others. Worse is the
@@ -122,6 +134,8 @@ class Verdict {
   /// than so many times: of that a law has shown too little to hold. Values are one question,
   /// whatever the quantity.
   std::optional<std::pair<Quantity, Question>> too_few_right(std::uint64_t fewest) const;
+  /// The kinds of those kept that break the law, each once, in order.
+  std::vector<DefectKind> defects(bool strictly = false) const;
   const std::string& reason_left_out() const { return left_out_; }
 
  private:

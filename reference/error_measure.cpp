@@ -41,7 +41,7 @@ double relative_error_of(const Triple& given, const Enclosure3& exact) {
 
 }  // namespace
 
-double ulp_error(double given, const Enclosure& exact) {
+double ulp_error(double given, const Enclosure& exact, scene::Precision precision) {
   if (!std::isfinite(given)) return kInfinity;
   if (exact.certain_sign() == 0) return given == 0 ? 0 : kInfinity;
   // 128 bits are two words, the most that need no memory from the heap.
@@ -51,10 +51,12 @@ double ulp_error(double given, const Enclosure& exact) {
   arf_t magnitude;
   arf_init(magnitude);
   arb_get_abs_lbound_arf(magnitude, exact.ball(), 64);
-  // 2^(exponent-1) <= |exact| < 2^exponent, so that the gap is 2^(exponent-53).
-  const slong exponent = arf_is_zero(magnitude) ? -1074 : arf_abs_bound_lt_2exp_si(magnitude);
+  const scene::Format format = scene::format_of(precision);
+  // 2^(exponent-1) <= |exact| < 2^exponent, so that the gap is 2^(exponent-digits).
+  const slong exponent =
+      arf_is_zero(magnitude) ? format.least_exponent : arf_abs_bound_lt_2exp_si(magnitude);
   arf_clear(magnitude);
-  const slong ulp_exponent = std::max<slong>(exponent - 53, -1074);
+  const slong ulp_exponent = std::max<slong>(exponent - format.digits, format.least_exponent);
   arb_mul_2exp_si(error.ball(), error.ball(), -ulp_exponent);
   return error.upper();
 }

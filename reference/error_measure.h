@@ -3,6 +3,7 @@
 
 #include "reference/enclosure.h"
 #include "scene/geometry.h"
+#include "scene/precision.h"
 
 namespace raycheck::reference {
 
@@ -10,8 +11,9 @@ namespace raycheck::reference {
 // enclosure is narrow; infinite for a given value that is not finite, and for a value other than
 // the exact one where the exact one is 0.
 
-/// |given - exact| / ulp(exact), ulp(x) the gap between the doubles around x.
-double ulp_error(double given, const Enclosure& exact);
+/// |given - exact| / ulp(exact), ulp(x) the gap between the numbers of the format around x.
+double ulp_error(double given, const Enclosure& exact,
+                 scene::Precision precision = scene::Precision::kDouble);
 
 /// |given - exact| / |exact| in units of u = 2^-53.
 double relative_error(const scene::Point3& given, const Enclosure3& exact);

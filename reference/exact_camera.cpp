@@ -99,9 +99,10 @@ EnclosedFrame ExactCamera::frame(int relative_bits) const {
       finish_axis<Enclosure3>(*impl_, &Axes<EnclosureKernel>::W, &Axes<ExactKernel>::W, finish)};
 }
 
-RoundedFrame ExactCamera::rounded_frame() const {
-  const auto finish = [](Enclosure first, auto enclose, auto compare) {
-    return round_to_nearest(std::move(first), enclose, compare);
+RoundedFrame ExactCamera::rounded_frame(scene::Precision precision) const {
+  const auto finish = [precision](Enclosure first, auto enclose, auto compare) {
+    const double nearest = round_to_nearest(std::move(first), enclose, compare);
+    return precision == scene::Precision::kDouble ? nearest : round_to_single(nearest, compare);
   };
   using Unit = scene::UnitVector3;
   return {finish_axis<Unit>(*impl_, &Axes<EnclosureKernel>::U, &Axes<ExactKernel>::U, finish),

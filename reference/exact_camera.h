@@ -7,6 +7,7 @@
 #include "scene/camera.h"
 #include "scene/conventions.h"
 #include "scene/geometry.h"
+#include "scene/precision.h"
 
 namespace raycheck::reference {
 
@@ -34,7 +35,7 @@ class ExactCamera {
 
   /// Axes of relative width 2^-relative_bits a coordinate; exact where a coordinate is 0.
   EnclosedFrame frame(int relative_bits = 70) const;
-  RoundedFrame rounded_frame() const;
+  RoundedFrame rounded_frame(scene::Precision precision = scene::Precision::kDouble) const;
   /// Axes when every input is known to within a relative change, at one working precision.
   EnclosedFrame frame_within(double relative_change, int bits = 256) const;
   /// alpha(i) and beta(j) of a pixel, in the third coordinate near.

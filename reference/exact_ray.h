@@ -15,6 +15,7 @@
 #include "reference/internal/kept.h"
 #include "scene/conventions.h"
 #include "scene/geometry.h"
+#include "scene/precision.h"
 
 namespace raycheck::reference {
 
@@ -76,8 +77,9 @@ class EnclosedRay {
 ///         a given ray it counts multiples of the given direction.
 /// Domain: every valid input (scene/validate.h) over the whole double range; otherwise constructors
 ///         and functions that take a sphere throw std::invalid_argument naming the field.
-/// Error:  decisions are exact; enclosures hold the true value; rounded_* are correctly rounded
-///         (to nearest, ties to even; overflow to infinity as IEEE-754; every zero is +0).
+/// Error:  decisions are exact; enclosures hold the true value; rounded_* are correctly rounded to
+///         the format asked for (to nearest, ties to even; overflow to infinity as IEEE-754; every
+///         zero is +0).
 /// Thread safety: const functions may be called from several threads; the rounding mode is left as
 ///         it was found.
 /// Source: docs/problem.md; filters before exact arithmetic as in CGAL's Filtered_predicate.
@@ -128,11 +130,14 @@ class ExactRay {
   Enclosure3 point(const scene::Sphere& sphere, const Intersection& intersection,
                    int relative_bits = kValueBits) const;
 
-  scene::Point3 rounded_pixel_point() const;
-  scene::Point3 rounded_origin() const;
-  scene::UnitVector3 rounded_direction() const;
-  double rounded_parameter(const scene::Sphere& sphere, const Intersection& intersection) const;
-  scene::Point3 rounded_point(const scene::Sphere& sphere, const Intersection& intersection) const;
+  scene::Point3 rounded_pixel_point(scene::Precision precision = scene::Precision::kDouble) const;
+  scene::Point3 rounded_origin(scene::Precision precision = scene::Precision::kDouble) const;
+  scene::UnitVector3 rounded_direction(
+      scene::Precision precision = scene::Precision::kDouble) const;
+  double rounded_parameter(const scene::Sphere& sphere, const Intersection& intersection,
+                           scene::Precision precision = scene::Precision::kDouble) const;
+  scene::Point3 rounded_point(const scene::Sphere& sphere, const Intersection& intersection,
+                              scene::Precision precision = scene::Precision::kDouble) const;
 
   /// Values at one working precision, when every input is known to within a relative change.
   EnclosedRay enclose(int bits, double relative_change = 0) const;

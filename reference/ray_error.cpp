@@ -1,5 +1,6 @@
 #include "reference/ray_error.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "reference/error_measure.h"
@@ -41,12 +42,13 @@ std::optional<double> distance_by_double_doubles(const ExactRay& ray, const scen
   });
 }
 
-/// The exponent of the gap between the doubles around every number within; empty where that differs
-/// or is not known.
-std::optional<int> ulp_exponent(const DoubleDouble& x) {
+/// The exponent of the gap between the numbers of a format around the least number within, which is
+/// no larger than around any other; empty where it is not known.
+std::optional<int> ulp_exponent(const DoubleDouble& x, scene::Precision precision) {
   const double lower = abs(x).lower();
   if (!(lower >= std::numeric_limits<double>::min()) || !std::isfinite(x.high())) return {};
-  return std::ilogb(lower) - (std::numeric_limits<double>::digits - 1);
+  const scene::Format format = scene::format_of(precision);
+  return std::max(std::ilogb(lower) - (format.digits - 1), format.least_exponent);
 }
 
 }  // namespace
@@ -75,13 +77,13 @@ double direction_error(const ExactRay& ray, const scene::UnitVector3& given) {
 }
 
 double parameter_error(const ExactRay& ray, const scene::Sphere& sphere,
-                       const Intersection& intersection, double given) {
+                       const Intersection& intersection, double given, scene::Precision precision) {
   const auto error = by_double_doubles(ray, sphere, [&](const Pair& pair) -> std::optional<double> {
     const DoubleDouble exact = ray_parameter(pair, root_sign(intersection));
-    const std::optional<int> exponent = ulp_exponent(exact);
+    const std::optional<int> exponent = ulp_exponent(exact, precision);
     return exponent ? narrow_error(abs(DoubleDouble(given) - exact), *exponent) : std::nullopt;
   });
-  return error ? *error : ulp_error(given, ray.parameter(sphere, intersection));
+  return error ? *error : ulp_error(given, ray.parameter(sphere, intersection), precision);
 }
 
 double hit_point_error(const ExactRay& ray, const scene::Sphere& sphere,

@@ -10,8 +10,8 @@ namespace raycheck::reference {
 
 // How far given answers about one ray are from the exact ones: the measures of
 // reference/error_measure.h against an ExactRay.
-// Units:  u = 2^-53 of the exact value's size, ulp of it for the parameter.
-// Domain: as ExactRay; `intersection` is what ray.intersect(sphere) found, a hit or a tangent.
+// Units:  u = 2^-53 of the exact value's size; for the parameter ulp of it, in the format asked
+// for. Domain: as ExactRay; `intersection` is what ray.intersect(sphere) found, a hit or a tangent.
 //         Infinite for an answer that is not finite.
 // Error:  upper bounds: by double-doubles where these enclose the error to a relative 2^-30,
 //         otherwise by balls around values of ExactRay::kValueBits.
@@ -21,7 +21,8 @@ double origin_error(const ExactRay& ray, const scene::Point3& given);
 /// The angle (angle_error).
 double direction_error(const ExactRay& ray, const scene::UnitVector3& given);
 double parameter_error(const ExactRay& ray, const scene::Sphere& sphere,
-                       const Intersection& intersection, double given);
+                       const Intersection& intersection, double given,
+                       scene::Precision precision = scene::Precision::kDouble);
 double hit_point_error(const ExactRay& ray, const scene::Sphere& sphere,
                        const Intersection& intersection, const scene::Point3& given);
 

@@ -62,10 +62,12 @@ struct Narrow {
 
 /// round_to_nearest(), starting from an enclosure that leaves few values undecided.
 struct Round {
+  scene::Precision precision;
   static constexpr int relative_bits = ExactRay::kValueBits;
   template <class Enclose, class Compare>
   double operator()(Enclosure first, Enclose enclose, Compare compare) const {
-    return round_to_nearest(std::move(first), enclose, compare);
+    const double nearest = round_to_nearest(std::move(first), enclose, compare);
+    return precision == scene::Precision::kDouble ? nearest : round_to_single(nearest, compare);
   }
 };
 
@@ -184,22 +186,22 @@ Enclosure3 ExactRay::point(const scene::Sphere& sphere, const Intersection& inte
   return finish_point<Enclosure3>(*this, sphere, intersection, Narrow{relative_bits});
 }
 
-scene::Point3 ExactRay::rounded_pixel_point() const {
-  return finish_pixel_point<scene::Point3>(*this, Round{});
+scene::Point3 ExactRay::rounded_pixel_point(scene::Precision precision) const {
+  return finish_pixel_point<scene::Point3>(*this, Round{precision});
 }
-scene::Point3 ExactRay::rounded_origin() const {
-  return finish_origin<scene::Point3>(*this, Round{});
+scene::Point3 ExactRay::rounded_origin(scene::Precision precision) const {
+  return finish_origin<scene::Point3>(*this, Round{precision});
 }
-scene::UnitVector3 ExactRay::rounded_direction() const {
-  return finish_direction<scene::UnitVector3>(*this, Round{});
+scene::UnitVector3 ExactRay::rounded_direction(scene::Precision precision) const {
+  return finish_direction<scene::UnitVector3>(*this, Round{precision});
 }
-double ExactRay::rounded_parameter(const scene::Sphere& sphere,
-                                   const Intersection& intersection) const {
-  return finish_parameter(*this, sphere, intersection, Round{});
+double ExactRay::rounded_parameter(const scene::Sphere& sphere, const Intersection& intersection,
+                                   scene::Precision precision) const {
+  return finish_parameter(*this, sphere, intersection, Round{precision});
 }
-scene::Point3 ExactRay::rounded_point(const scene::Sphere& sphere,
-                                      const Intersection& intersection) const {
-  return finish_point<scene::Point3>(*this, sphere, intersection, Round{});
+scene::Point3 ExactRay::rounded_point(const scene::Sphere& sphere, const Intersection& intersection,
+                                      scene::Precision precision) const {
+  return finish_point<scene::Point3>(*this, sphere, intersection, Round{precision});
 }
 
 }  // namespace raycheck::reference

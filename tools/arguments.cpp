@@ -9,6 +9,7 @@
 #include <charconv>
 #include <cmath>
 #include <cstdio>
+#include <cstdlib>
 #include <cstring>
 #include <limits>
 #include <stdexcept>
@@ -174,12 +175,19 @@ void add_external(CLI::App& command, ExternalArguments& arguments) {
 void add_renderer(CLI::App& command, ExternalArguments& arguments) {
   CLI::Option* const candidate = command.get_option("--candidate");
   command
-      .add_option("--image-change", arguments.image_change,
-                  "relative changes of the scene that a renderer's picture may not show (1e-4 "
-                  "where it computes in float)")
-      ->check(number_between(0, 1))
+      .add_option("--precision", arguments.precision,
+                  "of renderers: double, or single: it computes in float, and is given scenes of "
+                  "floats; other candidates say themselves which")
+      ->check(CLI::IsMember(
+          std::vector<std::string>(scene::kPrecisionNames.begin(), scene::kPrecisionNames.end())))
       ->needs(candidate)
       ->capture_default_str();
+  command
+      .add_option("--image-change", arguments.image_change,
+                  "relative changes of the scene that a renderer's picture may not show (default: "
+                  "1e-6, with --precision single 1e-4)")
+      ->check(number_between(0, 1))
+      ->needs(candidate);
   command
       .add_option("--t-threshold", arguments.threshold,
                   "a renderer's hits with a parameter of at most this are not judged")
@@ -213,7 +221,11 @@ std::vector<Contestant> find_contestants(const ExternalArguments& arguments,
   options.limits.seconds = arguments.seconds;
   if (!arguments.bounds.empty()) options.bounds = find_pair(arguments.bounds);
   if (driver) options.driver = driver->form;
-  options.excused_image_change = arguments.image_change;
+  if (arguments.precision == name(scene::Precision::kSingle)) {
+    options.precision = scene::Precision::kSingle;
+  }
+  options.excused_image_change =
+      arguments.image_change.value_or(properties::excused_image_change(options.precision));
   options.image_threshold = arguments.threshold;
   for (const std::string& what : arguments.candidates) {
     External external = find_external(parse_candidate(what), options);
@@ -304,17 +316,37 @@ std::string visible_but_colours(std::string_view text) {
   return shown;
 }
 
+/// In a log of GitHub's workflows lines that begin with "::", and "##[" wherever it stands, are
+/// commands (docs/ci.md): there the first of them is spelled.
+std::string as_log_shows(const std::string& text) {
+  if (std::getenv("GITHUB_ACTIONS") == nullptr) return text;
+  std::string shown;
+  bool begins = true;
+  for (std::size_t k = 0; k < text.size(); ++k) {
+    const std::string_view rest = std::string_view(text).substr(k);
+    const bool acts = (begins && rest.starts_with("::")) || rest.starts_with("##[");
+    shown += acts ? fmt::format("\\x{:02x}", static_cast<unsigned char>(text[k]))
+                  : std::string(1, text[k]);
+    begins = text[k] == '\n' || (begins && (text[k] == ' ' || text[k] == '\t'));
+  }
+  return shown;
+}
+
 }  // namespace
 
-void print_error(const std::string& text) { std::fputs(scene::visible(text).c_str(), stderr); }
+void print_error(const std::string& text) {
+  std::fputs(as_log_shows(scene::visible(text)).c_str(), stderr);
+}
 
 void print_warnings(const std::vector<std::string>& warnings) {
   for (const std::string& warning : warnings) print_error(fmt::format("warning: {}\n", warning));
 }
 
 void print_report(const std::string& report, bool colours) {
-  write_out(colours ? visible_but_colours(report) : scene::visible(report));
+  write_out(as_log_shows(colours ? visible_but_colours(report) : scene::visible(report)));
 }
+
+void print_commands(const std::string& commands) { write_out(scene::visible(commands)); }
 
 void draw_or_say(const std::vector<Plot>& plots, const std::string& path) {
   try {

@@ -13,7 +13,8 @@ import sys
 from fractions import Fraction
 from math import isqrt
 
-U = Fraction(1, 2**53)  # the unit of relative errors
+U = Fraction(1, 2**53)  # the unit of relative errors, where floats have another:
+FORMATS = {"double": (53, -1074), "single": (24, -149)}  # digits, and the exponent of the least
 NARROW = Fraction(1, 2**60)  # brackets are no wider, relative to what they bracket
 TOLERANCE = Fraction(1, 1000)  # of a stated error: it is an upper bound, and printed to 3 digits
 ROOT_BITS = (320, 5000)  # of square roots that decide on changed inputs: if not the first, the last
@@ -286,33 +287,51 @@ class Meeting:
         return plus(self.ray.start, times(self.s / self.ray.unit, self.ray.g))
 
 
-def rounded(x):
-    try:
-        return float(x)
-    except OverflowError:
-        return float("inf") if x > 0 else float("-inf")
+def binary_exponent(x):
+    """e of 2^(e-1) <= |x| < 2^e; the denominator of x, which is not 0, is a power of two."""
+    return abs(x.numerator).bit_length() - x.denominator.bit_length() + 1
 
 
-def require_exact(stated, computed):
-    """The stated doubles are the computed numbers, rounded to nearest."""
+def rounded(x, precision="double"):
+    """The number of the format nearest to x, ties to even."""
+    if precision == "double":
+        try:
+            return float(x)
+        except OverflowError:
+            return float("inf") if x > 0 else float("-inf")
+    if x == 0:
+        return 0.0
+    digits, least = FORMATS[precision]
+    exponent = abs(x.numerator).bit_length() - x.denominator.bit_length()  # too large by at most 1
+    gap = Fraction(2) ** max(exponent - digits, least)
+    if abs(x) >= gap * 2**digits:
+        gap *= 2
+    nearest = round(abs(x) / gap) * gap
+    value = float(nearest) if nearest < 2**128 else float("inf")
+    return value if x > 0 else -value
+
+
+def require_exact(stated, computed, precision):
+    """The stated numbers are the computed ones, rounded to nearest."""
     require(len(stated) == len(computed), "there are more or fewer exact values than stated")
     size = max((abs(end) for x in computed for end in ends(x)), default=0)
     for double, x in zip(stated, computed):
         low, high = ends(x)
         require(high - low <= NARROW * size, "the brackets are too wide for the exact value")
         value = float(double) if isinstance(double, str) else rounded(number(double))
-        require(rounded(low) <= value <= rounded(high), "the exact value is not the one stated")
+        in_format = rounded(low, precision) <= value <= rounded(high, precision)
+        require(in_format, "the exact value is not the one stated")
 
 
-def require_error(stated, squares):
-    """The stated error is, to the tolerance, the square root of one of the computed squares."""
+def require_error(stated, squares, unit):
+    """The stated error, in that unit, is to the tolerance the square root of a computed square."""
     for low, high in map(ends, squares):
         if stated == "infinity":
             if low >= INFINITE:
                 return
             continue
-        error = Fraction(stated)
-        slack = TOLERANCE * max(error, 1)
+        error = Fraction(stated) * unit
+        slack = TOLERANCE * max(error, unit)
         if (error <= slack or (error - slack) ** 2 <= low) and high <= (error + slack) ** 2:
             return
     raise Refuted("the error is not the one stated")
@@ -325,12 +344,12 @@ def relative_sq(gap_sq, size_sq):
     return gap_sq / size_sq / U**2
 
 
-def ulps_sq(got, s):
+def ulps_sq(got, s, precision):
     """The square of an error in ulp; at a power of two, where two gaps meet, in either."""
+    digits, least = FORMATS[precision]
 
-    def ulp(x):  # The denominator is a power of two.
-        exponent = abs(x.numerator).bit_length() - x.denominator.bit_length() + 1
-        return Fraction(2) ** max(exponent - 53, -1074)
+    def ulp(x):
+        return Fraction(2) ** max(binary_exponent(x) - digits, least)
 
     if ends(s) == (0, 0):
         return [relative_sq(got**2, s)]
@@ -390,7 +409,7 @@ def measured(certificate, ray, meetings, got):
         require(met.root, "the sphere is not met")
         exact = met.point()
     if quantity == "parameter":
-        return [met.s], lambda: ulps_sq(got[0], met.s)
+        return [met.s], lambda: ulps_sq(got[0], met.s, certificate["precision"])
     if quantity == "backward error":
         return [], lambda: [backward_sq(got[0], ray, met)]
     if quantity == "sphere residual":
@@ -405,7 +424,7 @@ def measured(certificate, ray, meetings, got):
 def confirm_met(certificate, met, got):
     """class, root: what is right or wrong."""
     wrong, answered = certificate["wrong"], bool(certificate["got"])
-    require_exact(certificate["exact"], [met.s] if met.root else [])
+    require_exact(certificate["exact"], [met.s] if met.root else [], certificate["precision"])
     if certificate["quantity"] == "class":
         stated = {"missed": (True, False), "false hit": (False, True)}[wrong]
         require((bool(met.root), answered) == stated, f"it is no {wrong}")
@@ -947,11 +966,13 @@ def confirm(certificate):
         confirm_met(certificate, met, got)
         return confirm_standing(certificate, ray)
     require(certificate["wrong"] is None, "an error is measured, not a decision")
-    unit = "ulp" if quantity == "parameter" else "u"
-    require(certificate["unit"] == unit, "the unit is another")
+    precision, unit = certificate["precision"], "ulp" if quantity == "parameter" else "u"
+    named = unit if precision == "double" else unit + " of float"
+    require(certificate["unit"] == named, "the unit is another")
     exact, squares = measured(certificate, ray, meetings, got)
-    require_exact(certificate["exact"], exact)
-    require_error(certificate["error"], squares() if is_finite else [INFINITE])
+    require_exact(certificate["exact"], exact, precision)
+    size = 1 if unit == "ulp" else 2 ** (FORMATS["double"][0] - FORMATS[precision][0])
+    require_error(certificate["error"], squares() if is_finite else [INFINITE], size)
     return None
 
 

@@ -20,7 +20,7 @@
 extern "C" {
 #endif
 
-#define RAYCHECK_CANDIDATE_VERSION 2
+#define RAYCHECK_CANDIDATE_VERSION 3
 
 typedef struct raycheck_vector {
   double x, y, z;
@@ -78,6 +78,10 @@ enum {
   RAYCHECK_LEVEL_EXTREME = 3
 };
 
+/* The format that the candidate computes in. Of single precision all inputs are floats, given as
+   doubles, and errors count u and ulp of float. */
+enum { RAYCHECK_PRECISION_DOUBLE = 0, RAYCHECK_PRECISION_SINGLE = 1 };
+
 typedef struct raycheck_candidate {
   uint32_t version; /* RAYCHECK_CANDIDATE_VERSION */
   const char* name; /* of letters, digits and -_. ; null: the file's */
@@ -106,6 +110,9 @@ typedef struct raycheck_candidate {
   int32_t level;
   /* Scenes with a nonzero length that is smaller or larger are not judged; both 0: all are. */
   double smallest_length, largest_length;
+
+  /* From version 3 on. */
+  int32_t precision;
 } raycheck_candidate;
 
 #if defined(__GNUC__)

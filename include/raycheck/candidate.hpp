@@ -43,6 +43,8 @@ struct Functions {
   Level level = Level::unstated;
   /// Scenes with a nonzero length that is smaller or larger are not judged; both 0: all are.
   double smallest_length = 0, largest_length = 0;
+  /// Of single: all inputs are floats, given as doubles, and errors count u and ulp of float.
+  Precision precision = Precision::double_;
 };
 
 namespace detail {
@@ -112,7 +114,8 @@ inline const raycheck_candidate* offer(const Functions& given) {
                given.nearest ? nearest : nullptr,
                static_cast<int32_t>(given.level),
                given.smallest_length,
-               given.largest_length};
+               given.largest_length,
+               static_cast<int32_t>(given.precision)};
   return &candidate;
 }
 

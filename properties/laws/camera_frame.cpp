@@ -34,7 +34,7 @@ void judge_frame(Trial& trial, Verdict& verdict) {
                   condition, [&](Discrepancy& d) {
                     d.what = d.symbol = axis;
                     d.got = numbers(answer);
-                    d.exact = numbers(camera.rounded_frame().*member);
+                    d.exact = numbers(camera.rounded_frame(trial.precision()).*member);
                   });
   };
   judge_axis("U", got.U, exact.U, &reference::RoundedFrame::U);

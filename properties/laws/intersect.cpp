@@ -70,8 +70,8 @@ Excuse excuse(Trial& trial, const Encounter& at) {
 void describe_parameters(Trial& trial, const Encounter& at, Discrepancy& d) {
   if (at.answer != nullptr) d.got = {at.answer->parameter};
   if (at.exact != nullptr) {
-    d.exact = {
-        trial.exact_ray(at.ray).rounded_parameter(trial.scene().spheres[at.sphere], *at.exact)};
+    d.exact = {trial.exact_ray(at.ray).rounded_parameter(trial.scene().spheres[at.sphere],
+                                                         *at.exact, trial.precision())};
   }
 }
 
@@ -133,7 +133,7 @@ void judge_parameter(Trial& trial, Verdict& verdict) {
     trial.measure(
         verdict, Quantity::kParameter, trial.place(at.ray, at.sphere),
         reference::parameter_error(trial.exact_ray(at.ray), trial.scene().spheres[at.sphere],
-                                   *at.exact, at.answer->parameter),
+                                   *at.exact, at.answer->parameter, trial.precision()),
         trial.bound(Quantity::kParameter),
         [&] { return trial.condition_of_parameter(at.ray, at.sphere); },
         [&](Discrepancy& d) { describe_parameters(trial, at, d); },
@@ -198,7 +198,7 @@ void judge_hit_point(Trial& trial, Verdict& verdict) {
         },
         [&](Discrepancy& d) {
           d.got = numbers(at.answer->point);
-          d.exact = numbers(ray.rounded_point(sphere, *at.exact));
+          d.exact = numbers(ray.rounded_point(sphere, *at.exact, trial.precision()));
         },
         [&] { return backward_error(trial, at); });
     judge_residuals(trial, verdict, at);
@@ -212,6 +212,7 @@ struct BothOrigins {
   const ExactRay& pixel_ray;
   const HitAnswer& eye_hit;
   const HitAnswer& pixel_hit;
+  scene::Precision precision;
 };
 
 void describe_origins(Discrepancy& d, const BothOrigins& both, const scene::Sphere& sphere,
@@ -219,8 +220,8 @@ void describe_origins(Discrepancy& d, const BothOrigins& both, const scene::Sphe
   d.what = "s from the eye, s from the pixel";
   d.symbol.clear();
   d.got = {both.eye_hit.parameter, both.pixel_hit.parameter};
-  d.exact = {both.eye_ray.rounded_parameter(sphere, at),
-             both.pixel_ray.rounded_parameter(sphere, at)};
+  d.exact = {both.eye_ray.rounded_parameter(sphere, at, both.precision),
+             both.pixel_ray.rounded_parameter(sphere, at, both.precision)};
 }
 
 /// Judges a choice of the other root than the exact one, which both rays share, and says whether
@@ -276,7 +277,7 @@ void judge_focal_and_pixel(Trial& trial, Verdict& verdict) {
         continue;
       }
       const Place place = trial.place(k, sphere);
-      const BothOrigins both{eye_ray, pixel_ray, eye.hit, *pixel_hit};
+      const BothOrigins both{eye_ray, pixel_ray, eye.hit, *pixel_hit, trial.precision()};
       if (judge_other_root(trial, verdict, place, both, at)) continue;
       const auto enclosed = eye_ray.enclose(256);
       const Enclosure off = Enclosure(eye.hit.parameter, 256) -

@@ -68,8 +68,10 @@ void compare_hits(Trial& trial, Trial& transformed, Verdict& verdict, const std:
                                    : Wrong::kFalseHit,
                   excuse, describe);
       if (hit == nullptr || other == nullptr) continue;
-      double error =
-          reference::ulp_error(other->parameter, Enclosure(hit->parameter * factor, 128));
+      // Of ulps as of u: where floats underflow gradually, that is not held against a method.
+      double error = reference::ulp_error(other->parameter, Enclosure(hit->parameter * factor, 128),
+                                          trial.precision()) *
+                     (scene::unit_roundoff(trial.precision()) / kDoubleRoundoff);
       if (std::isinf(error) && is_hit && std::isfinite(other->parameter)) {
         // One of them is 0: their size is the exact one's.
         const Enclosure apart = Enclosure(other->parameter, 128) / Enclosure(factor, 128) -
@@ -119,11 +121,11 @@ void compare_directions(Trial& trial, Trial& transformed, Verdict& verdict, cons
 }
 
 /// The scene with every length times 2^exponent; directions and `up` as they are. Empty where that
-/// would round.
-std::optional<Scene> scaled(Scene scene, int exponent) {
+/// would round in the format.
+std::optional<Scene> scaled(Scene scene, int exponent, scene::Precision precision) {
   bool exact = true;
   for_each_length(scene, [&](double& x) {
-    const double result = std::ldexp(x, exponent);
+    const double result = scene::rounded_to(precision, std::ldexp(x, exponent));
     exact = exact && std::isfinite(result) && std::ldexp(result, -exponent) == x;
     x = result;
   });
@@ -138,7 +140,7 @@ void judge_scaling(Trial& trial, Verdict& verdict) {
   if (!hits && !directions) return verdict.leave_out(std::string(no_hits));
   bool is_tried = false;
   for (const int exponent : {-120, -40, 3, 40, 120}) {
-    const auto scene = scaled(trial.scene(), exponent);
+    const auto scene = scaled(trial.scene(), exponent, trial.precision());
     if (!scene || !is_inside_domain(trial.candidate(), *scene)) continue;
     is_tried = true;
     const Case transformed_case{*scene, trial.pixels()};
@@ -218,20 +220,22 @@ void judge_axes(Trial& trial, Verdict& verdict) {
   }
 }
 
-/// a + b, where that is a double.
-std::optional<double> exact_sum(double a, double b) {
+/// a + b, where that is a number of the format.
+std::optional<double> exact_sum(double a, double b, scene::Precision precision) {
   const double sum = a + b;
   const double b_part = sum - a;
   const double error = (a - (sum - b_part)) + (b - b_part);
-  return error == 0 ? std::optional(sum) : std::nullopt;
+  const bool is_exact = error == 0 && scene::rounded_to(precision, sum) == sum;
+  return is_exact ? std::optional(sum) : std::nullopt;
 }
 
-/// p a + q b, where p a and q b do not round and the sum is a double.
+/// p a + q b, where p a and q b do not round and the sum is of the format.
 template <class To, class A, class B>
-std::optional<To> exact_sum_of(const A& a, const B& b, double p, double q) {
+std::optional<To> exact_sum_of(const A& a, const B& b, double p, double q,
+                               scene::Precision precision) {
   const auto sum = [&](double from_a, double from_b) -> std::optional<double> {
     if (p * from_a / p != from_a || q * from_b / q != from_b) return std::nullopt;
-    return exact_sum(p * from_a, q * from_b);
+    return exact_sum(p * from_a, q * from_b, precision);
   };
   const auto x = sum(a.x, b.x);
   const auto y = sum(a.y, b.y);
@@ -271,34 +275,38 @@ void compare_frames(Trial& trial, Verdict& verdict, const scene::Camera& other_c
 
 void judge_look_at(Trial& trial, Verdict& verdict) {
   const scene::Camera& camera = *trial.scene().camera;
-  const auto along = exact_sum_of<scene::Vector3>(camera.look_at, camera.eye, 1, -1);
+  const auto along =
+      exact_sum_of<scene::Vector3>(camera.look_at, camera.eye, 1, -1, trial.precision());
   // A + k (A - E) lies on the view axis where no step rounds.
   for (const double multiple : {-0.5, 1.0, 2.0, 8.0}) {
     if (!along) break;
-    const auto moved = exact_sum_of<scene::Point3>(camera.look_at, *along, 1, multiple);
+    const auto moved =
+        exact_sum_of<scene::Point3>(camera.look_at, *along, 1, multiple, trial.precision());
     if (!moved) continue;
     scene::Camera other = camera;
     other.look_at = *moved;
     compare_frames(trial, verdict, other, "look-at moved along the view axis");
   }
   if (verdict.compared() == 0) {
-    return verdict.leave_out("no point A + k (A - E) tried is a double");
+    return verdict.leave_out("no point A + k (A - E) tried is of the format");
   }
 }
 
 void judge_up(Trial& trial, Verdict& verdict) {
   const scene::Camera& camera = *trial.scene().camera;
-  const auto along = exact_sum_of<scene::Vector3>(camera.eye, camera.look_at, 1, -1);
+  const auto along =
+      exact_sum_of<scene::Vector3>(camera.eye, camera.look_at, 1, -1, trial.precision());
   for (const double multiple : {-1.0, 0.5, 1.0, 4.0}) {
     if (!along) break;
-    const auto tilted = exact_sum_of<scene::Vector3>(camera.up, *along, 1, multiple);
+    const auto tilted =
+        exact_sum_of<scene::Vector3>(camera.up, *along, 1, multiple, trial.precision());
     if (!tilted) continue;
     scene::Camera other = camera;
     other.up = *tilted;
     compare_frames(trial, verdict, other, "up + k (E - A)");
   }
   if (verdict.compared() == 0) {
-    return verdict.leave_out("no vector up + k (E - A) tried is a double");
+    return verdict.leave_out("no vector up + k (E - A) tried is of the format");
   }
 }
 
@@ -308,8 +316,10 @@ void judge_growing_radius(Trial& trial, Verdict& verdict) {
   }
   for (std::size_t sphere = 0; sphere < trial.scene().spheres.size(); ++sphere) {
     const scene::Sphere& the_sphere = trial.scene().spheres[sphere];
-    for (const double radius : {std::nextafter(the_sphere.radius, HUGE_VAL),
-                                1.5 * the_sphere.radius, 4 * the_sphere.radius}) {
+    const scene::Precision precision = trial.precision();
+    for (const double radius : {scene::next_after(precision, the_sphere.radius, HUGE_VAL),
+                                scene::rounded_to(precision, 1.5 * the_sphere.radius),
+                                scene::rounded_to(precision, 4 * the_sphere.radius)}) {
       if (!(radius > the_sphere.radius) || !std::isfinite(radius)) continue;
       const scene::Sphere grown_sphere{the_sphere.centre, radius};
       const auto grown = trial.intersect(trial.rays(), {grown_sphere}, trial.conventions());

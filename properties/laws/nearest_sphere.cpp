@@ -75,12 +75,12 @@ void measure_parameter(const Trial& trial, Verdict& verdict, const Place& place,
                                                      : reference::in_units_of_u(error / distance);
   trial.measure(
       verdict, Quantity::kHitPoint, place, relative,
-      reference::kVisibleParameterError / kDoubleRoundoff, [] { return 0; },
+      reference::kVisibleParameterError / scene::unit_roundoff(trial.precision()), [] { return 0; },
       [&](Discrepancy& d) {
         d.what = "s, as a share of the distance from the eye";
         d.symbol = info(Quantity::kParameter).symbol;
         d.got = {got};
-        d.exact = {ray.rounded_parameter(sphere, exact.intersection)};
+        d.exact = {ray.rounded_parameter(sphere, exact.intersection, trial.precision())};
       });
 }
 

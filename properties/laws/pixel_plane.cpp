@@ -79,8 +79,9 @@ double worst_condition(const PlaneAnswers& answers) {
 /// Whether positions that far apart stay so when their points are as far off as they may be, by a
 /// margin that keeps errors of their ratios linear.
 bool is_told_apart(const Trial& trial, const PlaneAnswers& answers, const Enclosure& distance) {
-  const double allowed =
-      trial.bound(Quantity::kPixelPoint) * bound_growth(worst_condition(answers)) * 0x1p-53;
+  const double allowed = trial.bound(Quantity::kPixelPoint) *
+                         bound_growth(worst_condition(answers)) *
+                         scene::unit_roundoff(trial.precision());
   if (!std::isfinite(allowed)) return false;
   const Enclosure off = Enclosure(16 * allowed, kBits) * answers.size_of_point(0);
   return (abs(distance) - off).certain_sign().value_or(0) > 0;
@@ -96,7 +97,7 @@ void measure_at(Trial& trial, Verdict& verdict, const PlaneAnswers& answers, std
       [&](Discrepancy& d) {
         d.what = what;
         d.got = numbers(answers.point(k));
-        d.exact = numbers(answers.ray(k).rounded_pixel_point());
+        d.exact = numbers(answers.ray(k).rounded_pixel_point(trial.precision()));
       });
 }
 
@@ -121,7 +122,7 @@ void judge_pixel_point(Trial& trial, Verdict& verdict) {
         [&] { return reference::condition_of_pixel_point(ray); },
         [&](Discrepancy& d) {
           d.got = numbers(points[k]);
-          d.exact = numbers(ray.rounded_pixel_point());
+          d.exact = numbers(ray.rounded_pixel_point(trial.precision()));
         });
   }
 }
@@ -153,7 +154,8 @@ void judge_promised_bits(Trial& trial, Verdict& verdict, const PlaneAnswers& ans
   const bool bottom_first = trial.conventions().rows == scene::Rows::kBottomFirst;
   const auto judge_side = [&](const Enclosure3& axis, double first, double last, bool at_first) {
     const SignedAxis along = signed_axis(axis);
-    if (along.sign == 0 || (!at_first && first + (last - first) != last)) return;
+    const auto rounded = [&](double x) { return scene::rounded_to(trial.precision(), x); };
+    if (along.sign == 0 || (!at_first && rounded(first + rounded(last - first)) != last)) return;
     const double promised = along.sign * (at_first ? first : last);
     const double got = numbers(answers.point(k))[static_cast<std::size_t>(along.index)];
     measure_at(trial, verdict, answers, k, reference::ulp_error(got, Enclosure(promised, kBits)), 0,

@@ -19,7 +19,7 @@ void judge_unit_direction(Trial& trial, Verdict& verdict) {
         [&] { return reference::condition_of_frame(trial.exact_camera()); },
         [&](Discrepancy& d) {
           d.got = numbers(got);
-          d.exact = numbers(trial.exact_ray(k).rounded_direction());
+          d.exact = numbers(trial.exact_ray(k).rounded_direction(trial.precision()));
         });
   }
 }
@@ -33,7 +33,7 @@ void judge_direction(Trial& trial, Verdict& verdict) {
         [&] { return reference::condition_of_direction(ray); },
         [&](Discrepancy& d) {
           d.got = numbers(got);
-          d.exact = numbers(ray.rounded_direction());
+          d.exact = numbers(ray.rounded_direction(trial.precision()));
         });
   }
 }
@@ -48,7 +48,7 @@ void judge_ray_origin(Trial& trial, Verdict& verdict) {
         [&] { return at_eye ? 1 : reference::condition_of_pixel_point(ray); },
         [&](Discrepancy& d) {
           d.got = numbers(got);
-          d.exact = numbers(ray.rounded_origin());
+          d.exact = numbers(ray.rounded_origin(trial.precision()));
         });
   }
 }

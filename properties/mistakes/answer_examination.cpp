@@ -7,6 +7,7 @@
 
 #include "properties/candidates/fast_candidate.h"
 #include "properties/mistakes/answer_explanation.h"
+#include "properties/rounded_case.h"
 #include "properties/trial.h"
 #include "scene/interruption.h"
 
@@ -122,6 +123,13 @@ std::uint64_t count_different(const Comparison& comparison, const Answers& expec
   return count;
 }
 
+void round_ray(scene::Precision precision, scene::Ray& ray) {
+  for (double* x : {&ray.origin.x, &ray.origin.y, &ray.origin.z, &ray.direction.x, &ray.direction.y,
+                    &ray.direction.z}) {
+    *x = scene::rounded_to(precision, *x);
+  }
+}
+
 /// The methods of fast/ beside direct/cross, but for those that are less precise than a candidate.
 std::vector<Candidate> other_right_candidates(const Candidate& candidate) {
   std::vector<Candidate> others;
@@ -144,12 +152,14 @@ std::vector<Candidate> other_right_candidates(const Candidate& candidate) {
 Examination::Examination(std::span<const Case> cases, const Candidate& candidate)
     : candidate_(candidate), others_(other_right_candidates(candidate)) {
   for (const Case& the_case : cases) {
-    if (!is_inside_domain(candidate, the_case.scene)) continue;
-    questions_.push_back({the_case, {}});
+    auto rounded = rounded_case(the_case, candidate.precision).the_case;
+    if (!rounded || !is_inside_domain(candidate, rounded->scene)) continue;
+    questions_.push_back({*std::move(rounded), {}});
     AskedCase& question = questions_.back();
     scene::Conventions& conventions = question.the_case.scene.conventions;
     conventions = candidate.declared.over(conventions);
     question.rays = Trial(question.the_case, right_).rays();
+    for (scene::Ray& ray : question.rays) round_ray(candidate.precision, ray);
   }
 }
 

@@ -5,6 +5,7 @@
 
 #include "properties/mistakes/answer_explanation.h"
 #include "properties/mistakes/picture_causes.h"
+#include "properties/rounded_case.h"
 #include "scene/interruption.h"
 
 namespace raycheck::properties {
@@ -29,8 +30,11 @@ std::vector<ShownPicture> shown(const std::vector<Case>& cases, const Candidate&
 }  // namespace
 
 std::vector<Explanation> causes(const std::vector<Case>& cases, const Candidate& candidate) {
-  std::vector<Case> asked = cases;
-  std::erase_if(asked, [&](const Case& one) { return !is_problem(one, candidate.declared); });
+  std::vector<Case> asked;
+  for (const Case& one : cases) {
+    auto rounded = rounded_case(one, candidate.precision).the_case;
+    if (rounded && is_problem(*rounded, candidate.declared)) asked.push_back(*std::move(rounded));
+  }
   try {
     std::vector<Explanation> found = candidate.image
                                          ? explanations(picture_causes(shown(asked, candidate)))

@@ -14,6 +14,7 @@
 #include "properties/cases/random.h"
 #include "properties/cases/shrink.h"
 #include "properties/given_rays.h"
+#include "properties/rounded_case.h"
 #include "scene/interruption.h"
 
 namespace raycheck::properties {
@@ -64,7 +65,7 @@ Judged judge(const Law& law, const Candidate& candidate, const Case& the_case,
   const TrialOptions options = {.max_error = max_error, .search = search};
   Trial trial(the_case, candidate, options);
   if (!wants_given_rays(law, trial)) return judge(law, trial);
-  const auto given = given_rays(the_case, trial.conventions());
+  const auto given = given_rays(the_case, trial.conventions(), candidate.precision);
   if (!given) return judge(law, trial);
   Trial on_given(given->the_case, candidate, options);
   Judged judged = judge(law, on_given);
@@ -125,7 +126,10 @@ Answer ask(const Law& law, const Candidate& candidate, const Asking& asking,
     if (verdict.holds(asking.strict)) return false;
     // What fails whatever it is asked says nothing of a simpler case.
     if (answer.failure && fails_in_vain(verdict)) return false;
-    part.replay = replay_text(law, candidate, from);
+    if (!answer.failure) {
+      part.replay = replay_text(law, candidate, from);
+      part.defects = verdict.defects(asking.strict);
+    }
     answer.failure = Failure{the_case, std::move(verdict), part.replay};
     return true;
   };
@@ -135,19 +139,27 @@ Answer ask(const Law& law, const Candidate& candidate, const Asking& asking,
     for (int k = 0; k < asking.cases && !control.interrupted(); ++k) {
       rc::Random one = all.split();
       const Provenance from = {asking.source, choose(one)};
-      Case failing = asking.source.make(from.seed);
-      if (!breaks(failing, from)) continue;
+      auto [failing, reason, changed] =
+          rounded_case(asking.source.make(from.seed), candidate.precision);
+      if (!failing) {
+        ++part.counts.cases;
+        ++part.counts.left_out;
+        part.counts.reason = std::move(reason);
+        continue;
+      }
+      if (!breaks(*failing, from)) continue;
       const auto fails = [&](const Case& simpler) {
-        return !control.interrupted() && breaks(simpler, from);
+        return !control.interrupted() && is_of_format(simpler.scene, candidate.precision) &&
+               breaks(simpler, from);
       };
       if (!asking.shrinks) break;
       if (auto question =
-              failed_question(law, candidate, failing, asking, answer.failure->verdict)) {
+              failed_question(law, candidate, *failing, asking, answer.failure->verdict)) {
         question->replay = part.replay;
-        failing = question->shrunk;
+        *failing = question->shrunk;
         answer.failure = std::move(question);
       }
-      smallest(std::move(failing), std::numeric_limits<int>::max(), fails);
+      smallest(*std::move(failing), std::numeric_limits<int>::max(), fails);
       break;
     }
   } catch (const scene::Interrupted&) {
@@ -211,9 +223,11 @@ std::vector<ChosenSource> severities_of(const ChosenSource& chosen, Level level,
 
 bool has_question(const Law& law, const Candidate& candidate, const Case& the_case) {
   if (!is_problem(the_case, candidate.declared)) return false;
-  const Trial trial(the_case, candidate);
+  const auto rounded = rounded_case(the_case, candidate.precision).the_case;
+  if (!rounded) return false;
+  const Trial trial(*rounded, candidate);
   if (!wants_given_rays(law, trial)) return what_is_missing(law.needs, trial).empty();
-  const auto given = given_rays(the_case, trial.conventions());
+  const auto given = given_rays(*rounded, trial.conventions(), candidate.precision);
   return given && what_is_missing(law.needs, Trial(given->the_case, candidate)).empty();
 }
 
@@ -364,17 +378,24 @@ CampaignResult run_case(const Law& law, const Candidate& candidate, const Case& 
                         std::optional<double> max_error, bool strict) {
   CampaignResult result;
   result.fewest_right = 0;
-  auto [judged, given, verdict] = judge(law, candidate, the_case, max_error);
+  const RoundedCase rounded = rounded_case(the_case, candidate.precision);
+  if (!rounded.the_case) {
+    result.counts = {.cases = 1, .left_out = 1, .reason = rounded.reason};
+    return result;
+  }
+  auto [judged, given, verdict] = judge(law, candidate, *rounded.the_case, max_error);
   result.counts = {1, 0, judged ? 0 : 1, given ? 1 : 0, std::string(verdict.reason_left_out())};
   result.verdict = std::move(verdict);
   if (result.verdict.holds(strict)) return result;
-  Failure failure{the_case, result.verdict, ""};
-  failure.shrunk = smallest(the_case, std::numeric_limits<int>::max(), [&](const Case& simpler) {
-    Verdict of_simpler = judge(law, candidate, simpler, max_error).verdict;
-    if (of_simpler.holds(strict)) return false;
-    failure.verdict = std::move(of_simpler);
-    return true;
-  });
+  Failure failure{*rounded.the_case, result.verdict, ""};
+  failure.shrunk =
+      smallest(*rounded.the_case, std::numeric_limits<int>::max(), [&](const Case& simpler) {
+        if (!is_of_format(simpler.scene, candidate.precision)) return false;
+        Verdict of_simpler = judge(law, candidate, simpler, max_error).verdict;
+        if (of_simpler.holds(strict)) return false;
+        failure.verdict = std::move(of_simpler);
+        return true;
+      });
   result.failure = std::move(failure);
   return result;
 }

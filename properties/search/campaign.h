@@ -38,7 +38,8 @@ struct CampaignOptions {
 /// What became of cases, all of which are counted once.
 struct CaseCounts {
   int cases = 0;       ///< Tried, before an end or a break.
-  int left_out = 0;    ///< Of those, the ones that the law had nothing to say about,
+  int left_out = 0;    ///< Of those, the ones that the law had nothing to say about, or that the
+                       ///< candidate's format cannot hold,
   int not_judged = 0;  ///< and those outside the candidate's stated domain.
   int given_rays = 0;  ///< Of all, those whose camera's rays were raycheck's own (given_rays.h).
   std::string reason;  ///< Why the last of those left out was.
@@ -55,6 +56,7 @@ struct CampaignPart {
   /// Finds the case that breaks it again: "LAW:CANDIDATE:SOURCE:SEED"; a SOURCE may be
   /// SOURCE@SEVERITY. Empty where the law is not broken.
   std::string replay;
+  std::vector<DefectKind> defects;  ///< What that case shows.
 
   bool is_broken() const { return !replay.empty(); }
 };

@@ -10,6 +10,7 @@
 #include <limits>
 
 #include "reference/internal/kernels.h"
+#include "scene/precision.h"
 
 namespace raycheck::reference {
 
@@ -63,6 +64,23 @@ double round_to_nearest(Enclosure enclosure, Enclose enclose, Compare compare) {
     bits *= 2;
     enclosure = enclose(bits);
   }
+}
+
+/// The float nearest to x, ties to even, from the double nearest to x. Where that is no midpoint of
+/// two floats, x is on its side of every midpoint, for these are doubles; else `compare` tells.
+template <class Compare>
+double round_to_single(double nearest, Compare compare) {
+  constexpr auto kSingle = scene::Precision::kSingle;
+  const double rounded = scene::rounded_to(kSingle, nearest) + 0.0;  // no -0
+  if (rounded == nearest) return rounded;
+  // The neighbour of the largest float is 2^128, which rounds to infinity.
+  const auto finite = [&](double x) {
+    return std::isfinite(x) ? x : std::copysign(0x1p128, nearest);
+  };
+  const double other = scene::next_after(kSingle, rounded, nearest);
+  if (nearest != finite(rounded) / 2 + finite(other) / 2) return rounded;
+  const int side = compare(Rational(nearest));
+  return side == 0 || (side > 0) == (rounded > nearest) ? rounded : other;
 }
 
 }  // namespace raycheck::reference

@@ -4,6 +4,7 @@
 #include <tbb/enumerable_thread_specific.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <map>
 #include <memory>
@@ -16,6 +17,7 @@
 #include "properties/laws/law.h"
 #include "properties/mistakes/answer_explanation.h"
 #include "properties/mistakes/picture_causes.h"
+#include "properties/rounded_case.h"
 #include "scene/interruption.h"
 #include "scene/plan/plan.h"
 #include "tools/check/timing.h"
@@ -61,9 +63,34 @@ struct ChunkVerdict {
   }
 };
 
-Draft prepare(const Contestant& contestant, const scene::Scene& scene) {
+/// A scene in a format, and its rays.
+struct ScenesOfFormats {
+  ScenesOfFormats(const scene::Scene& given, std::optional<std::int64_t> pixels)
+      : cases{SceneCases(given, pixels), {}} {
+    single = properties::rounded_case({given, {}}, scene::Precision::kSingle);
+    if (single.the_case) cases[1].emplace(single.the_case->scene, pixels);
+  }
+  /// Empty where the format cannot hold the scene.
+  const std::optional<SceneCases>& of(scene::Precision precision) const {
+    return cases[static_cast<std::size_t>(precision)];
+  }
+
+  properties::RoundedCase single;
+  std::array<std::optional<SceneCases>, 2> cases;
+};
+
+Draft prepare(const Contestant& contestant, const ScenesOfFormats& scenes) {
   const Candidate candidate = candidate_of(contestant);
   Draft draft;
+  draft.report.precision = candidate.precision;
+  const bool is_single = candidate.precision == scene::Precision::kSingle;
+  const scene::Scene& given = scenes.of(scene::Precision::kDouble)->scene();
+  if (is_single) {
+    draft.report.rounded_numbers = scenes.single.changed;
+    draft.report.not_asked = scenes.single.reason;
+  }
+  const auto& cases = scenes.of(candidate.precision);
+  const scene::Scene& scene = cases ? cases->scene() : given;
   draft.report.contestant = contestant;
   draft.report.name = candidate.name;
   draft.report.conventions = candidate.declared.over(scene.conventions);
@@ -80,7 +107,8 @@ ChunkVerdict judge_chunk(const Case& chunk, std::uint64_t first, std::shared_ptr
   const bool wants_rays = std::any_of(
       properties::laws().begin(), properties::laws().end(),
       [&](const Law& law) { return law.judges_values && wants_given_rays(law, trial); });
-  const auto given = wants_rays ? given_rays(chunk, trial.conventions()) : std::nullopt;
+  const auto given =
+      wants_rays ? given_rays(chunk, trial.conventions(), candidate.precision) : std::nullopt;
   found.given_rays = given.has_value();
   std::optional<Trial> on_given;
   if (given) {
@@ -126,6 +154,7 @@ std::vector<properties::Explanation> explained(const CandidateReport& report,
 }
 
 CandidateReport finish(Draft draft, const scene::Scene& scene) {
+  if (!draft.report.not_asked.empty()) return std::move(draft.report);
   draft.report.explanations = explained(draft.report, scene);
   for (const Law& law : properties::laws()) {
     const auto found = draft.left_out.find(law.name);
@@ -261,16 +290,18 @@ std::vector<Contestant> without_equals(const std::vector<Contestant>& contestant
 /// the plans, and their verdicts are merged in the order of the rays.
 class Judgement {
  public:
-  Judgement(const CheckOptions& options, const SceneCases& cases, std::vector<Draft>& drafts)
-      : options_(options), cases_(cases), drafts_(drafts) {
-    if (!cases.scene().camera) return;
+  Judgement(const CheckOptions& options, const ScenesOfFormats& scenes, std::vector<Draft>& drafts)
+      : options_(options), scenes_(scenes), drafts_(drafts) {
     for (const Draft& draft : drafts) {
+      const auto& cases = scenes.of(draft.report.precision);
+      if (!cases || !cases->scene().camera) continue;
+      auto& plans = plans_[static_cast<std::size_t>(draft.report.precision)];
       const scene::Conventions& conventions = draft.report.conventions;
       const bool is_planned = std::any_of(
-          plans_.begin(), plans_.end(),
+          plans.begin(), plans.end(),
           [&](const scene::ScenePlan& plan) { return plan.conventions == conventions; });
       if (!is_planned) {
-        plans_.push_back(plan_scene(cases.scene(), conventions, scene::Wanted::kParameter));
+        plans.push_back(plan_scene(cases->scene(), conventions, scene::Wanted::kParameter));
       }
     }
   }
@@ -278,7 +309,8 @@ class Judgement {
   /// Counts the rays judged, and tells.
   template <class Tell>
   void run(const RunControl& control, std::uint64_t& rays_judged, const Tell& tell) {
-    const auto chunks = static_cast<std::int64_t>((cases_.rays_judged() + kChunk - 1) / kChunk);
+    const std::uint64_t rays = scenes_.of(scene::Precision::kDouble)->rays_judged();
+    const auto chunks = static_cast<std::int64_t>((rays + kChunk - 1) / kChunk);
     in_order<std::vector<ChunkVerdict>>(
         chunks, control,
         [&](std::int64_t k) { return judge(static_cast<std::uint64_t>(k) * kChunk); },
@@ -292,7 +324,7 @@ class Judgement {
               drafts_[k].left_out[law] = std::move(reason);
             }
           }
-          rays_judged = std::min(rays_judged + kChunk, cases_.rays_judged());
+          rays_judged = std::min(rays_judged + kChunk, rays);
           tell();
         });
   }
@@ -324,20 +356,28 @@ class Judgement {
         candidates.push_back(candidate_of(draft.report.contestant));
       }
     }
-    const Case chunk = cases_.from(first, std::min(first + kChunk, cases_.rays_judged()));
-    properties::SharedTruths truths(chunk, plans_);
-    std::vector<ChunkVerdict> found;
-    for (std::size_t k = 0; k < drafts_.size(); ++k) {
-      found.push_back(judge_chunk(chunk, first, truths.under(drafts_[k].report.conventions),
-                                  options_.max_error, candidates[k]));
+    std::vector<ChunkVerdict> found(drafts_.size());
+    for (const auto precision : {scene::Precision::kDouble, scene::Precision::kSingle}) {
+      const auto& cases = scenes_.of(precision);
+      const bool is_asked = std::any_of(drafts_.begin(), drafts_.end(), [&](const Draft& draft) {
+        return draft.report.precision == precision;
+      });
+      if (!cases || !is_asked) continue;
+      const Case chunk = cases->from(first, std::min(first + kChunk, cases->rays_judged()));
+      properties::SharedTruths truths(chunk, plans_[static_cast<std::size_t>(precision)]);
+      for (std::size_t k = 0; k < drafts_.size(); ++k) {
+        if (drafts_[k].report.precision != precision) continue;
+        found[k] = judge_chunk(chunk, first, truths.under(drafts_[k].report.conventions),
+                               options_.max_error, candidates[k]);
+      }
     }
     return found;
   }
 
   const CheckOptions& options_;
-  const SceneCases& cases_;
+  const ScenesOfFormats& scenes_;
   std::vector<Draft>& drafts_;
-  std::vector<scene::ScenePlan> plans_;
+  std::array<std::vector<scene::ScenePlan>, 2> plans_;  ///< By format.
   tbb::enumerable_thread_specific<std::vector<Candidate>> candidates_;
   std::vector<std::optional<Candidate>> searchers_;  ///< Where they have failed.
 };
@@ -372,23 +412,31 @@ CheckReport check(const CheckOptions& options, const RunControl& control) {
     throw std::invalid_argument("pixels: " + options.path +
                                 " has given rays and no pixels; all its rays are judged");
   }
-  const SceneCases cases(report.scene, options.pixels);
+  const ScenesOfFormats scenes(report.scene, options.pixels);
+  const SceneCases& cases = *scenes.of(scene::Precision::kDouble);
   report.rays_in_scene = cases.rays_in_scene();
   std::vector<Draft> drafts;
   try {
     for (const Contestant& contestant : without_equals(contestants, report.scene)) {
       scene::poll();
-      drafts.push_back(prepare(contestant, report.scene));
+      drafts.push_back(prepare(contestant, scenes));
     }
     time_all(cases, drafts);
-    Judgement(options, cases, drafts).run(control, report.rays_judged, [&] {
+    Judgement(options, scenes, drafts).run(control, report.rays_judged, [&] {
       control.progress(
           fmt::format("{} of {} rays judged", report.rays_judged, cases.rays_judged()));
     });
   } catch (const scene::Interrupted&) {
     // What was judged until then is the answer.
   }
-  for (Draft& draft : drafts) report.candidates.push_back(finish(std::move(draft), report.scene));
+  const bool has_single = std::any_of(drafts.begin(), drafts.end(), [](const Draft& draft) {
+    return draft.report.precision == scene::Precision::kSingle;
+  });
+  if (has_single && scenes.single.the_case) report.single_scene = scenes.single.the_case->scene;
+  for (Draft& draft : drafts) {
+    const scene::Scene& scene = report.scene_of(draft.report);
+    report.candidates.push_back(finish(std::move(draft), scene));
+  }
   report.interrupted = control.interrupted();
   report.left_out = left_out_lines(report);
   return report;

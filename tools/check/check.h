@@ -13,6 +13,7 @@
 #include "properties/verdict.h"
 #include "scene/files/scene_file.h"
 #include "tools/external/contestant.h"
+#include "tools/gates/baseline.h"
 
 namespace raycheck::tools {
 
@@ -46,8 +47,13 @@ struct CandidateReport {
   std::string name;
   Contestant contestant;
   scene::Conventions conventions;  ///< Under which it was judged.
-  bool inside_domain = true;       ///< Outside its stated domain its answers are not judged.
-  bool given_rays = false;         ///< It makes no rays: what it says of raycheck's own is judged.
+  /// The format that it was asked and judged in.
+  scene::Precision precision = scene::Precision::kDouble;
+  /// How many numbers of the scene were rounded for it to be of that format.
+  std::size_t rounded_numbers = 0;
+  std::string not_asked;  ///< Why it was asked nothing: the format cannot hold the scene; or empty.
+  bool inside_domain = true;  ///< Outside its stated domain its answers are not judged.
+  bool given_rays = false;    ///< It makes no rays: what it says of raycheck's own is judged.
   properties::Verdict verdict;
   std::vector<LeftOut> left_out;
   std::vector<properties::Explanation> explanations;  ///< Of what someone else's has wrong.
@@ -72,6 +78,8 @@ struct CheckReport {
   std::vector<std::string> warnings;
   std::optional<scene::Dialect> dialect;  ///< Of a driver file.
   std::vector<std::string> not_needed;    ///< Of what it says.
+  /// The scene in single precision, where a candidate was asked about it.
+  std::optional<scene::Scene> single_scene;
   std::uint64_t rays_in_scene = 0;
   std::uint64_t rays_judged = 0;
   std::vector<CandidateReport> candidates;
@@ -80,7 +88,12 @@ struct CheckReport {
   bool interrupted = false;
   bool strict = false;
   std::optional<double> max_error;  ///< A bound in place of the documented ones.
+  std::optional<Ratchet> ratchet;   ///< Where it is held against a baseline.
 
+  /// The scene that a candidate was asked about, and by which it was judged.
+  const scene::Scene& scene_of(const CandidateReport& candidate) const {
+    return candidate.precision == scene::Precision::kSingle && single_scene ? *single_scene : scene;
+  }
   std::uint64_t discrepancies() const;
   std::uint64_t count(properties::Standing standing) const;
   std::uint64_t compared() const;

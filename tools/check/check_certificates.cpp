@@ -18,15 +18,17 @@ struct Subject {
 
 Subject subject_of(const CheckReport& report, const CandidateReport& candidate,
                    const Discrepancy& discrepancy) {
-  Subject subject{report.scene, discrepancy};
+  const scene::Scene& scene = report.scene_of(candidate);
+  Subject subject{scene, discrepancy};
   const properties::Law& law = *properties::find_law(discrepancy.law);
   properties::Place& place = subject.discrepancy.place;
   if (!candidate.given_rays || !place.pixel || !needs_any(law.needs, properties::Needs::kRays)) {
     return subject;
   }
-  subject.scene = properties::given_rays({report.scene, {*place.pixel}}, candidate.conventions)
-                      .value()
-                      .the_case.scene;
+  subject.scene =
+      properties::given_rays({scene, {*place.pixel}}, candidate.conventions, candidate.precision)
+          .value()
+          .the_case.scene;
   place.ray = 0;
   place.pixel.reset();
   return subject;

@@ -1,6 +1,7 @@
 #include <nlohmann/json.hpp>
 
 #include "tools/check/check_views.h"
+#include "tools/gates/ratchet_json.h"
 #include "tools/report/json.h"
 
 namespace raycheck::tools {
@@ -18,7 +19,7 @@ Json candidate_json(const CandidateReport& candidate, std::size_t top) {
   json["conventions"] = conventions_json(candidate.conventions);
   json["ns_per_ray"] = {{"make", error_json(candidate.timing.make)},
                         {"intersect", error_json(candidate.timing.intersect)}};
-  json["quantities"] = tallies_json(candidate.verdict);
+  json["quantities"] = tallies_json(candidate.verdict, candidate.precision);
   json["explanations"] = explanations_json(candidate.explanations);
   json["failures"] = {{"batches", candidate.search.batches},
                       {"found", candidate.search.found},
@@ -26,6 +27,9 @@ Json candidate_json(const CandidateReport& candidate, std::size_t top) {
                       {"most_sought", properties::kMostFailuresSought},
                       {"not_sought", candidate.search.not_sought}};
   json["given_rays"] = candidate.given_rays;
+  json["precision"] = name(candidate.precision);
+  json["rounded_numbers"] = candidate.rounded_numbers;
+  json["not_asked"] = candidate.not_asked.empty() ? Json(nullptr) : Json(candidate.not_asked);
   json["discrepancies"] = candidate.verdict.discrepancies();
   json["discrepancies_by_standing"] = standings_json(candidate.verdict);
   json["inside_domain"] = candidate.inside_domain;
@@ -66,6 +70,7 @@ std::string check_json(const CheckReport& report, const ViewOptions& /*options*/
   json["strict"] = report.strict;
   json["holds"] = report.holds();
   json["left_out"] = report.left_out;
+  json["held_against"] = ratchet_json(report.ratchet);
   return json_text(json);
 }
 

@@ -4,6 +4,7 @@
 
 #include "scene/number.h"
 #include "tools/check/check_views.h"
+#include "tools/gates/gate_views.h"
 #include "tools/report/table.h"
 #include "tools/report/words.h"
 
@@ -82,10 +83,21 @@ std::string quantities_table(const CandidateReport& candidate) {
     const bool measured = !tally.errors.empty();
     table.add({std::string(info(quantity).name), std::to_string(tally.cases),
                measured ? "" : class_error_text(tally), error_text(tally.median()),
-               error_text(tally.max()), error_text(tally.bound()), std::string(info(quantity).unit),
-               worst_text(tally, quantity)});
+               error_text(tally.max()), error_text(tally.bound()),
+               std::string(unit_name(quantity, candidate.precision)), worst_text(tally, quantity)});
   }
   return table.text();
+}
+
+std::string precision_text(const CandidateReport& candidate) {
+  if (candidate.precision == scene::Precision::kDouble) return "";
+  std::string text = "  judged in single precision: u = 2^-24, ulp of float\n";
+  if (candidate.rounded_numbers > 0) {
+    text += fmt::format("  {} of the scene {}: asked and judged on the scene rounded to floats\n",
+                        count_text(candidate.rounded_numbers, "number"),
+                        candidate.rounded_numbers == 1 ? "is no float" : "are no floats");
+  }
+  return text;
 }
 
 std::string failures_text(const properties::FailureSearch& search) {
@@ -147,6 +159,9 @@ std::string failed_question_text(const CheckReport& report) {
 }
 
 std::string too_few_text(const CandidateReport& candidate) {
+  if (!candidate.not_asked.empty()) {
+    return fmt::format("  not judged here: {}\n", candidate.not_asked);
+  }
   if (!candidate.inside_domain) {
     return "  not judged here: a length of the scene lies outside the domain that is judged\n";
   }
@@ -185,6 +200,7 @@ std::string check_text(const CheckReport& report, const ViewOptions& options) {
     if (candidate.given_rays) {
       text += "  makes no rays from this origin: given raycheck's own, correctly rounded\n";
     }
+    text += precision_text(candidate);
     text += quantities_table(candidate);
     const bool renders = external != nullptr && external->renderer;
     text +=
@@ -220,6 +236,7 @@ std::string check_text(const CheckReport& report, const ViewOptions& options) {
   }
   if (!report.left_out.empty()) text += "\nleft out:\n";
   for (const std::string& line : report.left_out) text += "  " + line + "\n";
+  if (report.ratchet) text += "\n" + ratchet_text(*report.ratchet);
   return text;
 }
 

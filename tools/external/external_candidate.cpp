@@ -221,7 +221,7 @@ Candidate rendering_candidate(const External& external, const LastFailure& last)
                                                          const scene::Conventions& conventions) {
     return pictures->of(scene, conventions.rows, last);
   };
-  return candidate;
+  return judged_in(external.precision, std::move(candidate));
 }
 
 }  // namespace
@@ -237,6 +237,7 @@ External introduced(std::string name, const Confined& program,
   Conversation conversation(external);
   try {
     external.introduction = conversation.introduce();
+    external.precision = external.introduction.precision;
   } catch (const ProcessFailure& failure) {
     const KeptText said = conversation.said();
     const std::string all = said.excerpt();
@@ -335,7 +336,7 @@ Candidate external_candidate(const External& external, const LastFailure& last) 
           [&](const Reply& reply) { return reply.nearest(rays.size(), spheres.size()); });
     };
   }
-  return candidate;
+  return judged_in(external.precision, std::move(candidate));
 }
 
 }  // namespace raycheck::tools

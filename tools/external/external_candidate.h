@@ -23,6 +23,8 @@ struct External {
   std::string name;  ///< "library:PATH.so", as it was asked for.
   Confined program;
   Introduction introduction;
+  /// The format that it is asked and judged in: its own word, or, of a renderer, the user's.
+  scene::Precision precision = scene::Precision::kDouble;
   /// It documents no bounds: these are what its errors are held to.
   MethodPair bounds = kDefaultMethods;
   /// The shared library that its process loads; empty: there is none.
@@ -35,6 +37,8 @@ struct External {
   std::shared_ptr<Pictures> pictures = {};
   /// What its functions replied in earlier runs; null: they are always asked.
   std::shared_ptr<AnswerStore> answers = {};
+  /// The file that it is made of, as it was named; empty where that is not one file.
+  std::string source_file = {};
 };
 
 /// Starts the program once to hear its introduction, where that is not among the answers.

@@ -162,6 +162,17 @@ std::string class_path(const std::string& word, const RunOptions& options, Reada
   return paths;
 }
 
+/// The file that an implementation is made of: the source, or the first file in its words.
+std::string source_file(const CandidateSpec& spec, const RunOptions& options) {
+  if (spec.kind == CandidateKind::kLibrary) return "";
+  for (const std::string& word :
+       spec.is_words() ? split(spec.what) : std::vector<std::string>{spec.what}) {
+    std::error_code error;
+    if (fs::is_regular_file(options.folder / word, error)) return word;
+  }
+  return "";
+}
+
 /// A program by its words. Those that name files are made absolute.
 Confined program_of(const std::string& words, const RunOptions& options, ReadableCopies& copies) {
   Confined program;
@@ -213,6 +224,7 @@ External renderer(const CandidateSpec& spec, const RunOptions& options) {
   found.threshold = options.image_threshold;
   found.answers = options.answers;
   External external = rendering(spec.text(), std::move(found));
+  external.precision = options.precision;
   external.folder = copies.folder();
   return external;
 }
@@ -255,7 +267,9 @@ External named_in_errors(const CandidateSpec& spec, const RunOptions& options, c
 }  // namespace
 
 External find_external(const CandidateSpec& spec, const RunOptions& options) {
-  return named_in_errors(spec, options, [&] { return find(spec, options); });
+  External found = named_in_errors(spec, options, [&] { return find(spec, options); });
+  found.source_file = source_file(spec, options);
+  return found;
 }
 
 External compiled_external(const CandidateSpec& spec, const fs::path& path,

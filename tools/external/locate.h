@@ -16,6 +16,7 @@ struct RunOptions {
   MethodPair bounds = kDefaultMethods;
   // Of renderers.
   DriverForm driver = {};
+  scene::Precision precision = scene::Precision::kDouble;
   double excused_image_change = properties::kExcusedImageChange;
   double image_threshold = 0;
   /// Relative paths start here; empty: in the working folder.

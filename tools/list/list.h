@@ -19,6 +19,16 @@ struct Catalogue {
 };
 Catalogue catalogue();
 
+/// The format whose u and ulp a method's bounds count, by the roundoff of its arithmetic.
+constexpr scene::Precision precision_of(double roundoff) {
+  return roundoff >= scene::unit_roundoff(scene::Precision::kSingle) ? scene::Precision::kSingle
+                                                                     : scene::Precision::kDouble;
+}
+/// A bound that counts u or ulp of doubles, in those of a format.
+constexpr double in_own_unit(double bound, scene::Precision precision) {
+  return bound * (properties::kDoubleRoundoff / scene::unit_roundoff(precision));
+}
+
 }  // namespace raycheck::tools
 
 #endif  // RAYCHECK_TOOLS_LIST_LIST_H_

@@ -9,8 +9,12 @@ namespace {
 
 using properties::Quantity;
 
-Json bound_json(Quantity quantity, double bound) {
-  return {{"quantity", info(quantity).name}, {"unit", info(quantity).unit}, {"max", bound}};
+/// A bound in u or ulp of the method's own precision.
+Json bound_json(Quantity quantity, double bound, double roundoff) {
+  const scene::Precision precision = precision_of(roundoff);
+  return {{"quantity", info(quantity).name},
+          {"unit", unit_name(quantity, precision)},
+          {"max", in_own_unit(bound, precision)}};
 }
 
 Json lengths_json(const fast::Domain& domain) {
@@ -25,10 +29,13 @@ std::string list_json(const Catalogue& catalogue, const ViewOptions& /*options*/
   for (const auto* method : catalogue.ray_methods) {
     Json bounds = Json::array();
     if (method->pixel_points) {
-      bounds.push_back(bound_json(Quantity::kPixelPoint, method->max_point_ulp));
+      bounds.push_back(
+          bound_json(Quantity::kPixelPoint, method->max_point_ulp, method->unit_roundoff));
     }
-    bounds.push_back(bound_json(Quantity::kDirection, method->max_direction_ulp));
-    bounds.push_back(bound_json(Quantity::kUnitDefect, method->max_unit_defect_ulp));
+    bounds.push_back(
+        bound_json(Quantity::kDirection, method->max_direction_ulp, method->unit_roundoff));
+    bounds.push_back(
+        bound_json(Quantity::kUnitDefect, method->max_unit_defect_ulp, method->unit_roundoff));
     json["ray_methods"].push_back({{"name", method->name},
                                    {"sentence", method->sentence},
                                    {"bounds", bounds},
@@ -41,12 +48,14 @@ std::string list_json(const Catalogue& catalogue, const ViewOptions& /*options*/
         {{"name", method->name},
          {"sentence", method->sentence},
          {"bounds",
-          {bound_json(Quantity::kParameter, method->max_ulp),
-           bound_json(Quantity::kHitPoint, method->max_point_ulp)}},
+          {bound_json(Quantity::kParameter, method->max_ulp, method->unit_roundoff),
+           bound_json(Quantity::kHitPoint, method->max_point_ulp, method->unit_roundoff)}},
          {"exact_class", method->exact_class},
          {"lengths", lengths_json(method->domain)},
          {"not_kept_on", method->not_kept}});
   }
+  json["single_precision_lengths"] =
+      Json::array({properties::kSmallestSingleLength, properties::kLargestSingleLength});
   json["laws"] = Json::array();
   for (const properties::Law& law : catalogue.laws) {
     json["laws"].push_back({{"name", law.name}, {"sentence", law.sentence}});

@@ -6,6 +6,8 @@
 namespace raycheck::tools {
 namespace {
 
+using properties::Quantity;
+
 std::string caveat(std::string_view not_kept) {
   if (not_kept.empty()) return "\n";
   return fmt::format("\n  {:<17} not kept on {}\n", "", not_kept);
@@ -17,9 +19,10 @@ std::string lengths(const fast::Domain& domain) {
   return fmt::format("; lengths {:.3g} to {:.3g}", domain.smallest_length, domain.largest_length);
 }
 
-/// A bound; those of single precision are large.
-std::string bound(double ulp) {
-  return ulp < 1e6 ? fmt::format("{}", ulp) : fmt::format("{:.3g}", ulp);
+/// A bound in u or ulp of the method's own precision: "88 ulp", "56 u of float".
+std::string bound(properties::Quantity quantity, double bound, double roundoff) {
+  const scene::Precision precision = precision_of(roundoff);
+  return fmt::format("{} {}", in_own_unit(bound, precision), unit_name(quantity, precision));
 }
 
 /// Of a dial: what it counts, and which of its severities are of which level.
@@ -48,24 +51,33 @@ std::string list_text(const Catalogue& catalogue, const ViewOptions& /*options*/
   std::string text = "ray methods (--rays):\n";
   for (const auto* method : catalogue.ray_methods) {
     text += fmt::format("  {:<17} {}\n", method->name, method->sentence);
-    text +=
-        fmt::format("  {:<17} bounds: {}direction {} u, unit defect {} u{}{}", "",
-                    method->pixel_points ? fmt::format("point {} u, ", bound(method->max_point_ulp))
-                                         : std::string(),
-                    bound(method->max_direction_ulp), bound(method->max_unit_defect_ulp),
-                    lengths(method->domain), caveat(method->not_kept));
+    text += fmt::format(
+        "  {:<17} bounds: {}direction {}, unit defect {}{}{}", "",
+        method->pixel_points
+            ? fmt::format("point {}, ", bound(Quantity::kPixelPoint, method->max_point_ulp,
+                                              method->unit_roundoff))
+            : std::string(),
+        bound(Quantity::kDirection, method->max_direction_ulp, method->unit_roundoff),
+        bound(Quantity::kUnitDefect, method->max_unit_defect_ulp, method->unit_roundoff),
+        lengths(method->domain), caveat(method->not_kept));
   }
   text += "\nintersection methods (--intersect):\n";
   for (const auto* method : catalogue.intersect_methods) {
-    text += fmt::format("  {:<17} {}\n  {:<17} bounds: parameter {} ulp, hit point {} u{}{}{}",
-                        method->name, method->sentence, "", bound(method->max_ulp),
-                        bound(method->max_point_ulp), method->exact_class ? "; exact class" : "",
-                        lengths(method->domain), caveat(method->not_kept));
+    text += fmt::format("  {:<17} {}\n  {:<17} bounds: parameter {}, hit point {}{}{}{}",
+                        method->name, method->sentence, "",
+                        bound(Quantity::kParameter, method->max_ulp, method->unit_roundoff),
+                        bound(Quantity::kHitPoint, method->max_point_ulp, method->unit_roundoff),
+                        method->exact_class ? "; exact class" : "", lengths(method->domain),
+                        caveat(method->not_kept));
   }
   text += fmt::format(
       "\nBounds hold up to condition number {}, in proportion beyond, for lengths from {:.3g} to "
       "{:.3g} where no others are named.\n",
       properties::kModerateCondition, fast::kSmallestLength, fast::kLargestLength);
+  text += fmt::format(
+      "Methods in float are given doubles. Candidates that declare single precision are given "
+      "floats, with lengths from {:.3g} to {:.3g}.\n",
+      properties::kSmallestSingleLength, properties::kLargestSingleLength);
   text += "\nlaws (--filter):\n";
   for (const properties::Law& law : catalogue.laws) {
     text += fmt::format("  {:<17} {}\n", law.name, law.sentence);

@@ -69,6 +69,7 @@ CampaignReport report_of(const Law& law, const Contestant& contestant, const Can
                          properties::CampaignResult result) {
   CampaignReport report = {&law, candidate.name, std::move(result), properties::Finding::kHolds};
   report.finding = report.result.finding();
+  report.precision = candidate.precision;
   const External* const external = external_of(contestant);
   if (external == nullptr) return report;
   report.external = *external;

@@ -10,6 +10,7 @@
 #include "properties/run_control.h"
 #include "properties/search/campaign.h"
 #include "tools/external/contestant.h"
+#include "tools/gates/baseline.h"
 
 namespace raycheck::tools {
 
@@ -42,6 +43,7 @@ struct CampaignReport {
   /// The mistakes that explain what someone else's has wrong where it breaks the law.
   std::vector<properties::Explanation> explanations = {};
   std::optional<External> external = {};  ///< Whose it is, where it is someone else's.
+  scene::Precision precision = scene::Precision::kDouble;  ///< That it was asked and judged in.
 };
 
 /// Someone else's implementation, which documents no bounds.
@@ -58,6 +60,7 @@ struct PropertiesReport {
   std::string baseline;  ///< Whose frontier stands beside; empty: none was asked for.
   bool interrupted = false;
   bool strict = false;
+  std::optional<Ratchet> ratchet;  ///< Where it is held against a baseline.
 
   std::uint64_t count(properties::Finding finding) const;
   std::uint64_t failures() const { return count(properties::Finding::kBroken); }

@@ -1,6 +1,7 @@
 #include <nlohmann/json.hpp>
 
 #include "properties/cases/case_text.h"
+#include "tools/gates/ratchet_json.h"
 #include "tools/properties/properties_views.h"
 #include "tools/report/json.h"
 
@@ -34,6 +35,10 @@ Json part_json(const properties::CampaignPart& part) {
   json["severity"] = severity_json(part.source.severity);
   json["level"] = name(part.source.level());
   json["replay"] = replay_json(part.replay);
+  json["defects"] = Json::array();
+  for (const properties::DefectKind& kind : part.defects) {
+    json["defects"].push_back(kind_text(kind));
+  }
   return json;
 }
 
@@ -50,6 +55,7 @@ Json campaign_json(const CampaignReport& campaign) {
   json["sentence"] = campaign.law->sentence;
   json["candidate"] = campaign.candidate;
   json["level"] = name(result.level);
+  json["precision"] = name(campaign.precision);
   json["finding"] = name(campaign.finding);
   json["holds"] = campaign.finding == Finding::kHolds;
   const auto too_few = result.too_few_right();
@@ -58,7 +64,7 @@ Json campaign_json(const CampaignReport& campaign) {
           ? Json{{"quantity", info(too_few->first).name}, {"question", name(too_few->second)}}
           : Json(nullptr);
   json["explanations"] = explanations_json(campaign.explanations);
-  json["quantities"] = tallies_json(result.verdict);
+  json["quantities"] = tallies_json(result.verdict, campaign.precision);
   json["parts"] = Json::array();
   for (const auto& part : result.parts) json["parts"].push_back(part_json(part));
   json["frontier"] = Json::array();
@@ -99,6 +105,7 @@ std::string properties_json(const PropertiesReport& report, const ViewOptions& /
   json["strict"] = report.strict;
   json["fewest_right"] = properties::kFewestRight;
   json["failures"] = report.failures();
+  json["held_against"] = ratchet_json(report.ratchet);
   return json_text(json);
 }
 

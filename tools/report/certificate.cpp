@@ -231,7 +231,8 @@ Json certificate(const scene::Scene& scene, const scene::Conventions& convention
   json["method"] = method;
   json["law"] = d.law;
   json["quantity"] = info(d.quantity).name;
-  json["unit"] = info(d.quantity).unit;
+  json["unit"] = unit_name(d.quantity, d.precision);
+  json["precision"] = name(d.precision);
   const bool placed = has_place(d.quantity);
   json["pixel"] = d.place.pixel ? Json{d.place.pixel->i, d.place.pixel->j} : Json(nullptr);
   json["ray"] = placed ? Json(d.place.ray) : Json(nullptr);

@@ -22,8 +22,11 @@ namespace {
 std::string spelled(const Json& json, int indent) {
   const std::string text = json.dump(indent, ' ', false, Json::error_handler_t::replace);
   std::string without_delete;
-  for (const char c : text)
-    without_delete += c == '\x7f' ? std::string("\\u007f") : std::string(1, c);
+  for (const char c : text) {
+    // Logs of GitHub's workflows obey "##[error]" wherever it stands.
+    const bool begins_command = c == '[' && without_delete.ends_with("##");
+    without_delete += c == '\x7f' ? "\\u007f" : begins_command ? "\\u005b" : std::string(1, c);
+  }
   return scene::visible(without_delete) + "\n";
 }
 
@@ -111,7 +114,7 @@ Json discrepancy_json(const Discrepancy& d) {
   json["got"] = hexfloats(d.got);
   json["exact"] = hexfloats(d.exact);
   json["error"] = error_json(d.error);
-  json["unit"] = info(d.quantity).unit;
+  json["unit"] = unit_name(d.quantity, d.precision);
   json["condition"] = error_json(d.condition);
   json["standing"] = name(d.excuse.standing());
   json["excuse"] = excuse_json(d);
@@ -125,13 +128,13 @@ Json discrepancy_json(const Discrepancy& d) {
   return json;
 }
 
-Json tally_json(properties::Quantity quantity, const Tally& tally) {
+Json tally_json(properties::Quantity quantity, const Tally& tally, scene::Precision precision) {
   const bool measured = !tally.errors.empty();
   const bool weighed = measured && tally.is_weighed();
   const bool has_worst = tally.worst > 0 && has_place(quantity);
   Json json;
   json["name"] = info(quantity).name;
-  json["unit"] = info(quantity).unit;
+  json["unit"] = unit_name(quantity, precision);
   json["cases"] = tally.cases;
   json["right"] = tally.right;
   json["wrong"] = tally.wrong_answers();
@@ -169,10 +172,10 @@ Json tally_json(properties::Quantity quantity, const Tally& tally) {
   return json;
 }
 
-Json tallies_json(const properties::Verdict& verdict) {
+Json tallies_json(const properties::Verdict& verdict, scene::Precision precision) {
   Json list = Json::array();
   for (const auto& [quantity, tally] : verdict.tallies()) {
-    list.push_back(tally_json(quantity, tally));
+    list.push_back(tally_json(quantity, tally, precision));
   }
   return list;
 }

@@ -20,7 +20,7 @@ using Json = nlohmann::ordered_json;
 
 /// Of the reports that docs/json.md describes: one more with every change that can break a reader
 /// (a key or value that goes, or means something else), not with what is added.
-inline constexpr int kSchemaVersion = 3;
+inline constexpr int kSchemaVersion = 4;
 
 /// A report as text, as every view writes it. Texts that are no UTF-8 have U+FFFD where they are
 /// none, and no byte of it acts on a terminal.
@@ -49,9 +49,11 @@ Json discrepancy_json(const properties::Discrepancy& discrepancy);
 Json explanations_json(const std::vector<properties::Explanation>& explanations);
 
 /// What was compared for one quantity: the same object in every report.
-Json tally_json(properties::Quantity quantity, const properties::Tally& tally);
+Json tally_json(properties::Quantity quantity, const properties::Tally& tally,
+                scene::Precision precision = scene::Precision::kDouble);
 /// All that a verdict compared.
-Json tallies_json(const properties::Verdict& verdict);
+Json tallies_json(const properties::Verdict& verdict,
+                  scene::Precision precision = scene::Precision::kDouble);
 /// How many discrepancies of a verdict are defects, undecided, excused, not judged.
 Json standings_json(const properties::Verdict& verdict);
 

@@ -40,7 +40,7 @@ std::string witness_text(const Discrepancy& d) {
   for (std::size_t k = 0; k < std::min(changed.size(), kMostNamed); ++k) {
     const double share = change[changed[k]];
     text += fmt::format("{}{} * (1 {} {})", k == 0 ? "right for " : ", ", input_name(d, changed[k]),
-                        share < 0 ? '-' : '+', change_text(std::abs(share)));
+                        share < 0 ? '-' : '+', change_text(std::abs(share), d.precision));
   }
   if (changed.size() > kMostNamed) {
     text += fmt::format(" and {} changed", count_text(changed.size() - kMostNamed, "other input"));
@@ -123,9 +123,10 @@ std::string conventions_text(const scene::Conventions& conventions) {
                      name(conventions.tangent));
 }
 
-std::string change_text(double relative_change) {
-  const double in_roundoffs = relative_change / properties::kDoubleRoundoff;
-  return in_roundoffs <= kMostRoundoffs ? fmt::format("{:.3g} u", in_roundoffs)
+std::string change_text(double relative_change, scene::Precision precision) {
+  const double in_roundoffs = relative_change / scene::unit_roundoff(precision);
+  const auto unit = unit_name(properties::Quantity::kHitPoint, precision);
+  return in_roundoffs <= kMostRoundoffs ? fmt::format("{:.3g} {}", in_roundoffs, unit)
                                         : fmt::format("{:.3g}", relative_change);
 }
 
@@ -165,7 +166,7 @@ std::string excuse_text(const Discrepancy& d) {
     case ExcuseKind::kUndecided:
       return fmt::format(
           "whether it is right for inputs changed by at most {} was neither shown nor refuted",
-          change_text(excuse.amount));
+          change_text(excuse.amount, d.precision));
     case ExcuseKind::kWitness:
       return witness_text(d);
     case ExcuseKind::kThreshold:
@@ -209,7 +210,7 @@ std::string discrepancy_text(const Discrepancy& d, bool colours) {
   if (d.wrong != properties::Wrong::kNot) {
     head += fmt::format(": {}", name(d.wrong));
   } else {
-    head += fmt::format(": off by {} {}", error_text(d.error), quantity.unit);
+    head += fmt::format(": off by {} {}", error_text(d.error), unit_name(d.quantity, d.precision));
   }
   const bool is_defect = d.excuse.standing() == Standing::kDefect;
   std::string text = (is_defect ? red(head, colours) : head) + "\n";

@@ -41,7 +41,8 @@ std::string not_needed_text(const std::vector<std::string>& not_needed);
 std::string conventions_text(const scene::Conventions& conventions);
 
 /// A relative change in units of u, or as it is where those would be many: "16 u", "1e-06".
-std::string change_text(double relative_change);
+std::string change_text(double relative_change,
+                        scene::Precision precision = scene::Precision::kDouble);
 /// Why a discrepancy is not held against the method, with what decided it; empty where it is.
 std::string excuse_text(const properties::Discrepancy& discrepancy);
 /// The name of an input that a witness changes, by its index in reference::InputChange: "eye.x",

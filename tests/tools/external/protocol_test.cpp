@@ -42,6 +42,17 @@ TEST(Introduction, StatesALevelAndADomainOfLengths) {
   EXPECT_EQ(found.largest_length, 0x1p100);
 }
 
+TEST(Introduction, StatesAPrecision) {
+  const auto precision = [](const std::string& line) {
+    return parse_introduction("raycheck 1 mine\nfunction frame\n" + line + "ready\n").precision;
+  };
+  EXPECT_EQ(precision(""), scene::Precision::kDouble);
+  EXPECT_EQ(precision("precision double\n"), scene::Precision::kDouble);
+  EXPECT_EQ(precision("precision single\n"), scene::Precision::kSingle);
+  EXPECT_NE(error_of([&] { precision("precision half\n"); }).find("no such precision"),
+            std::string::npos);
+}
+
 TEST(Introduction, ThatIsNoneNamesItsLine) {
   const auto wrong = [](const std::string& text) {
     return error_of([&] { parse_introduction(text); });

@@ -59,6 +59,11 @@ public abstract class RaycheckCandidate {
   public String level() { return null; }
   /** Scenes with a nonzero length that is smaller or larger are not judged; null: all are. */
   public double[] lengths() { return null; }
+  /**
+   * The format that it computes in: "double" or "single"; null: double. Of single all numbers that
+   * it is given are floats, and its errors count those of float.
+   */
+  public String precision() { return null; }
 
   private record Name(String java, String asked) {}
   private static final List<Name> FUNCTIONS = List.of(new Name("frame", "frame"),
@@ -92,6 +97,7 @@ public abstract class RaycheckCandidate {
     }
     for (String convention : declared()) said.append("convention ").append(convention).append('\n');
     if (level() != null) said.append("level ").append(level()).append('\n');
+    if (precision() != null) said.append("precision ").append(precision()).append('\n');
     if (lengths() != null) {
       said.append("lengths ").append(text(lengths()[0])).append(' ');
       said.append(text(lengths()[1])).append('\n');

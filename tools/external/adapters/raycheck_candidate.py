@@ -20,7 +20,10 @@ and then `raycheck check SCENE --candidate "command:python3 mine.py"`. The funct
 Vectors are tuples (x, y, z), pixels (i, j), rays (origin, direction), spheres (centre, radius).
 Conventions that the functions fix are declared: rc.run("mine", rows="top-first", ...). So may be
 up to which cases they are to be right, level="ordinary" (the default), "demanding" or "extreme",
-and between which lengths, lengths=(1e-100, 1e100). What the functions print goes to the standard error. The lines exchanged are those of docs/candidates.md.
+and between which lengths, lengths=(1e-100, 1e100). Who computes in floats (of struct or numpy) says
+precision="single": all numbers that it is given are floats then, and its errors count those of
+float. What the functions print goes to the standard error. The lines exchanged are those of
+docs/candidates.md.
 """
 import collections
 import sys
@@ -95,7 +98,7 @@ def _answer(functions, request):
 
 
 def run(name="-", rows=None, samples=None, origin=None, root=None, tangent=None, level=None,
-        lengths=None, **functions):
+        lengths=None, precision=None, **functions):
     """Answers raycheck until it has no more requests."""
     unknown = set(functions) - set(_FUNCTIONS)
     if unknown:
@@ -110,6 +113,7 @@ def run(name="-", rows=None, samples=None, origin=None, root=None, tangent=None,
     said += [f"convention {which} {value}" for which, value in declared.items() if value]
     said += [f"level {level}"] if level else []
     said += [f"lengths {_line(*lengths)}"] if lengths else []
+    said += [f"precision {precision}"] if precision else []
     print("\n".join(said + ["ready"]), file=replies, flush=True)
     for line in lines:
         request = _read(lines, line.split())
@@ -117,5 +121,6 @@ def run(name="-", rows=None, samples=None, origin=None, root=None, tangent=None,
             body = _answer(functions, request)
             last = f"end {request['id']}"
         except Exception as error:  # the student's; what it says belongs in the report
-            body, last = [], f"error {request['id']} {type(error).__name__}: {error}"
+            said = " ".join(f"{type(error).__name__}: {error}".split())
+            body, last = [], f"error {request['id']} {said}"
         print("\n".join([f"reply {request['id']}"] + body + [last]), file=replies, flush=True)

@@ -128,6 +128,12 @@ Introduction parse_introduction(std::string_view text) {
       } else {
         words.fail("declares no such convention");
       }
+    } else if (kind == "precision") {
+      const std::string_view precision = words.word();
+      const auto& names = scene::kPrecisionNames;
+      const auto found = std::find(names.begin(), names.end(), precision);
+      if (found == names.end()) words.fail("states no such precision");
+      introduction.precision = static_cast<scene::Precision>(found - names.begin());
     } else if (kind == "level") {
       const std::string_view level = words.word();
       const auto& names = properties::kLevelNames;

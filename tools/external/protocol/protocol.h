@@ -31,7 +31,8 @@ struct Introduction {
   std::string name;  ///< "-": none
   std::set<std::string> functions;
   properties::DeclaredConventions declared;
-  std::optional<properties::Level> level;  ///< Up to which cases it is to be right.
+  scene::Precision precision = scene::Precision::kDouble;  ///< The format that it computes in.
+  std::optional<properties::Level> level;                  ///< Up to which cases it is to be right.
   /// It is to be judged on scenes whose nonzero lengths lie between these.
   double smallest_length = 0;
   double largest_length = std::numeric_limits<double>::infinity();

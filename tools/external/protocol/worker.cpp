@@ -255,6 +255,19 @@ void answer(const raycheck_candidate& candidate, const Request& request, Reply& 
   }
 }
 
+/// What libraries of versions 1 and 2 do not have.
+void introduce_precision(const raycheck_candidate& candidate, Reply& reply) {
+  switch (candidate.precision) {
+    case RAYCHECK_PRECISION_DOUBLE:
+      return;
+    case RAYCHECK_PRECISION_SINGLE:
+      reply << "precision single\n";
+      return;
+    default:
+      give_up("no such precision: " + std::to_string(candidate.precision));
+  }
+}
+
 /// What libraries of version 1 do not have.
 void introduce_contract(const raycheck_candidate& candidate, Reply& reply) {
   constexpr std::array<const char*, 4> kLevels = {nullptr, "ordinary", "demanding", "extreme"};
@@ -292,6 +305,7 @@ void introduce(const raycheck_candidate& candidate, Reply& reply) {
     reply << "convention " << kConventions[k] << " " << kConventionNames[k][value] << "\n";
   }
   if (candidate.version >= 2) introduce_contract(candidate, reply);
+  if (candidate.version >= 3) introduce_precision(candidate, reply);
   reply << "ready\n";
   reply.send();
 }

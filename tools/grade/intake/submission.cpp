@@ -230,6 +230,8 @@ RunnableSubmission prepare(const Submission& submission, const Rubric& rubric,
                             : find_external(program, options);
     found.build_seconds =
         std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+    // The rubric says in which format it is judged, whatever it declares.
+    external.precision = scene::Precision::kDouble;
     RunnableSubmission runnable{std::move(external), std::move(found), is_stored};
     // The program's folder lasts as long as it; a library has one of its own.
     if (!runnable.external.folder) runnable.external.folder = std::move(folder);

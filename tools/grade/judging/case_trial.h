@@ -25,7 +25,7 @@ struct Examinee {
   LastFailure last_failure = nullptr;  ///< Of someone else's candidate.
 
   properties::TrialOptions options(std::shared_ptr<properties::Truth> truth = nullptr) const {
-    return {.max_error = tolerance.max_error(), .truth = std::move(truth)};
+    return {.max_error = tolerance.ulp, .truth = std::move(truth)};
   }
 };
 

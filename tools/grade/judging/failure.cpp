@@ -6,6 +6,7 @@
 
 #include "properties/cases/shrink.h"
 #include "properties/mistakes/picture_evidence.h"
+#include "properties/rounded_case.h"
 #include "tools/grade/results/plain_text.h"
 
 namespace raycheck::tools {
@@ -93,8 +94,8 @@ std::optional<ComparedPictures> compared_pictures(const Case& the_case, const Ex
 }  // namespace
 
 WrongAnswer wrong_answer(const Discrepancy& d) {
-  WrongAnswer answer{d.quantity, d.place, plain_text(d.what), d.wrong, d.symbol, d.got,
-                     d.exact,    {},      d.condition};
+  WrongAnswer answer{d.quantity, d.place, plain_text(d.what), d.wrong,    d.symbol, d.got,
+                     d.exact,    {},      d.condition,        d.precision};
   if (d.wrong == Wrong::kNot) answer.error = d.error;
   return answer;
 }
@@ -115,6 +116,7 @@ Case simplest(const FailedCase& first, const ItemExaminee& who, const properties
   if (who.pictures) start.pixels.clear();
   return whole(properties::smallest(std::move(start), tries, [&](const Case& next) {
     if (is_late() || !is_alike(next.scene, from.scene)) return false;
+    if (!properties::is_of_format(next.scene, examinee.candidate.precision)) return false;
     const Case judged = whole(next);
     Trial trial(judged, examinee.candidate, examinee.options());
     const Verdict verdict = apply(*first.broken, trial);

@@ -5,6 +5,7 @@
 #include "properties/cases/random.h"
 #include "properties/cases/scene_cases.h"
 #include "properties/cases/varied_scene.h"
+#include "properties/rounded_case.h"
 #include "properties/search/stress.h"
 #include "properties/trial.h"
 #include "tools/external/pictures/sphere_colours.h"
@@ -13,8 +14,8 @@
 namespace raycheck::tools {
 
 ItemCases::ItemCases(const ItemTask& task, bool pictures, std::uint64_t seed,
-                     const properties::DeclaredConventions& declared)
-    : task_(task), pictures_(pictures), declared_(declared) {
+                     const properties::DeclaredConventions& declared, scene::Precision precision)
+    : task_(task), pictures_(pictures), declared_(declared), precision_(precision) {
   properties::Random random(seed);
   properties::Random of_scenes(random.bits());
   for (std::size_t k = 0; k < task.scenes.size(); ++k) scene_seeds_.push_back(of_scenes.bits());
@@ -24,12 +25,19 @@ ItemCases::ItemCases(const ItemTask& task, bool pictures, std::uint64_t seed,
 std::optional<ItemCase> ItemCases::operator[](std::size_t k) const {
   const std::size_t scenes = task_.scenes.size();
   std::optional<ItemCase> found = k < scenes ? of_scene(k) : of_source(k - scenes);
-  if (!found || !task_.given_rays) return found;
+  const auto round = [&]() -> bool {
+    auto rounded = properties::rounded_case(std::move(found->the_case), precision_).the_case;
+    if (rounded) found->the_case = *std::move(rounded);
+    return rounded.has_value();
+  };
+  if (!found || !round()) return {};
+  if (!task_.given_rays) return found;
   found->the_case.scene.conventions = declared_.over(found->the_case.scene.conventions);
   auto alone = properties::alone(found->the_case, properties::Stage::kIntersection,
                                  candidate_of(kDefaultMethods));
   if (!alone) return {};
   found->the_case = std::move(*alone);
+  if (!round()) return {};
   return found;
 }
 

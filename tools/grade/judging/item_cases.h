@@ -22,12 +22,14 @@ struct ItemCase {
 /// then random ones. All follow from a seed.
 class ItemCases {
  public:
-  /// `declared`: the conventions under which the submission is judged.
+  /// `declared`: the conventions under which the submission is judged, in a format that every case
+  /// is rounded to.
   ItemCases(const ItemTask& task, bool pictures, std::uint64_t seed,
-            const properties::DeclaredConventions& declared);
+            const properties::DeclaredConventions& declared,
+            scene::Precision precision = scene::Precision::kDouble);
 
   std::size_t size() const { return task_.scenes.size() + seeds_.size(); }
-  /// Empty where there is nothing to ask.
+  /// Empty where there is nothing to ask: the format cannot hold it, say.
   std::optional<ItemCase> operator[](std::size_t k) const;
 
  private:
@@ -37,6 +39,7 @@ class ItemCases {
   const ItemTask& task_;
   bool pictures_;
   const properties::DeclaredConventions& declared_;
+  scene::Precision precision_;
   std::vector<std::uint64_t> scene_seeds_;
   std::vector<std::uint64_t> seeds_;
 };

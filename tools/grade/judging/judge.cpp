@@ -18,22 +18,13 @@ using properties::Fault;
 
 /// The candidate held to what an item tolerates.
 Candidate tolerated(Candidate candidate, const Tolerance& tolerance) {
+  const double unit = scene::unit_roundoff(candidate.precision);
   if (tolerance.conditioning) {
-    const double units = *tolerance.conditioning * (tolerance.unit / properties::kDoubleRoundoff);
-    candidate.max_error.fill(properties::kModerateCondition * units);
+    candidate.max_error.fill(properties::kModerateCondition * *tolerance.conditioning);
     candidate.max_error_end_to_end.fill({});
-    candidate.unit_roundoff = properties::kDoubleRoundoff * units;
+    candidate.unit_roundoff = unit * *tolerance.conditioning;
   } else if (tolerance.ulp) {
-    candidate.unit_roundoff = tolerance.unit * *tolerance.ulp *
-                              (properties::kDoubleRoundoff / properties::kExcusedChange);
-  } else if (tolerance.unit > candidate.unit_roundoff) {
-    const double coarser = tolerance.unit / candidate.unit_roundoff;
-    candidate.unit_roundoff = tolerance.unit;
-    for (auto* bounds : {&candidate.max_error, &candidate.max_error_end_to_end}) {
-      for (auto& bound : *bounds) {
-        if (bound) *bound *= coarser;
-      }
-    }
+    candidate.unit_roundoff = unit * *tolerance.ulp / properties::kExcusedRoundoffs;
   }
   return candidate;
 }
@@ -71,10 +62,7 @@ class Judge {
     candidate_.smallest_length =
         std::min(candidate_.smallest_length, properties::kSmallestJudgedLength);
     candidate_.largest_length = std::numeric_limits<double>::infinity();
-    if (rubric.precision == Precision::kSingle) {
-      candidate_.smallest_length = candidate_.smallest_camera_length = kSmallestSingleLength;
-      candidate_.largest_length = candidate_.largest_camera_length = kLargestSingleLength;
-    }
+    candidate_ = judged_in(rubric.precision, std::move(candidate_));
   }
 
   std::vector<ItemGrade> judge() {
@@ -148,7 +136,8 @@ class Judge {
     properties::Random seeds(seed_);
     for (std::size_t k = 0; k < index; ++k) seeds.bits();
     const ItemExaminee who = examinee(item);
-    const ItemCases cases(*task, pictures_, seeds.bits(), who.candidate.declared);
+    const ItemCases cases(*task, pictures_, seeds.bits(), who.candidate.declared,
+                          rubric_.precision);
     try {
       return try_item(
           *task, cases, who, [this] { return reason_to_stop(); }, grade);

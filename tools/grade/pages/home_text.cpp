@@ -45,6 +45,10 @@ std::vector<HomeCommand> commands_for_case(const StudentGrade& grade, std::size_
   if (is_renderer && !(grade.submission.driver == DriverForm{})) {
     check += " --dialect " + quoted(grade.submission.driver.name());
   }
+  const auto precision = grade.submission.items[k].failing->answer.precision;
+  if (is_renderer && precision != scene::Precision::kDouble) {
+    check += fmt::format(" --precision {}", scene::name(precision));
+  }
   const auto& pictures = grade.items[k]->pictures;
   if (is_renderer && pictures && pictures->image_change) {
     check += " --image-change " + scene::shortest(*pictures->image_change);

@@ -39,7 +39,7 @@ std::string answer_text(const WrongAnswer& answer) {
   if (answer.wrong != Wrong::kNot) return fmt::format("{}: {}", text, name(answer.wrong));
   if (!answer.error) return text;
   return fmt::format("{}: off by {} {}", text, error_text(answer.error),
-                     info(answer.quantity).unit);
+                     unit_name(answer.quantity, answer.precision));
 }
 
 std::string got_text(const WrongAnswer& answer) {

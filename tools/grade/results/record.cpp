@@ -83,7 +83,7 @@ Json answer_json(const WrongAnswer& answer) {
           {"got", hexfloats(answer.got)},
           {"exact", or_null(answer.exact, hexfloats)},
           {"error", error_json(answer.error)},
-          {"unit", info(answer.quantity).unit},
+          {"unit", unit_name(answer.quantity, answer.precision)},
           {"condition", error_json(answer.condition)}};
 }
 
@@ -101,6 +101,7 @@ WrongAnswer answer_of(const Json& json) {
   answer.exact = if_any(json.at("exact"), numbers);
   answer.error = if_any(json.at("error"), error_of);
   answer.condition = if_any(json.at("condition"), error_of);
+  if (json.at("unit") != info(answer.quantity).unit) answer.precision = scene::Precision::kSingle;
   return answer;
 }
 

@@ -39,6 +39,7 @@ struct WrongAnswer {
   /// In the quantity's unit, of a number that is off; absent: withheld, or right or wrong.
   std::optional<double> error;
   std::optional<double> condition;  ///< The condition number, where it was worked out.
+  scene::Precision precision = scene::Precision::kDouble;  ///< What the unit is of.
 };
 
 /// A picture and what it is to show, pixel by pixel, in the order of the case's conventions; of an

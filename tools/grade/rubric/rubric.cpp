@@ -61,9 +61,9 @@ class RubricReader {
     if (const auto field = fields_.optional(file, "limits")) {
       read_limits(fields_.table(*field), rubric);
     }
-    fields_.choose(file, "precision", kPrecisionNames, rubric.precision);
-    tolerance_.unit = unit_ = unit_roundoff(rubric.precision);
-    if (rubric.precision == Precision::kSingle) rubric.image_change = kExcusedSingleImageChange;
+    fields_.choose(file, "precision", scene::kPrecisionNames, rubric.precision);
+    unit_ = scene::unit_roundoff(rubric.precision);
+    rubric.image_change = properties::excused_image_change(rubric.precision);
     set_not_negative(file, "image_change", rubric.image_change);
     set_not_negative(file, "t_threshold", rubric.t_threshold);
     if (const auto field = fields_.optional(file, "unjudged")) {
@@ -123,7 +123,6 @@ class RubricReader {
     const Table from = fields_.table(field);
     fields_.require_known(from, {"ulp", "conditioning"});
     Tolerance result;
-    result.unit = unit_;
     const auto set = [&](std::string_view key, std::optional<double>& value) {
       if (const auto given = fields_.optional(from, key)) {
         value = number_between(*given, 0, kLargest, "must be 0 or more, and finite");
@@ -136,7 +135,7 @@ class RubricReader {
     }
     for (const char* const key : {"ulp", "conditioning"}) {
       const auto given = fields_.optional(from, key);
-      if (given && fields_.number(*given) * result.unit >= 1) {
+      if (given && fields_.number(*given) * unit_ >= 1) {
         fields_.fail(*given, "allows every answer: it counts in units of the rubric's precision");
       }
     }

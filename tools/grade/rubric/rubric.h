@@ -43,40 +43,15 @@ inline constexpr std::array<std::string_view, 4> kVisibilityNames = {"visible", 
 enum class Detail { kFull, kActualOnly, kNothing };
 inline constexpr std::array<std::string_view, 3> kDetailNames = {"full", "actual-only", "nothing"};
 
-/// In which arithmetic submissions may compute and keep what they computed.
-enum class Precision { kDouble, kSingle };
-inline constexpr std::array<std::string_view, 2> kPrecisionNames = {"double", "single"};
-
-/// The unit roundoff of `float`s.
-inline constexpr double kSingleRoundoff = 0x1p-24;
-constexpr double unit_roundoff(Precision precision) {
-  return precision == Precision::kSingle ? kSingleRoundoff : properties::kDoubleRoundoff;
-}
-
-/// Relative changes of a scene that may show in a picture that `float`s made: their roundings, in
-/// scenes of a condition number of some thousand.
-inline constexpr double kExcusedSingleImageChange = 1e-4;
-
-/// Products of four lengths, as |T x D|^2 is, stay among the normal `float`s where lengths are
-/// between these: beyond, code in `float`s is not judged.
-inline constexpr double kSmallestSingleLength = 0x1p-30;
-inline constexpr double kLargestSingleLength = 0x1p30;
-
-/// What errors are allowed; neither given: those of the rubric's `bounds`, in the same units.
+/// What errors are allowed, in ulp and u of the rubric's precision; neither given: those of the
+/// rubric's `bounds`.
 struct Tolerance {
-  /// What they count in, as a share of a value: u of the rubric's precision.
-  double unit = properties::kDoubleRoundoff;
   /// Errors up to so many units (ulp, u), and classes that a relative change of the inputs by as
   /// many u may flip.
   std::optional<double> ulp;
   /// Errors up to so many times the condition number, at least 16, in units; and classes likewise
   /// that 16 times as many u may flip.
   std::optional<double> conditioning;
-
-  /// `ulp` in those of doubles.
-  std::optional<double> max_error() const {
-    return ulp ? std::optional(*ulp * (unit / properties::kDoubleRoundoff)) : std::nullopt;
-  }
 };
 
 /// A scene file that an item asks about.
@@ -158,7 +133,8 @@ struct Rubric {
   DriverRule driver;
   std::string dialect;  ///< What `driver` is where that is not the file's own; else empty.
   double unjudged = 0;  ///< The share of its points that a submission has that cannot be judged.
-  Precision precision = Precision::kDouble;
+  /// The format that submissions are asked and judged in, whatever they declare.
+  scene::Precision precision = scene::Precision::kDouble;
   double image_change = properties::kExcusedImageChange;
   double t_threshold = 0;
   MethodPair bounds = kDefaultMethods;  ///< Whose documented bounds submissions are held to.

@@ -1,0 +1,52 @@
+#ifndef RAYCHECK_SCENE_PRECISION_H_
+#define RAYCHECK_SCENE_PRECISION_H_
+
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <string_view>
+
+namespace raycheck::scene {
+
+/// The format that an implementation computes in and is judged in: its inputs are numbers of that
+/// format (every float is a double, and is given as one), and the ulp and u of its errors are those
+/// of that format.
+enum class Precision { kDouble, kSingle };
+inline constexpr std::array<std::string_view, 2> kPrecisionNames = {"double", "single"};
+constexpr std::string_view name(Precision value) {
+  return kPrecisionNames[static_cast<std::size_t>(value)];
+}
+
+/// A binary format as IEEE-754 has it.
+struct Format {
+  int digits;          ///< p
+  int least_exponent;  ///< The least number above 0 is 2^least_exponent.
+};
+inline constexpr std::array<Format, 2> kFormats = {{{53, -1074}, {24, -149}}};
+constexpr Format format_of(Precision precision) {
+  return kFormats[static_cast<std::size_t>(precision)];
+}
+
+/// u: half the gap between 1 and the next larger number, 2^-53 or 2^-24.
+constexpr double unit_roundoff(Precision precision) {
+  return precision == Precision::kSingle ? 0x1p-24 : 0x1p-53;
+}
+
+/// The number of the format nearest to a double, ties to even; beyond its range infinite.
+inline double rounded_to(Precision precision, double x) {
+  return precision == Precision::kSingle ? static_cast<double>(static_cast<float>(x)) : x;
+}
+
+/// The number of the format next to x, one of it, in the direction of another.
+inline double next_after(Precision precision, double x, double toward) {
+  if (precision == Precision::kDouble) return std::nextafter(x, toward);
+  constexpr float kInfinity = std::numeric_limits<float>::infinity();
+  if (toward == x) return x;
+  return static_cast<double>(
+      std::nextafter(static_cast<float>(x), toward > x ? kInfinity : -kInfinity));
+}
+
+}  // namespace raycheck::scene
+
+#endif  // RAYCHECK_SCENE_PRECISION_H_

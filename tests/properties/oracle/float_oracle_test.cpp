@@ -1,0 +1,240 @@
+// Verdicts in single precision against an oracle that shares nothing with reference/. A slice of it
+// runs in ctest; RAYCHECK_FLOAT_PAIRS=1000000 in the environment makes it so many pairs.
+
+#include "tests/properties/oracle/float_oracle.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstdlib>
+#include <map>
+#include <string>
+#include <tuple>
+#include <vector>
+
+#include "properties/cases/case_source.h"
+#include "properties/cases/random.h"
+#include "properties/given_rays.h"
+#include "properties/laws/law.h"
+#include "properties/rounded_case.h"
+#include "properties/trial.h"
+
+namespace raycheck::tests {
+namespace {
+
+using properties::Case;
+using properties::Discrepancy;
+using properties::Quantity;
+using properties::Wrong;
+using scene::Precision;
+
+constexpr Precision kSingle = Precision::kSingle;
+constexpr std::size_t kUsualPairs = 5000;
+/// Bounds of reference/ are upper ones, too large by that much at most.
+constexpr double kWidth = 1e-8;
+/// Exact values of which nothing is left at the width of doubles: errors of less ulps than that.
+constexpr double kLeastError = 0x1p-28;
+
+double as_float(double x) { return scene::rounded_to(kSingle, x); }
+
+/// How an answer is off on purpose.
+enum class Fault { kNone, kUlps, kOtherRoot, kMiss, kFalseHit };
+
+/// The answer of floats-in-doubles, off by a few ulps, at the other root, missing or made up.
+std::optional<properties::HitAnswer> answer_to(const scene::Ray& ray, const scene::Sphere& sphere,
+                                               properties::Random& random) {
+  const auto dot = [](const scene::Vector3& a, const scene::Vector3& b) {
+    return a.x * b.x + a.y * b.y + a.z * b.z;
+  };
+  const scene::Vector3 T = sphere.centre - ray.origin;
+  const double a = dot(ray.direction, ray.direction), b = dot(T, ray.direction);
+  const double c = dot(T, T) - sphere.radius * sphere.radius;
+  const double discriminant = b * b - a * c;
+  const auto fault = static_cast<Fault>(random.bits() % 8 < 3 ? 0 : random.bits() % 5);
+  const bool says_hit =
+      fault == Fault::kMiss ? false : fault == Fault::kFalseHit || discriminant >= 0;
+  if (!says_hit) return std::nullopt;
+  const double root = std::sqrt(std::abs(discriminant));
+  double s = (b - root) / a;
+  if (s < 0) s = (b + root) / a;
+  if (fault == Fault::kOtherRoot) s = 2 * b / a - s;
+  s = as_float(s);
+  for (int k = static_cast<int>(random.bits() % 6); fault == Fault::kUlps && k > 0; --k) {
+    s = scene::next_after(kSingle, s, HUGE_VAL);
+  }
+  if (!std::isfinite(s)) return std::nullopt;
+  const auto at = [&](double from, double step) { return as_float(as_float(s * step) + from); };
+  const scene::Point3 Q = {at(ray.origin.x, ray.direction.x), at(ray.origin.y, ray.direction.y),
+                           at(ray.origin.z, ray.direction.z)};
+  if (!std::isfinite(Q.x) || !std::isfinite(Q.y) || !std::isfinite(Q.z)) return std::nullopt;
+  return properties::HitAnswer{s, Q};
+}
+
+/// What is said of one pair.
+struct Verdicts {
+  bool missed = false, false_hit = false, wrong_root = false;
+  double s_error = 0, Q_error = 0;  ///< 0: none, or no error.
+  std::vector<double> s, Q;         ///< Exact; empty where nothing was said.
+};
+
+/// A candidate that repeats answers, outside of whose domain everything lies: nothing is excused,
+/// and no witness is searched.
+properties::Candidate that_answers(
+    const std::vector<std::vector<std::optional<properties::HitAnswer>>>& by_sphere,
+    Precision precision) {
+  properties::Candidate candidate;
+  candidate.precision = precision;
+  candidate.unit_roundoff = scene::unit_roundoff(precision);
+  candidate.smallest_length = candidate.largest_length = HUGE_VAL;
+  candidate.intersect = [&by_sphere](properties::Candidate::Rays, properties::Candidate::Spheres,
+                                     const scene::Conventions&) {
+    std::vector<properties::SphereHits> all;
+    for (const auto& answers : by_sphere) {
+      properties::SphereHits& hits = all.emplace_back();
+      for (std::size_t k = 0; k < answers.size(); ++k) {
+        if (answers[k]) hits.push_back({k, *answers[k]});
+      }
+    }
+    return all;
+  };
+  return candidate;
+}
+
+struct Counts {
+  std::size_t pairs = 0, hits = 0, misses = 0, tangents = 0, wrong = 0, errors = 0, zeros = 0;
+  std::size_t differ = 0;
+  std::string first;  ///< What differs.
+};
+
+std::string spelled(const scene::Ray& ray, const scene::Sphere& sphere) {
+  char text[400];
+  std::snprintf(text, sizeof text, "L %a %a %a d %a %a %a C %a %a %a r %a", ray.origin.x,
+                ray.origin.y, ray.origin.z, ray.direction.x, ray.direction.y, ray.direction.z,
+                sphere.centre.x, sphere.centre.y, sphere.centre.z, sphere.radius);
+  return text;
+}
+
+bool is_close(double bound, double error) {
+  if (std::isinf(bound) || std::isinf(error)) return bound == error;
+  return bound >= error * (1 - kWidth) - kLeastError && bound <= error * (1 + kWidth) + kLeastError;
+}
+
+/// Judges the pairs of a case, and holds the verdicts against the oracle's.
+void compare(const Case& the_case, scene::Root root, properties::Random& random,
+             Precision judged_in, Counts& counts) {
+  std::vector<std::vector<std::optional<properties::HitAnswer>>> answers;
+  for (const scene::Sphere& sphere : the_case.scene.spheres) {
+    auto& of_sphere = answers.emplace_back();
+    for (const scene::Ray& ray : the_case.scene.rays) {
+      of_sphere.push_back(answer_to(ray, sphere, random));
+    }
+  }
+  const properties::Candidate candidate = that_answers(answers, judged_in);
+  properties::Trial trial(the_case, candidate, {.max_error = 0});
+  std::map<std::pair<std::size_t, std::size_t>, Verdicts> said;
+  for (const char* law : {"class", "nearest-root", "parameter", "hit-point"}) {
+    const properties::Verdict verdict = apply(*properties::find_law(law), trial);
+    ASSERT_LT(verdict.discrepancies(), properties::kKeptDiscrepancies);
+    for (const Discrepancy& d : verdict.worst(properties::kKeptDiscrepancies)) {
+      Verdicts& here = said[{d.place.ray, *d.place.sphere}];
+      here.missed |= d.wrong == Wrong::kMissed;
+      here.false_hit |= d.wrong == Wrong::kFalseHit;
+      here.wrong_root |= d.wrong == Wrong::kWrongRoot;
+      if (d.quantity == Quantity::kParameter) here.s_error = d.error;
+      if (d.quantity == Quantity::kHitPoint) here.Q_error = d.error;
+      if (d.quantity == Quantity::kHitPoint) here.Q = d.exact;
+      if (d.quantity == Quantity::kParameter || d.wrong != Wrong::kNot) here.s = d.exact;
+    }
+  }
+  for (std::size_t sphere = 0; sphere < answers.size(); ++sphere) {
+    for (std::size_t ray = 0; ray < answers[sphere].size(); ++ray) {
+      const scene::Ray& L = the_case.scene.rays[ray];
+      const scene::Sphere& C = the_case.scene.spheres[sphere];
+      const FloatTruth truth = float_truth(L, C, root);
+      const auto& answer = answers[sphere][ray];
+      const Verdicts& here = said[{ray, sphere}];
+      bool agrees = here.missed == (truth.is_hit && !answer) &&
+                    here.false_hit == (!truth.is_hit && answer.has_value());
+      if (!here.s.empty()) agrees = agrees && truth.is_hit && here.s[0] == truth.s;
+      if (!here.Q.empty()) {
+        for (std::size_t k = 0; k < 3; ++k) agrees = agrees && here.Q[k] == truth.Q[k];
+      }
+      if (truth.is_hit && answer) {
+        const FloatErrors errors = float_errors(L, C, root, answer->parameter, answer->point);
+        agrees = agrees && here.wrong_root == errors.is_at_other_root;
+        if (!errors.is_at_other_root) {
+          agrees = agrees && is_close(here.s_error, errors.s) && is_close(here.Q_error, errors.Q);
+          counts.errors += errors.s > 0 ? 1 : 0;
+        }
+        counts.wrong += here.wrong_root ? 1 : 0;
+        counts.zeros += truth.s == 0 ? 1 : 0;
+      }
+      ++counts.pairs;
+      counts.hits += truth.is_hit ? 1 : 0;
+      counts.misses += truth.is_hit ? 0 : 1;
+      counts.tangents += truth.is_tangent ? 1 : 0;
+      counts.wrong += here.missed || here.false_hit ? 1 : 0;
+      if (agrees) continue;
+      if (counts.differ++ == 0) counts.first = spelled(L, C);
+    }
+  }
+}
+
+/// Rays and spheres of every source, rounded to floats; a camera's rays are given.
+Counts compare_on_all_sources(std::size_t pairs, Precision judged_in) {
+  Counts counts;
+  properties::Random random(1);
+  const auto sources = properties::case_sources();
+  for (std::uint64_t k = 0; counts.pairs < pairs; ++k) {
+    const auto& source = sources[k % sources.size()];
+    properties::ChosenSource chosen{&source};
+    if (source.dial) {
+      chosen.severity =
+          static_cast<int>(random.bits() % static_cast<std::uint64_t>(source.dial->highest + 1));
+    }
+    auto rounded = properties::rounded_case(chosen.make(random.bits()), kSingle).the_case;
+    if (!rounded) continue;
+    if (rounded->scene.camera) {
+      auto given = properties::given_rays(*rounded, rounded->scene.conventions, kSingle);
+      if (!given) continue;
+      *rounded = std::move(given->the_case);
+    }
+    const scene::Root root = k % 3 == 0 ? scene::Root::kSmaller : scene::Root::kNearest;
+    rounded->scene.conventions.root = root;
+    rounded->scene.conventions.tangent = scene::Tangent::kHit;
+    if (rounded->scene.rays.size() * rounded->scene.spheres.size() > 400) continue;
+    compare(*rounded, root, random, judged_in, counts);
+  }
+  return counts;
+}
+
+std::size_t pairs_asked() {
+  const char* const asked = std::getenv("RAYCHECK_FLOAT_PAIRS");
+  return asked == nullptr ? kUsualPairs
+                          : static_cast<std::size_t>(std::strtoull(asked, nullptr, 10));
+}
+
+TEST(FloatOracle, AgreesWithEveryVerdictOnFloats) {
+  const std::size_t pairs = pairs_asked();
+  const Counts counts = compare_on_all_sources(pairs, kSingle);
+  EXPECT_EQ(counts.differ, 0u) << "of " << counts.pairs << ", first " << counts.first;
+  EXPECT_GE(counts.pairs, pairs);
+  EXPECT_GE(counts.hits, pairs / 10);
+  EXPECT_GE(counts.misses, pairs / 10);
+  EXPECT_GE(counts.errors, pairs / 20);
+  EXPECT_GE(counts.wrong, pairs / 20);
+  EXPECT_GE(counts.tangents, pairs / 1000);
+  RecordProperty("pairs", std::to_string(counts.pairs));
+  std::printf(
+      "%zu pairs: %zu hits, %zu misses, %zu tangents, %zu wrong, %zu with an error; %zu differ\n",
+      counts.pairs, counts.hits, counts.misses, counts.tangents, counts.wrong, counts.errors,
+      counts.differ);
+}
+
+TEST(FloatOracle, TellsVerdictsInDoublesFromThoseInFloats) {
+  const Counts counts = compare_on_all_sources(500, Precision::kDouble);
+  EXPECT_GE(counts.differ, 100u);
+}
+
+}  // namespace
+}  // namespace raycheck::tests

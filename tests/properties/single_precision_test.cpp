@@ -1,0 +1,226 @@
+// Candidates judged in single precision: what is asked, what errors count, what is excused.
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+
+#include "properties/candidates/fast_candidate.h"
+#include "properties/given_rays.h"
+#include "properties/laws/law.h"
+#include "properties/rounded_case.h"
+#include "properties/search/campaign.h"
+
+namespace raycheck::properties {
+namespace {
+
+constexpr auto kSingle = scene::Precision::kSingle;
+
+double as_float(double x) { return scene::rounded_to(kSingle, x); }
+template <class Triple>
+Triple as_floats(const Triple& v) {
+  return {as_float(v.x), as_float(v.y), as_float(v.z)};
+}
+
+/// How a candidate in floats is wrong.
+struct Flaw {
+  double s = 0;           ///< A relative error of s.
+  bool far_root = false;  ///< The larger root, always.
+  double least_s = 0;     ///< Hits before that are missed.
+  double direction = 0;   ///< A relative error of D.x.
+};
+
+/// direct/cross in doubles, every answer rounded to floats: good in floats but for its flaw.
+Candidate in_floats(const Flaw& flaw) {
+  const Candidate doubles = fast_candidate(fast::kDirectRays, fast::kCross);
+  Candidate candidate = judged_in(kSingle, doubles);
+  candidate.name = "in-floats";
+  candidate.level = Level::kOrdinary;
+  candidate.refuses = false;
+  candidate.plan = {};
+  candidate.visible = {};
+  candidate.exact_class = false;
+  candidate.frame = [doubles](const scene::Camera& camera) {
+    const FrameAnswer frame = doubles.frame(camera);
+    return FrameAnswer{as_floats(frame.U), as_floats(frame.V), as_floats(frame.W)};
+  };
+  candidate.pixel_points = [doubles](const scene::Camera& camera, const scene::Conventions& by,
+                                     Candidate::Pixels pixels) {
+    auto points = doubles.pixel_points(camera, by, pixels);
+    for (auto& point : points) point = as_floats(point);
+    return points;
+  };
+  const auto rounded_rays = [flaw](auto make) {
+    return [make, flaw](const scene::Camera& camera, const scene::Conventions& by,
+                        Candidate::Pixels pixels) {
+      auto rays = make(camera, by, pixels);
+      for (scene::Ray& ray : rays) {
+        ray.direction.x *= 1 + flaw.direction;
+        ray = {as_floats(ray.origin), as_floats(ray.direction)};
+      }
+      return rays;
+    };
+  };
+  candidate.pixel_rays = rounded_rays(doubles.pixel_rays);
+  candidate.focal_rays = rounded_rays(doubles.focal_rays);
+  candidate.intersect = [doubles, flaw](Candidate::Rays rays, Candidate::Spheres spheres,
+                                        const scene::Conventions& by) {
+    auto all = doubles.intersect(rays, spheres, by);
+    for (std::size_t k = 0; k < spheres.size(); ++k) {
+      std::erase_if(all[k], [&](const RayHit& one) { return one.hit.parameter < flaw.least_s; });
+      for (auto& [ray, hit] : all[k]) {
+        const auto& [origin, direction] = rays[ray];
+        const scene::Vector3 T = spheres[k].centre - origin;
+        const double a =
+            direction.x * direction.x + direction.y * direction.y + direction.z * direction.z;
+        const double sum = 2 * (T.x * direction.x + T.y * direction.y + T.z * direction.z) / a;
+        if (flaw.far_root) hit.parameter = std::max(hit.parameter, sum - hit.parameter);
+        hit.parameter = as_float(hit.parameter * (1 + flaw.s));
+        if (flaw.far_root) {
+          hit.point = {origin.x + hit.parameter * direction.x,
+                       origin.y + hit.parameter * direction.y,
+                       origin.z + hit.parameter * direction.z};
+        }
+        hit.point = as_floats(hit.point);
+      }
+    }
+    return all;
+  };
+  candidate.nearest = {};
+  return candidate;
+}
+
+CampaignResult campaign(std::string_view law, const Candidate& candidate) {
+  CampaignOptions options;
+  options.cases = 300;
+  options.level = candidate.level;
+  return run_campaign(*find_law(law), candidate, options);
+}
+
+TEST(SinglePrecision, LetsGoodFloatsPassEveryLaw) {
+  const Candidate good = in_floats({});
+  int held = 0;
+  for (const Law& law : laws()) {
+    const CampaignResult result = campaign(law.name, good);
+    EXPECT_TRUE(result.finding() == Finding::kHolds || result.finding() == Finding::kNotJudged ||
+                result.finding() == Finding::kLeftOut)
+        << law.name << " " << name(result.finding());
+    held += result.finding() == Finding::kHolds ? 1 : 0;
+  }
+  EXPECT_GE(held, 20);
+}
+
+TEST(SinglePrecision, BreaksTheLawOfEveryFlaw) {
+  const auto broken = [](std::string_view law, const Flaw& flaw) {
+    return campaign(law, in_floats(flaw)).finding() == Finding::kBroken;
+  };
+  EXPECT_TRUE(broken("parameter", {.s = 0x1p-15}));
+  EXPECT_FALSE(broken("parameter", {.s = 0x1p-22}));
+  EXPECT_TRUE(broken("nearest-root", {.far_root = true}));
+  EXPECT_TRUE(broken("class", {.least_s = 1e-3}));
+  EXPECT_TRUE(broken("direction", {.direction = 0x1p-15}));
+}
+
+TEST(SinglePrecision, CountsUlpAndUOfFloat) {
+  Case one;
+  one.scene.rays = {{{0, 0, 0}, {1, 0, 0}}};
+  one.scene.spheres = {{{3, 0, 0}, 1}};
+  Candidate candidate = judged_in(kSingle, Candidate{});
+  candidate.intersect = [](Candidate::Rays, Candidate::Spheres, const scene::Conventions&) {
+    return std::vector<SphereHits>{{{0, {2 + 3 * 0x1p-22, {2 + 0x1p-22, 0, 0}}}}};
+  };
+  Trial trial(one, candidate, {.max_error = 0});
+  const Verdict s = apply(*find_law("parameter"), trial);
+  EXPECT_EQ(s.tallies().at(Quantity::kParameter).max(), 3);
+  EXPECT_EQ(s.worst(1).front().precision, kSingle);
+  const Verdict Q = apply(*find_law("hit-point"), trial);
+  EXPECT_NEAR(*Q.tallies().at(Quantity::kHitPoint).max(), 2, 1e-6);  // 2^-22 / 2 / 2^-24
+  const Verdict backward = apply(*find_law("backward-error"), trial);
+  EXPECT_GT(*backward.tallies().at(Quantity::kBackwardError).max(), 0.1);
+  EXPECT_LT(*backward.tallies().at(Quantity::kBackwardError).max(), 16);
+}
+
+TEST(SinglePrecision, ExcusesSixteenUOfFloat) {
+  // The line passes the unit sphere at `height`, and the answer is a miss.
+  const auto excuse = [](double height) {
+    Case one;
+    one.scene.rays = {{{-5, height, 0}, {1, 0, 0}}};
+    one.scene.spheres = {{{0, 0, 0}, 1}};
+    Candidate candidate = judged_in(kSingle, Candidate{});
+    candidate.intersect = [](Candidate::Rays, Candidate::Spheres, const scene::Conventions&) {
+      return std::vector<SphereHits>(1);
+    };
+    Trial trial(one, candidate);
+    return apply(*find_law("class"), trial).worst(1).front().excuse.standing();
+  };
+  EXPECT_EQ(excuse(1 - 0x1p-23), Standing::kExcused);
+  EXPECT_EQ(excuse(1 - 0x1p-16), Standing::kDefect);
+}
+
+TEST(SinglePrecision, AsksFloatsOnly) {
+  Case one;
+  one.scene.rays = {{{0, 0, 0}, {1, 0, 0}}};
+  one.scene.spheres = {{{3, 0, 0.1}, 1}};
+  const Candidate candidate = in_floats({});
+  EXPECT_THROW(Trial(one, candidate), std::invalid_argument);
+  EXPECT_NO_THROW(Trial(*rounded_case(one, kSingle).the_case, candidate));
+  // A campaign never does otherwise, whatever the law makes of a case.
+  for (const Law& law : laws()) {
+    Candidate watched = candidate;
+    std::size_t asked = 0;
+    watched.intersect = [&](Candidate::Rays rays, Candidate::Spheres spheres,
+                            const scene::Conventions& by) {
+      scene::Scene scene;
+      scene.rays.assign(rays.begin(), rays.end());
+      scene.spheres.assign(spheres.begin(), spheres.end());
+      EXPECT_TRUE(is_of_format(scene, kSingle)) << law.name;
+      ++asked;
+      return candidate.intersect(rays, spheres, by);
+    };
+    CampaignOptions options;
+    options.cases = 60;
+    options.level = Level::kOrdinary;
+    run_campaign(law, watched, options);
+    if (law.name == "class" || law.name == "scaling" || law.name == "growing-radius") {
+      EXPECT_GT(asked, 50u) << law.name;
+    }
+  }
+}
+
+TEST(SinglePrecision, GivesRaysOfFloats) {
+  Case one;
+  one.scene.camera = scene::Camera{{1, 2, 3}, {0, 0, 0}, {0, 1, 0}, -1, {}, -1, 1, -1, 1, 7, 5};
+  one.scene.spheres = {{{0, 0, 0}, 1}};
+  one.pixels = {{2, 3}, {4, 1}};
+  const auto given = given_rays(one, {}, kSingle);
+  ASSERT_TRUE(given);
+  EXPECT_TRUE(is_of_format(given->the_case.scene, kSingle));
+  EXPECT_FALSE(is_of_format(given_rays(one, {})->the_case.scene, kSingle));
+}
+
+TEST(SinglePrecision, KeepsBoundsInOwnUnits) {
+  const Candidate cross = fast_candidate(fast::kDirectRays, fast::kCross);
+  const Candidate lecture = fast_candidate(fast::kSingleRays, fast::kSingleLecture);
+  const auto s = static_cast<std::size_t>(Quantity::kParameter);
+  EXPECT_EQ(judged_in(kSingle, cross).max_error[s], cross.max_error[s]);
+  EXPECT_EQ(*judged_in(kSingle, lecture).max_error[s], *lecture.max_error[s] * 0x1p-29);
+  EXPECT_EQ(judged_in(kSingle, cross).unit_roundoff, 0x1p-24);
+  EXPECT_EQ(judged_in(kSingle, cross).smallest_length, kSmallestSingleLength);
+  EXPECT_EQ(judged_in(kSingle, cross).largest_camera_length, kLargestSingleLength);
+  EXPECT_EQ(judged_in(scene::Precision::kDouble, cross).max_error, cross.max_error);
+}
+
+TEST(SinglePrecision, CountsCasesThatFloatsCannotHold) {
+  // Random scales of the whole range of doubles.
+  CampaignOptions options;
+  options.cases = 60;
+  options.sources = {chosen_source("scale@300")};
+  const CampaignResult result = run_campaign(*find_law("class"), in_floats({}), options);
+  EXPECT_EQ(result.counts.cases, 60);
+  EXPECT_GT(result.counts.left_out, 50);
+  EXPECT_NE(result.counts.reason.find("leaves their range"), std::string::npos)
+      << result.counts.reason;
+}
+
+}  // namespace
+}  // namespace raycheck::properties
