@@ -341,8 +341,10 @@ class Judgement {
     }
     searchers_.resize(drafts_.size());
     if (!searchers_[k]) searchers_[k] = candidate_of(report.contestant);
-    const Case chunk = cases_.from(first, std::min(first + kChunk, cases_.rays_judged()));
-    properties::SharedTruths truths(chunk, plans_);
+    const auto& cases = scenes_.of(report.precision);
+    if (!cases) return;
+    const Case chunk = cases->from(first, std::min(first + kChunk, cases->rays_judged()));
+    properties::SharedTruths truths(chunk, plans_[static_cast<std::size_t>(report.precision)]);
     ++report.search.batches;
     ChunkVerdict found = judge_chunk(chunk, first, truths.under(report.conventions),
                                      options_.max_error, *searchers_[k], &report.search);
