@@ -118,11 +118,11 @@ std::string replay_text(const CheckReport& report, const CandidateReport& candid
                         const properties::Discrepancy& discrepancy) {
   const scene::Scene& scene = *discrepancy.failed.scene;
   const auto words = [&](const std::string& what) {
-    return fmt::format("  replay: raycheck explain {} --candidate '{}'\n", what, candidate.name);
+    return fmt::format("  replay: raycheck {} --candidate '{}'\n", what, candidate.name);
   };
   if (scene.camera) {
     if (!discrepancy.place.pixel) return "";
-    return words(fmt::format("{} --pixel {},{}", report.path, discrepancy.place.pixel->i,
+    return words(fmt::format("explain {} --pixel {},{}", report.path, discrepancy.place.pixel->i,
                              discrepancy.place.pixel->j));
   }
   if (scene.rays.size() != 1 || scene.spheres.size() != 1 ||
@@ -137,7 +137,7 @@ std::string replay_text(const CheckReport& report, const CandidateReport& candid
     return text;
   };
   return words(
-      fmt::format("--ray {} --sphere {}",
+      fmt::format("explain --ray {} --sphere {}",
                   listed({ray.origin.x, ray.origin.y, ray.origin.z, ray.direction.x,
                           ray.direction.y, ray.direction.z}),
                   listed({sphere.centre.x, sphere.centre.y, sphere.centre.z, sphere.radius})));

@@ -15,7 +15,12 @@ namespace {
 
 using nlohmann::json;
 
-const std::string kRightSource = "source:tests/candidates/right.cpp";
+/// Compiled once, for all tests.
+std::string right_library() {
+  static const std::string library =
+      built_submission("right.cpp", "right", temporary_file("others", "") + ".d");
+  return "library:" + library;
+}
 const std::string kFarRoot = "command:python3 tests/candidates/meets.py far-root";
 const std::string kFailing = "command:python3 tests/candidates/fails.py ";
 const std::string kSpheresScene = "scene/examples/ten-spheres.toml";
@@ -36,9 +41,9 @@ void expect_others_refused(const std::string& arguments, const std::string& why)
 
 TEST(OthersStress, are_judged_stage_by_stage) {
   const json right =
-      others_report("stress --family distance --severity 0..1 --cases 20", kRightSource, 0);
+      others_report("stress --family distance --severity 0..1 --cases 20", right_library(), 0);
   const json& method = right["families"][0]["methods"][0];
-  EXPECT_EQ(method["name"], kRightSource);
+  EXPECT_EQ(method["name"], right_library());
   EXPECT_EQ(method["first_failing"], nullptr);
   EXPECT_EQ(method["bounds_of"], "direct/cross");
   EXPECT_FALSE(method["isolated_by"].get<std::string>().empty());
@@ -47,7 +52,7 @@ TEST(OthersStress, are_judged_stage_by_stage) {
     EXPECT_EQ(report["families"][0]["methods"][0]["first_failing"], 0) << wrong;
   }
   const json beside = others_report(
-      "stress --family distance --severity 0 --cases 10 --method cross", kRightSource, 0);
+      "stress --family distance --severity 0 --cases 10 --method cross", right_library(), 0);
   ASSERT_EQ(beside["families"][0]["methods"].size(), 2u);
   EXPECT_EQ(beside["families"][0]["methods"][0]["isolated_by"], nullptr);
 }
@@ -59,11 +64,11 @@ TEST(OthersStress, are_refused_where_they_have_no_stage) {
 
 TEST(OthersWorst, are_searched_by_the_stage_of_the_quantity) {
   const std::string few = "worst --cases 20 --steps 20 --family ";
-  const json s = others_report(few + "distance", kRightSource, 0);
-  EXPECT_EQ(s["method"], kRightSource);
+  const json s = others_report(few + "distance", right_library(), 0);
+  EXPECT_EQ(s["method"], right_library());
   EXPECT_EQ(s["unit"], "ulp");
   EXPECT_EQ(s["failures"]["count"], 0);
-  EXPECT_EQ(others_report(few + "cameras --quantity direction", kRightSource, 0)["unit"], "u");
+  EXPECT_EQ(others_report(few + "cameras --quantity direction", right_library(), 0)["unit"], "u");
   const json failing = others_report(few + "distance", kFailing + "exit all", 1);
   EXPECT_GT(failing["failures"]["count"], 0);
   EXPECT_EQ(failing["failures"]["first"], "intersect: it exited with 3");
@@ -73,22 +78,22 @@ TEST(OthersWorst, are_given_once_and_in_place_of_a_method) {
   const std::string worst = "worst --family distance ";
   expect_others_refused(worst, "give --method or --candidate");
   expect_others_refused(worst + "--candidate a:b --candidate c:d", "give it once");
-  expect_others_refused(worst + "--method cross --candidate " + kRightSource, "excludes");
+  expect_others_refused(worst + "--method cross --candidate " + right_library(), "excludes");
 }
 
 TEST(OthersTradeoff, are_timed_in_this_process_alone_and_otherwise_told_why_not) {
   const std::string arguments = "tradeoff --cases 40 --method direct,cross";
-  const json kept = others_report(arguments, kRightSource, 0);
+  const json kept = others_report(arguments, right_library(), 0);
   const json& judged = kept["intersections"][1];
-  EXPECT_EQ(judged["name"], kRightSource);
+  EXPECT_EQ(judged["name"], right_library());
   EXPECT_EQ(judged["batch"], nullptr);
   EXPECT_EQ(judged["called_in_process"], false);
   EXPECT_NE(judged["note"].get<std::string>().find("kept in a sandbox"), std::string::npos);
   EXPECT_GT(judged["inside"].size(), 0u);
-  const json here = others_report(arguments + kUnkept, kRightSource, 0);
+  const json here = others_report(arguments + kUnkept, right_library(), 0);
   for (const char* stage : {"rays", "intersections"}) {
     const json& timed = here[stage][1];
-    EXPECT_EQ(timed["name"], kRightSource);
+    EXPECT_EQ(timed["name"], right_library());
     EXPECT_EQ(timed["called_in_process"], true) << stage;
     EXPECT_GT(timed["batch"]["median_ns"], 0) << stage;
     EXPECT_GT(timed["call"]["median_ns"], 0) << stage;
@@ -137,7 +142,7 @@ RAYCHECK_CANDIDATE(.intersect = intersect)
 
 TEST(OthersExplain, stand_beside_the_exact_value_of_every_step_that_they_offer) {
   const std::string pixel = "explain " + kSpheresScene + " --pixel 11,7 --sphere 2";
-  const json report = others_report(pixel, kRightSource, 0);
+  const json report = others_report(pixel, right_library(), 0);
   const auto steps_of = [](const json& methods) {
     std::string symbols;
     for (const json& step : methods.back()["steps"]) {
@@ -145,7 +150,7 @@ TEST(OthersExplain, stand_beside_the_exact_value_of_every_step_that_they_offer) 
     }
     return symbols;
   };
-  EXPECT_EQ(report["methods"].back()["name"], kRightSource);
+  EXPECT_EQ(report["methods"].back()["name"], right_library());
   EXPECT_EQ(steps_of(report["ray_methods"]), "W U V P D");
   EXPECT_EQ(steps_of(report["methods"]), "s Q");
   EXPECT_EQ(report["methods"].back()["failed"], nullptr);
@@ -173,8 +178,8 @@ RAYCHECK_CANDIDATE(.rows = Rows::top_first, .pixel_ray = pixel_ray)
 TEST(OthersImage, have_a_picture_of_their_error) {
   const std::string picture = temporary_file("others.png", "");
   const std::string image = "image " + kSpheresScene + " --what error --out " + picture;
-  const json right = others_report(image, kRightSource, 0);
-  EXPECT_EQ(right["error"]["candidate"], kRightSource);
+  const json right = others_report(image, right_library(), 0);
+  EXPECT_EQ(right["error"]["candidate"], right_library());
   EXPECT_EQ(right["error"]["failed"]["pixels"], 0);
   // Who ranks no spheres, and who makes no rays, is shown too.
   EXPECT_EQ(others_report(image, kFailing + "none none", 0)["error"]["wrong"]["defect"]["pixels"],
@@ -183,9 +188,9 @@ TEST(OthersImage, have_a_picture_of_their_error) {
   const json failed = others_report(image, kFailing + "exit one", 1);
   EXPECT_EQ(failed["error"]["failed"]["pixels"], 1);
   EXPECT_EQ(failed["error"]["wrong"]["defect"]["pixels"], 1);
-  expect_others_refused(
-      "image " + kSpheresScene + " --what depth --out " + picture + " --candidate " + kRightSource,
-      "only --what error shows an implementation");
+  expect_others_refused("image " + kSpheresScene + " --what depth --out " + picture +
+                            " --candidate " + right_library(),
+                        "only --what error shows an implementation");
   std::filesystem::remove(picture);
 }
 
