@@ -342,7 +342,6 @@ class Judgement {
     searchers_.resize(drafts_.size());
     if (!searchers_[k]) searchers_[k] = candidate_of(report.contestant);
     const auto& cases = scenes_.of(report.precision);
-    if (!cases) return;
     const Case chunk = cases->from(first, std::min(first + kChunk, cases->rays_judged()));
     properties::SharedTruths truths(chunk, plans_[static_cast<std::size_t>(report.precision)]);
     ++report.search.batches;
