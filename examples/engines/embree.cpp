@@ -7,9 +7,9 @@
 // Source: the Embree 3 manual, RTC_GEOMETRY_TYPE_SPHERE and rtcIntersect1.
 
 #include <embree3/rtcore.h>
-#include <raycheck/candidate.hpp>
 
 #include <limits>
+#include <raycheck/candidate.hpp>
 #include <stdexcept>
 
 using namespace raycheck;

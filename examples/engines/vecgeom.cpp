@@ -1,6 +1,6 @@
-// VecGeom's UnplacedOrb as a candidate, in doubles: DistanceToIn, and from inside DistanceToOut. Its
-// Debian package is libvecgeom-dev, whose headers need the macro of the backend that it was built
-// with; from the root of the sources
+// VecGeom's UnplacedOrb as a candidate, in doubles: DistanceToIn, and from inside DistanceToOut.
+// Its Debian package is libvecgeom-dev, whose headers need the macro of the backend that it was
+// built with; from the root of the sources
 //
 //     g++ -std=c++20 -O2 -fPIC -shared -Iinclude -DVECCORE_ENABLE_VC examples/engines/vecgeom.cpp
 //         -lvecgeom -o vecgeom.so
@@ -9,9 +9,9 @@
 // Source: VecGeom 1.2, VecGeom/volumes/UnplacedOrb.h and base/Global.h (kTolerance).
 
 #include <VecGeom/volumes/UnplacedOrb.h>
-#include <raycheck/candidate.hpp>
 
 #include <cmath>
+#include <raycheck/candidate.hpp>
 
 using namespace raycheck;
 
