@@ -30,7 +30,7 @@ inline Vector unit(Vector a) { return (1 / std::sqrt(dot(a, a))) * a; }
 /// Where between two bounds line k of so many is.
 inline double between(double low, double high, double k, double count) {
   const double steps = makes("pixel_step") ? count : count - 1;
-  return low + (high - low) * (k / steps);
+  return low * ((steps - k) / steps) + high * (k / steps);  // both bounds are met exactly
 }
 
 inline raycheck::Ray pixel_ray(const raycheck::Camera& camera, const raycheck::Conventions&,
@@ -72,6 +72,8 @@ inline raycheck::Candidate tracer() {
   raycheck::Candidate candidate("tracer");
   candidate.declares = {raycheck::Rows::bottom_first, raycheck::Samples::edges,
                         raycheck::Origin::pixel, raycheck::Root::nearest, raycheck::Tangent::hit};
+  candidate.smallest_length = 1e-70;  // the fourth powers of lengths are doubles
+  candidate.largest_length = 1e70;
   candidate.pixel_ray = pixel_ray;
   candidate.intersect = intersect;
   return candidate;

@@ -8,6 +8,7 @@
 #include <limits>
 #include <optional>
 #include <span>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -81,6 +82,12 @@ struct DeclaredConventions {
 /// between two edges is none.
 bool is_problem(const Case& the_case, const DeclaredConventions& declared);
 
+/// What a function throws that would fail whatever it is asked: no question is to blame.
+class AskedInVain : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
 /// What an implementation can be asked; an empty function: it has no such thing. Functions refuse
 /// input that is not a problem with std::invalid_argument; of what they throw otherwise, what()
 /// says how they failed. Answers come in the order of what was asked; an absent hit is a miss.
@@ -111,6 +118,9 @@ struct Functions {
       visible;
   /// The whole image of a scene with a camera.
   std::function<ImageAnswer(const scene::Scene&, const scene::Conventions&)> image;
+  /// What is asked from now on is a part of what failed, and has this share, in (0, 1], of the time
+  /// that an answer may take. Empty: it has no such thing.
+  std::function<void(double share)> allow;
 };
 
 /// What an implementation promises of its answers.

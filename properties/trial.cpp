@@ -91,17 +91,29 @@ bool Trial::exact_hit(std::size_t ray, std::size_t sphere) {
   return reference::counts_as_hit(exact_intersection(ray, sphere).hit_class, conventions_.tangent);
 }
 
+template <class Answers, class Ask>
+const Answers& Trial::once(Kept<Answers>& kept, const Ask& ask) const {
+  if (kept.failure) std::rethrow_exception(kept.failure);
+  if (kept.answers) return *kept.answers;
+  if (candidate_.allow) candidate_.allow(options_.share);
+  try {
+    return kept.answers.emplace(ask());
+  } catch (const std::runtime_error&) {
+    kept.failure = std::current_exception();
+    throw;
+  }
+}
+
 const FrameAnswer& Trial::frame() {
-  if (!frame_) frame_ = candidate_.frame(case_.scene.camera.value());
-  return *frame_;
+  return once(frame_, [&] { return candidate_.frame(case_.scene.camera.value()); });
 }
 
 const std::vector<scene::Point3>& Trial::pixel_points() {
-  if (!pixel_points_) {
-    pixel_points_ = candidate_.pixel_points(case_.scene.camera.value(), conventions_, case_.pixels);
-    require_count(*pixel_points_, ray_count(), "pixel points");
-  }
-  return *pixel_points_;
+  return once(pixel_points_, [&] {
+    auto points = candidate_.pixel_points(case_.scene.camera.value(), conventions_, case_.pixels);
+    require_count(points, ray_count(), "pixel points");
+    return points;
+  });
 }
 
 bool Trial::has_rays() const {
@@ -112,23 +124,23 @@ bool Trial::has_rays() const {
 
 const std::vector<scene::Ray>& Trial::rays() {
   if (!case_.scene.camera) return case_.scene.rays;
-  if (!rays_) {
+  return once(rays_, [&] {
     const auto& make = conventions_.origin == scene::Origin::kPixel ? candidate_.pixel_rays
                                                                     : candidate_.focal_rays;
-    rays_ = make(*case_.scene.camera, conventions_, case_.pixels);
-    require_count(*rays_, ray_count(), "rays");
-  }
-  return *rays_;
+    auto made = make(*case_.scene.camera, conventions_, case_.pixels);
+    require_count(made, ray_count(), "rays");
+    return made;
+  });
 }
 
 const SphereHits& Trial::hits(std::size_t sphere) {
-  if (!hits_) hits_ = intersect(rays(), case_.scene.spheres, conventions_);
-  return (*hits_)[sphere];
+  const std::vector<scene::Ray>& asked = rays();
+  return once(hits_, [&] { return intersect(asked, case_.scene.spheres, conventions_); })[sphere];
 }
 
 const std::vector<std::optional<std::size_t>>& Trial::nearest() {
-  if (!nearest_) nearest_ = rank(rays(), case_.scene.spheres);
-  return *nearest_;
+  const std::vector<scene::Ray>& asked = rays();
+  return once(nearest_, [&] { return rank(asked, case_.scene.spheres); });
 }
 
 std::vector<SphereHits> Trial::intersect(const std::vector<scene::Ray>& rays,
@@ -152,6 +164,52 @@ std::vector<std::optional<std::size_t>> Trial::rank(
   std::vector<std::optional<std::size_t>> result(rays.size());
   for (std::size_t k = 0; k < answers.size(); ++k) result[valid.indices[k]] = answers[k];
   return result;
+}
+
+const std::vector<std::shared_ptr<TrialPart>>& Trial::halves() {
+  if (!halves_.empty()) return halves_;
+  const bool by_ray = ray_count() > 1;
+  const std::size_t all = by_ray ? ray_count() : case_.scene.spheres.size();
+  const auto add = [&](std::size_t from, std::size_t to) {
+    Case part = case_;
+    const auto keep = [&](auto& list) {
+      const auto first = list.begin();
+      list = {first + static_cast<std::ptrdiff_t>(from), first + static_cast<std::ptrdiff_t>(to)};
+    };
+    if (!by_ray) {
+      keep(part.scene.spheres);
+    } else if (case_.scene.camera) {
+      keep(part.pixels);
+    } else {
+      keep(part.scene.rays);
+    }
+    TrialOptions options = options_;
+    options.truth = nullptr;
+    const bool is_one = to - from == 1 && (!by_ray || case_.scene.spheres.size() <= 1);
+    const double share = options_.share * static_cast<double>(to - from) / static_cast<double>(all);
+    options.share = is_one ? 1 : std::max(kLeastShare, share);
+    halves_.push_back(std::make_shared<TrialPart>(std::move(part), by_ray ? from : 0,
+                                                  by_ray ? 0 : from, candidate_, options));
+  };
+  add(0, all / 2);
+  add(all / 2, all);
+  return halves_;
+}
+
+scene::Scene Trial::question() const {
+  scene::Scene scene = case_.scene;
+  scene.conventions = conventions_;
+  if (rays_.answers && rays_.answers->size() == 1) {
+    scene.camera.reset();
+    scene.rays = *rays_.answers;
+  }
+  return scene;
+}
+
+Place TrialPart::place(Place of_part) const {
+  if (!of_part.pixel) of_part.ray += first_ray;
+  if (of_part.sphere) *of_part.sphere += first_sphere;
+  return of_part;
 }
 
 const HitAnswer* find_hit(const SphereHits& hits, std::size_t ray) {

@@ -1,13 +1,18 @@
 #ifndef RAYCHECK_PROPERTIES_TRIAL_H_
 #define RAYCHECK_PROPERTIES_TRIAL_H_
 
+#include <algorithm>
 #include <cstddef>
+#include <cstdint>
+#include <exception>
 #include <functional>
 #include <initializer_list>
 #include <memory>
 #include <optional>
+#include <set>
 #include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "properties/candidate.h"
@@ -19,12 +24,37 @@
 
 namespace raycheck::properties {
 
+/// How many failures of a candidate are sought in the batches that failed, in all: each costs at
+/// most two new starts for each halving of a batch.
+inline constexpr int kMostFailuresSought = 8;
+
+/// A search for them, which trials share one after the other.
+struct FailureSearch {
+  int batches = 0;     ///< That failed, and were asked in parts.
+  int found = 0;       ///< Questions that fail alone.
+  int together = 0;    ///< Parts that fail, and are answered when they are halved.
+  int not_sought = 0;  ///< Batches, or parts of them, that failed after that.
+  /// How the candidate failed whatever it was asked: each of them is said once.
+  std::set<std::string> in_vain = {};
+  bool is_over() const { return found + together >= kMostFailuresSought; }
+};
+
+/// A part of a batch has its share of the time for a reply, and no less than this one; a question
+/// alone has all of it.
+inline constexpr double kLeastShare = 0.1;
+
 struct TrialOptions {
   std::optional<double> max_error = {};  ///< A bound in place of the candidate's own.
   bool conditioning = false;             ///< Weigh every error by its condition number.
   /// The truth about the same case under the candidate's conventions, where it is shared.
   std::shared_ptr<Truth> truth = nullptr;
+  /// Batches that fail are asked in halves, to find the questions to blame and to judge the others;
+  /// null: they are not.
+  FailureSearch* search = nullptr;
+  double share = 1;  ///< Of the time for a reply.
 };
+
+struct TrialPart;
 
 /// Once so many searches for a witness ended undecided in a trial, which costs most, the others are
 /// short: where inputs are so ill-conditioned, one more seldom ends otherwise.
@@ -134,6 +164,27 @@ class Trial {
     if (wrong == Wrong::kNot) return verdict.judged_right(quantity, question, 1);
     convict(verdict, quantity, question, place, wrong, excuse, describe);
   }
+  // What failed as a whole, in parts.
+  FailureSearch* search() const { return options_.search; }
+  /// Whether there is more than one question: a ray, or `by_sphere` a ray and a sphere.
+  bool is_several(bool by_sphere) const {
+    return ray_count() > 1 || (by_sphere && case_.scene.spheres.size() > 1);
+  }
+  std::uint64_t count_questions(bool by_sphere) const {
+    return ray_count() * (by_sphere ? std::max<std::size_t>(1, case_.scene.spheres.size()) : 1);
+  }
+  /// The two halves of its rays, or of one ray's spheres, as trials of their own that are kept.
+  /// Domain: is_several.
+  const std::vector<std::shared_ptr<TrialPart>>& halves();
+  bool is_halved() const { return !halves_.empty(); }
+  /// Whether all of this is one failure more: no law has met one in the same words.
+  bool is_new(const std::string& failure) { return failures_.insert(failure).second; }
+  /// Whether it was asked for rays, and failed to make them.
+  bool lacks_rays() const { return rays_.failure != nullptr; }
+  /// What is asked of an intersection where it is one ray: that ray, as the candidate was given it,
+  /// and the spheres; otherwise the scene.
+  scene::Scene question() const;
+
   /// What excuses answers that are wrong or contradict each other: of each that is wrong, inputs
   /// within excused_change() of its own for which it is right. Where one has none, nothing does.
   Excuse excuse(std::initializer_list<RayAnswer> answers) const;
@@ -175,11 +226,42 @@ class Trial {
 
   mutable int undecided_ = 0;  ///< Searches that ended so.
 
-  std::optional<FrameAnswer> frame_;
-  std::optional<std::vector<scene::Point3>> pixel_points_;
-  std::optional<std::vector<scene::Ray>> rays_;
-  std::optional<std::vector<SphereHits>> hits_;
-  std::optional<std::vector<std::optional<std::size_t>>> nearest_;
+  /// What a candidate answered, or how it failed: it is not asked twice.
+  template <class Answers>
+  struct Kept {
+    std::optional<Answers> answers;
+    std::exception_ptr failure;
+  };
+  template <class Answers, class Ask>
+  const Answers& once(Kept<Answers>& kept, const Ask& ask) const;
+
+  Kept<FrameAnswer> frame_;
+  Kept<std::vector<scene::Point3>> pixel_points_;
+  Kept<std::vector<scene::Ray>> rays_;
+  Kept<std::vector<SphereHits>> hits_;
+  Kept<std::vector<std::optional<std::size_t>>> nearest_;
+
+  std::vector<std::shared_ptr<TrialPart>> halves_;
+  std::set<std::string> failures_;
+};
+
+/// Some of a trial's rays, or some spheres of its one ray.
+struct TrialPart {
+  TrialPart(Case some, std::size_t ray, std::size_t sphere, const Candidate& candidate,
+            const TrialOptions& options)
+      : the_case(std::move(some)),
+        first_ray(ray),
+        first_sphere(sphere),
+        trial(the_case, candidate, options) {}
+  TrialPart(const TrialPart&) = delete;
+  TrialPart& operator=(const TrialPart&) = delete;
+
+  /// Where a place of the part is in the whole.
+  Place place(Place of_part) const;
+
+  Case the_case;
+  std::size_t first_ray, first_sphere;
+  Trial trial;
 };
 
 /// A tangent that the convention leaves open.

@@ -5,10 +5,16 @@
 #include <cstddef>
 #include <iterator>
 #include <numeric>
+#include <set>
 #include <tuple>
 #include <utility>
 
 namespace raycheck::properties {
+
+bool is_held_against(const Discrepancy& discrepancy, bool strictly) {
+  const Standing standing = discrepancy.excuse.standing();
+  return standing == Standing::kDefect || (strictly && standing != Standing::kNotJudged);
+}
 
 std::vector<Discrepancy> worst_first(std::vector<Discrepancy> discrepancies) {
   std::vector<const Discrepancy*> sorted;
@@ -131,6 +137,15 @@ std::vector<Discrepancy> Verdict::worst(std::size_t count) const {
 
 std::uint64_t Verdict::discrepancies() const {
   return std::accumulate(by_standing_.begin(), by_standing_.end(), std::uint64_t{0});
+}
+
+std::vector<DefectKind> Verdict::defects(bool strictly) const {
+  std::set<DefectKind> kinds;
+  for (const Discrepancy& discrepancy : kept_) {
+    if (is_held_against(discrepancy, strictly))
+      kinds.insert({discrepancy.quantity, discrepancy.wrong});
+  }
+  return {kinds.begin(), kinds.end()};
 }
 
 bool Verdict::holds(bool strictly) const {

@@ -2,6 +2,7 @@
 #define RAYCHECK_PROPERTIES_VERDICT_H_
 
 #include <array>
+#include <compare>
 #include <cstddef>
 #include <cstdint>
 #include <functional>
@@ -16,8 +17,31 @@
 #include "properties/quantity.h"
 #include "properties/stability.h"
 #include "properties/tally.h"
+#include "scene/scene.h"
 
 namespace raycheck::properties {
+
+/// What is to blame for an answer that failed.
+enum class Blame {
+  kNone,      ///< None that was sought.
+  kQuestion,  ///< One question, which fails when it is asked alone.
+  kAmong,     ///< One of several, which was not sought.
+  kTogether,  ///< Several asked at once: in parts they are answered.
+  kAnything   ///< It would have failed whatever was asked.
+};
+inline constexpr std::array<std::string_view, 5> kBlameNames = {"none", "question", "among",
+                                                                "together", "anything"};
+constexpr std::string_view name(Blame blame) {
+  return kBlameNames[static_cast<std::size_t>(blame)];
+}
+
+/// Where a failure was sought.
+struct FailedQuestions {
+  Blame blame = Blame::kNone;
+  std::uint64_t count = 0;  ///< Of the questions to blame, from the discrepancy's place on.
+  /// The one question as a scene; empty where there is none, or several.
+  std::optional<scene::Scene> scene;
+};
 
 /// One answer that differs from the truth by more than it may.
 struct Discrepancy {
@@ -35,7 +59,18 @@ struct Discrepancy {
   Wrong wrong = Wrong::kNot;
   std::optional<double> condition;  ///< The condition number, where it was asked for.
   Excuse excuse;
+  FailedQuestions failed;  ///< Where it failed.
 };
+
+/// Which answers are wrong, and how, wherever they are.
+struct DefectKind {
+  Quantity quantity = Quantity::kFrame;
+  Wrong wrong = Wrong::kNot;  ///< kNot of an error above its bound.
+  auto operator<=>(const DefectKind&) const = default;
+};
+
+/// Whether a discrepancy breaks a law; `strictly`, what is excused or undecided does, too.
+bool is_held_against(const Discrepancy& discrepancy, bool strictly);
 
 /// The order of reports: by standing, defects first; among those the worst of each quantity first,
 /// then the second worst of each, and so on, so that no quantity hides the others. Worse is the
@@ -99,6 +134,8 @@ class Verdict {
   /// than so many times: of that a law has shown too little to hold. Values are one question,
   /// whatever the quantity.
   std::optional<std::pair<Quantity, Question>> too_few_right(std::uint64_t fewest) const;
+  /// The kinds of those kept that break the law, each once, in order.
+  std::vector<DefectKind> defects(bool strictly = false) const;
   const std::string& reason_left_out() const { return left_out_; }
 
  private:

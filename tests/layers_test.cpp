@@ -48,6 +48,7 @@ const std::map<std::string, Rooms> kSees = {
     {"tools/report",
      {"scene", "scene/files", "reference", "reference/visibility", "properties", "properties/laws",
       "properties/mistakes"}},
+    {"tools/gates", {"scene", "properties", "tools/report"}},
     {"tools/methods", {"fast", "properties/candidates", "properties/search", "tools/peers"}},
     {"tools/external", {"scene", "scene/files", "properties", "tools/methods", "tools/report"}},
     {"tools/manual", {}},

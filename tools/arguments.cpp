@@ -9,6 +9,7 @@
 #include <charconv>
 #include <cmath>
 #include <cstdio>
+#include <cstdlib>
 #include <cstring>
 #include <limits>
 #include <stdexcept>
@@ -17,6 +18,7 @@
 #include "scene/number.h"
 #include "scene/text.h"
 #include "tools/command_line.h"
+#include "tools/external/staged.h"
 #include "tools/grade/intake/dry_run.h"
 
 namespace raycheck::tools {
@@ -234,6 +236,15 @@ std::vector<Contestant> find_contestants(const ExternalArguments& arguments,
   return found;
 }
 
+std::vector<StagedMethod> find_others(const ExternalArguments& arguments) {
+  std::vector<StagedMethod> methods;
+  for (const Contestant& contestant : find_contestants(arguments)) {
+    const auto one = staged(*external_of(contestant));
+    methods.insert(methods.end(), one.begin(), one.end());
+  }
+  return methods;
+}
+
 void add_format(CLI::App& command, std::string& format, const std::vector<std::string>& formats) {
   format = formats.front();
   std::string meaning;
@@ -305,17 +316,37 @@ std::string visible_but_colours(std::string_view text) {
   return shown;
 }
 
+/// In a log of GitHub's workflows lines that begin with "::", and "##[" wherever it stands, are
+/// commands (docs/ci.md): there the first of them is spelled.
+std::string as_log_shows(const std::string& text) {
+  if (std::getenv("GITHUB_ACTIONS") == nullptr) return text;
+  std::string shown;
+  bool begins = true;
+  for (std::size_t k = 0; k < text.size(); ++k) {
+    const std::string_view rest = std::string_view(text).substr(k);
+    const bool acts = (begins && rest.starts_with("::")) || rest.starts_with("##[");
+    shown += acts ? fmt::format("\\x{:02x}", static_cast<unsigned char>(text[k]))
+                  : std::string(1, text[k]);
+    begins = text[k] == '\n' || (begins && (text[k] == ' ' || text[k] == '\t'));
+  }
+  return shown;
+}
+
 }  // namespace
 
-void print_error(const std::string& text) { std::fputs(scene::visible(text).c_str(), stderr); }
+void print_error(const std::string& text) {
+  std::fputs(as_log_shows(scene::visible(text)).c_str(), stderr);
+}
 
 void print_warnings(const std::vector<std::string>& warnings) {
   for (const std::string& warning : warnings) print_error(fmt::format("warning: {}\n", warning));
 }
 
 void print_report(const std::string& report, bool colours) {
-  write_out(colours ? visible_but_colours(report) : scene::visible(report));
+  write_out(as_log_shows(colours ? visible_but_colours(report) : scene::visible(report)));
 }
+
+void print_commands(const std::string& commands) { write_out(scene::visible(commands)); }
 
 void draw_or_say(const std::vector<Plot>& plots, const std::string& path) {
   try {

@@ -75,13 +75,18 @@ void add_renderer(CLI::App& command, ExternalArguments& arguments);
 std::vector<Contestant> find_contestants(const ExternalArguments& arguments,
                                          const std::optional<DriverRule>& driver = {});
 
+/// The same as methods of the stages that they offer.
+std::vector<StagedMethod> find_others(const ExternalArguments& arguments);
+
 /// --format, one of those names; the first where it is not given.
 void add_format(CLI::App& command, std::string& format, const std::vector<std::string>& formats);
 /// The same, of the views of a report.
 template <class Report, std::size_t N>
 void add_format(CLI::App& command, std::string& format, const View<Report> (&views)[N]) {
   std::vector<std::string> names;
-  for (const View<Report>& view : views) names.emplace_back(view.name);
+  for (const View<Report>& view : views) {
+    if (view.kind != ViewKind::kBytes) names.emplace_back(view.name);
+  }
   add_format(command, format, names);
 }
 /// --certificates FILE
@@ -103,13 +108,22 @@ void print_warnings(const std::vector<std::string>& warnings);
 /// Throws what write_out() throws: a lost report must not look like a good one. `colours`: those of
 /// views stay.
 void print_report(const std::string& report, bool colours = false);
+/// Likewise, of lines that the log of GitHub's workflows is to obey.
+void print_commands(const std::string& commands);
 /// Prints a report in the format of that name.
 /// Domain: a name that add_format takes.
 template <class Report, std::size_t N>
-void print_view(const View<Report> (&views)[N], std::string_view format, const Report& report) {
+void print_view(const View<Report> (&views)[N], std::string_view format, const Report& report,
+                const std::string& picture_link = {}) {
   const bool colours = stdout_takes_colours();
   for (const View<Report>& view : views) {
-    if (view.name == format) print_report(view.render(report, {colours}), colours);
+    if (view.name != format) continue;
+    const std::string text = view.render(report, {colours, picture_link});
+    if (view.kind == ViewKind::kCommands) {
+      print_commands(text);
+    } else {
+      print_report(text, colours);
+    }
   }
 }
 /// Draws the plots, unless there is no gnuplot: then it says so on standard error.

@@ -17,16 +17,16 @@ namespace raycheck {
 
 /// What is asked about: all rays of a scene, or these pixels of its camera.
 struct Case {
-  Scene scene;
-  std::vector<Pixel> pixels;
+  Scene scene;                ///< With a camera or rays.
+  std::vector<Pixel> pixels;  ///< Of its camera; empty where there is none.
 };
 
 /// Where cases come from. A source with a dial is a stress family, whose cases become harder in one
 /// respect.
 struct Source {
-  std::string name;
-  std::string sentence;
-  bool has_camera = false;
+  std::string name;         ///< "distance"
+  std::string sentence;     ///< What its cases are.
+  bool has_camera = false;  ///< Whether they ask about pixels, not about given rays.
   /// What severity counts, "log10 of the distance over the radius"; empty: it has none.
   std::string dial;
   /// Severities are 0..highest; those up to `ordinary` are ordinary, up to `demanding` demanding.

@@ -29,7 +29,7 @@ namespace exact {
 
 /// lower <= a number <= upper.
 struct Interval {
-  double lower = 0, upper = 0;
+  double lower = 0, upper = 0;  ///< In the units of the number.
 };
 
 /// A real number that is known exactly. Copies share it. It is worked out when asked for.
@@ -53,6 +53,7 @@ class RAYCHECK_API Number {
   double condition() const;
 
   struct Impl;
+  /// As libraycheck makes it.
   explicit Number(std::shared_ptr<const Impl> impl);
 
  private:
@@ -61,44 +62,50 @@ class RAYCHECK_API Number {
 
 /// A point or a vector, coordinate by coordinate.
 struct Numbers {
-  Number x, y, z;
+  Number x, y, z;  ///< Scene lengths.
   /// Each coordinate correctly rounded.
   RAYCHECK_API Vector rounded() const;
 };
 
+/// At an s that the `root` convention allows: a ray does not meet a sphere, crosses or touches it.
 enum class HitClass { miss, hit, tangent };
+/// Of the quadratic equation for s.
 enum class WhichRoot { smaller, larger };
 
 /// How a ray meets a sphere.
 struct Intersection {
-  HitClass hit_class = HitClass::miss;
+  HitClass hit_class = HitClass::miss;  ///< Exact.
   /// Whether that counts as a hit under the `tangent` convention.
   bool is_hit = false;
   WhichRoot root = WhichRoot::smaller;  ///< Of a hit or a tangent, like the next two.
-  std::optional<Number> parameter;      ///< s
-  std::optional<Numbers> point;         ///< Q
+  std::optional<Number> parameter;      ///< s, in multiples of the direction as it was given.
+  std::optional<Numbers> point;         ///< Q, the point of the ray at s.
 };
 
 /// The sphere that a ray meets first.
 struct Nearest {
   std::size_t index = 0;          ///< The first in the list among equals.
   std::vector<std::size_t> ties;  ///< All that are met at exactly the same s, `index` included.
-  Intersection intersection;
+  Intersection intersection;      ///< With that sphere.
 };
 
 /// A ray, given or through a camera's pixel.
 class RAYCHECK_API Ray {
  public:
+  /// A given one. Domain: finite, the direction not 0; otherwise throws std::invalid_argument.
   explicit Ray(const raycheck::Ray& ray);
 
-  Numbers origin() const;
+  Numbers origin() const;     ///< Where it starts.
   Numbers direction() const;  ///< Of length 1.
+  /// How it meets a sphere. Domain: a finite sphere of radius >= 0; otherwise throws
+  /// std::invalid_argument naming the field.
   Intersection hit(const Sphere& sphere, const Conventions& conventions = {}) const;
-  /// Empty where it meets none.
+  /// The sphere that it meets first; empty where it meets none. Errors: as hit().
   std::optional<Nearest> nearest(const std::vector<Sphere>& spheres,
                                  const Conventions& conventions = {}) const;
 
   struct Impl;
+  /// As libraycheck makes it.
   explicit Ray(std::shared_ptr<const Impl> impl);
 
  private:
@@ -107,17 +114,22 @@ class RAYCHECK_API Ray {
 
 /// The camera axes.
 struct Axes {
-  Numbers u, v, w;
+  Numbers u, v, w;  ///< Of length 1, at right angles.
 };
 
+/// A camera, of which nothing is rounded.
 class RAYCHECK_API Camera {
  public:
+  /// Domain: finite numbers, axes, an image plane and pixels; otherwise throws
+  /// std::invalid_argument naming the field.
   explicit Camera(const raycheck::Camera& camera, const Conventions& conventions = {});
 
-  Axes axes() const;
-  /// The point of the image plane. Domain: a pixel of the image.
+  Axes axes() const;  ///< U, V and W.
+  /// The point of the image plane. Domain: a pixel of the image; otherwise throws
+  /// std::invalid_argument.
   Numbers pixel_point(Pixel pixel) const;
-  /// Of length 1, from the pixel's point or the eye as the `origin` convention says.
+  /// With a direction of length 1, from the pixel's point or the eye as the `origin` convention
+  /// says. Domain: a pixel of the image; otherwise throws std::invalid_argument.
   Ray ray(Pixel pixel) const;
 
   struct Impl;
@@ -126,7 +138,7 @@ class RAYCHECK_API Camera {
   std::shared_ptr<const Impl> impl_;
 };
 
-/// How a ray meets a sphere.
+/// How a ray meets a sphere, as Ray::hit() says.
 RAYCHECK_API Intersection hit(const raycheck::Ray& ray, const Sphere& sphere,
                               const Conventions& conventions = {});
 /// The same of every ray with every sphere: spheres.size() answers a ray.
@@ -137,6 +149,7 @@ RAYCHECK_API std::vector<Intersection> hits(const std::vector<raycheck::Ray>& ra
 RAYCHECK_API std::optional<Nearest> nearest(const raycheck::Ray& ray,
                                             const std::vector<Sphere>& spheres,
                                             const Conventions& conventions = {});
+/// The same of every ray: an answer a ray.
 RAYCHECK_API std::vector<std::optional<Nearest>> nearest(const std::vector<raycheck::Ray>& rays,
                                                          const std::vector<Sphere>& spheres,
                                                          const Conventions& conventions = {});

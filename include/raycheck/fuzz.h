@@ -6,8 +6,9 @@
 //     #include <raycheck/fuzz.h>
 //     RAYCHECK_FUZZ(my_candidate(), "class")
 //
-// compiled with clang++ -fsanitize=fuzzer makes a program that stops at the first case that breaks
-// the law, and prints it. C++17; link raycheck::raycheck.
+// compiled by clang and linked with raycheck::fuzz makes a program that stops at the first case
+// that breaks the law, and prints it. C++17. Without libFuzzer, link raycheck::raycheck and call
+// the entry.
 
 #include <raycheck/cases.h>
 #include <raycheck/judge.h>

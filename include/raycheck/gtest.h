@@ -22,9 +22,11 @@ namespace raycheck {
 /// One law on one source. Where the source says too little the test is skipped.
 class LawTest : public testing::Test {
  public:
+  /// What fails is reported at `file` and `line`.
   LawTest(std::shared_ptr<const LawTests> tests, Question question, const char* file, int line)
       : tests_(std::move(tests)), question_(std::move(question)), file_(file), line_(line) {}
 
+  /// Judges, and fails or skips.
   void TestBody() override {
     const LawOutcome outcome = tests_->run(question_);
     if (outcome.says_too_little) GTEST_SKIP() << outcome.text;

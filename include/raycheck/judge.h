@@ -27,9 +27,10 @@ namespace raycheck {
 /// An implementation under judgement. A function that is empty is not judged. Functions are called
 /// from one thread at a time; what they throw counts as a failure to answer.
 struct Candidate {
+  /// One without functions.
   explicit Candidate(std::string its_name = "candidate") : name(std::move(its_name)) {}
 
-  std::string name;
+  std::string name;  ///< As verdicts call it.
   /// The conventions that it fixes; the others it follows as they are asked.
   Conventions declares;
   /// Up to which cases it is to be right; unstated: ordinary ones.
@@ -42,13 +43,17 @@ struct Candidate {
   /// Of usual every root >= 0 counts for it; of declared those of declares.valid.
   Roots roots = Roots::usual;
 
+  /// The camera's axes, unit and at right angles.
   std::function<Frame(const Camera&)> frame;
+  /// P, a pixel's point on the image plane.
   std::function<Vector(const Camera&, const Conventions&, Pixel)> pixel_point;
   /// From P along the unit direction D.
   std::function<Ray(const Camera&, const Conventions&, Pixel)> pixel_ray;
   /// From E along the unit direction D.
   std::function<Ray(const Camera&, const Conventions&, Pixel)> focal_ray;
+  /// Where a ray meets a sphere; empty where it does not. Directions need not be unit.
   std::function<std::optional<Hit>(const Ray&, const Sphere&, const Conventions&)> intersect;
+  /// The index of the sphere with the least s; empty where there is none.
   std::function<std::optional<std::size_t>(const Ray&, const std::vector<Sphere>&,
                                            const Conventions&)>
       nearest;
@@ -56,8 +61,8 @@ struct Candidate {
 
 /// A law: what every right implementation does.
 struct Law {
-  std::string name;
-  std::string sentence;
+  std::string name;      ///< "nearest-root"
+  std::string sentence;  ///< "the root is the right one: ..."
 };
 
 /// Every law, in the order of reports.
@@ -65,31 +70,33 @@ RAYCHECK_API std::vector<Law> laws();
 
 /// A law and where its cases come from.
 struct Question {
-  std::string law;
-  std::string source;
+  std::string law;     ///< Of laws().
+  std::string source;  ///< Of sources().
 };
 
 /// The laws that speak of what a candidate has, each with every source that has cases for it at the
 /// candidate's level.
 RAYCHECK_API std::vector<Question> questions(const Candidate& candidate);
 
+/// How many cases are tried, which, and what is let pass.
 struct JudgeOptions {
   /// Shared evenly among the sources, and within a source among its severities.
   int cases = 500;
-  std::uint64_t seed = 1;
+  std::uint64_t seed = 1;  ///< The same seed gives the same cases.
   /// A bound on errors in place of those of direct/cross, in each quantity's own unit.
   std::optional<double> max_error = {};
   bool strict = false;  ///< What is excused or undecided breaks a law, too.
 };
 
-/// What a law comes to.
+/// What a law comes to: some cases were left undecided, too few or none could be judged, or the
+/// candidate has nothing that it speaks of.
 enum class Finding { holds, broken, undecided, too_few_judged, not_judged, left_out };
-/// "too few judged"
+/// In words: "too few judged".
 RAYCHECK_API std::string name(Finding finding);
 
 /// The first case that breaks a law, shrunk while it does.
 struct BrokenCase {
-  Case shrunk;
+  Case shrunk;         ///< With one ray or pixel, where that still breaks it.
   std::string replay;  ///< For replay().
   /// What was answered, what is right, and by how much it is off.
   std::string discrepancy;
@@ -97,15 +104,16 @@ struct BrokenCase {
   std::vector<std::string> sentences;
 };
 
+/// What judging a candidate by a law comes to.
 struct Verdict {
-  std::string law;
-  std::string candidate;
-  Finding finding = Finding::left_out;
-  std::uint64_t cases = 0;        ///< That were tried.
-  std::uint64_t comparisons = 0;  ///< Of answers with the truth.
-  std::uint64_t excused = 0;      ///< Wrong ones that inputs close by make right.
-  std::string reason;             ///< Why cases were left out, or too few judged.
-  std::optional<BrokenCase> broken;
+  std::string law;                      ///< Its name.
+  std::string candidate;                ///< The candidate's name.
+  Finding finding = Finding::left_out;  ///< In a word.
+  std::uint64_t cases = 0;              ///< That were tried.
+  std::uint64_t comparisons = 0;        ///< Of answers with the truth.
+  std::uint64_t excused = 0;            ///< Wrong ones that inputs close by make right.
+  std::string reason;                   ///< Why cases were left out, or too few judged.
+  std::optional<BrokenCase> broken;     ///< Where the law is broken.
   /// All of it in lines: the sentence, the discrepancy, the replay string and the shrunk scene.
   std::string text;
 
@@ -128,6 +136,7 @@ RAYCHECK_API Verdict judge_case(const Candidate& candidate, const std::string& l
                                 const Case& the_case, const JudgeOptions& options = {});
 
 /// The case of a replay string (LAW:CANDIDATE:SOURCE:SEED) again, whatever the candidate is called.
+/// Errors: std::invalid_argument where the string names no law, source or seed.
 RAYCHECK_API Verdict replay(const Candidate& candidate, const std::string& text,
                             const JudgeOptions& options = {});
 

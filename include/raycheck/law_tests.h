@@ -13,9 +13,9 @@ namespace raycheck {
 
 /// What became of one test.
 struct LawOutcome {
-  bool passes = false;
+  bool passes = false;           ///< What the test comes to.
   bool says_too_little = false;  ///< It passes, but shows nothing: another source does.
-  std::string text;
+  std::string text;              ///< The verdict's.
 };
 
 /// The tests of a candidate: every law that speaks of what it has, on every source.
@@ -24,14 +24,18 @@ class LawTests {
   /// Cases of each law and source, where nobody says how many.
   static constexpr int kCases = 100;
 
+  /// kCases cases of each law and source.
   explicit LawTests(Candidate candidate) : LawTests(std::move(candidate), usual()) {}
+  /// As many as options say. Errors: as judge().
   LawTests(Candidate candidate, JudgeOptions options)
       : candidate_(std::move(candidate)),
         options_(options),
         questions_(raycheck::questions(candidate_)) {}
 
+  /// What the tests ask, in the order of reports.
   const std::vector<Question>& questions() const { return questions_; }
 
+  /// Judges the candidate. Domain: a question of questions().
   LawOutcome run(const Question& question) const {
     const Verdict verdict = judge(candidate_, question.law, question.source, options_);
     const bool says_too_little = verdict.finding != Finding::holds &&

@@ -12,53 +12,64 @@ namespace raycheck {
 
 /// A point or a vector. Doubles are taken exactly as given.
 struct Vector {
-  double x = 0, y = 0, z = 0;
+  double x = 0, y = 0, z = 0;  ///< Scene lengths.
 };
 
 /// W = (eye - look_at) normalised, U = up x W normalised, V = W x U. The image plane is at
 /// near_plane along W, which is negative in front of the eye; its bounds are along U and V.
 struct Camera {
-  Vector eye, look_at, up;
+  Vector eye, look_at, up;  ///< Domain: eye and look_at differ, up is not parallel to W.
+  /// Signed, in scene lengths. Domain: not 0.
   double near_plane = 0;
+  /// Of the image plane, in scene lengths. Domain: left and right differ, bottom and top differ.
   double left = 0, right = 0, bottom = 0, top = 0;
-  std::int64_t width = 0, height = 0;
+  std::int64_t width = 0, height = 0;  ///< In pixels. Domain: at least 1; 2 for edges.
 };
 
 /// The camera axes.
 struct Frame {
-  Vector u, v, w;
+  Vector u, v, w;  ///< Unit, at right angles.
 };
 
 /// Column i of width, row j of height.
 struct Pixel {
-  std::int64_t i = 0, j = 0;
+  std::int64_t i = 0, j = 0;  ///< Domain: 0 <= i < width, 0 <= j < height.
 };
 
 /// The points origin + s direction, s >= 0. The direction need not be unit.
 struct Ray {
-  Vector origin, direction;
+  Vector origin, direction;  ///< Domain: the direction is not 0.
 };
 
 /// A radius of 0 is a point.
 struct Sphere {
-  Vector centre;
-  double radius = 0;
+  Vector centre;      ///< In scene lengths.
+  double radius = 0;  ///< In scene lengths. Domain: at least 0.
 };
 
 /// Where an implementation finds that a ray meets a sphere.
 struct Hit {
   double parameter = 0;  ///< s, in multiples of the ray's direction.
-  Vector point;          ///< Q
+  Vector point;          ///< Q, the point of the ray at s.
 };
 
+/// Which row of pixels is j = 0.
 enum class Rows { as_asked, bottom_first, top_first };
+/// Where in its column or row of w a pixel's point lies: at i/(w-1) or (i+1/2)/w of the way.
 enum class Samples { as_asked, edges, centres };
+/// Where rays start: at the pixel's point P or at the eye E.
 enum class Origin { as_asked, pixel, focal };
+/// Which root is the hit: the smallest that is at least 0, or the smaller one; a negative one is a
+/// miss.
 enum class Root { as_asked, nearest, smaller };
+/// What a ray that touches a sphere does.
 enum class Tangent { as_asked, hit, miss, either };
 
+/// Which ends of [t_min, t_max] belong to it.
 enum class Ends { closed, open_max, open_min, open };
+/// What t_min and t_max count: s itself, or radii of the sphere.
 enum class TUnit { absolute, radius };
+/// Which roots never count: v + d, on back faces, or v - d, on front faces.
 enum class Culling { none, back_faces, front_faces };
 
 /// Which roots count: those between t_min and t_max, in s or in radii of the sphere, that are not
@@ -76,20 +87,20 @@ enum class Roots { usual, declared, as_asked };
 
 /// What the lecture leaves open. Asked of libraycheck, as_asked stands for the first that is named.
 struct Conventions {
-  Rows rows = Rows::as_asked;
-  Samples samples = Samples::as_asked;
-  Origin origin = Origin::as_asked;
-  Root root = Root::as_asked;
-  Tangent tangent = Tangent::as_asked;
-  ValidRoots valid = {};
+  Rows rows = Rows::as_asked;           ///< Else bottom_first.
+  Samples samples = Samples::as_asked;  ///< Else edges.
+  Origin origin = Origin::as_asked;     ///< Else pixel.
+  Root root = Root::as_asked;           ///< Else nearest.
+  Tangent tangent = Tangent::as_asked;  ///< Else hit.
+  ValidRoots valid = {};                ///< Else every root >= 0.
 };
 
 /// A camera's rays, or given ones, the spheres that they may meet, and the conventions.
 struct Scene {
-  std::optional<Camera> camera;
-  std::vector<Ray> rays;  ///< Empty where there is a camera.
-  std::vector<Sphere> spheres;
-  Conventions conventions;
+  std::optional<Camera> camera;  ///< Empty where there are rays.
+  std::vector<Ray> rays;         ///< Empty where there is a camera.
+  std::vector<Sphere> spheres;   ///< In the order that indices count.
+  Conventions conventions;       ///< What is asked of an implementation.
 };
 
 /// The format that an implementation computes in, and is judged in.

@@ -1,6 +1,7 @@
 # raycheck::raycheck, the library; and, where the package that each is for is installed,
 # raycheck::gtest (with GoogleTest's main), raycheck::catch2 (with Catch2's), raycheck::doctest and
-# raycheck::rapidcheck. A component asks for one: find_package(raycheck REQUIRED COMPONENTS gtest).
+# raycheck::rapidcheck; and, where the compiler is clang, raycheck::fuzz (with libFuzzer's main). A
+# component asks for one: find_package(raycheck REQUIRED COMPONENTS gtest).
 include("${CMAKE_CURRENT_LIST_DIR}/raycheckTargets.cmake")
 include("${CMAKE_CURRENT_LIST_DIR}/raycheckFrameworks.cmake")
 
@@ -11,5 +12,9 @@ foreach(component IN LISTS raycheck_FIND_COMPONENTS)
   elseif(raycheck_FIND_REQUIRED_${component})
     set(raycheck_FOUND OFF)
     set(raycheck_NOT_FOUND_MESSAGE "raycheck::${component} needs a package that is not installed")
+    if(component STREQUAL fuzz)
+      set(raycheck_NOT_FOUND_MESSAGE
+        "raycheck::fuzz needs clang, which has libFuzzer: -DCMAKE_CXX_COMPILER=clang++")
+    endif()
   endif()
 endforeach()

@@ -2,10 +2,11 @@
 
 #include <algorithm>
 #include <exception>
-#include <limits>
+#include <memory>
 #include <new>
 #include <stdexcept>
 #include <string>
+#include <utility>
 
 #include "properties/laws/law_list.h"
 #include "scene/interruption.h"
@@ -38,35 +39,124 @@ bool wants_given_rays(const Law& law, const Trial& trial) {
 
 namespace {
 
+/// A verdict, and whether the candidate failed anywhere.
+struct Judged {
+  Verdict verdict;
+  bool failed = false;
+};
+
+/// Whether each sphere of a ray is a question of its own. A ray that is not made is one question.
+bool asks_by_sphere(const Law& law, const Trial& trial) {
+  return law.per == Per::kPair && !trial.lacks_rays();
+}
+
 /// A law's verdict on a candidate that gave no answer, `message` being what it threw.
-Verdict verdict_on_failure(const Law& law, const Trial& trial, Wrong wrong, const char* message) {
+Judged judged_failure(const Law& law, const Trial& trial, Wrong wrong, const char* message,
+                      const FailedQuestions& failed = {}) {
   Verdict verdict(law.name);
+  Place place;
+  if (failed.count > 0) {
+    const bool is_pair = failed.blame == Blame::kQuestion && asks_by_sphere(law, trial) &&
+                         !trial.scene().spheres.empty();
+    place = trial.place(0, is_pair ? std::optional<std::size_t>(0) : std::nullopt);
+  }
   trial.judge(
-      verdict, Quantity::kRefusal, Question::kRefusal, Place{}, wrong, [] { return Excuse{}; },
-      [&](Discrepancy& discrepancy) { discrepancy.what = message; });
-  return verdict;
+      verdict, Quantity::kRefusal, Question::kRefusal, place, wrong, [] { return Excuse{}; },
+      [&](Discrepancy& discrepancy) {
+        discrepancy.what = message;
+        discrepancy.failed = failed;
+      });
+  return {std::move(verdict), true};
+}
+
+/// Whether a law asks something of each ray, or of each with each sphere, alone.
+bool asks_apart(const Law& law) {
+  return law.judges_values && (law.per == Per::kRay || law.per == Per::kPair);
+}
+
+Judged judge(const Law& law, Trial& trial);
+
+/// The halves, one after the other. Where the whole is known to fail and the first half does not,
+/// the second is to blame, and is halved at once.
+Judged judge_halves(const Law& law, Trial& trial) {
+  const bool by_sphere = asks_by_sphere(law, trial);
+  Judged all{Verdict(law.name)};
+  bool is_second = false;
+  for (const std::shared_ptr<TrialPart>& half : trial.halves()) {
+    const bool is_to_blame = is_second && !all.failed && half->trial.is_several(by_sphere);
+    const bool halves_at_once = is_to_blame && !half->trial.search()->is_over();
+    Judged one = halves_at_once ? judge_halves(law, half->trial) : judge(law, half->trial);
+    one.verdict.relocate([&](const Place& place) { return half->place(place); });
+    all.failed |= one.failed;
+    all.verdict.merge(std::move(one.verdict));
+    is_second = true;
+  }
+  if (all.verdict.compared() > 0) all.verdict.leave_out({});
+  return all;
+}
+
+/// What was asked at once failed: the question to blame, or the halves.
+Judged judge_apart(const Law& law, Trial& trial, const char* message) {
+  FailureSearch* const search = trial.search();
+  if (search == nullptr || !asks_apart(law)) {
+    return judged_failure(law, trial, Wrong::kFailed, message);
+  }
+  const bool by_sphere = asks_by_sphere(law, trial);
+  const std::uint64_t questions = trial.count_questions(by_sphere);
+  const auto failed_once = [&](Blame blame, int& count) {
+    if (!trial.is_new(message)) return Judged{Verdict(law.name), true};
+    ++count;
+    FailedQuestions failed{blame, questions, {}};
+    if (blame == Blame::kQuestion) failed.scene = trial.question();
+    return judged_failure(law, trial, Wrong::kFailed, message, failed);
+  };
+  if (!trial.is_several(by_sphere)) return failed_once(Blame::kQuestion, search->found);
+  if (search->is_over() && !trial.is_halved()) {
+    return failed_once(Blame::kAmong, search->not_sought);
+  }
+  Judged judged = judge_halves(law, trial);
+  if (!judged.failed) {
+    judged.verdict.merge(failed_once(Blame::kTogether, search->together).verdict);
+    judged.failed = true;
+  }
+  return judged;
+}
+
+/// It would have failed whatever it was asked: a search says so once.
+Judged judge_in_vain(const Law& law, Trial& trial, const char* message) {
+  FailureSearch* const search = trial.search();
+  if (search != nullptr && !search->in_vain.insert(message).second) {
+    return {Verdict(law.name), true};
+  }
+  return judged_failure(law, trial, Wrong::kFailed, message, {Blame::kAnything, 0, {}});
+}
+
+Judged judge(const Law& law, Trial& trial) {
+  scene::poll();
+  try {
+    Judged judged{Verdict(law.name)};
+    law.judge(trial, judged.verdict);
+    return judged;
+  } catch (const std::bad_alloc&) {
+    throw;  // no fault of the candidate
+  } catch (const std::invalid_argument& error) {
+    return judged_failure(law, trial, Wrong::kRefused, error.what());
+  } catch (const AskedInVain& error) {
+    return judge_in_vain(law, trial, error.what());
+  } catch (const std::exception& error) {
+    return judge_apart(law, trial, error.what());
+  }
 }
 
 }  // namespace
 
 Verdict apply(const Law& law, Trial& trial) {
   scene::poll();
-  try {
-    Verdict verdict(law.name);
-    const std::string_view missing = what_is_missing(law.needs, trial);
-    if (missing.empty()) {
-      law.judge(trial, verdict);
-    } else {
-      verdict.leave_out(std::string(missing));
-    }
-    return verdict;
-  } catch (const std::bad_alloc&) {
-    throw;  // no fault of the candidate
-  } catch (const std::invalid_argument& error) {
-    return verdict_on_failure(law, trial, Wrong::kRefused, error.what());
-  } catch (const std::exception& error) {
-    return verdict_on_failure(law, trial, Wrong::kFailed, error.what());
-  }
+  const std::string_view missing = what_is_missing(law.needs, trial);
+  if (missing.empty()) return judge(law, trial).verdict;
+  Verdict verdict(law.name);
+  verdict.leave_out(std::string(missing));
+  return verdict;
 }
 
 }  // namespace raycheck::properties

@@ -71,7 +71,9 @@ std::vector<const Law*> laws_that(const Condition& holds) {
 const Law* find_law(std::string_view name);
 
 /// The law's verdict, left out with the reason where its needs are not met. A candidate that
-/// refuses the case, which is a problem, or fails in another way, is a discrepancy.
+/// refuses the case, which is a problem, or fails in another way, is a discrepancy. Where the trial
+/// has a search, what failed at once is asked in halves: the questions to blame are discrepancies,
+/// at most kMostFailuresSought of them, and the answers to the others are judged.
 Verdict apply(const Law& law, Trial& trial);
 
 }  // namespace raycheck::properties

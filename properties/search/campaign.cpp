@@ -60,9 +60,9 @@ Judged judge(const Law& law, Trial& trial) {
 }
 
 Judged judge(const Law& law, const Candidate& candidate, const Case& the_case,
-             std::optional<double> max_error) {
+             std::optional<double> max_error, FailureSearch* search = nullptr) {
   if (!is_problem(the_case, candidate.declared)) return {false, false, Verdict(law.name)};
-  const TrialOptions options = {.max_error = max_error};
+  const TrialOptions options = {.max_error = max_error, .search = search};
   Trial trial(the_case, candidate, options);
   if (!wants_given_rays(law, trial)) return judge(law, trial);
   const auto given = given_rays(the_case, trial.conventions(), candidate.precision);
@@ -72,6 +72,35 @@ Judged judge(const Law& law, const Candidate& candidate, const Case& the_case,
   judged.given_rays = true;
   judged.verdict.relocate([&](const Place& place) { return given->place(place); });
   return judged;
+}
+
+bool fails_in_vain(const Verdict& verdict) {
+  const std::vector<Discrepancy> worst = verdict.worst(1);
+  return !worst.empty() && worst.front().failed.blame == Blame::kAnything;
+}
+
+/// The question that a candidate fails on in a case that it failed on: asked in halves, since to
+/// ask simpler cases may take its time for a reply each time.
+std::optional<Failure> failed_question(const Law& law, const Candidate& candidate,
+                                       const Case& the_case, const Asking& asking,
+                                       const Verdict& found) {
+  const std::vector<Discrepancy> worst = found.worst(1);
+  if (worst.empty() || worst.front().wrong != Wrong::kFailed || fails_in_vain(found)) return {};
+  FailureSearch search;
+  const Verdict verdict = judge(law, candidate, the_case, asking.max_error, &search).verdict;
+  for (Discrepancy& one : verdict.worst(kKeptDiscrepancies)) {
+    if (one.failed.blame != Blame::kQuestion) continue;
+    Case question{*one.failed.scene, {}};
+    if (question.scene.camera) {
+      question.pixels = {one.place.pixel.value()};
+    } else {
+      one.place = {0, {}, one.place.sphere ? std::optional<std::size_t>(0) : std::nullopt};
+    }
+    Verdict of_question(law.name);
+    of_question.add(one);
+    return Failure{std::move(question), std::move(of_question), {}};
+  }
+  return {};
 }
 
 /// Judges cases, whose seeds `choose` draws, until one breaks the law, and shrinks that where it is
@@ -95,7 +124,12 @@ Answer ask(const Law& law, const Candidate& candidate, const Asking& asking,
       part.verdict.merge(verdict);
     }
     if (verdict.holds(asking.strict)) return false;
-    part.replay = replay_text(law, candidate, from);
+    // What fails whatever it is asked says nothing of a simpler case.
+    if (answer.failure && fails_in_vain(verdict)) return false;
+    if (!answer.failure) {
+      part.replay = replay_text(law, candidate, from);
+      part.defects = verdict.defects(asking.strict);
+    }
     answer.failure = Failure{the_case, std::move(verdict), part.replay};
     return true;
   };
@@ -118,7 +152,14 @@ Answer ask(const Law& law, const Candidate& candidate, const Asking& asking,
         return !control.interrupted() && is_of_format(simpler.scene, candidate.precision) &&
                breaks(simpler, from);
       };
-      if (asking.shrinks) smallest(*std::move(failing), std::numeric_limits<int>::max(), fails);
+      if (!asking.shrinks) break;
+      if (auto question =
+              failed_question(law, candidate, *failing, asking, answer.failure->verdict)) {
+        question->replay = part.replay;
+        *failing = question->shrunk;
+        answer.failure = std::move(question);
+      }
+      smallest(*std::move(failing), std::numeric_limits<int>::max(), fails);
       break;
     }
   } catch (const scene::Interrupted&) {

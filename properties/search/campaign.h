@@ -56,6 +56,7 @@ struct CampaignPart {
   /// Finds the case that breaks it again: "LAW:CANDIDATE:SOURCE:SEED"; a SOURCE may be
   /// SOURCE@SEVERITY. Empty where the law is not broken.
   std::string replay;
+  std::vector<DefectKind> defects;  ///< What that case shows.
 
   bool is_broken() const { return !replay.empty(); }
 };

@@ -1,54 +1,34 @@
 // The examples as someone else builds them, against an installed tree.
 
 #include <gtest/gtest.h>
-#include <sys/wait.h>
 #include <unistd.h>
 
 #include <array>
-#include <cstdio>
-#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <sstream>
 #include <string>
 #include <vector>
 
+#include "tests/library/shell.h"
+
 namespace raycheck::tests {
 namespace {
 
 namespace fs = std::filesystem;
 
-struct Ended {
-  int code = -1;
-  std::string text;  ///< Of both its outputs.
-};
-
-Ended shell(const std::string& command) {
-  FILE* const pipe = popen(("( " + command + " ) 2>&1").c_str(), "r");
-  Ended ended;
-  std::array<char, 4096> buffer{};
-  for (std::size_t count; (count = fread(buffer.data(), 1, buffer.size(), pipe)) > 0;) {
-    ended.text.append(buffer.data(), count);
-  }
-  const int status = pclose(pipe);
-  ended.code = WIFEXITED(status) ? WEXITSTATUS(status) : -1;
-  return ended;
-}
-
-std::string text_of(const fs::path& path) {
-  std::ifstream file(path);
-  std::ostringstream text;
-  text << file.rdbuf();
-  return text.str();
-}
-
 /// Installed for each program run: ctest starts the tests one by one, several at a time.
 class Consumers : public testing::Test {
  protected:
   static void SetUpTestSuite() {
-    const Ended installed =
+    installed() =
         shell(std::string("cmake --install ") + RAYCHECK_BUILD + " --prefix " + prefix().string());
-    ASSERT_EQ(installed.code, 0) << installed.text;
+  }
+  /// Said here: tests of a suite that cannot be set up are skipped.
+  void SetUp() override { ASSERT_EQ(installed().code, 0) << installed().text; }
+  static Ended& installed() {
+    static Ended ended;
+    return ended;
   }
   static void TearDownTestSuite() { fs::remove_all(prefix()); }
   static fs::path prefix() {
@@ -58,12 +38,8 @@ class Consumers : public testing::Test {
 
   /// Builds an example as its CMakeLists.txt says; the folder of the build.
   static fs::path built(const std::string& name, const std::string& options = "") {
-    const fs::path from = prefix() / "share/raycheck/examples" / name;
     const fs::path to = prefix() / "built" / (name + (options.empty() ? "" : "-options"));
-    fs::remove_all(to);
-    const Ended made = shell("cmake -S " + from.string() + " -B " + to.string() +
-                             " -DCMAKE_PREFIX_PATH=" + prefix().string() + " " + options +
-                             " && cmake --build " + to.string());
+    const Ended made = build_example(prefix(), name, to, options);
     EXPECT_EQ(made.code, 0) << made.text;
     return to;
   }
@@ -110,7 +86,8 @@ TEST_F(Consumers, OfGoogleTestPassAndSeeFiveMistakes) {
 TEST_F(Consumers, AreAsThePageShowsThem) {
   const fs::path source = RAYCHECK_SOURCE_DIR;
   const std::string page = text_of(source / "docs/library.md");
-  for (const char* file : {"consumer-gtest/CMakeLists.txt", "consumer-gtest/tracer_test.cpp"}) {
+  for (const char* file : {"consumer-gtest/CMakeLists.txt", "consumer-gtest/tracer_test.cpp",
+                           "consumer-fuzz/tracer_fuzz.cpp"}) {
     EXPECT_NE(page.find("\n" + text_of(source / "examples" / file) + "```"), std::string::npos)
         << file;
   }
@@ -156,6 +133,43 @@ TEST_F(Consumers, OfRapidCheckPassAndFail) {
   const Ended bad = shell("TRACER_MISTAKE=far_root " + program);
   EXPECT_EQ(bad.code, 1);
   EXPECT_NE(bad.text.find("[[sphere]]"), std::string::npos) << bad.text.substr(0, 4000);
+}
+
+/// What a fuzzer says of the far root, having ended.
+void expect_far_root(const Ended& bad) {
+  EXPECT_NE(bad.code, 0) << bad.text;
+  EXPECT_NE(bad.text.find("nearest-root: tracer broken"), std::string::npos) << bad.text;
+  EXPECT_NE(bad.text.find("[[sphere]]"), std::string::npos) << bad.text;
+}
+
+TEST_F(Consumers, OfLibFuzzerSurviveAndFail) {
+  if (shell("echo 'extern \"C\" int LLVMFuzzerTestOneInput() { return 0; }' | clang++ -x c++ "
+            "-fsanitize=fuzzer -o /dev/null -")
+          .code != 0) {
+    GTEST_SKIP() << "clang++ with libFuzzer is not installed";
+  }
+  EXPECT_LE(lines_of(prefix() / "share/raycheck/examples/consumer-fuzz/tracer_fuzz.cpp"), 5u);
+  const fs::path folder = built("consumer-fuzz", "-DCMAKE_CXX_COMPILER=clang++");
+  const std::string fuzzer = "cd " + folder.string() + " && ./tracer_fuzz -seed=1 ";
+  const Ended good = shell(fuzzer + "-runs=20000");
+  EXPECT_EQ(good.code, 0) << good.text;
+  EXPECT_NE(good.text.find("Done 20000 runs"), std::string::npos) << good.text;
+  expect_far_root(shell("export TRACER_MISTAKE=far_root; " + fuzzer + "-runs=20000"));
+}
+
+/// The same entry, by the compiler that there is, on random bytes.
+TEST_F(Consumers, OfFuzzHSurviveAndFailOnRandomBytes) {
+  const fs::path example = prefix() / "share/raycheck/examples/consumer-fuzz";
+  const std::string program = (prefix() / "random_bytes").string();
+  const std::string library = "$(find " + prefix().string() + " -name libraycheck.so.0)";
+  const Ended made = shell("c++ -std=c++17 -I" + (prefix() / "include").string() + " " +
+                           (example / "tracer_fuzz.cpp").string() + " " + RAYCHECK_SOURCE_DIR +
+                           "/tests/library/random_bytes.cpp " + library + " -Wl,-rpath,$(dirname " +
+                           library + ") -o " + program);
+  ASSERT_EQ(made.code, 0) << made.text;
+  const Ended good = shell(program + " 5000");
+  EXPECT_EQ(good.code, 0) << good.text;
+  expect_far_root(shell("TRACER_MISTAKE=far_root " + program + " 5000"));
 }
 
 /// How they are compiled touches no proof.

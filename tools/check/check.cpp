@@ -28,6 +28,7 @@ namespace {
 
 using properties::Candidate;
 using properties::Case;
+using properties::FailureSearch;
 using properties::Law;
 using properties::Per;
 using properties::RunControl;
@@ -56,6 +57,11 @@ struct ChunkVerdict {
   ReasonsLeftOut left_out;
   bool given_rays = false;
   Swallowed swallowed;
+
+  bool has_failed() const {
+    const auto found = verdict.tallies().find(properties::Quantity::kRefusal);
+    return found != verdict.tallies().end() && found->second.count(properties::Wrong::kFailed) > 0;
+  }
 };
 
 /// A scene in a format, and its rays.
@@ -94,8 +100,10 @@ Draft prepare(const Contestant& contestant, const ScenesOfFormats& scenes) {
 }
 
 ChunkVerdict judge_chunk(const Case& chunk, std::uint64_t first, std::shared_ptr<Truth> truth,
-                         std::optional<double> max_error, const Candidate& candidate) {
-  Trial trial(chunk, candidate, {.max_error = max_error, .truth = std::move(truth)});
+                         std::optional<double> max_error, const Candidate& candidate,
+                         FailureSearch* search = nullptr) {
+  Trial trial(chunk, candidate,
+              {.max_error = max_error, .truth = std::move(truth), .search = search});
   ChunkVerdict found;
   const bool wants_rays = std::any_of(
       properties::laws().begin(), properties::laws().end(),
@@ -104,7 +112,10 @@ ChunkVerdict judge_chunk(const Case& chunk, std::uint64_t first, std::shared_ptr
       wants_rays ? given_rays(chunk, trial.conventions(), candidate.precision) : std::nullopt;
   found.given_rays = given.has_value();
   std::optional<Trial> on_given;
-  if (given) on_given.emplace(given->the_case, candidate, TrialOptions{.max_error = max_error});
+  if (given) {
+    on_given.emplace(given->the_case, candidate,
+                     TrialOptions{.max_error = max_error, .search = search});
+  }
   for (const Law& law : properties::laws()) {
     if (!law.judges_values || (law.per == Per::kScene && first > 0)) continue;
     // Of others than renderers it need not be said that they make no images.
@@ -310,7 +321,9 @@ class Judgement {
         chunks, control,
         [&](std::int64_t k) { return judge(static_cast<std::uint64_t>(k) * kChunk); },
         [&](std::vector<ChunkVerdict>& verdicts) {
+          const scene::Interruptible interruptible(control.interrupted);
           for (std::size_t k = 0; k < drafts_.size(); ++k) {
+            if (verdicts[k].has_failed()) seek_failures(k, rays_judged, verdicts[k]);
             drafts_[k].report.verdict.merge(std::move(verdicts[k].verdict));
             drafts_[k].report.given_rays |= verdicts[k].given_rays;
             drafts_[k].report.swallowed.merge(verdicts[k].swallowed);
@@ -324,6 +337,26 @@ class Judgement {
   }
 
  private:
+  /// Judges a chunk on which a candidate failed again, in parts: by a candidate of its own, chunk
+  /// after chunk, so that what is sought does not depend on the threads. Where it does not fail
+  /// now, the verdict stays what it was.
+  void seek_failures(std::size_t k, std::uint64_t first, ChunkVerdict& failed) {
+    CandidateReport& report = drafts_[k].report;
+    if (report.search.is_over()) {
+      ++report.search.not_sought;
+      return;
+    }
+    searchers_.resize(drafts_.size());
+    if (!searchers_[k]) searchers_[k] = candidate_of(report.contestant);
+    const auto& cases = scenes_.of(report.precision);
+    const Case chunk = cases->from(first, std::min(first + kChunk, cases->rays_judged()));
+    properties::SharedTruths truths(chunk, plans_[static_cast<std::size_t>(report.precision)]);
+    ++report.search.batches;
+    ChunkVerdict found = judge_chunk(chunk, first, truths.under(report.conventions),
+                                     options_.max_error, *searchers_[k], &report.search);
+    if (found.has_failed()) failed = std::move(found);
+  }
+
   std::vector<ChunkVerdict> judge(std::uint64_t first) {
     std::vector<Candidate>& candidates = candidates_.local();
     if (candidates.empty()) {
@@ -354,6 +387,7 @@ class Judgement {
   std::vector<Draft>& drafts_;
   std::array<std::vector<scene::ScenePlan>, 2> plans_;  ///< By format.
   tbb::enumerable_thread_specific<std::vector<Candidate>> candidates_;
+  std::vector<std::optional<Candidate>> searchers_;  ///< Where they have failed.
 };
 
 /// Times every candidate on the first rays, before any other thread runs.

@@ -9,10 +9,12 @@
 
 #include "properties/mistakes/explanation.h"
 #include "properties/run_control.h"
+#include "properties/trial.h"
 #include "properties/verdict.h"
 #include "scene/files/scene_file.h"
 #include "tools/check/swallowed.h"
 #include "tools/external/contestant.h"
+#include "tools/gates/baseline.h"
 
 namespace raycheck::tools {
 
@@ -58,6 +60,7 @@ struct CandidateReport {
   std::vector<LeftOut> left_out;
   std::vector<properties::Explanation> explanations;  ///< Of what someone else's has wrong.
   Timing timing;                                      ///< Of raycheck's methods.
+  properties::FailureSearch search;                   ///< For the questions that it fails on.
 
   /// Of a candidate without a defect, the first kind of question to which no answer was right
   /// without an excuse, though asked.
@@ -87,6 +90,7 @@ struct CheckReport {
   bool interrupted = false;
   bool strict = false;
   std::optional<double> max_error;  ///< A bound in place of the documented ones.
+  std::optional<Ratchet> ratchet;   ///< Where it is held against a baseline.
 
   /// The scene that a candidate was asked about, and by which it was judged.
   const scene::Scene& scene_of(const CandidateReport& candidate) const {

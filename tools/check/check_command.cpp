@@ -9,6 +9,7 @@
 #include "tools/arguments.h"
 #include "tools/check/check_views.h"
 #include "tools/commands.h"
+#include "tools/gate_arguments.h"
 #include "tools/report/output_file.h"
 #include "tools/terminal.h"
 
@@ -29,6 +30,7 @@ struct CheckArguments {
   std::optional<std::string> certificates;
   int threads = tbb::info::default_concurrency();
   std::string format;
+  GateArguments gate;
 };
 
 /// The scene, and every word of a candidate that may be a file.
@@ -69,11 +71,15 @@ int run_check(const CheckArguments& arguments) {
   options.strict = arguments.strict;
   std::optional<OutputFile> certificates;
   if (arguments.certificates) certificates.emplace("--certificates", *arguments.certificates);
-  const CheckReport report = check(options, run_control(options.path, arguments.threads));
+  GateFiles files(arguments.gate, files_read(arguments));
+  CheckReport report = check(options, run_control(options.path, arguments.threads));
+  report.ratchet = files.ratchet(findings_of(report), report.interrupted);
   print_warnings(report.warnings);
-  print_view(kCheckViews, arguments.format, report);
+  print_view(kCheckViews, arguments.format, report, arguments.gate.picture_link);
+  files.write(kCheckViews, report);
   if (certificates) certificates->write(check_certificates(report));
-  return exit_code(report.interrupted, !report.holds(), report.is_enough_judged());
+  const bool fails = report.ratchet ? report.ratchet->fails() : !report.holds();
+  return exit_code(report.interrupted, fails, report.is_enough_judged());
 }
 
 }  // namespace
@@ -107,6 +113,7 @@ Command add_check(CLI::App& program) {
   add_threads(command, arguments.threads, "the report");
   add_certificates(command, arguments.certificates);
   add_format(command, arguments.format, kCheckViews);
+  add_gate(command, arguments.gate, kCheckViews);
   return {&command, [given] { return run_check(*given); }};
 }
 

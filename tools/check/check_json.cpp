@@ -2,6 +2,7 @@
 
 #include "scene/number.h"
 #include "tools/check/check_views.h"
+#include "tools/gates/ratchet_json.h"
 #include "tools/report/json.h"
 
 namespace raycheck::tools {
@@ -45,6 +46,11 @@ Json candidate_json(const CandidateReport& candidate, std::size_t top) {
                         {"intersect", error_json(candidate.timing.intersect)}};
   json["quantities"] = tallies_json(candidate.verdict, candidate.precision);
   json["explanations"] = explanations_json(candidate.explanations);
+  json["failures"] = {{"batches", candidate.search.batches},
+                      {"found", candidate.search.found},
+                      {"together", candidate.search.together},
+                      {"most_sought", properties::kMostFailuresSought},
+                      {"not_sought", candidate.search.not_sought}};
   json["given_rays"] = candidate.given_rays;
   json["precision"] = name(candidate.precision);
   json["swallowed"] = swallowed_json(candidate);
@@ -90,6 +96,7 @@ std::string check_json(const CheckReport& report, const ViewOptions& /*options*/
   json["strict"] = report.strict;
   json["holds"] = report.holds();
   json["left_out"] = report.left_out;
+  json["held_against"] = ratchet_json(report.ratchet);
   return json_text(json);
 }
 

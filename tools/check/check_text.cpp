@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "tools/check/check_views.h"
+#include "tools/gates/gate_views.h"
 #include "tools/report/table.h"
 #include "tools/report/words.h"
 
@@ -117,6 +118,33 @@ std::string precision_text(const CandidateReport& candidate) {
   return text;
 }
 
+std::string failures_text(const properties::FailureSearch& search) {
+  if (search.batches == 0) return "";
+  std::string text =
+      fmt::format("  failed on {}, asked in halves: {} found to blame (at most {} are sought)",
+                  count_text(static_cast<std::uint64_t>(search.batches),
+                             search.batches == 1 ? "batch" : "batche"),
+                  count_text(static_cast<std::uint64_t>(search.found), "question"),
+                  properties::kMostFailuresSought);
+  if (search.together > 0) text += fmt::format(", {} only fail together", search.together);
+  if (search.not_sought > 0) text += fmt::format(", {} more failed unsought", search.not_sought);
+  return text + "\n";
+}
+
+/// The first question that a candidate fails on, as a scene.
+std::string failed_question_text(const CheckReport& report) {
+  for (const CandidateReport& candidate : report.candidates) {
+    for (const auto& discrepancy : candidate.verdict.worst(report.top)) {
+      if (!discrepancy.failed.scene) continue;
+      const std::string comment =
+          fmt::format("{} fails on it: {}", candidate.name, place_text(discrepancy.place));
+      return "\na question that fails, as a scene for `raycheck check`:\n" +
+             indented(scene::write_toml(*discrepancy.failed.scene, comment), "  ");
+    }
+  }
+  return "";
+}
+
 std::string too_few_text(const CandidateReport& candidate) {
   if (!candidate.not_asked.empty()) {
     return fmt::format("  not judged here: {}\n", candidate.not_asked);
@@ -165,6 +193,7 @@ std::string check_text(const CheckReport& report, const ViewOptions& options) {
     const bool renders = external != nullptr && external->renderer;
     text +=
         indented(explanations_text(candidate.explanations, renders ? "pixels" : "answers"), "  ");
+    text += failures_text(candidate.search);
     text += too_few_text(candidate);
     std::size_t rank = 0;
     for (const auto& discrepancy : candidate.verdict.worst(report.top)) {
@@ -187,6 +216,7 @@ std::string check_text(const CheckReport& report, const ViewOptions& options) {
       text += fmt::format("{:>3}. {}\n", k + 1, ranked[k].candidate->name);
       text += indented(discrepancy_text(ranked[k].discrepancy, options.colours), "     ");
     }
+    text += failed_question_text(report);
   } else if (report.compared() > 0) {
     text += "\nno discrepancy\n";
   } else {
@@ -194,6 +224,7 @@ std::string check_text(const CheckReport& report, const ViewOptions& options) {
   }
   if (!report.left_out.empty()) text += "\nleft out:\n";
   for (const std::string& line : report.left_out) text += "  " + line + "\n";
+  if (report.ratchet) text += "\n" + ratchet_text(*report.ratchet);
   return text;
 }
 

@@ -4,6 +4,7 @@
 // The views of `check`, each in the file of its name.
 
 #include "tools/check/check.h"
+#include "tools/gates/gate.h"
 #include "tools/report/json.h"
 #include "tools/report/view.h"
 
@@ -11,11 +12,28 @@ namespace raycheck::tools {
 
 std::string check_text(const CheckReport& report, const ViewOptions& options);
 std::string check_json(const CheckReport& report, const ViewOptions& options);
+std::string check_junit(const CheckReport& report, const ViewOptions& options);
+std::string check_markdown(const CheckReport& report, const ViewOptions& options);
+std::string check_github(const CheckReport& report, const ViewOptions& options);
+std::string check_gitlab_codequality(const CheckReport& report, const ViewOptions& options);
+/// Where the scene shows discrepancies, as a PNG file: exact silhouettes, and on them the pixels of
+/// the discrepancies that are kept, by standing. Of a scene without a camera a picture of nothing.
+std::string check_picture(const CheckReport& report, const ViewOptions& options);
 
 inline constexpr View<CheckReport> kCheckViews[] = {
     {"text", check_text},
     {"json", check_json},
+    {"junit", check_junit},
+    {"markdown", check_markdown},
+    {"github", check_github, ViewKind::kCommands},
+    {"gitlab-codequality", check_gitlab_codequality},
+    {"picture", check_picture, ViewKind::kBytes},
 };
+
+/// A check for each quantity of each candidate.
+Gate check_gate(const CheckReport& report);
+/// What a baseline holds of it.
+Findings findings_of(const CheckReport& report);
 
 /// What was compared of a candidate, a row a quantity.
 std::string quantities_table(const CandidateReport& candidate);

@@ -20,10 +20,14 @@ struct AnswerFailure {
   std::string words;
   FailureKind kind = FailureKind::kBadReply;
   std::optional<properties::OtherSize> size = {};  ///< Of a picture, where it is the failure.
+  bool is_in_vain = false;                         ///< It would have failed whatever it was asked.
 
   [[noreturn]] void raise(const LastFailure& last) const {
     if (last) *last = kind;
     if (size) throw properties::OtherSize(words, size->width(), size->height());
+    if (is_in_vain || kind == FailureKind::kNotAsked || kind == FailureKind::kSystem) {
+      throw properties::AskedInVain(words);
+    }
     throw std::runtime_error(words);
   }
 };
@@ -93,7 +97,7 @@ class Conversation {
            const std::function<void(Request&)>& fill, const Read& read) {
     Request request(next_id(), function, conventions);
     fill(request);
-    if (silences_ >= kMostSilences) {
+    if (silent_shares_ >= kMostSilences) {
       AnswerFailure{
           fmt::format("{}: not asked, after {} requests without a reply", function, silences_),
           FailureKind::kNotAsked}
@@ -105,17 +109,25 @@ class Conversation {
       const IdentifiedReply reply = reply_to(request, lines);
       return read(Reply(reply.text, reply.id));
     } catch (const ProcessFailure& failure) {
-      silences_ += failure.kind() == FailureKind::kTimeUp ? 1 : 0;
+      if (failure.kind() == FailureKind::kTimeUp) {
+        ++silences_;
+        silent_shares_ += share_;
+      }
       AnswerFailure words{
           fmt::format("{}: it {}{}{}", function, failure.what(), last_line_text(said()),
                       limit_text(said(), external_.program.limits)),
-          failure.kind()};
+          failure.kind(),
+          {},
+          !introduction_heard_};
       if (external_.answers && is_lasting(words.kind)) {
         external_.answers->keep(request.body(), {words.words, words.kind, spent_since(before)});
       }
       fail(request, std::move(words));
     } catch (const ProtocolError& error) {
-      fail(request, {fmt::format("{}: {}", function, error.what()), FailureKind::kBadReply});
+      fail(request, {fmt::format("{}: {}", function, error.what()),
+                     FailureKind::kBadReply,
+                     {},
+                     !introduction_heard_});
     }
   }
 
@@ -126,6 +138,8 @@ class Conversation {
     start();
     return introduction_;
   }
+  /// What is asked from now on has this share of the time that a reply may take.
+  void allow(double share) { share_ = share; }
   KeptText said() const { return process_ ? process_->said() : KeptText(); }
 
  private:
@@ -133,11 +147,13 @@ class Conversation {
   std::string next_id() { return fmt::format("{:016x}", ids_()); }
 
   void start() {
+    introduction_heard_ = false;
     process_.emplace(external_.program);
     const std::string text = process_->exchange(
         kGreeting, [](std::string_view line) { return line == kReady || line == "ready\r"; },
         kMostIntroduction);
     introduction_ = parse_introduction(text);
+    introduction_heard_ = true;
     if (external_.answers) external_.answers->keep(std::string(kGreeting), {text});
   }
 
@@ -162,6 +178,7 @@ class Conversation {
       }
     }
     if (!process_) start();
+    process_->allow(share_ * external_.program.limits.seconds);
     const double before = external_.program.spent->seconds();
     std::string text = process_->exchange(
         request.text(), [&](std::string_view line) { return ends_reply(line, request.id()); },
@@ -186,7 +203,10 @@ class Conversation {
   Introduction introduction_;
   std::string failed_request_;
   AnswerFailure failure_;
+  bool introduction_heard_ = true;  ///< By the process that was started last.
+  double share_ = 1;
   int silences_ = 0;
+  double silent_shares_ = 0;  ///< What they had of the time for a reply, added up.
   std::mt19937_64 ids_{std::random_device{}()};
 };
 
@@ -271,6 +291,7 @@ Candidate external_candidate(const External& external, const LastFailure& last) 
       std::max(properties::kSmallestJudgedLength, external.introduction.smallest_length);
   candidate.smallest_camera_length = candidate.smallest_length;
   candidate.largest_length = external.introduction.largest_length;
+  candidate.allow = [talk](double share) { talk->allow(share); };
   if (offers("frame")) {
     candidate.frame = [talk](const scene::Camera& camera) {
       return talk->ask(

@@ -1,6 +1,7 @@
 #ifndef RAYCHECK_TOOLS_EXTERNAL_EXTERNAL_CANDIDATE_H_
 #define RAYCHECK_TOOLS_EXTERNAL_EXTERNAL_CANDIDATE_H_
 
+#include <filesystem>
 #include <memory>
 #include <optional>
 #include <string>
@@ -26,6 +27,8 @@ struct External {
   scene::Precision precision = scene::Precision::kDouble;
   /// It documents no bounds: these are what its errors are held to.
   MethodPair bounds = kDefaultMethods;
+  /// The shared library that its process loads; empty: there is none.
+  std::filesystem::path library = {};
   /// A renderer introduces itself by pictures alone.
   std::optional<Renderer> renderer = {};
   /// What the program lies in, where raycheck made that.
@@ -34,6 +37,8 @@ struct External {
   std::shared_ptr<Pictures> pictures = {};
   /// What its functions replied in earlier runs; null: they are always asked.
   std::shared_ptr<AnswerStore> answers = {};
+  /// The file that it is made of, as it was named; empty where that is not one file.
+  std::string source_file = {};
 };
 
 /// Starts the program once to hear its introduction, where that is not among the answers.
@@ -54,7 +59,9 @@ using LastFailure = std::shared_ptr<std::optional<FailureKind>>;
 /// ordinary cases where it states no other level. Where a process fails (ends, stays
 /// silent, or replies what is no reply) the functions throw std::runtime_error with the name of the
 /// function; the next request goes to a fresh process. A request that failed is not sent again,
-/// and none is sent after kMostSilences that were answered by silence. Every failure sets `last`.
+/// and none is sent after silences that together took kMostSilences times the time for a reply:
+/// then, and where no process could be started, what they throw is properties::AskedInVain. Every
+/// failure sets `last`.
 properties::Candidate external_candidate(const External& external,
                                          const LastFailure& last = nullptr);
 }  // namespace raycheck::tools

@@ -34,7 +34,9 @@ External library(const std::string& name, const fs::path& path, const RunOptions
                          .layers = options.layers,
                          .limits = options.limits,
                          .surroundings = options.surroundings};
-  return introduced(name, program, std::move(folder), options.answers);
+  External external = introduced(name, program, std::move(folder), options.answers);
+  external.library = copy;
+  return external;
 }
 
 /// What is copied at most of a folder that is closed to others.
@@ -160,6 +162,17 @@ std::string class_path(const std::string& word, const RunOptions& options, Reada
   return paths;
 }
 
+/// The file that an implementation is made of: the source, or the first file in its words.
+std::string source_file(const CandidateSpec& spec, const RunOptions& options) {
+  if (spec.kind == CandidateKind::kLibrary) return "";
+  for (const std::string& word :
+       spec.is_words() ? split(spec.what) : std::vector<std::string>{spec.what}) {
+    std::error_code error;
+    if (fs::is_regular_file(options.folder / word, error)) return word;
+  }
+  return "";
+}
+
 /// A program by its words. Those that name files are made absolute.
 Confined program_of(const std::string& words, const RunOptions& options, ReadableCopies& copies) {
   Confined program;
@@ -254,7 +267,9 @@ External named_in_errors(const CandidateSpec& spec, const RunOptions& options, c
 }  // namespace
 
 External find_external(const CandidateSpec& spec, const RunOptions& options) {
-  return named_in_errors(spec, options, [&] { return find(spec, options); });
+  External found = named_in_errors(spec, options, [&] { return find(spec, options); });
+  found.source_file = source_file(spec, options);
+  return found;
 }
 
 External compiled_external(const CandidateSpec& spec, const fs::path& path,

@@ -30,6 +30,29 @@ std::string quoted(const std::string& text, const char* quote, std::string_view 
   return shown;
 }
 
+/// Lines of an array of zsh: names and what is said of them.
+std::string zsh_options(const ManualCommand& command) {
+  std::string lines;
+  for (const ManualOption& option : command.options) {
+    if (option.is_positional) continue;
+    for (const std::string& name : option.names) {
+      lines += fmt::format("      '{}:{}'\n", name, quoted(option.text, "'\\''", ":\\"));
+    }
+  }
+  return lines;
+}
+
+/// The end of fish's line about an option.
+std::string fish_option(const ManualOption& option) {
+  std::string names;
+  for (const std::string& name : option.names) {
+    const bool is_long = name.starts_with("--");
+    names += fmt::format(" -{} {}", is_long ? "l" : "s", name.substr(is_long ? 2 : 1));
+  }
+  return fmt::format("{}{} -d '{}'\n", names, option.value.empty() ? "" : " -r",
+                     quoted(option.text, "\\'", "\\"));
+}
+
 }  // namespace
 
 std::string bash_completion(const ManualCommand& program, std::span<const ManualCommand> commands) {
@@ -57,7 +80,7 @@ std::string bash_completion(const ManualCommand& program, std::span<const Manual
   return text;
 }
 
-std::string zsh_completion(std::span<const ManualCommand> commands) {
+std::string zsh_completion(const ManualCommand& program, std::span<const ManualCommand> commands) {
   std::string text =
       "#compdef raycheck\n"
       "local -a commands options\n"
@@ -67,21 +90,15 @@ std::string zsh_completion(std::span<const ManualCommand> commands) {
   }
   text +=
       ")\n"
-      "if (( CURRENT == 2 )); then\n"
+      "if (( CURRENT == 2 )) && [[ $words[2] != -* ]]; then\n"
       "  _describe command commands\n"
       "  return\n"
       "fi\n"
       "case $words[2] in\n";
   for (const ManualCommand& command : commands) {
-    text += fmt::format("  {})\n    options=(\n", command.name);
-    for (const ManualOption& option : command.options) {
-      if (option.is_positional) continue;
-      for (const std::string& name : option.names) {
-        text += fmt::format("      '{}:{}'\n", name, quoted(option.text, "'\\''", ":\\"));
-      }
-    }
-    text += "    ) ;;\n";
+    text += fmt::format("  {})\n    options=(\n{}    ) ;;\n", command.name, zsh_options(command));
   }
+  text += fmt::format("  -*)\n    options=(\n{}    ) ;;\n", zsh_options(program));
   text +=
       "esac\n"
       "if [[ $words[CURRENT] == -* ]]; then\n"
@@ -92,23 +109,20 @@ std::string zsh_completion(std::span<const ManualCommand> commands) {
   return text;
 }
 
-std::string fish_completion(std::span<const ManualCommand> commands) {
+std::string fish_completion(const ManualCommand& program, std::span<const ManualCommand> commands) {
   std::string text = "# fish completion for raycheck\n";
   for (const ManualCommand& command : commands) {
     text += fmt::format("complete -c raycheck -n __fish_use_subcommand -f -a {} -d '{}'\n",
                         command.name, quoted(command.sentence, "\\'", "\\"));
   }
+  for (const ManualOption& option : program.options) {
+    text += "complete -c raycheck -n __fish_use_subcommand" + fish_option(option);
+  }
   for (const ManualCommand& command : commands) {
     for (const ManualOption& option : command.options) {
       if (option.is_positional) continue;
-      std::string names;
-      for (const std::string& name : option.names) {
-        const bool is_long = name.starts_with("--");
-        names += fmt::format(" -{} {}", is_long ? "l" : "s", name.substr(is_long ? 2 : 1));
-      }
-      text += fmt::format("complete -c raycheck -n '__fish_seen_subcommand_from {}'{}{} -d '{}'\n",
-                          command.name, names, option.value.empty() ? "" : " -r",
-                          quoted(option.text, "\\'", "\\"));
+      text += fmt::format("complete -c raycheck -n '__fish_seen_subcommand_from {}'{}",
+                          command.name, fish_option(option));
     }
   }
   return text;

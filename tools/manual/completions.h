@@ -8,8 +8,8 @@
 namespace raycheck::tools {
 
 std::string bash_completion(const ManualCommand& program, std::span<const ManualCommand> commands);
-std::string zsh_completion(std::span<const ManualCommand> commands);
-std::string fish_completion(std::span<const ManualCommand> commands);
+std::string zsh_completion(const ManualCommand& program, std::span<const ManualCommand> commands);
+std::string fish_completion(const ManualCommand& program, std::span<const ManualCommand> commands);
 
 }  // namespace raycheck::tools
 

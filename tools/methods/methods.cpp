@@ -55,10 +55,10 @@ std::vector<const fast::IntersectMethod*> all_intersect_methods() {
 std::vector<StagedMethod> find_methods(const std::vector<std::string>& names) {
   std::vector<StagedMethod> all;
   for (const auto* method : fast::pixel_ray_methods()) {
-    all.push_back({properties::Stage::kRays, method, kDefaultMethods.intersect});
+    all.push_back({properties::Stage::kRays, method, kDefaultMethods.intersect, nullptr});
   }
   for (const auto* method : all_intersect_methods()) {
-    all.push_back({properties::Stage::kIntersection, kDefaultMethods.rays, method});
+    all.push_back({properties::Stage::kIntersection, kDefaultMethods.rays, method, nullptr});
   }
   constexpr const char* kAll = "all";
   if (std::find(names.begin(), names.end(), kAll) != names.end()) {
@@ -95,11 +95,20 @@ std::vector<StagedMethod> find_methods(const std::vector<std::string>& names) {
   return all;
 }
 
+std::vector<StagedMethod> find_methods(const std::vector<std::string>& names,
+                                       const std::vector<StagedMethod>& others) {
+  std::vector<StagedMethod> found;
+  if (others.empty() || !names.empty()) found = find_methods(names);
+  found.insert(found.end(), others.begin(), others.end());
+  return found;
+}
+
 properties::Candidate candidate_of(const MethodPair& pair) {
   return properties::fast_candidate(*pair.rays, *pair.intersect);
 }
 
 properties::Candidate candidate_of(const StagedMethod& method) {
+  if (method.other) return method.other->candidate();
   return candidate_of(MethodPair{method.rays, method.intersect});
 }
 

@@ -1,6 +1,8 @@
 #ifndef RAYCHECK_TOOLS_METHODS_METHODS_H_
 #define RAYCHECK_TOOLS_METHODS_METHODS_H_
 
+#include <functional>
+#include <memory>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -28,13 +30,30 @@ const fast::IntersectMethod& find_intersect(const std::string& name);
 /// The pair called "RAYS/INTERSECT", or "INTERSECT" with the default rays; throws as above.
 MethodPair find_pair(const std::string& name);
 
+/// Someone else's implementation, known by what it is called and how it is asked.
+struct OtherMethod {
+  std::string name;
+  std::string isolated_by;  ///< What keeps it: "own user, seccomp, bubblewrap".
+  std::string bounds_of;    ///< The methods whose bounds it is held to.
+  /// Of its own for each call.
+  std::function<properties::Candidate()> candidate;
+  /// The shared library that may be called in raycheck's own process; empty: there is none, or it
+  /// is to be kept.
+  std::string library = {};
+  bool is_kept = false;  ///< In a sandbox.
+};
+
 /// A method of either kind, to be judged in its own stage.
 struct StagedMethod {
   properties::Stage stage = properties::Stage::kRays;
+  /// Of someone else's implementation the methods whose bounds it is held to.
   const fast::PixelRayMethod* rays = kDefaultMethods.rays;
   const fast::IntersectMethod* intersect = kDefaultMethods.intersect;
+  /// Null: it is raycheck's own.
+  std::shared_ptr<const OtherMethod> other = nullptr;
 
   std::string_view name() const {
+    if (other) return other->name;
     return stage == properties::Stage::kRays ? rays->name : intersect->name;
   }
 };
@@ -46,6 +65,11 @@ std::vector<const fast::IntersectMethod*> all_intersect_methods();
 /// "all" is every one); when there are none those of fast/, which is what a renderer may use.
 /// Throws std::invalid_argument naming the field and the known names.
 std::vector<StagedMethod> find_methods(const std::vector<std::string>& names);
+
+/// The methods of those names and others' behind them; where others are given and no name, those
+/// alone. Throws as above.
+std::vector<StagedMethod> find_methods(const std::vector<std::string>& names,
+                                       const std::vector<StagedMethod>& others);
 
 properties::Candidate candidate_of(const MethodPair& pair);
 properties::Candidate candidate_of(const StagedMethod& method);

@@ -10,6 +10,7 @@
 #include "properties/run_control.h"
 #include "properties/search/campaign.h"
 #include "tools/external/contestant.h"
+#include "tools/gates/baseline.h"
 
 namespace raycheck::tools {
 
@@ -59,6 +60,7 @@ struct PropertiesReport {
   std::string baseline;  ///< Whose frontier stands beside; empty: none was asked for.
   bool interrupted = false;
   bool strict = false;
+  std::optional<Ratchet> ratchet;  ///< Where it is held against a baseline.
 
   std::uint64_t count(properties::Finding finding) const;
   std::uint64_t failures() const { return count(properties::Finding::kBroken); }

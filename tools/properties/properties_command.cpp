@@ -4,6 +4,7 @@
 
 #include "tools/arguments.h"
 #include "tools/commands.h"
+#include "tools/gate_arguments.h"
 #include "tools/properties/properties_views.h"
 #include "tools/terminal.h"
 
@@ -25,6 +26,7 @@ struct PropertiesArguments {
   bool frontier = false;
   bool strict = false;
   std::string format;
+  GateArguments gate;
 };
 
 /// Domain: one of kLevelNames.
@@ -57,9 +59,13 @@ int run_properties_command(const PropertiesArguments& arguments) {
     const auto pairs = contestants(chosen_methods(arguments.rays, arguments.intersect));
     options.contestants.insert(options.contestants.begin(), pairs.begin(), pairs.end());
   }
-  const PropertiesReport report = run_properties(options, run_control("laws"));
+  GateFiles files(arguments.gate, {});
+  PropertiesReport report = run_properties(options, run_control("laws"));
+  report.ratchet = files.ratchet(findings_of(report), report.interrupted);
   print_view(kPropertiesViews, arguments.format, report);
-  return exit_code(report.interrupted, report.failures() > 0, report.is_conclusive());
+  files.write(kPropertiesViews, report);
+  const bool fails = report.ratchet ? report.ratchet->fails() : report.failures() > 0;
+  return exit_code(report.interrupted, fails, report.is_conclusive());
 }
 
 }  // namespace
@@ -104,6 +110,7 @@ Command add_properties(CLI::App& program) {
                   "the bound on every error (default: the method's documented bounds)")
       ->check(kBound);
   add_format(command, arguments.format, kPropertiesViews);
+  add_gate(command, arguments.gate, kPropertiesViews);
   return {&command, [given] { return run_properties_command(*given); }};
 }
 

@@ -1,6 +1,7 @@
 #include <nlohmann/json.hpp>
 
 #include "properties/cases/case_text.h"
+#include "tools/gates/ratchet_json.h"
 #include "tools/properties/properties_views.h"
 #include "tools/report/json.h"
 
@@ -34,6 +35,10 @@ Json part_json(const properties::CampaignPart& part) {
   json["severity"] = severity_json(part.source.severity);
   json["level"] = name(part.source.level());
   json["replay"] = replay_json(part.replay);
+  json["defects"] = Json::array();
+  for (const properties::DefectKind& kind : part.defects) {
+    json["defects"].push_back(kind_text(kind));
+  }
   return json;
 }
 
@@ -100,6 +105,7 @@ std::string properties_json(const PropertiesReport& report, const ViewOptions& /
   json["strict"] = report.strict;
   json["fewest_right"] = properties::kFewestRight;
   json["failures"] = report.failures();
+  json["held_against"] = ratchet_json(report.ratchet);
   return json_text(json);
 }
 

@@ -6,6 +6,7 @@
 #include <span>
 
 #include "properties/cases/case_text.h"
+#include "tools/gates/gate_views.h"
 #include "tools/properties/properties_views.h"
 #include "tools/report/words.h"
 
@@ -17,17 +18,6 @@ using properties::CampaignResult;
 using properties::Finding;
 using properties::Reach;
 using properties::Standing;
-
-/// The parts of each source, in the order of sources.
-std::vector<std::span<const CampaignPart>> by_source(const CampaignResult& result) {
-  std::vector<std::span<const CampaignPart>> groups;
-  const std::span<const CampaignPart> all = result.parts;
-  for (std::size_t first = 0, end = 0; first < all.size(); first = end) {
-    while (end < all.size() && all[end].source.source == all[first].source.source) ++end;
-    groups.push_back(all.subspan(first, end - first));
-  }
-  return groups;
-}
 
 /// "rays, all of up, distance@3..7, tangency@6,9..12": runs of severities that were judged one
 /// after the other.
@@ -67,57 +57,6 @@ std::string holding_text(const CampaignResult& result) {
     text += fmt::format("{}{} up to @{}", text.empty() ? "" : ", ", parts[0].source.source->name,
                         *held->source.severity);
   }
-  return text;
-}
-
-/// Someone else's has to be named again to be asked again, and so has how a renderer is judged.
-std::string replay_text(const CampaignReport& campaign) {
-  const std::string& replay = campaign.result.failure->replay;
-  if (!campaign.external) return fmt::format("raycheck properties --replay {}", replay);
-  std::string words = fmt::format("raycheck properties --candidate '{}'", campaign.candidate);
-  if (const auto& renderer = campaign.external->renderer) {
-    const Renderer usual{};
-    if (!(renderer->driver == usual.driver)) {
-      const std::string form = renderer->driver.name();
-      const char* const quote =
-          form.find_first_of(" ()<>|&;*?[#~{") == std::string::npos ? "" : "'";
-      words += fmt::format(" --dialect {1}{0}{1}", form, quote);
-    }
-    const scene::Precision precision = campaign.external->precision;
-    if (precision != scene::Precision::kDouble) {
-      words += fmt::format(" --precision {}", name(precision));
-    }
-    if (renderer->excused_change != properties::excused_image_change(precision)) {
-      words += fmt::format(" --image-change {}", renderer->excused_change);
-    }
-    if (renderer->threshold != usual.threshold) {
-      words += fmt::format(" --t-threshold {}", renderer->threshold);
-    }
-  }
-  return fmt::format("{} --replay '{}'", words, replay);
-}
-
-std::string failure_text(const CampaignReport& campaign, bool colours) {
-  const CampaignResult& result = campaign.result;
-  const properties::Failure& failure = *result.failure;
-  std::string text;
-  if (result.parts.size() > 1) {
-    text += fmt::format("    broken on {}\n", broken_text(result));
-    const std::string holding = holding_text(result);
-    if (!holding.empty()) text += fmt::format("    holds on {}\n", holding);
-  }
-  text += fmt::format("    the law: {}\n", campaign.law->sentence);
-  for (const auto& discrepancy : failure.verdict.worst(1)) {
-    text += indented(discrepancy_text(discrepancy, colours), "    ");
-  }
-  const bool renders = campaign.external && campaign.external->renderer;
-  text +=
-      indented(explanations_text(campaign.explanations, renders ? "pixels" : "answers"), "    ");
-  text += fmt::format("    replay: {}\n", replay_text(campaign));
-  text += "    the shrunk case, as a scene for `raycheck check`:\n";
-  const std::string reason =
-      fmt::format("breaks the law {} with {}", campaign.law->name, campaign.candidate);
-  text += indented(properties::scene_text(failure.shrunk, reason), "      ");
   return text;
 }
 
@@ -175,13 +114,6 @@ std::string counts_text(const CampaignResult& result) {
   return text;
 }
 
-std::string too_few_text(const CampaignResult& result) {
-  const auto [quantity, question] = *result.too_few_right();
-  return fmt::format(
-      "    of {}, question \"{}\", fewer than {} answers are right without an excuse\n",
-      info(quantity).name, name(question), result.fewest_right);
-}
-
 std::string campaign_text(const CampaignReport& campaign, bool colours) {
   const CampaignResult& result = campaign.result;
   std::string text = fmt::format("{:<16} {:<26} {}", campaign.law->name, campaign.candidate,
@@ -190,10 +122,76 @@ std::string campaign_text(const CampaignReport& campaign, bool colours) {
     return text + fmt::format(": {}\n", result.counts.reason);
   }
   text += fmt::format(" on {} ({})\n", name(result.level), counts_text(result));
-  return campaign.finding == Finding::kTooFewJudged ? text + too_few_text(result) : text;
+  if (campaign.finding != Finding::kTooFewJudged) return text;
+  return text + fmt::format("    {}\n", too_few_text(result));
 }
 
 }  // namespace
+
+std::vector<std::span<const CampaignPart>> by_source(const CampaignResult& result) {
+  std::vector<std::span<const CampaignPart>> groups;
+  const std::span<const CampaignPart> all = result.parts;
+  for (std::size_t first = 0, end = 0; first < all.size(); first = end) {
+    while (end < all.size() && all[end].source.source == all[first].source.source) ++end;
+    groups.push_back(all.subspan(first, end - first));
+  }
+  return groups;
+}
+
+std::string replay_text(const CampaignReport& campaign, const std::string& replay) {
+  // Someone else's has to be named again to be asked again, and so has how a renderer is judged.
+  if (!campaign.external) return fmt::format("raycheck properties --replay {}", replay);
+  std::string words = fmt::format("raycheck properties --candidate '{}'", campaign.candidate);
+  if (const auto& renderer = campaign.external->renderer) {
+    const Renderer usual{};
+    if (!(renderer->driver == usual.driver)) {
+      const std::string form = renderer->driver.name();
+      const char* const quote =
+          form.find_first_of(" ()<>|&;*?[#~{") == std::string::npos ? "" : "'";
+      words += fmt::format(" --dialect {1}{0}{1}", form, quote);
+    }
+    const scene::Precision precision = campaign.external->precision;
+    if (precision != scene::Precision::kDouble) {
+      words += fmt::format(" --precision {}", name(precision));
+    }
+    if (renderer->excused_change != properties::excused_image_change(precision)) {
+      words += fmt::format(" --image-change {}", renderer->excused_change);
+    }
+    if (renderer->threshold != usual.threshold) {
+      words += fmt::format(" --t-threshold {}", renderer->threshold);
+    }
+  }
+  return fmt::format("{} --replay '{}'", words, replay);
+}
+
+std::string failure_text(const CampaignReport& campaign, bool colours) {
+  const CampaignResult& result = campaign.result;
+  const properties::Failure& failure = *result.failure;
+  std::string text;
+  if (result.parts.size() > 1) {
+    text += fmt::format("broken on {}\n", broken_text(result));
+    const std::string holding = holding_text(result);
+    if (!holding.empty()) text += fmt::format("holds on {}\n", holding);
+  }
+  text += fmt::format("the law: {}\n", campaign.law->sentence);
+  for (const auto& discrepancy : failure.verdict.worst(1)) {
+    text += discrepancy_text(discrepancy, colours);
+  }
+  const bool renders = campaign.external && campaign.external->renderer;
+  text += explanations_text(campaign.explanations, renders ? "pixels" : "answers");
+  text += fmt::format("replay: {}\n", replay_text(campaign, failure.replay));
+  text += "the shrunk case, as a scene for `raycheck check`:\n";
+  const std::string reason =
+      fmt::format("breaks the law {} with {}", campaign.law->name, campaign.candidate);
+  text += indented(properties::scene_text(failure.shrunk, reason), "  ");
+  return text;
+}
+
+std::string too_few_text(const CampaignResult& result) {
+  const auto [quantity, question] = *result.too_few_right();
+  return fmt::format("of {}, question \"{}\", fewer than {} answers are right without an excuse",
+                     info(quantity).name, name(question), result.fewest_right);
+}
 
 std::string properties_text(const PropertiesReport& report, const ViewOptions& options) {
   std::string text;
@@ -203,7 +201,9 @@ std::string properties_text(const PropertiesReport& report, const ViewOptions& o
   }
   for (const CampaignReport& campaign : report.campaigns) {
     text += campaign_text(campaign, options.colours);
-    if (campaign.result.failure) text += failure_text(campaign, options.colours);
+    if (campaign.result.failure) {
+      text += indented(failure_text(campaign, options.colours), "    ");
+    }
     const bool is_asked = campaign.finding != Finding::kLeftOut;
     if (is_asked && !campaign.frontier.empty()) text += frontier_text(campaign, report.baseline);
   }
@@ -217,7 +217,7 @@ std::string properties_text(const PropertiesReport& report, const ViewOptions& o
     if (count > 0) text += fmt::format(", {} {}", count, name(finding));
   }
   text += "\n";
-  return text;
+  return report.ratchet ? text + ratchet_text(*report.ratchet) : text;
 }
 
 }  // namespace raycheck::tools

@@ -3,6 +3,10 @@
 
 // The views of `properties`, each in the file of its name.
 
+#include <span>
+#include <vector>
+
+#include "tools/gates/gate.h"
 #include "tools/properties/properties.h"
 #include "tools/report/view.h"
 
@@ -10,11 +14,37 @@ namespace raycheck::tools {
 
 std::string properties_text(const PropertiesReport& report, const ViewOptions& options);
 std::string properties_json(const PropertiesReport& report, const ViewOptions& options);
+std::string properties_junit(const PropertiesReport& report, const ViewOptions& options);
+std::string properties_markdown(const PropertiesReport& report, const ViewOptions& options);
+std::string properties_github(const PropertiesReport& report, const ViewOptions& options);
+std::string properties_gitlab_codequality(const PropertiesReport& report,
+                                          const ViewOptions& options);
 
 inline constexpr View<PropertiesReport> kPropertiesViews[] = {
     {"text", properties_text},
     {"json", properties_json},
+    {"junit", properties_junit},
+    {"markdown", properties_markdown},
+    {"github", properties_github, ViewKind::kCommands},
+    {"gitlab-codequality", properties_gitlab_codequality},
 };
+
+/// A check for each law on each source.
+Gate properties_gate(const PropertiesReport& report);
+/// What a baseline holds of it.
+Findings findings_of(const PropertiesReport& report);
+
+/// The parts of each source, in the order of sources.
+std::vector<std::span<const properties::CampaignPart>> by_source(
+    const properties::CampaignResult& result);
+/// Why too little was judged to say that a law holds.
+/// Domain: a campaign of which that is the finding.
+std::string too_few_text(const properties::CampaignResult& result);
+/// The command that asks about a case again.
+std::string replay_text(const CampaignReport& campaign, const std::string& replay);
+/// Why a law is broken, in lines, with the shrunk case.
+/// Domain: a campaign with a failure.
+std::string failure_text(const CampaignReport& campaign, bool colours);
 
 }  // namespace raycheck::tools
 

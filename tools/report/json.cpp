@@ -3,6 +3,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "scene/files/scene_file.h"
 #include "scene/number.h"
 #include "scene/text.h"
 #include "tools/report/version.h"
@@ -21,8 +22,11 @@ namespace {
 std::string spelled(const Json& json, int indent) {
   const std::string text = json.dump(indent, ' ', false, Json::error_handler_t::replace);
   std::string without_delete;
-  for (const char c : text)
-    without_delete += c == '\x7f' ? std::string("\\u007f") : std::string(1, c);
+  for (const char c : text) {
+    // Logs of GitHub's workflows obey "##[error]" wherever it stands.
+    const bool begins_command = c == '[' && without_delete.ends_with("##");
+    without_delete += c == '\x7f' ? "\\u007f" : begins_command ? "\\u005b" : std::string(1, c);
+  }
   return scene::visible(without_delete) + "\n";
 }
 
@@ -119,6 +123,13 @@ Json discrepancy_json(const Discrepancy& d) {
   json["condition"] = error_json(d.condition);
   json["standing"] = name(d.excuse.standing());
   json["excuse"] = excuse_json(d);
+  json["failed"] = nullptr;
+  if (d.wrong == properties::Wrong::kFailed) {
+    json["failed"] = {
+        {"blame", name(d.failed.blame)},
+        {"questions", d.failed.count},
+        {"scene", d.failed.scene ? Json(scene::write_toml(*d.failed.scene)) : Json(nullptr)}};
+  }
   return json;
 }
 

@@ -8,7 +8,15 @@ namespace raycheck::tools {
 
 /// What a view is told of the place that it is shown in.
 struct ViewOptions {
-  bool colours = false;  ///< Of a terminal.
+  bool colours = false;      ///< Of a terminal.
+  std::string picture_link;  ///< Where its picture is to be found; empty: it has it itself.
+};
+
+/// What acts on who reads a view.
+enum class ViewKind {
+  kText,      ///< Nothing.
+  kCommands,  ///< Lines that the log of GitHub's workflows obeys.
+  kBytes,     ///< It is no text, and goes to files alone.
 };
 
 /// A format of a command's report: what --format calls it, and what writes it. The views of a room
@@ -17,6 +25,7 @@ template <class Report>
 struct View {
   std::string_view name;
   std::string (*render)(const Report& report, const ViewOptions& options);
+  ViewKind kind = ViewKind::kText;
 };
 
 }  // namespace raycheck::tools

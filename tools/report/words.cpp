@@ -193,10 +193,31 @@ std::string excuse_text(const Discrepancy& d) {
   }
 }
 
+namespace {
+
+/// Where a failure lies, as a clause; empty where no question is to blame.
+std::string failed_place_text(const Discrepancy& d) {
+  switch (d.failed.blame) {
+    case properties::Blame::kQuestion:
+      return ", " + place_text(d.place);
+    case properties::Blame::kAmong:
+      return fmt::format(", one of {} from {} on", count_text(d.failed.count, "question"),
+                         place_text(d.place));
+    case properties::Blame::kTogether:
+      return fmt::format(", {} from {} on, which are answered in parts",
+                         count_text(d.failed.count, "question"), place_text(d.place));
+    default:
+      return {};
+  }
+}
+
+}  // namespace
+
 std::string discrepancy_text(const Discrepancy& d, bool colours) {
   const properties::QuantityInfo& quantity = info(d.quantity);
   std::string head(quantity.name);
   if (has_place(d.quantity)) head += ", " + place_text(d.place);
+  head += failed_place_text(d);
   if (!d.what.empty()) head += fmt::format(", {}", d.what);
   if (d.wrong != properties::Wrong::kNot) {
     head += fmt::format(": {}", name(d.wrong));

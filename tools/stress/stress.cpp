@@ -160,7 +160,7 @@ StressReport run_stress(const StressOptions& options, const properties::RunContr
   report.cases = options.cases;
   report.seed = options.seed;
   const std::vector<const CaseSource*> families = chosen_families(options.families);
-  const std::vector<StagedMethod> methods = find_methods(options.methods);
+  const std::vector<StagedMethod> methods = find_methods(options.methods, options.others);
   require_severities(families, options);
   for (const CaseSource* family : families) {
     FamilyReport one{family, {}};

@@ -14,8 +14,9 @@ namespace raycheck::tools {
 
 struct StressOptions {
   std::vector<std::string> families;  ///< Empty: every source with a dial.
-  std::vector<std::string> methods;   ///< Empty: every method.
-  int cases = 200;                    ///< At each severity.
+  std::vector<std::string> methods;   ///< Empty: every method, or those of others alone.
+  std::vector<StagedMethod> others;
+  int cases = 200;  ///< At each severity.
   std::uint64_t seed = 1;
   /// Severities from..to; empty: the family's own range.
   std::optional<std::pair<int, int>> severities;

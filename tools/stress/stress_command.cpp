@@ -20,6 +20,7 @@ struct StressArguments {
   std::string plot;
   std::optional<std::string> certificates;
   std::string format;
+  ExternalArguments external;
 };
 
 /// "3" or "2..7"
@@ -39,6 +40,7 @@ std::pair<int, int> parse_range(const std::string& text) {
 int run_stress(StressArguments& arguments) {
   if (!arguments.severity.empty()) arguments.options.severities = parse_range(arguments.severity);
   if (!arguments.plot.empty()) require_plottable(arguments.plot);
+  arguments.options.others = find_others(arguments.external);
   std::optional<OutputFile> certificates;
   if (arguments.certificates) certificates.emplace("--certificates", *arguments.certificates);
   const StressReport report = run_stress(arguments.options, run_control("stress"));
@@ -72,6 +74,7 @@ Command add_stress(CLI::App& program) {
   add_seed(command, options.seed);
   command.add_option("--plot", given->plot,
                      "draw error against severity to a file, .svg, .png or .pdf");
+  add_external(command, given->external);
   add_certificates(command, given->certificates);
   add_format(command, given->format, kStressViews);
   return {&command, [given] { return run_stress(*given); }};

@@ -20,6 +20,10 @@ std::string stress_json(const StressReport& report, const ViewOptions& /*options
     for (const StressCurve& curve : family.curves) {
       Json method;
       method["name"] = curve.method.name();
+      method["isolated_by"] =
+          curve.method.other ? Json(curve.method.other->isolated_by) : Json(nullptr);
+      method["bounds_of"] =
+          curve.method.other ? Json(curve.method.other->bounds_of) : Json(nullptr);
       method["stage"] = name(curve.method.stage);
       method["judged"] = curve.is_judged();
       const std::optional<int> failing = curve.first_failing();

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "tools/methods/others_text.h"
 #include "tools/report/table.h"
 #include "tools/report/words.h"
 #include "tools/stress/stress_views.h"
@@ -194,6 +195,12 @@ std::string rendered(const StressReport& report, Render render, std::string_view
   if (report.interrupted) text += "INTERRUPTED: what follows covers only what was judged.\n\n";
   text += fmt::format("{} cases at each severity, seed {}.\n{}", report.cases, report.seed,
                       explanation());
+  std::vector<StagedMethod> methods;
+  for (const FamilyReport& family : report.families) {
+    for (const StressCurve& curve : family.curves) methods.push_back(curve.method);
+  }
+  const std::string others = others_text(methods);
+  if (!others.empty()) text += "\n" + others;
   for (const Stage stage : {Stage::kRays, Stage::kIntersection}) {
     const Table table = first_failing_table(report, stage);
     if (table.empty()) continue;

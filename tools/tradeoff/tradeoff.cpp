@@ -189,8 +189,10 @@ std::optional<std::pair<double, double>> badness_of(const properties::Verdict& v
 std::vector<MethodPair> pairs_worth_timing(const TradeoffReport& report) {
   std::vector<MethodPair> pairs;
   for (const MethodCost& rays : report.rays) {
+    if (rays.method.other) continue;
     if (!rays.pareto && rays.method.rays != kDefaultMethods.rays) continue;
     for (const MethodCost& cost : report.intersections) {
+      if (cost.method.other) continue;
       if (!cost.pareto && cost.method.intersect != kDefaultMethods.intersect) continue;
       pairs.push_back({rays.method.rays, cost.method.intersect});
     }
@@ -200,6 +202,10 @@ std::vector<MethodPair> pairs_worth_timing(const TradeoffReport& report) {
 
 void judge_pixels(const SceneChunks& chunks, TradeoffReport& report) {
   const std::vector<MethodPair> pairs = pairs_worth_timing(report);
+  if (pairs.empty()) {
+    report.left_out.emplace_back("pixels end to end: of raycheck's own methods alone");
+    return;
+  }
   const std::vector<Duration> durations = time_pixels(chunks[0], pairs);
   std::vector<Candidate> candidates;
   for (std::size_t k = 0; k < pairs.size(); ++k) {
@@ -333,7 +339,7 @@ std::uint64_t TradeoffReport::compared() const {
 TradeoffReport run_tradeoff(const TradeoffOptions& options, const properties::RunControl& control) {
   TradeoffReport report;
   report.seed = options.seed;
-  const std::vector<StagedMethod> methods = find_methods(options.methods);
+  const std::vector<StagedMethod> methods = find_methods(options.methods, options.others);
   report.rays = costs_of(methods, Stage::kRays);
   report.intersections = costs_of(methods, Stage::kIntersection);
   const scene::Interruptible interruptible(control.interrupted);

@@ -18,7 +18,8 @@ struct TradeoffOptions {
   std::optional<scene::Dialect> dialect;
   std::vector<std::string> sources;  ///< Empty: ordinary cases.
   bool all_families = false;
-  std::vector<std::string> methods;  ///< Empty: every method.
+  std::vector<std::string> methods;  ///< Empty: every method, or those of others alone.
+  std::vector<StagedMethod> others;
   int cases = 20000;
   std::uint64_t seed = 1;
 };
@@ -40,6 +41,7 @@ struct MethodCost {
   std::string not_timed;
   std::vector<std::string> unstable_on;  ///< Sources; empty: stable on all of them.
   bool pareto = false;                   ///< No other method is as fast and as accurate.
+  bool is_called_here = false;  ///< Someone else's that was timed in raycheck's own process.
 
   properties::Quantity quantity() const { return properties::main_quantity(method.stage); }
   const properties::Tally* main() const;

@@ -15,6 +15,7 @@ struct TradeoffArguments {
   std::string dialect;
   std::string plot;
   std::string format;
+  ExternalArguments external;
 };
 
 int run_tradeoff(TradeoffArguments& arguments) {
@@ -29,6 +30,7 @@ int run_tradeoff(TradeoffArguments& arguments) {
     require_plottable(arguments.plot);
     require_no_input("--plot", arguments.plot, {options.scene});
   }
+  options.others = find_others(arguments.external);
   const TradeoffReport report = run_tradeoff(options, run_control("tradeoff"));
   print_warnings(report.warnings);
   print_view(kTradeoffViews, arguments.format, report);
@@ -65,6 +67,7 @@ Command add_tradeoff(CLI::App& program) {
   add_seed(command, options.seed);
   command.add_option("--plot", given->plot,
                      "draw error against time to a file, .svg, .png or .pdf");
+  add_external(command, given->external);
   add_format(command, given->format, kTradeoffViews);
   return {&command, [given] { return run_tradeoff(*given); }};
 }

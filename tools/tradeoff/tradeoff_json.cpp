@@ -16,6 +16,10 @@ Json duration_json(const std::optional<Duration>& duration) {
 Json cost_json(const MethodCost& cost) {
   Json json;
   json["name"] = cost.method.name();
+  const auto& other = cost.method.other;
+  json["isolated_by"] = other ? Json(other->isolated_by) : Json(nullptr);
+  json["bounds_of"] = other ? Json(other->bounds_of) : Json(nullptr);
+  json["called_in_process"] = cost.is_called_here;
   json["pareto"] = cost.pareto;
   json["call"] = duration_json(cost.scalar);
   json["batch"] = duration_json(cost.batch);

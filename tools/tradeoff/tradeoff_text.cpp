@@ -1,5 +1,6 @@
 #include <fmt/core.h>
 
+#include "tools/methods/others_text.h"
 #include "tools/report/table.h"
 #include "tools/report/words.h"
 #include "tools/tradeoff/tradeoff_views.h"
@@ -207,6 +208,20 @@ std::string rendered(const TradeoffReport& report, Render render, std::string_vi
       "method's stated domain\n",
       item, properties::kExcusedChange / properties::kDoubleRoundoff,
       properties::kModerateCondition, properties::kStableRatio);
+  std::vector<StagedMethod> methods;
+  std::string called_here;
+  for (const auto* costs : {&report.rays, &report.intersections}) {
+    for (const MethodCost& cost : *costs) {
+      methods.push_back(cost.method);
+      if (!cost.is_called_here) continue;
+      called_here += fmt::format(
+          "{}{} ({}) was timed in raycheck's own process (--sandbox none), by the same loops, once "
+          "its answers there were those that were judged\n",
+          item, cost.method.name(), name(cost.method.stage));
+    }
+  }
+  const std::string others = others_text(methods);
+  if (!others.empty()) text += "\n" + indented(others, item) + called_here;
   std::vector<std::string> notes = report.left_out;
   for (const auto* costs : {&report.rays, &report.intersections}) {
     for (const MethodCost& cost : *costs) {

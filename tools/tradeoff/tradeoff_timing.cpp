@@ -3,15 +3,15 @@
 #include <fmt/core.h>
 
 #include <algorithm>
-#include <bit>
 #include <chrono>
 #include <cstdint>
-#include <functional>
 #include <limits>
 
 #include "fast/batch.h"
 #include "properties/cases/random.h"
 #include "scene/interruption.h"
+#include "tools/tradeoff/tradeoff_items.h"
+#include "tools/tradeoff/tradeoff_others.h"
 
 namespace raycheck::tools {
 namespace {
@@ -24,12 +24,6 @@ constexpr std::size_t kBatches = 8;
 constexpr int kRepetitions = 21;
 /// What one method may take of one repetition, at about; slow ones are timed on fewer items.
 constexpr double kNanosecondsPerRepetition = 2e6;
-
-/// Work on the first `count` of some items.
-struct Timed {
-  std::function<void(std::size_t count)> work;
-  std::size_t items = 0;
-};
 
 double elapsed_ns(const Timed& timed, std::size_t count) {
   const auto start = std::chrono::steady_clock::now();
@@ -82,19 +76,6 @@ std::vector<Duration> time_interleaved(const std::vector<Timed>& all) {
   return durations;
 }
 
-/// Keeps the compiler from leaving out what nobody reads.
-template <class Value>
-void keep(const Value& value) {
-  asm volatile("" : : "g"(&value) : "memory");
-}
-
-struct Pair {
-  scene::Ray ray;
-  scene::Sphere sphere;
-  scene::Root root;
-  scene::Tangent tangent;
-};
-
 bool is_inside(const Pair& pair, const properties::Candidate& candidate) {
   scene::Scene scene;
   scene.rays = {pair.ray};
@@ -124,19 +105,6 @@ void append(fast::Rays& rays, const scene::Ray& ray) {
   rays.direction.z.push_back(ray.direction.z);
 }
 
-scene::Ray ray_at(const fast::Rays& rays, std::size_t k) {
-  return {{rays.origin.x[k], rays.origin.y[k], rays.origin.z[k]},
-          {rays.direction.x[k], rays.direction.y[k], rays.direction.z[k]}};
-}
-
-/// Rays that meet one sphere.
-struct Batch {
-  fast::Rays rays;
-  scene::Sphere sphere;
-  scene::Root root;
-  scene::Tangent tangent;
-};
-
 /// The ray of one pair, placed to another's sphere as it was to its own.
 scene::Ray placed_at(const Pair& pair, const scene::Sphere& sphere) {
   const double scale = pair.sphere.radius > 0 ? sphere.radius / pair.sphere.radius : 1;
@@ -157,10 +125,6 @@ std::vector<Batch> batches_of(const std::vector<Pair>& pairs) {
     append(batch.rays, placed_at(pairs[k], batch.sphere));
   }
   return batches;
-}
-
-bool same_bits(double a, double b) {
-  return std::bit_cast<std::uint64_t>(a) == std::bit_cast<std::uint64_t>(b);
 }
 
 bool batch_is_single_calls(const fast::IntersectMethod& method, const Batch& batch) {
@@ -206,13 +170,6 @@ Duration per_item(const Duration& per_batch, std::size_t items, std::size_t batc
   const double share = static_cast<double>(batches) / static_cast<double>(items);
   return {per_batch.median * share, per_batch.low * share, per_batch.high * share};
 }
-
-/// Pixels of one camera.
-struct PixelBatch {
-  scene::Camera camera;
-  scene::Conventions conventions;
-  std::vector<scene::Pixel> pixels;
-};
 
 std::vector<PixelBatch> pixel_batches_of(const std::vector<Case>& cases) {
   properties::Random random(1);
@@ -281,6 +238,14 @@ void fill_in(const std::vector<Items>& items, const std::vector<Timed>& scalars,
   }
 }
 
+void add_others(OthersTimed timed, std::vector<Timed>& scalars, std::vector<Timed>& whole,
+                MethodCost& cost) {
+  cost.is_called_here = timed.not_timed.empty();
+  if (!timed.not_timed.empty()) cost.not_timed = std::move(timed.not_timed);
+  scalars.push_back(std::move(timed.single));
+  whole.push_back(std::move(timed.batch));
+}
+
 }  // namespace
 
 void time_intersections(const std::vector<Case>& cases, std::vector<MethodCost>& costs) {
@@ -297,6 +262,11 @@ void time_intersections(const std::vector<Case>& cases, std::vector<MethodCost>&
     }
     costs[k].not_timed = only_part(pairs[k].size(), all.size());
     batches[k] = batches_of(pairs[k]);
+    if (costs[k].method.other) {
+      add_others(others_intersections(*costs[k].method.other, candidate, pairs[k], batches[k]),
+                 scalars, whole, costs[k]);
+      continue;
+    }
     scalars.push_back(single_calls(method, pairs[k]));
     const bool same = std::all_of(batches[k].begin(), batches[k].end(), [&](const Batch& batch) {
       return batch_is_single_calls(method, batch);
@@ -326,6 +296,14 @@ void time_rays(const std::vector<Case>& cases, std::vector<MethodCost>& costs) {
       singles[k].push_back({*one.scene.camera, one.scene.conventions, {one.pixels.front()}});
     }
     batches[k] = pixel_batches_of(inside);
+    for (const PixelBatch& batch : batches[k]) {
+      items[k].insert(items[k].end(), batch.pixels.begin(), batch.pixels.end());
+    }
+    if (costs[k].method.other) {
+      add_others(others_rays(*costs[k].method.other, candidate, singles[k], batches[k]), scalars,
+                 whole, costs[k]);
+      continue;
+    }
     const auto work = [&method](const std::vector<PixelBatch>& list) {
       return Timed{[&method, &list, rays = fast::Rays{}](std::size_t count) mutable {
                      for (std::size_t at = 0; at < count; ++at) {
@@ -343,9 +321,6 @@ void time_rays(const std::vector<Case>& cases, std::vector<MethodCost>& costs) {
                     [&](const PixelBatch& batch) { return batch_is_single_calls(method, batch); });
     if (!same) costs[k].not_timed = "batches answer differently from single calls";
     whole.push_back(same ? work(batches[k]) : Timed{});
-    for (const PixelBatch& batch : batches[k]) {
-      items[k].insert(items[k].end(), batch.pixels.begin(), batch.pixels.end());
-    }
   }
   fill_in(items, scalars, whole, costs);
 }

@@ -3,7 +3,10 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <functional>
+#include <optional>
 #include <stdexcept>
+#include <vector>
 
 namespace raycheck::tools {
 namespace {
@@ -11,7 +14,30 @@ namespace {
 using properties::Quantity;
 using properties::Stage;
 
-StagedMethod chosen_method(const std::string& name) {
+/// Whether a stage measures a quantity of that name, with hyphens for spaces.
+std::optional<Quantity> quantity_of(Stage stage, const std::string& chosen) {
+  for (std::size_t k = 0; k < properties::kQuantityCount; ++k) {
+    const auto quantity = static_cast<Quantity>(k);
+    if (properties::law_of(stage, quantity) == nullptr) continue;
+    std::string name(info(quantity).name);
+    std::replace(name.begin(), name.end(), ' ', '-');
+    if (name == chosen) return quantity;
+  }
+  return std::nullopt;
+}
+
+StagedMethod chosen_method(const WorstOptions& options) {
+  if (options.method.empty() == options.others.empty()) {
+    throw std::invalid_argument("method: give one, of raycheck's or of someone else's");
+  }
+  if (!options.others.empty()) {
+    for (const StagedMethod& other : options.others) {
+      if (quantity_of(other.stage, options.quantity)) return other;
+    }
+    return options.others.back();
+  }
+  const std::string& name = options.method;
+
   const std::vector<StagedMethod> methods = find_methods({name});
   if (methods.size() > 1) {
     throw std::invalid_argument(
@@ -31,13 +57,13 @@ properties::ChosenSource chosen_family(const std::string& name) {
 
 Quantity chosen_quantity(const std::string& chosen, Stage stage) {
   if (chosen.empty()) return properties::main_quantity(stage);
+  if (const auto quantity = quantity_of(stage, chosen)) return *quantity;
   std::string known;
   for (std::size_t k = 0; k < properties::kQuantityCount; ++k) {
     const auto quantity = static_cast<Quantity>(k);
     if (properties::law_of(stage, quantity) == nullptr) continue;
     std::string name(info(quantity).name);
     std::replace(name.begin(), name.end(), ' ', '-');
-    if (name == chosen) return quantity;
     known += (known.empty() ? "" : ", ") + name;
   }
   throw std::invalid_argument(
@@ -53,6 +79,29 @@ properties::Climb chosen_climb(const std::string& name) {
   return static_cast<properties::Climb>(found - properties::kClimbNames.begin());
 }
 
+/// Counts how often a function fails.
+template <class Answer, class... Arguments>
+void count_failures(std::function<Answer(Arguments...)>& function, WorstReport& report) {
+  if (!function) return;
+  function = [asked = function, &report](Arguments... arguments) -> Answer {
+    try {
+      return asked(arguments...);
+    } catch (const std::runtime_error& error) {
+      if (report.failures++ == 0) report.first_failure = error.what();
+      throw;
+    }
+  };
+}
+
+properties::Candidate counted(properties::Candidate candidate, WorstReport& report) {
+  count_failures(candidate.frame, report);
+  count_failures(candidate.pixel_points, report);
+  count_failures(candidate.pixel_rays, report);
+  count_failures(candidate.focal_rays, report);
+  count_failures(candidate.intersect, report);
+  return candidate;
+}
+
 }  // namespace
 
 bool WorstReport::is_unstable() const {
@@ -61,7 +110,7 @@ bool WorstReport::is_unstable() const {
 
 WorstReport find_worst(const WorstOptions& options, const properties::RunControl& control) {
   WorstReport report;
-  report.method = chosen_method(options.method);
+  report.method = chosen_method(options);
   properties::SearchOptions& search = report.search;
   search.source = chosen_family(options.family);
   if (report.method.stage == Stage::kRays && !search.source.source->has_camera) {
@@ -73,8 +122,8 @@ WorstReport find_worst(const WorstOptions& options, const properties::RunControl
   search.cases = options.cases;
   search.steps = options.steps;
   search.seed = options.seed;
-  report.worst = properties::find_worst_case(candidate_of(report.method), report.method.stage,
-                                             search, control);
+  report.worst = properties::find_worst_case(counted(candidate_of(report.method), report),
+                                             report.method.stage, search, control);
   report.interrupted = control.interrupted();
   return report;
 }

@@ -1,8 +1,10 @@
 #ifndef RAYCHECK_TOOLS_WORST_WORST_H_
 #define RAYCHECK_TOOLS_WORST_WORST_H_
 
+#include <cstdint>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "properties/run_control.h"
 #include "properties/search/worst_case.h"
@@ -11,7 +13,10 @@
 namespace raycheck::tools {
 
 struct WorstOptions {
-  std::string method;    ///< Of either kind.
+  std::string method;  ///< Of either kind; empty: someone else's.
+  /// Someone else's implementation by its stages: that of the quantity is searched, without one
+  /// the last.
+  std::vector<StagedMethod> others;
   std::string family;    ///< "SOURCE" or "SOURCE@SEVERITY", where the search starts.
   std::string quantity;  ///< With hyphens for spaces; empty: the main one of the method's stage.
   std::string climb = "error";  ///< One of properties::kClimbNames.
@@ -25,6 +30,8 @@ struct WorstReport {
   properties::SearchOptions search;
   std::optional<properties::WorstCase> worst;  ///< Empty: nothing was measured.
   bool interrupted = false;
+  std::uint64_t failures = 0;  ///< How often it gave no answer,
+  std::string first_failure;   ///< and how it first failed.
 
   bool is_unstable() const;
 };

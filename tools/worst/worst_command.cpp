@@ -1,5 +1,6 @@
 #include <memory>
 #include <optional>
+#include <stdexcept>
 
 #include "tools/arguments.h"
 #include "tools/commands.h"
@@ -14,15 +15,24 @@ struct WorstArguments {
   WorstOptions options;
   std::optional<std::string> save;
   std::string format;
+  ExternalArguments external;
 };
 
-int run_worst(const WorstArguments& arguments) {
+int run_worst(WorstArguments& arguments) {
+  if (arguments.options.method.empty() && arguments.external.candidates.empty()) {
+    throw std::invalid_argument("worst: give --method or --candidate");
+  }
+  if (arguments.external.candidates.size() > 1) {
+    throw std::invalid_argument("--candidate: one is searched; give it once");
+  }
+  arguments.options.others = find_others(arguments.external);
   std::optional<OutputFile> scene;
   if (arguments.save) scene.emplace("--save", *arguments.save);
   const WorstReport report = find_worst(arguments.options, run_control("worst"));
   print_view(kWorstViews, arguments.format, report);
   if (scene && report.worst) scene->write(worst_scene(report));
-  return exit_code(report.interrupted, report.is_unstable(), report.worst.has_value());
+  return exit_code(report.interrupted, report.is_unstable() || report.failures > 0,
+                   report.worst.has_value());
 }
 
 }  // namespace
@@ -32,7 +42,8 @@ Command add_worst(CLI::App& program) {
   WorstOptions& options = given->options;
   CLI::App& command = *program.add_subcommand(
       "worst", "Search for the input on which a method's certified error is worst");
-  command.add_option("--method", options.method, "the method, of either kind")->required();
+  CLI::Option* const method =
+      command.add_option("--method", options.method, "the method, of either kind");
   command
       .add_option("--family", options.family,
                   "the family or other source to start from, or FAMILY@SEVERITY")
@@ -55,6 +66,8 @@ Command add_worst(CLI::App& program) {
       ->capture_default_str();
   add_seed(command, options.seed);
   command.add_option("--save", given->save, "write the input to a TOML scene");
+  add_external(command, given->external);
+  command.get_option("--candidate")->excludes(method);
   add_format(command, given->format, kWorstViews);
   return {&command, [given] { return run_worst(*given); }};
 }

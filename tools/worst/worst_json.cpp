@@ -25,11 +25,15 @@ std::string worst_json(const WorstReport& report, const ViewOptions& /*options*/
   const properties::SearchOptions& search = report.search;
   Json json = json_header("worst");
   json["method"] = report.method.name();
+  const auto& other = report.method.other;
+  json["isolated_by"] = other ? Json(other->isolated_by) : Json(nullptr);
+  json["bounds_of"] = other ? Json(other->bounds_of) : Json(nullptr);
   json["family"] = search.source.name();
   json["seed"] = search.seed;
   json["climbed_on"] = properties::kClimbNames[static_cast<std::size_t>(search.climb)];
   json["unit"] = info(search.quantity).unit;
   json["measured"] = report.worst.has_value();
+  json["failures"] = {{"count", report.failures}, {"first", report.first_failure}};
   json["interrupted"] = report.interrupted;
   if (report.worst) add(json, *report.worst);
   return json_text(json);

@@ -2,6 +2,7 @@
 
 #include "properties/cases/case_text.h"
 #include "scene/number.h"
+#include "tools/methods/others_text.h"
 #include "tools/report/words.h"
 #include "tools/worst/worst_views.h"
 
@@ -16,6 +17,13 @@ std::string headline(const WorstReport& report) {
                      report.search.source.name(), error_text(worst.error),
                      info(report.search.quantity).unit, error_text(worst.stability.condition),
                      error_text(worst.stability.ratio), name(worst.stability.outcome));
+}
+
+std::string failures_text(const WorstReport& report) {
+  if (report.failures == 0) return "";
+  return fmt::format("failed {}, first: {}\n",
+                     report.failures == 1 ? "once" : fmt::format("{} times", report.failures),
+                     report.first_failure);
 }
 
 /// The numbers of a case, to the bit.
@@ -48,12 +56,13 @@ std::string in_hexfloat(const scene::Scene& scene) {
 }  // namespace
 
 std::string worst_text(const WorstReport& report, const ViewOptions& /*options*/) {
+  const std::string others = others_text({report.method}) + failures_text(report);
   if (!report.worst) {
-    return fmt::format("{} on {}: nothing was measured in its stated domain\n",
-                       report.method.name(), report.search.source.name());
+    return others + fmt::format("{} on {}: nothing was measured in its stated domain\n",
+                                report.method.name(), report.search.source.name());
   }
   const properties::WorstCase& worst = *report.worst;
-  std::string text = headline(report) + "\n";
+  std::string text = others + headline(report) + "\n";
   text += fmt::format("climbed on {}: {} by random cases, {} by climbing, {} when shrunk\n",
                       properties::kClimbNames[static_cast<std::size_t>(report.search.climb)],
                       error_text(worst.height_random), error_text(worst.height_climbed),

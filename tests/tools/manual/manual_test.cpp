@@ -2,10 +2,14 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cstdlib>
 #include <filesystem>
+#include <functional>
 #include <regex>
 #include <set>
 #include <string>
+#include <vector>
 
 #include "tests/tools/program.h"
 
@@ -94,24 +98,77 @@ TEST(Completions, OfBashAreCommandsOptionsAndFiles) {
   }
 }
 
-TEST(Completions, OfOtherShellsAreReadByThem) {
-  const std::string zsh = manual("zsh/vendor-completions/_raycheck");
-  const std::string fish = manual("fish/vendor_completions.d/raycheck.fish");
+/// Of every command, the line that asks for its options; of the program itself the first.
+std::vector<std::string> lines_that_ask_for_options() {
+  std::vector<std::string> lines = {"raycheck --"};
+  for (const std::string& command : commands()) lines.push_back("raycheck " + command + " --");
+  return lines;
+}
+
+bool is_installed(const std::string& shell) {
+  return std::system(("command -v " + shell + " >/dev/null").c_str()) == 0;
+}
+
+/// What a shell offers behind lines, a line of words each.
+std::vector<std::string> lines_of(const std::string& text) {
+  std::vector<std::string> lines;
+  for (std::size_t at = 0; at < text.size();) {
+    const std::size_t end = std::min(text.find('\n', at), text.size());
+    lines.push_back(text.substr(at, end - at));
+    at = end + 1;
+  }
+  return lines;
+}
+
+void expect_all_are_offered(
+    const std::function<std::vector<std::string>(const std::vector<std::string>&)>&
+        offered_behind) {
+  std::vector<std::string> lines = lines_that_ask_for_options();
+  const std::size_t questions = lines.size();
+  lines.insert(lines.end(), {"raycheck ", "raycheck prop", "raycheck check --form",
+                             "raycheck check CMakeLis", "raycheck check --format json CMakeLis"});
+  const std::vector<std::string> offers = offered_behind(lines);
+  ASSERT_EQ(offers.size(), lines.size());
+  const std::set<std::string> of_program = {"--help", "--version"};
+  EXPECT_EQ(long_options(" " + offers[0]), of_program);
+  std::string all_commands;
+  std::size_t at = 1;
   for (const std::string& command : commands()) {
-    EXPECT_NE(zsh.find("\n  " + command + ")\n"), std::string::npos) << command;
-    EXPECT_NE(fish.find("-a " + command + " "), std::string::npos) << command;
-    for (const std::string& option : options_of(command)) {
-      EXPECT_NE(zsh.find("'" + option + ":"), std::string::npos) << option;
-      EXPECT_NE(fish.find("-l " + option.substr(2)), std::string::npos) << option;
+    EXPECT_EQ(long_options(" " + offers[at++]), options_of(command)) << command;
+    all_commands += (all_commands.empty() ? "" : " ") + command;
+  }
+  EXPECT_EQ(offers[questions], all_commands);
+  EXPECT_EQ(offers[questions + 1], "properties");
+  EXPECT_EQ(offers[questions + 2], "--format");
+  EXPECT_EQ(offers[questions + 3], "CMakeLists.txt");
+  EXPECT_EQ(offers[questions + 4], "CMakeLists.txt");
+}
+
+TEST(Completions, OfZshAreCommandsOptionsAndFiles) {
+  if (!is_installed("zsh")) GTEST_SKIP() << "zsh is not installed";
+  expect_all_are_offered([](const std::vector<std::string>& lines) {
+    std::string arguments =
+        "tests/tools/manual/zsh_offers.py '" RAYCHECK_MANUAL "/zsh/vendor-completions'";
+    for (const std::string& line : lines) arguments += " '" + line + "'";
+    const Outcome outcome = run_python(arguments);
+    EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+    return lines_of(outcome.out);
+  });
+}
+
+TEST(Completions, OfFishAreCommandsOptionsAndFiles) {
+  if (!is_installed("fish")) GTEST_SKIP() << "fish is not installed";
+  expect_all_are_offered([](const std::vector<std::string>& lines) {
+    // What is offered, a tab, and what is said of it.
+    std::string script = "fish --no-config -c \"source '" RAYCHECK_MANUAL
+                         "/fish/vendor_completions.d/raycheck.fish'\n";
+    for (const std::string& line : lines) {
+      script += "echo (complete -C'" + line + "' | string replace -r '\\t.*' '' | sort)\n";
     }
-  }
-  for (const auto& [shell, file] : {std::pair("zsh", "zsh/vendor-completions/_raycheck"),
-                                    std::pair("fish", "fish/vendor_completions.d/raycheck.fish")}) {
-    if (std::system((std::string("command -v ") + shell + " >/dev/null").c_str()) != 0) continue;
-    const std::string script = temporary_file(
-        "syntax.sh", std::string(shell) + " -n '" + RAYCHECK_MANUAL + "/" + file + "'\n");
-    EXPECT_EQ(run_bash(script).exit_code, 0) << shell;
-  }
+    const Outcome outcome = run_bash(temporary_file("fish.sh", script + "\""));
+    EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+    return lines_of(outcome.out);
+  });
 }
 
 }  // namespace

@@ -133,5 +133,6 @@ def run(name="-", rows=None, samples=None, origin=None, root=None, tangent=None,
             body = _answer(functions, request)
             last = f"end {request['id']}"
         except Exception as error:  # the student's; what it says belongs in the report
-            body, last = [], f"error {request['id']} {type(error).__name__}: {error}"
+            said = " ".join(f"{type(error).__name__}: {error}".split())
+            body, last = [], f"error {request['id']} {said}"
         print("\n".join([f"reply {request['id']}"] + body + [last]), file=replies, flush=True)

@@ -43,6 +43,8 @@ class Process {
   std::string exchange(std::string_view request,
                        const std::function<bool(std::string_view line)>& is_last,
                        std::size_t most_bytes);
+  /// What is exchanged from now on has so many seconds.
+  void allow(double seconds) { confined_.limits.seconds = seconds; }
   /// Closes its input and waits for its end; returns its exit code.
   int finish();
   /// What it wrote on the standard error, and, where it was waited for, on the standard output: the

@@ -13,9 +13,6 @@ std::string escaped(std::string_view text);
 /// A whole page that needs nothing besides itself, for narrow and for wide screens.
 std::string page(std::string_view title, std::string_view body);
 
-/// Bytes as an address that needs no file: "data:image/png;base64,..."
-std::string data_address(std::string_view type, std::string_view bytes);
-
 /// A link that saves a text as a file.
 std::string download(std::string_view file, std::string_view text);
 

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "tools/grade/pages/html.h"
+#include "tools/report/data_address.h"
 #include "tools/report/png.h"
 #include "tools/report/words.h"
 

@@ -1,0 +1,10 @@
+# Who makes the packages: as Debian's own tools ask, DEBFULLNAME and DEBEMAIL of the environment.
+set(name "$ENV{DEBFULLNAME}")
+if(NOT name)
+  set(name "The raycheck authors")
+endif()
+set(address "$ENV{DEBEMAIL}")
+if(NOT address)
+  set(address raycheck@example.org)
+endif()
+set(CPACK_DEBIAN_PACKAGE_MAINTAINER "${name} <${address}>")

@@ -1,0 +1,230 @@
+// The Debian packages: made of the build, unpacked where nothing was, and used as someone else
+// does.
+
+#include <fcntl.h>
+#include <gtest/gtest.h>
+#include <sys/file.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <string>
+#include <vector>
+
+#include "tests/library/shell.h"
+
+namespace raycheck::tests {
+namespace {
+
+namespace fs = std::filesystem;
+
+const std::vector<std::string> kPackages = {"raycheck", "libraycheck0", "libraycheck-dev"};
+
+bool is_installed(const std::string& program) { return shell("command -v " + program).code == 0; }
+
+/// Packages of the build and a root that they are unpacked in, made once for all tests, which ctest
+/// starts one by one and several at a time: by the first, and by whoever finds them older than what
+/// they are made of.
+class Package : public testing::Test {
+ protected:
+  static fs::path folder() { return fs::path(RAYCHECK_BUILD) / "tests/packages"; }
+  static fs::path prefix() { return folder() / "root/usr"; }
+
+  static std::string as_root() { return geteuid() == 0 ? "" : "fakeroot "; }
+  static bool can_be_made() {
+    return is_installed("dpkg-shlibdeps") && is_installed("file") &&
+           (as_root().empty() || is_installed("fakeroot"));
+  }
+  void SetUp() override {
+    if (!can_be_made()) {
+      GTEST_SKIP() << "dpkg-dev, file or, where tests are not root's, fakeroot is not installed";
+    }
+    // Said here: tests of a suite that cannot be set up are skipped.
+    ASSERT_EQ(why_not_made(), "");
+  }
+  static std::string& why_not_made() {
+    static std::string why;
+    return why;
+  }
+
+  static void SetUpTestSuite() {
+    if (!can_be_made()) return;
+    fs::create_directories(folder());
+    const int lock = open((folder() / "lock").c_str(), O_CREAT | O_RDWR | O_CLOEXEC, 0644);
+    flock(lock, LOCK_EX);
+    if (!fs::exists(folder() / "made") || fs::last_write_time(folder() / "made") < newest()) {
+      why_not_made() = make();
+    }
+    close(lock);
+  }
+
+  /// The newest of what packages are made of.
+  static fs::file_time_type newest() {
+    const fs::path source = RAYCHECK_SOURCE_DIR, build = RAYCHECK_BUILD;
+    std::vector<fs::path> paths = {build / "tools/raycheck", build / "tools/raycheck-jail",
+                                   build / "tools/raycheck-worker", build / "CPackConfig.cmake"};
+    for (const fs::path& below : {source / "include", source / "examples", source / "packaging",
+                                  source / "library/cmake", source / "tools/grade/rubrics",
+                                  source / "tools/external/adapters", build / "tools/manual"}) {
+      for (const auto& entry : fs::recursive_directory_iterator(below)) paths.push_back(entry);
+    }
+    for (const auto& entry : fs::directory_iterator(build / "library")) {
+      if (entry.is_regular_file()) paths.push_back(entry);
+    }
+    fs::file_time_type latest = fs::file_time_type::min();
+    for (const fs::path& path : paths) latest = std::max(latest, fs::last_write_time(path));
+    return latest;
+  }
+
+  /// What went wrong; empty: nothing.
+  static std::string make() {
+    for (const auto& entry : fs::directory_iterator(folder())) {
+      if (entry.path().filename() != "lock") fs::remove_all(entry);
+    }
+    const std::string build = RAYCHECK_BUILD;
+    const Ended made =
+        shell("cpack --config '" + build + "/CPackConfig.cmake' -B '" +
+              (folder() / "made-here").string() + "' -D CPACK_DEBIAN_COMPRESSION_TYPE=gzip");
+    if (made.code != 0) return made.text;
+    const fs::path admin = folder() / "root/var/lib/dpkg";
+    for (const char* below : {"info", "updates", "triggers"}) fs::create_directories(admin / below);
+    std::ofstream(admin / "status").flush();
+    // Their dependencies are the system's, which has no packages in this root. A file that two of
+    // them have is an error.
+    const Ended unpacked = shell(as_root() + "dpkg --root='" + (folder() / "root").string() +
+                                 "' --log=/dev/null --force-not-root --unpack " + all());
+    if (unpacked.code != 0) return unpacked.text;
+    std::ofstream(folder() / "made") << "in full\n";
+    return "";
+  }
+
+  static fs::path file_of(const std::string& package) {
+    for (const auto& entry : fs::directory_iterator(folder() / "made-here")) {
+      const std::string name = entry.path().filename().string();
+      if (name.starts_with(package + "_") && name.ends_with(".deb")) return entry;
+    }
+    ADD_FAILURE() << package << " was not made";
+    return {};
+  }
+  static std::string all() {
+    std::string names;
+    for (const std::string& package : kPackages) names += "'" + file_of(package).string() + "' ";
+    return names;
+  }
+  static std::string field(const std::string& package, const std::string& name) {
+    return shell("dpkg-deb -f '" + file_of(package).string() + "' " + name).text;
+  }
+  /// The files of a package and where its links lead, a line each.
+  static std::string contents(const std::string& package) {
+    return shell("dpkg-deb -c '" + file_of(package).string() + "'").text;
+  }
+  /// Of a package, a file of those that dpkg reads.
+  static std::string control(const std::string& package, const std::string& name) {
+    return shell("dpkg-deb -I '" + file_of(package).string() + "' " + name).text;
+  }
+  /// The library's own folder.
+  static fs::path library_folder() {
+    for (const auto& entry : fs::recursive_directory_iterator(prefix() / "lib")) {
+      if (entry.path().filename() == "libraycheck.so.0") return entry.path().parent_path();
+    }
+    ADD_FAILURE() << "no libraycheck.so.0";
+    return {};
+  }
+};
+
+TEST_F(Package, HasWhatItIsFor) {
+  const std::string programs = contents("raycheck"), library = contents("libraycheck0"),
+                    development = contents("libraycheck-dev");
+  for (const char* file : {"bin/raycheck\n", "bin/raycheck-jail\n", "man1/raycheck-jail.1.gz\n",
+                           "man1/raycheck-check.1.gz\n", "bash-completion/completions/raycheck\n",
+                           "share/raycheck/rubrics/"}) {
+    EXPECT_NE(programs.find(file), std::string::npos) << file << programs;
+  }
+  EXPECT_EQ(programs.find("libraycheck"), std::string::npos) << programs;
+  EXPECT_NE(library.find("libraycheck.so.0 -> libraycheck.so.0."), std::string::npos) << library;
+  EXPECT_EQ(library.find("include"), std::string::npos) << library;
+  for (const char* file : {"libraycheck.so -> libraycheck.so.0\n", "include/raycheck/exact.h\n",
+                           "include/raycheck/candidate.hpp\n", "raycheck.pc\n",
+                           "raycheckConfig.cmake\n", "examples/consumer-gtest/CMakeLists.txt\n"}) {
+    EXPECT_NE(development.find(file), std::string::npos) << file << development;
+  }
+  for (const std::string& package : kPackages) {
+    const fs::path documents = prefix() / "share/doc" / package;
+    EXPECT_NE(text_of(documents / "copyright").find("License: Expat"), std::string::npos);
+    EXPECT_TRUE(fs::exists(documents / "changelog.gz")) << package;
+  }
+}
+
+TEST_F(Package, NeedsWhatItIsLinkedWith) {
+  for (const char* library : {"libgmp10 ", "libflint-arb2 ", "libstdc++6 ", "libc6 "}) {
+    EXPECT_NE(field("libraycheck0", "Depends").find(library), std::string::npos) << library;
+    EXPECT_NE(field("raycheck", "Depends").find(library), std::string::npos) << library;
+  }
+  const std::string version = field("libraycheck0", "Version");
+  const std::string same = " (= " + version.substr(0, version.find('\n')) + ")";
+  EXPECT_EQ(field("libraycheck-dev", "Depends"), "libraycheck0" + same + "\n");
+  EXPECT_NE(field("raycheck", "Depends").find("libraycheck-dev" + same), std::string::npos);
+  EXPECT_EQ(control("libraycheck0", "shlibs").rfind("libraycheck 0 libraycheck0 (>= ", 0), 0u)
+      << control("libraycheck0", "shlibs");
+  EXPECT_NE(control("libraycheck0", "triggers").find("ldconfig"), std::string::npos);
+}
+
+TEST_F(Package, ServesConsumersByFindPackageAndByPkgConfig) {
+  const fs::path to = folder() / "built/consumer-gtest";
+  const Ended made = build_example(prefix(), "consumer-gtest", to);
+  ASSERT_EQ(made.code, 0) << made.text;
+  const std::string nearest = " --gtest_filter=Tracer.nearest_root/*";
+  const Ended good = shell((to / "tracer_test").string() + nearest);
+  EXPECT_EQ(good.code, 0) << good.text;
+  EXPECT_NE(good.text.find("[  PASSED  ]"), std::string::npos) << good.text;
+  EXPECT_EQ(shell("TRACER_MISTAKE=far_root " + (to / "tracer_test").string() + nearest).code, 1);
+
+  if (!is_installed("pkg-config")) GTEST_SKIP() << "pkg-config is not installed";
+  const std::string libraries = library_folder().string();
+  const Ended flags =
+      shell("PKG_CONFIG_PATH=" + libraries + "/pkgconfig pkg-config --cflags --libs raycheck");
+  ASSERT_EQ(flags.code, 0) << flags.text;
+  const fs::path program = folder() / "built/by-pkg-config";
+  const Ended compiled = shell(
+      "c++ -std=c++17 " + (prefix() / "share/raycheck/examples/consumer-exact/truth.cpp").string() +
+      " -o " + program.string() + " " + flags.text.substr(0, flags.text.find('\n')));
+  ASSERT_EQ(compiled.code, 0) << compiled.text;
+  EXPECT_NE(shell("LD_LIBRARY_PATH=" + libraries + " " + program.string()).text.find("exactly"),
+            std::string::npos);
+}
+
+/// With the rubric, the headers and the adapters that lie beside it, and nothing of the sources.
+TEST_F(Package, HasAProgramThatJudgesAndSendsAnAutograder) {
+  const std::string raycheck = (prefix() / "bin/raycheck").string();
+  const fs::path rubric = prefix() / "share/raycheck/rubrics/lecture7";
+  const Ended judged =
+      shell("cd / && " + raycheck + " check " + (rubric / "far.toml").string() +
+            " --sandbox none --i-know --pixels 4 --candidate source:" + RAYCHECK_SOURCE_DIR +
+            "/tests/candidates/right.cpp");
+  EXPECT_EQ(judged.code, 0) << judged.text;
+  const fs::path archive = folder() / "autograder.zip";
+  const Ended packed =
+      shell("cd / && " + raycheck + " grade lecture7.toml --package " + archive.string());
+  EXPECT_EQ(packed.code, 0) << packed.text;
+  const Ended listed = shell("python3 -m zipfile -l " + archive.string());
+  for (const char* file : {"raycheck/include/raycheck/candidate.hpp", "raycheck/lib/libgmp.so.10",
+                           "raycheck/share/raycheck/raycheck_candidate.py"}) {
+    EXPECT_NE(listed.text.find(file), std::string::npos) << file << "\n" << listed.text;
+  }
+  // What goes to graders is the program of the package, and loads what is sent along.
+  const std::string sent = (folder() / "sent").string();
+  const Ended loaded = shell("python3 -m zipfile -e " + archive.string() + " " + sent + " && ldd " +
+                             sent + "/raycheck/bin/raycheck | grep libgmp");
+  EXPECT_NE(loaded.text.find(sent), std::string::npos) << loaded.text;
+}
+
+TEST_F(Package, GivesLintianNothingToSay) {
+  if (!is_installed("lintian")) GTEST_SKIP() << "lintian is not installed";
+  const Ended said = shell("lintian --allow-root --fail-on error,warning " + all());
+  EXPECT_EQ(said.code, 0) << said.text;
+  EXPECT_EQ(said.text, "");
+}
+
+}  // namespace
+}  // namespace raycheck::tests

@@ -1,0 +1,39 @@
+#include "tests/library/shell.h"
+
+#include <sys/wait.h>
+
+#include <array>
+#include <cstdio>
+#include <fstream>
+#include <sstream>
+
+namespace raycheck::tests {
+
+Ended shell(const std::string& command) {
+  FILE* const pipe = popen(("( " + command + " ) 2>&1").c_str(), "r");
+  Ended ended;
+  std::array<char, 4096> buffer{};
+  for (std::size_t count; (count = fread(buffer.data(), 1, buffer.size(), pipe)) > 0;) {
+    ended.text.append(buffer.data(), count);
+  }
+  const int status = pclose(pipe);
+  ended.code = WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+  return ended;
+}
+
+std::string text_of(const std::filesystem::path& path) {
+  std::ifstream file(path);
+  std::ostringstream text;
+  text << file.rdbuf();
+  return text.str();
+}
+
+Ended build_example(const std::filesystem::path& prefix, const std::string& name,
+                    const std::filesystem::path& to, const std::string& options) {
+  std::filesystem::remove_all(to);
+  return shell("cmake -S " + (prefix / "share/raycheck/examples" / name).string() + " -B " +
+               to.string() + " -DCMAKE_PREFIX_PATH=" + prefix.string() + " " + options +
+               " && cmake --build " + to.string());
+}
+
+}  // namespace raycheck::tests

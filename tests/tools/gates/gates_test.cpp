@@ -1,0 +1,250 @@
+// What continuous integration reads: JUnit, Markdown, GitHub's commands, GitLab's code quality.
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <filesystem>
+#include <nlohmann/json.hpp>
+#include <set>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include "tests/tools/program.h"
+#include "tools/gates/gate_views.h"
+
+namespace raycheck::tests {
+namespace {
+
+using nlohmann::json;
+using tools::Gate;
+using tools::GateCheck;
+using tools::GateOutcome;
+namespace fs = std::filesystem;
+
+/// What someone's program may print to break a file or to make a line that is obeyed.
+const std::string kHostile =
+    "]]></failure></testcase><testcase name=\"x\"/>&amp;\n::error::mine\n  ::warning::mine\n"
+    "##[error]mine\n```\n</details><script>\n| a | b |\n\x1b[31m\x01\xff \uFFFE %0A::error::mine\n";
+
+Gate gate_of(std::size_t failures, const std::string& text, const std::string& candidate) {
+  Gate gate;
+  gate.command = "properties";
+  gate.about = text;
+  for (std::size_t k = 0; k < failures; ++k) {
+    const tools::Identity one = {"class", "rays", "class: missed", std::to_string(k), candidate};
+    gate.checks.push_back(
+        {candidate, "class/" + std::to_string(k), GateOutcome::kFailed, text, text, {one}});
+  }
+  gate.checks.push_back({candidate, "root/rays", GateOutcome::kPassed, {}, {}, {}});
+  gate.checks.push_back({candidate, "hit-point/rays", GateOutcome::kLeftOut, text, {}, {}});
+  gate.checks.push_back({candidate, "parameter/rays", GateOutcome::kInconclusive, text, {}, {}});
+  tools::complete(gate, false);
+  return gate;
+}
+
+/// What a JUnit file says, read by Python's XML parser: tests, failures, errors, skipped.
+std::string read_by_python(const std::string& path) {
+  const std::string script = temporary_file("junit.py",
+                                            "import sys, xml.etree.ElementTree as tree\n"
+                                            "root = tree.parse(sys.argv[1]).getroot()\n"
+                                            "count = lambda kind: len(list(root.iter(kind)))\n"
+                                            "print(*map(count, ('testcase', 'failure', 'error', "
+                                            "'skipped')))\n");
+  const Outcome read = run_python(script + " " + path);
+  return read.exit_code == 0 ? read.out : read.err;
+}
+
+/// Whether xmllint takes a file by junit.xsd; also where there is no xmllint, which is said.
+bool suits_schema(const std::string& path) {
+  if (std::system("command -v xmllint > /dev/null") != 0) {
+    std::printf("xmllint is not installed: the schema is not tried\n");
+    return true;
+  }
+  const std::string schema = std::string(RAYCHECK_SOURCE_DIR) + "/tests/tools/gates/junit.xsd";
+  return std::system(("xmllint --noout --huge --schema " + schema + " " + path).c_str()) == 0;
+}
+
+/// Lines that a log of GitHub's workflows obeys.
+std::size_t commands_in(const std::string& log) {
+  std::size_t count = 0;
+  std::istringstream lines(log);
+  for (std::string line; std::getline(lines, line);) {
+    const std::size_t begin = line.find_first_not_of(" \t");
+    const bool obeyed = begin != std::string::npos && line.compare(begin, 2, "::") == 0;
+    count += obeyed || line.find("##[") != std::string::npos ? 1 : 0;
+  }
+  return count;
+}
+
+TEST(HostileJunit, HasEachCheckOnceWhateverTextsHold) {
+  const std::string path = temporary_file("hostile.xml", junit(gate_of(3, kHostile, kHostile)));
+  EXPECT_EQ(read_by_python(path), "6 3 1 1\n");
+  EXPECT_TRUE(suits_schema(path));
+  EXPECT_EQ(contents(path).find("##["), std::string::npos);
+}
+
+TEST(HostileJunit, OfAHundredThousandFailuresIsBelowWhatGitLabTakes) {
+  const std::string text = junit(gate_of(100'000, std::string(2000, '&'), "mine"));
+  EXPECT_LT(text.size(), std::size_t{30'000'000});
+  const std::string path = temporary_file("large.xml", text);
+  EXPECT_EQ(read_by_python(path), "100003 100000 1 1\n");
+}
+
+TEST(HostileMarkdown, IsBelowWhatGitHubTakesAndSaysWhatIsLeftOut) {
+  const std::string text = markdown(gate_of(100'000, "why it failed", "mine"));
+  EXPECT_LE(text.size(), tools::kMostMarkdownBytes);
+  EXPECT_NE(text.find(" more: the report as JSON has all"), std::string::npos);
+  EXPECT_NE(text.find("| mine | 1 | 100000 | 0 | 1 | 1 |"), std::string::npos);
+}
+
+TEST(HostileMarkdown, KeepsTextsBetweenLongerFencesAndInTheirCells) {
+  const std::string text = markdown(gate_of(1, kHostile, kHostile));
+  EXPECT_NE(text.find("````text\n"), std::string::npos);
+  std::istringstream lines(text);
+  std::size_t rows = 0;
+  bool inside = false;
+  for (std::string line; std::getline(lines, line);) {
+    if (line.starts_with("````")) inside = !inside;
+    if (inside) continue;
+    rows += line.starts_with("|") ? 1 : 0;
+    EXPECT_EQ(line.find("<script>"), std::string::npos) << line;
+  }
+  EXPECT_FALSE(inside);
+  EXPECT_EQ(rows, 3u);
+}
+
+TEST(HostileAnnotations, AreAtMostTenAndNoOnesOwn) {
+  for (const std::size_t failures : {1, 9, 10, 100}) {
+    const std::string text = github(gate_of(failures, kHostile, kHostile));
+    EXPECT_EQ(commands_in(text), std::min<std::size_t>(failures + 1, 10)) << text;
+  }
+}
+
+TEST(GitlabCodequality, HasWhatGitLabAsksForOfEachNewDefect) {
+  Gate gate = gate_of(3, "why", "mine");
+  gate.sources = {{"mine", "src/tracer.cpp"}};
+  gate.ratchet.emplace();
+  gate.ratchet->known = gate.checks[1].defects;
+  const json list = json::parse(gitlab_codequality(gate));
+  ASSERT_EQ(list.size(), 2u);
+  std::set<std::string> fingerprints;
+  for (const json& one : list) {
+    EXPECT_FALSE(one.at("description").get<std::string>().empty());
+    EXPECT_EQ(one.at("check_name"), "raycheck/class");
+    EXPECT_EQ(one.at("severity"), "major");
+    EXPECT_EQ(one.at("location").at("path"), "src/tracer.cpp");
+    EXPECT_EQ(one.at("location").at("lines").at("begin"), 1);
+    fingerprints.insert(one.at("fingerprint"));
+  }
+  EXPECT_EQ(fingerprints.size(), 2u);
+}
+
+/// A candidate that answers far roots, in the files of a run.
+class GateOfARun : public testing::Test {
+ protected:
+  GateOfARun() : folder_(testing::TempDir() + "gate_of_a_run") {
+    fs::remove_all(folder_);
+    fs::create_directories(folder_);
+    candidate_ = built_submission("rays.cpp", "far_root", folder_);
+  }
+  ~GateOfARun() override { fs::remove_all(folder_); }
+  std::string file(const std::string& name) const { return folder_ + "/" + name; }
+  std::string asked() const {
+    return "properties --candidate library:" + candidate_ + " --cases 60 --source rays";
+  }
+
+  std::string folder_, candidate_;
+};
+
+TEST_F(GateOfARun, WritesEveryReportBesideWhatItPrints) {
+  std::string options;
+  for (const char* kind : {"json", "junit", "markdown", "github", "gitlab-codequality", "text"}) {
+    options += std::string(" --report ") + kind + "=" + file(kind);
+  }
+  const Outcome outcome = run(asked() + options);
+  EXPECT_EQ(outcome.exit_code, 1) << outcome.err;
+  EXPECT_EQ(outcome.out, contents(file("text")));
+  const json report = json::parse(contents(file("json")));
+  std::size_t broken = 0;
+  const std::string junit = contents(file("junit"));
+  for (const json& campaign : report["campaigns"]) {
+    if (campaign["finding"] != "broken") continue;
+    ++broken;
+    const std::string name = campaign["law"].get<std::string>() + "/rays";
+    EXPECT_NE(junit.find("name=\"" + name + "\">\n      <failure"), std::string::npos) << name;
+    EXPECT_NE(contents(file("markdown")).find(campaign["law"].get<std::string>()),
+              std::string::npos);
+  }
+  EXPECT_GT(broken, 0u);
+  EXPECT_NE(junit.find("failures=\"" + std::to_string(broken) + "\""), std::string::npos) << junit;
+  EXPECT_TRUE(suits_schema(file("junit")));
+  EXPECT_NE(junit.find("replay: raycheck properties --candidate"), std::string::npos);
+  EXPECT_EQ(commands_in(contents(file("github"))), std::min<std::size_t>(broken, 10));
+  EXPECT_GE(json::parse(contents(file("gitlab-codequality"))).size(), broken);
+}
+
+TEST_F(GateOfARun, WritesNoFileThatItReadsAndNoneTwice) {
+  const Outcome twice =
+      run(asked() + " --report json=" + file("a") + " --report text=" + file("a"));
+  EXPECT_EQ(twice.exit_code, 2);
+  EXPECT_NE(twice.err.find("the file is named twice"), std::string::npos) << twice.err;
+  const std::string scene = temporary_file(
+      "own.toml", contents(std::string(RAYCHECK_SOURCE_DIR) + "/scene/examples/first-camera.toml"));
+  const std::string before = contents(scene);
+  EXPECT_EQ(run("check " + scene + " --report text=" + scene).exit_code, 2);
+  EXPECT_EQ(run("check " + scene + " --update-baseline --baseline " + scene).exit_code, 2);
+  EXPECT_EQ(contents(scene), before);
+  EXPECT_EQ(run("check " + scene + " --report pdf=x").exit_code, 2);
+  EXPECT_EQ(run("check " + scene + " --format picture").exit_code, 2);
+}
+
+TEST(HostileLog, OfGitHubObeysNothingThatACandidatePrints) {
+  const std::string program =
+      temporary_file("prints.py",
+                     "import raycheck_candidate as rc\n"
+                     "def intersect(ray, sphere, conventions):\n"
+                     "    raise ValueError('::error::mine\\n::warning::mine ##[error]mine')\n"
+                     "rc.run('mine', intersect=intersect)\n");
+  const std::string arguments =
+      "check scene/examples/lecture-examples.toml --candidate 'command:python3 " + program + "'";
+  setenv("GITHUB_ACTIONS", "true", 1);
+  const Outcome text = run(arguments);
+  const Outcome as_json = run(arguments + " --format json");
+  const Outcome annotated = run(arguments + " --format github");
+  unsetenv("GITHUB_ACTIONS");
+  EXPECT_EQ(text.exit_code, 1);
+  EXPECT_NE(text.out.find("mine"), std::string::npos) << text.out;
+  EXPECT_EQ(commands_in(text.out + text.err), 0u) << text.out;
+  EXPECT_EQ(commands_in(as_json.out), 0u);
+  EXPECT_TRUE(json::accept(as_json.out));
+  const std::size_t annotations = commands_in(annotated.out);
+  EXPECT_GT(annotations, 0u);
+  std::istringstream lines(annotated.out);
+  for (std::string line; std::getline(lines, line);) {
+    EXPECT_TRUE(!line.starts_with("::") || line.starts_with("::error ")) << line;
+  }
+}
+
+TEST(CheckPicture, ShowsTheDefectsOnTheScene) {
+  const std::string folder = testing::TempDir() + "check_picture";
+  fs::create_directories(folder);
+  const std::string candidate = built_submission("rays.cpp", "far_root", folder);
+  const Outcome outcome =
+      run("check scene/examples/ten-spheres.toml --candidate library:" + candidate +
+          " --report picture=" + folder + "/where.png --report markdown=" + folder +
+          "/summary.md --format markdown --picture-link 'https://example.org/a (b)'");
+  EXPECT_EQ(outcome.exit_code, 1) << outcome.err;
+  EXPECT_EQ(contents(folder + "/where.png").substr(1, 3), "PNG");
+  EXPECT_NE(outcome.out.find("[where](https://example.org/a%20%28b%29)"), std::string::npos);
+  const Outcome within =
+      run("check scene/examples/ten-spheres.toml --format markdown --candidate "
+          "library:" +
+          candidate);
+  EXPECT_NE(within.out.find("![where](data:image/png;base64,iVBOR"), std::string::npos);
+  fs::remove_all(folder);
+}
+
+}  // namespace
+}  // namespace raycheck::tests

@@ -1,0 +1,110 @@
+#include "tools/gate_arguments.h"
+
+#include <fmt/core.h>
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <stdexcept>
+#include <utility>
+
+#include "scene/files/file_text.h"
+
+namespace raycheck::tools {
+namespace {
+
+/// A baseline has a line for each known discrepancy.
+constexpr std::uintmax_t kMostBaselineBytes = std::uintmax_t{64} << 20;
+
+/// --report takes KIND=FILE.
+CLI::Validator report_of(const std::vector<std::string>& kinds) {
+  return CLI::Validator(
+      [kinds](const std::string& text) -> std::string {
+        const std::size_t equals = text.find('=');
+        const std::string kind = text.substr(0, equals);
+        if (equals == std::string::npos || equals + 1 == text.size() ||
+            std::find(kinds.begin(), kinds.end(), kind) == kinds.end()) {
+          return fmt::format("'{}' is not KIND=FILE, KIND one of {}", text, fmt::join(kinds, ", "));
+        }
+        return "";
+      },
+      "KIND=FILE");
+}
+
+}  // namespace
+
+void add_gate(CLI::App& command, GateArguments& arguments, const std::vector<std::string>& kinds) {
+  command
+      .add_option(
+          "--report", arguments.reports,
+          fmt::format("write this report, too: KIND is one of {}; several times for several",
+                      fmt::join(kinds, ", ")))
+      ->check(report_of(kinds));
+  command
+      .add_option(
+          "--picture-link", arguments.picture_link,
+          "where a Markdown report's picture is to be found, in place of the picture within")
+      ->type_name("ADDRESS");
+  CLI::Option* const baseline =
+      command
+          .add_option("--baseline", arguments.baseline,
+                      "known discrepancies, a line each: only what is not among them fails")
+          ->type_name("FILE");
+  command
+      .add_flag("--update-baseline", arguments.updates,
+                "write the baseline: what was found is known from now on")
+      ->needs(baseline);
+  command
+      .add_flag("--strict-baseline", arguments.strict,
+                "fail, too, where the baseline has what was mended")
+      ->needs(baseline);
+}
+
+GateFiles::GateFiles(const GateArguments& arguments, const std::vector<std::string>& inputs)
+    : picture_link_(arguments.picture_link),
+      baseline_path_(arguments.baseline),
+      is_strict_(arguments.strict) {
+  std::vector<std::string> taken = inputs;
+  if (!arguments.baseline.empty()) {
+    require_no_input("--baseline", arguments.baseline, inputs);
+    taken.push_back(arguments.baseline);
+    const bool is_there = std::filesystem::exists(arguments.baseline);
+    if (!is_there && !arguments.updates) {
+      throw std::invalid_argument(fmt::format(
+          "--baseline {}: there is no such file; --update-baseline makes it", arguments.baseline));
+    }
+    if (is_there) {
+      try {
+        baseline_ = parse_baseline(scene::file_text(arguments.baseline, kMostBaselineBytes));
+      } catch (const std::invalid_argument& error) {
+        throw std::invalid_argument(
+            fmt::format("--baseline {}: {}", arguments.baseline, error.what()));
+      }
+    }
+    if (arguments.updates) new_baseline_.emplace("--baseline", arguments.baseline);
+  }
+  for (const std::string& one : arguments.reports) {
+    const std::size_t equals = one.find('=');
+    const std::string path = one.substr(equals + 1);
+    require_no_input("--report", path, taken);
+    if (std::find(taken.begin(), taken.end(), path) != taken.end()) {
+      throw std::invalid_argument(fmt::format("--report {}: the file is named twice", one));
+    }
+    taken.push_back(path);
+    reports_.push_back({one.substr(0, equals), std::make_unique<OutputFile>("--report", path)});
+  }
+}
+
+std::optional<Ratchet> GateFiles::ratchet(const Findings& findings, bool was_interrupted) {
+  if (baseline_path_.empty()) return std::nullopt;
+  if (new_baseline_ && !was_interrupted) {
+    baseline_ = updated(std::move(baseline_), findings);
+    new_baseline_->write(baseline_text(baseline_));
+  }
+  Ratchet ratchet = compare(baseline_, findings);
+  ratchet.file = baseline_path_;
+  ratchet.strict = is_strict_;
+  return ratchet;
+}
+
+}  // namespace raycheck::tools

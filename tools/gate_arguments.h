@@ -1,0 +1,75 @@
+#ifndef RAYCHECK_TOOLS_GATE_ARGUMENTS_H_
+#define RAYCHECK_TOOLS_GATE_ARGUMENTS_H_
+
+// What commands that gate continuous integration share of reading arguments. Internal to the
+// commands.
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "scene/text.h"
+#include "tools/arguments.h"
+#include "tools/gates/baseline.h"
+#include "tools/report/output_file.h"
+
+namespace raycheck::tools {
+
+/// What --report, --picture-link, --baseline and what goes with it are given.
+struct GateArguments {
+  std::vector<std::string> reports;  ///< KIND=FILE
+  std::string picture_link;
+  std::string baseline;
+  bool updates = false;
+  bool strict = false;
+};
+/// `kinds`: what --report takes.
+void add_gate(CLI::App& command, GateArguments& arguments, const std::vector<std::string>& kinds);
+template <class Report, std::size_t N>
+void add_gate(CLI::App& command, GateArguments& arguments, const View<Report> (&views)[N]) {
+  std::vector<std::string> kinds;
+  for (const View<Report>& view : views) kinds.emplace_back(view.name);
+  add_gate(command, arguments, kinds);
+}
+
+/// The files of a gate: opened before the work, so that hours of it are not lost, and written
+/// after.
+class GateFiles {
+ public:
+  /// `inputs` are files that the command reads, which are never written.
+  /// Errors: std::invalid_argument naming the option, the file and what is wrong with it.
+  GateFiles(const GateArguments& arguments, const std::vector<std::string>& inputs);
+
+  /// What was found, held against the baseline, which is written where it is to be updated; empty
+  /// where there is none.
+  std::optional<Ratchet> ratchet(const Findings& findings, bool was_interrupted);
+
+  template <class Report, std::size_t N>
+  void write(const View<Report> (&views)[N], const Report& report) {
+    for (ReportFile& one : reports_) {
+      for (const View<Report>& view : views) {
+        if (view.name != one.kind) continue;
+        const std::string text = view.render(report, {false, picture_link_});
+        one.file->write(view.kind == ViewKind::kBytes ? text : scene::visible(text));
+      }
+    }
+  }
+
+ private:
+  struct ReportFile {
+    std::string kind;
+    std::unique_ptr<OutputFile> file;
+  };
+
+  std::vector<ReportFile> reports_;
+  std::string picture_link_;
+  std::string baseline_path_;
+  Baseline baseline_;
+  bool is_strict_ = false;
+  std::optional<OutputFile> new_baseline_;
+};
+
+}  // namespace raycheck::tools
+
+#endif  // RAYCHECK_TOOLS_GATE_ARGUMENTS_H_

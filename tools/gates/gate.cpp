@@ -1,0 +1,64 @@
+#include "tools/gates/gate.h"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <set>
+#include <utility>
+
+namespace raycheck::tools {
+namespace {
+
+/// Names that a candidate has twice are numbered.
+void make_unique(std::vector<GateCheck>& checks) {
+  std::set<std::pair<std::string, std::string>> taken;
+  for (GateCheck& check : checks) {
+    const std::string once = check.name;
+    for (int k = 2; !taken.emplace(check.candidate, check.name).second; ++k) {
+      check.name = fmt::format("{} ({})", once, k);
+    }
+  }
+}
+
+}  // namespace
+
+std::uint64_t Gate::count(GateOutcome outcome) const {
+  return static_cast<std::uint64_t>(
+      std::count_if(checks.begin(), checks.end(),
+                    [&](const GateCheck& check) { return check.outcome == outcome; }));
+}
+
+GateOutcome outcome_of(const std::vector<Identity>& defects,
+                       const std::optional<Ratchet>& ratchet) {
+  if (defects.empty()) return GateOutcome::kPassed;
+  const bool all_known =
+      ratchet && std::all_of(defects.begin(), defects.end(), [&](const auto& one) {
+        return std::binary_search(ratchet->known.begin(), ratchet->known.end(), one);
+      });
+  return all_known ? GateOutcome::kKnown : GateOutcome::kFailed;
+}
+
+void complete(Gate& gate, bool was_interrupted) {
+  const auto add = [&](const char* name, const char* summary) {
+    gate.checks.push_back({"raycheck", name, GateOutcome::kInconclusive, summary, {}, {}});
+  };
+  if (was_interrupted) add("finished", "interrupted: not all was judged");
+  const bool judged = gate.count(GateOutcome::kPassed) + gate.count(GateOutcome::kFailed) +
+                          gate.count(GateOutcome::kKnown) >
+                      0;
+  if (!judged) add("judged", "nothing was judged");
+  make_unique(gate.checks);
+}
+
+std::string outcomes_text(const Gate& gate) {
+  std::string text;
+  for (std::size_t k = 0; k < kGateOutcomes; ++k) {
+    const auto outcome = static_cast<GateOutcome>(k);
+    const std::uint64_t count = gate.count(outcome);
+    if (count == 0 && outcome != GateOutcome::kFailed) continue;
+    text += fmt::format("{}{} {}", text.empty() ? "" : ", ", count, name(outcome));
+  }
+  return text;
+}
+
+}  // namespace raycheck::tools

@@ -1,0 +1,70 @@
+#ifndef RAYCHECK_TOOLS_GATES_GATE_H_
+#define RAYCHECK_TOOLS_GATES_GATE_H_
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "tools/gates/baseline.h"
+
+namespace raycheck::tools {
+
+/// What one check of a gate comes to.
+enum class GateOutcome {
+  kPassed,
+  kFailed,
+  kKnown,         ///< Fails as the baseline says that it does.
+  kInconclusive,  ///< Too little was judged, or decided, to say that it passes.
+  kLeftOut,       ///< There was nothing to judge.
+};
+inline constexpr std::size_t kGateOutcomes = 5;
+inline constexpr std::array<std::string_view, kGateOutcomes> kGateOutcomeNames = {
+    "passed", "failed", "known", "inconclusive", "left out"};
+constexpr std::string_view name(GateOutcome outcome) {
+  return kGateOutcomeNames[static_cast<std::size_t>(outcome)];
+}
+
+/// One check of a gate: a law on the cases of a source, or a quantity of a scene.
+struct GateCheck {
+  std::string candidate;
+  std::string name;  ///< Unique among those of the candidate: "class/tangency".
+  GateOutcome outcome = GateOutcome::kPassed;
+  std::string summary;  ///< Of what is not passed, why: one line.
+  std::string text;     ///< Of what failed, all there is to say, in lines.
+  std::vector<Identity> defects = {};
+};
+
+/// Where a candidate's own source lies.
+struct SourceFile {
+  std::string candidate;
+  std::string path;
+};
+
+/// A report as continuous integration reads it.
+struct Gate {
+  std::string command;  ///< "check" or "properties"
+  std::string about;    ///< What was judged: the scene, or how many cases. One line.
+  std::vector<GateCheck> checks;
+  std::vector<SourceFile> sources;  ///< Of the candidates that are files.
+  std::optional<Ratchet> ratchet;   ///< Where a baseline was given.
+  std::string picture;              ///< Where the scene shows it, as a PNG file; or empty.
+
+  std::uint64_t count(GateOutcome outcome) const;
+};
+
+/// Says what a check comes to by its defects: known where the baseline has them all.
+GateOutcome outcome_of(const std::vector<Identity>& defects, const std::optional<Ratchet>& ratchet);
+
+/// What every gate has beside its checks: that it came to its end, that anything was judged at all,
+/// and names that are unique.
+void complete(Gate& gate, bool was_interrupted);
+
+/// "12 passed, 1 failed, 2 left out"
+std::string outcomes_text(const Gate& gate);
+
+}  // namespace raycheck::tools
+
+#endif  // RAYCHECK_TOOLS_GATES_GATE_H_

@@ -1,0 +1,40 @@
+#ifndef RAYCHECK_TOOLS_GATES_GATE_VIEWS_H_
+#define RAYCHECK_TOOLS_GATES_GATE_VIEWS_H_
+
+// How continuous integration is told: each view in the file of its name. docs/ci.md cites what its
+// readers say that they read.
+
+#include <cstddef>
+#include <string>
+
+#include "tools/gates/gate.h"
+
+namespace raycheck::tools {
+
+/// GitLab takes no larger file of unit tests than 30 MB.
+inline constexpr std::size_t kMostJunitBytes = 29'000'000;
+/// JUnit's XML, as Jenkins, GitLab and GitHub's readers take it: a suite a candidate, a test a
+/// check, whose name is unique. What is inconclusive is an error, what is known or left out
+/// skipped. Texts are cut where the file would grow beyond kMostJunitBytes.
+std::string junit(const Gate& gate);
+
+/// GitHub takes no larger summary of a step than 1 MiB.
+inline constexpr std::size_t kMostMarkdownBytes = 1'000'000;
+/// Markdown: a table of what was judged, then what failed, as far as there is room. The picture is
+/// within it; or linked, where an address is given.
+std::string markdown(const Gate& gate, const std::string& picture_link = {});
+
+/// What a baseline says of a run, in lines, for people.
+std::string ratchet_text(const Ratchet& ratchet);
+
+/// GitHub shows at most so many annotations of a step.
+inline constexpr std::size_t kMostAnnotations = 10;
+/// GitHub's workflow commands: an annotation for each failure, the last one for those left.
+std::string github(const Gate& gate);
+
+/// GitLab's code quality: a JSON list, an entry for each defect that is not known.
+std::string gitlab_codequality(const Gate& gate);
+
+}  // namespace raycheck::tools
+
+#endif  // RAYCHECK_TOOLS_GATES_GATE_VIEWS_H_

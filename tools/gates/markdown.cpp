@@ -1,0 +1,122 @@
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <array>
+#include <map>
+#include <string_view>
+
+#include "scene/text.h"
+#include "tools/gates/gate_views.h"
+#include "tools/report/data_address.h"
+
+namespace raycheck::tools {
+namespace {
+
+/// A text inside a line of Markdown, where nothing of it acts.
+std::string inline_text(std::string_view text) {
+  constexpr std::string_view kActs = "\\`*_{}[]()#+-.!|<>&~@:$^=";
+  std::string shown;
+  for (const char c : scene::visible_line(text)) {
+    if (c == '<') {
+      shown += "&lt;";
+    } else if (c == '&') {
+      shown += "&amp;";
+    } else {
+      if (kActs.find(c) != std::string_view::npos) shown += '\\';
+      shown += c;
+    }
+  }
+  return shown;
+}
+
+/// A text as code, between fences that are longer than any in it.
+std::string fenced(std::string_view text) {
+  const std::string shown = scene::visible(text);
+  std::size_t longest = 2, run = 0;
+  for (const char c : shown) {
+    run = c == '`' ? run + 1 : 0;
+    longest = std::max(longest, run);
+  }
+  const std::string fence(longest + 1, '`');
+  return fmt::format("{0}text\n{1}{2}{0}\n", fence, shown, shown.ends_with('\n') ? "" : "\n");
+}
+
+/// An address in a link: what would end it is spelled by its bytes.
+std::string link_address(std::string_view address) {
+  std::string shown;
+  for (const char c : scene::visible_line(address)) {
+    const bool ends = std::string_view(" ()<>\"\\").find(c) != std::string_view::npos;
+    shown += ends ? fmt::format("%{:02X}", static_cast<unsigned char>(c)) : std::string(1, c);
+  }
+  return shown;
+}
+
+std::string failure_of(const GateCheck& check) {
+  return fmt::format("\n#### {}\n\n{} \u2014 {}\n\n{}", inline_text(check.name),
+                     inline_text(check.candidate), inline_text(check.summary),
+                     fenced(check.text.empty() ? check.summary : check.text));
+}
+
+std::string table_of(const Gate& gate) {
+  std::map<std::string, std::array<std::size_t, kGateOutcomes>> counts;
+  for (const GateCheck& check : gate.checks) {
+    ++counts[check.candidate][static_cast<std::size_t>(check.outcome)];
+  }
+  std::string head = "| candidate |", line = "|:---|", rows;
+  for (const std::string_view outcome : kGateOutcomeNames) {
+    head += fmt::format(" {} |", outcome);
+    line += "---:|";
+  }
+  for (const auto& [candidate, by_outcome] : counts) {
+    rows += fmt::format("| {} |", inline_text(candidate));
+    for (const std::size_t count : by_outcome) rows += fmt::format(" {} |", count);
+    rows += "\n";
+  }
+  return fmt::format("{}\n{}\n{}", head, line, rows);
+}
+
+std::string ratchet_part(const Ratchet& ratchet) {
+  std::string text =
+      fmt::format("\nHeld against {}: {} known, {} new, {} mended.\n", inline_text(ratchet.file),
+                  ratchet.known.size(), ratchet.added.size(), ratchet.mended.size());
+  for (const Identity& one : ratchet.mended) {
+    text += fmt::format("- mended: {}/{}, {}, at {}, {}\n", inline_text(one.law),
+                        inline_text(one.source), inline_text(one.kind), inline_text(one.place),
+                        inline_text(one.candidate));
+  }
+  return text;
+}
+
+}  // namespace
+
+std::string markdown(const Gate& gate, const std::string& picture_link) {
+  const bool fails = gate.count(GateOutcome::kFailed) > 0;
+  std::string text = fmt::format("### raycheck {}: {}\n\n{}: {}.\n\n{}", gate.command,
+                                 fails ? "discrepancies" : "no new discrepancy",
+                                 inline_text(gate.about), outcomes_text(gate), table_of(gate));
+  if (gate.ratchet) text += ratchet_part(*gate.ratchet);
+  if (!picture_link.empty()) {
+    text += fmt::format("\n[where]({})\n", link_address(picture_link));
+  } else if (!gate.picture.empty()) {
+    const std::string picture =
+        fmt::format("\n![where]({})\n", data_address("image/png", gate.picture));
+    if (text.size() + picture.size() < kMostMarkdownBytes) text += picture;
+  }
+  std::size_t left_out = 0;
+  constexpr std::size_t kRoomForCount = 100;
+  for (const GateOutcome outcome : {GateOutcome::kFailed, GateOutcome::kInconclusive}) {
+    for (const GateCheck& check : gate.checks) {
+      if (check.outcome != outcome) continue;
+      const std::string failure = failure_of(check);
+      if (left_out > 0 || text.size() + failure.size() + kRoomForCount > kMostMarkdownBytes) {
+        ++left_out;
+      } else {
+        text += failure;
+      }
+    }
+  }
+  if (left_out > 0) text += fmt::format("\n{} more: the report as JSON has all.\n", left_out);
+  return text;
+}
+
+}  // namespace raycheck::tools

@@ -1,0 +1,33 @@
+#include "tools/gates/ratchet_json.h"
+
+#include <nlohmann/json.hpp>
+
+namespace raycheck::tools {
+namespace {
+
+Json identities_json(const std::vector<Identity>& identities) {
+  Json list = Json::array();
+  for (const Identity& one : identities) {
+    list.push_back({{"law", one.law},
+                    {"source", one.source},
+                    {"kind", one.kind},
+                    {"place", one.place},
+                    {"candidate", one.candidate}});
+  }
+  return list;
+}
+
+}  // namespace
+
+Json ratchet_json(const std::optional<Ratchet>& ratchet) {
+  if (!ratchet) return nullptr;
+  return {{"file", ratchet->file},
+          {"known", identities_json(ratchet->known)},
+          {"new", identities_json(ratchet->added)},
+          {"mended", identities_json(ratchet->mended)},
+          {"not_asked", identities_json(ratchet->unasked)},
+          {"strict", ratchet->strict},
+          {"fails", ratchet->fails()}};
+}
+
+}  // namespace raycheck::tools

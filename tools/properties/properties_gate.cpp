@@ -1,0 +1,182 @@
+#include <fmt/core.h>
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <set>
+#include <utility>
+
+#include "tools/gates/gate_views.h"
+#include "tools/properties/properties_views.h"
+#include "tools/report/words.h"
+
+namespace raycheck::tools {
+namespace {
+
+using properties::CampaignPart;
+using properties::Finding;
+using properties::Standing;
+using Parts = std::span<const CampaignPart>;
+
+/// Of a source of which more parts are broken only so many are told how to ask again.
+constexpr std::size_t kMostReplays = 3;
+
+std::string source_of(Parts parts) { return std::string(parts.front().source.source->name); }
+
+std::uint64_t compared(Parts parts) {
+  std::uint64_t count = 0;
+  for (const CampaignPart& part : parts) count += part.verdict.compared();
+  return count;
+}
+
+std::uint64_t count(Parts parts, Standing standing) {
+  std::uint64_t count = 0;
+  for (const CampaignPart& part : parts) count += part.verdict.count(standing);
+  return count;
+}
+
+std::vector<Identity> defects_of(const CampaignReport& campaign, Parts parts) {
+  std::set<Identity> found;
+  for (const CampaignPart& part : parts) {
+    for (const properties::DefectKind& kind : part.defects) {
+      found.insert({std::string(campaign.law->name), source_of(parts), kind_text(kind),
+                    std::string(name(part.source.level())), campaign.candidate});
+    }
+  }
+  return {found.begin(), found.end()};
+}
+
+/// "the far root is taken (root: wrong root; ordinary)"
+std::string summary_of(const CampaignReport& campaign, const std::vector<Identity>& defects) {
+  std::string shown;
+  for (const Identity& one : defects) {
+    shown += fmt::format("{}{}, {}", shown.empty() ? "" : "; ", one.kind, one.place);
+  }
+  const std::string_view why = campaign.explanations.empty()
+                                   ? campaign.law->sentence
+                                   : std::string_view(campaign.explanations.front().sentence);
+  return fmt::format("{} ({})", why, shown);
+}
+
+/// All there is to say of what one source shows.
+std::string text_of(const CampaignReport& campaign, Parts parts) {
+  const auto& failure = campaign.result.failure;
+  const bool has_failure =
+      failure && std::any_of(parts.begin(), parts.end(), [&](const CampaignPart& part) {
+        return part.replay == failure->replay;
+      });
+  if (has_failure) return failure_text(campaign, false);
+  std::string text = fmt::format("the law: {}\n", campaign.law->sentence);
+  std::string severities;
+  std::size_t replays = 0;
+  for (const CampaignPart& part : parts) {
+    if (!part.is_broken()) continue;
+    severities += fmt::format("{}{}", severities.empty() ? "" : ", ", part.source.name());
+    if (replays++ >= kMostReplays) continue;
+    text += fmt::format("replay: {}\n", replay_text(campaign, part.replay));
+  }
+  return text + fmt::format("broken on {}\n", severities);
+}
+
+GateCheck check_of(const CampaignReport& campaign, Parts parts,
+                   const std::optional<Ratchet>& ratchet) {
+  GateCheck check;
+  check.candidate = campaign.candidate;
+  check.name = fmt::format("{}/{}", campaign.law->name, source_of(parts));
+  check.defects = defects_of(campaign, parts);
+  check.outcome = outcome_of(check.defects, ratchet);
+  if (!check.defects.empty()) {
+    check.summary = summary_of(campaign, check.defects);
+    check.text = text_of(campaign, parts);
+  } else if (const std::uint64_t undecided = count(parts, Standing::kUndecided); undecided > 0) {
+    check.outcome = GateOutcome::kInconclusive;
+    check.summary = fmt::format("{} undecided", count_text(undecided, "answer"));
+  } else if (compared(parts) == 0) {
+    check.outcome = GateOutcome::kLeftOut;
+    const std::string& reason = parts.back().counts.reason;
+    check.summary = reason.empty() ? "outside the domain that is judged" : reason;
+  }
+  return check;
+}
+
+/// What is said of a law as a whole, beside its sources.
+std::optional<GateCheck> whole_of(const CampaignReport& campaign) {
+  GateCheck check;
+  check.candidate = campaign.candidate;
+  check.name = std::string(campaign.law->name);
+  switch (campaign.finding) {
+    case Finding::kTooFewJudged:
+      check.outcome = GateOutcome::kInconclusive;
+      check.summary = too_few_text(campaign.result);
+      return check;
+    case Finding::kLeftOut:
+    case Finding::kNotJudged:
+      check.outcome = GateOutcome::kLeftOut;
+      check.summary = campaign.result.counts.reason.empty() ? std::string(name(campaign.finding))
+                                                            : campaign.result.counts.reason;
+      return check;
+    default:
+      return std::nullopt;
+  }
+}
+
+}  // namespace
+
+Gate properties_gate(const PropertiesReport& report) {
+  Gate gate;
+  gate.command = "properties";
+  gate.about =
+      report.seed
+          ? fmt::format("{} for each law and candidate, seed {}",
+                        count_text(static_cast<std::uint64_t>(report.cases), "case"), *report.seed)
+          : "one case again";
+  gate.ratchet = report.ratchet;
+  std::set<std::string> named;
+  for (const CampaignReport& campaign : report.campaigns) {
+    const bool has_file = campaign.external && !campaign.external->source_file.empty();
+    if (has_file && named.insert(campaign.candidate).second) {
+      gate.sources.push_back({campaign.candidate, campaign.external->source_file});
+    }
+    if (auto whole = whole_of(campaign)) {
+      gate.checks.push_back(std::move(*whole));
+      if (campaign.finding != Finding::kTooFewJudged) continue;
+    }
+    for (const Parts parts : by_source(campaign.result)) {
+      gate.checks.push_back(check_of(campaign, parts, report.ratchet));
+    }
+  }
+  complete(gate, report.interrupted);
+  return gate;
+}
+
+Findings findings_of(const PropertiesReport& report) {
+  Findings findings;
+  for (const CampaignReport& campaign : report.campaigns) {
+    for (const Parts parts : by_source(campaign.result)) {
+      const std::vector<Identity> defects = defects_of(campaign, parts);
+      findings.found.insert(defects.begin(), defects.end());
+      const bool is_judged = compared(parts) > 0 && count(parts, Standing::kUndecided) == 0;
+      if (!is_judged || report.interrupted) continue;
+      const Scope scope = {std::string(campaign.law->name), source_of(parts), campaign.candidate};
+      findings.asked.insert(scope);
+      // The first break ends a part: what else is wrong there is not known.
+      if (defects.empty()) findings.complete.insert(scope);
+    }
+  }
+  return findings;
+}
+
+std::string properties_junit(const PropertiesReport& report, const ViewOptions& /*options*/) {
+  return junit(properties_gate(report));
+}
+std::string properties_markdown(const PropertiesReport& report, const ViewOptions& options) {
+  return markdown(properties_gate(report), options.picture_link);
+}
+std::string properties_github(const PropertiesReport& report, const ViewOptions& /*options*/) {
+  return github(properties_gate(report));
+}
+std::string properties_gitlab_codequality(const PropertiesReport& report,
+                                          const ViewOptions& /*options*/) {
+  return gitlab_codequality(properties_gate(report));
+}
+
+}  // namespace raycheck::tools

@@ -1,0 +1,15 @@
+#ifndef RAYCHECK_TOOLS_REPORT_DATA_ADDRESS_H_
+#define RAYCHECK_TOOLS_REPORT_DATA_ADDRESS_H_
+
+#include <string>
+#include <string_view>
+
+namespace raycheck::tools {
+
+/// Bytes as an address that needs no file: "data:image/png;base64,..." (RFC 2397; base64 of RFC
+/// 4648).
+std::string data_address(std::string_view type, std::string_view bytes);
+
+}  // namespace raycheck::tools
+
+#endif  // RAYCHECK_TOOLS_REPORT_DATA_ADDRESS_H_
