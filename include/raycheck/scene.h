@@ -65,11 +65,11 @@ enum class Root { as_asked, nearest, smaller };
 /// What a ray that touches a sphere does.
 enum class Tangent { as_asked, hit, miss, either };
 
-/// Which ends of the interval between t_min and t_max are not part of it.
+/// Which ends of [t_min, t_max] belong to it.
 enum class Ends { closed, open_max, open_min, open };
-/// What t_min and t_max are given in: s itself, or radii of the sphere.
+/// What t_min and t_max count: s itself, or radii of the sphere.
 enum class TUnit { absolute, radius };
-/// Which faces are not met.
+/// Which roots never count: v + d, on back faces, or v - d, on front faces.
 enum class Culling { none, back_faces, front_faces };
 
 /// Which roots count: those between t_min and t_max, in s or in radii of the sphere, that are not
@@ -92,7 +92,7 @@ struct Conventions {
   Origin origin = Origin::as_asked;     ///< Else pixel.
   Root root = Root::as_asked;           ///< Else nearest.
   Tangent tangent = Tangent::as_asked;  ///< Else hit.
-  ValidRoots valid = {};                ///< Which roots count.
+  ValidRoots valid = {};                ///< Else every root >= 0.
 };
 
 /// A camera's rays, or given ones, the spheres that they may meet, and the conventions.

@@ -97,7 +97,7 @@ TEST(ValidRootsLaws, CallDefectsWhatLiesFarFromTheEnds) {
   EXPECT_GT(defects({0, 1, {}, {}, {}}, ignore), 0u);
   EXPECT_GT(defects({0, kNoEnd, {}, {}, scene::Culling::kFrontFaces}, ignore), 0u);
   EXPECT_GT(defects({0, kNoEnd, {}, {}, scene::Culling::kBackFaces}, ignore), 0u);
-  EXPECT_GT(defects({1.5, kNoEnd, {}, scene::TUnit::kRadius, {}},
+  EXPECT_GT(defects({4, kNoEnd, {}, scene::TUnit::kRadius, {}},
                     [](auto& c) { c.valid.unit = scene::TUnit::kAbsolute; }),
             0u);
   // At an end it is not said.

@@ -142,7 +142,7 @@ TEST(ReadToml, RefusesUnknownKeysByNameAndLine) {
             "f.toml:4: ray[0].length = (a date or time): unknown key; ray knows origin, direction");
   EXPECT_EQ(error_of_toml("[conventions]\nroots = \"near\"\n"),
             "f.toml:2: conventions.roots = \"near\": unknown key; conventions knows rows, samples, "
-            "origin, root, tangent");
+            "origin, root, tangent, t_min, t_max, interval, t_unit, culling");
 }
 
 TEST(ReadToml, NamesTheFirstOfSeveralUnknownKeys) {
