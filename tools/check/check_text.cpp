@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "scene/number.h"
 #include "tools/check/check_views.h"
 #include "tools/gates/gate_views.h"
 #include "tools/report/table.h"
@@ -131,6 +132,36 @@ std::string failures_text(const properties::FailureSearch& search) {
   return text + "\n";
 }
 
+/// How to ask that question again: a line, where there is a command for it.
+std::string replay_text(const CheckReport& report, const CandidateReport& candidate,
+                        const properties::Discrepancy& discrepancy) {
+  const scene::Scene& scene = *discrepancy.failed.scene;
+  const auto words = [&](const std::string& what) {
+    return fmt::format("  replay: raycheck {} --candidate '{}'\n", what, candidate.name);
+  };
+  if (scene.camera) {
+    if (!discrepancy.place.pixel) return "";
+    return words(fmt::format("explain {} --pixel {},{}", report.path, discrepancy.place.pixel->i,
+                             discrepancy.place.pixel->j));
+  }
+  if (scene.rays.size() != 1 || scene.spheres.size() != 1 ||
+      !(scene.conventions == scene::Conventions{})) {
+    return "";
+  }
+  const scene::Ray& ray = scene.rays.front();
+  const scene::Sphere& sphere = scene.spheres.front();
+  const auto listed = [](std::initializer_list<double> numbers) {
+    std::string text;
+    for (const double x : numbers) text += (text.empty() ? "" : ",") + scene::shortest(x);
+    return text;
+  };
+  return words(
+      fmt::format("explain --ray {} --sphere {}",
+                  listed({ray.origin.x, ray.origin.y, ray.origin.z, ray.direction.x,
+                          ray.direction.y, ray.direction.z}),
+                  listed({sphere.centre.x, sphere.centre.y, sphere.centre.z, sphere.radius})));
+}
+
 /// The first question that a candidate fails on, as a scene.
 std::string failed_question_text(const CheckReport& report) {
   for (const CandidateReport& candidate : report.candidates) {
@@ -139,7 +170,8 @@ std::string failed_question_text(const CheckReport& report) {
       const std::string comment =
           fmt::format("{} fails on it: {}", candidate.name, place_text(discrepancy.place));
       return "\na question that fails, as a scene for `raycheck check`:\n" +
-             indented(scene::write_toml(*discrepancy.failed.scene, comment), "  ");
+             indented(scene::write_toml(*discrepancy.failed.scene, comment), "  ") +
+             replay_text(report, candidate, discrepancy);
     }
   }
   return "";

@@ -146,7 +146,8 @@ const Step* ExplainReport::find(const std::string& symbol) const {
 
 bool ExplainReport::has_discrepancy() const {
   return std::any_of(methods.begin(), methods.end(), [](const MethodReport& method) {
-    return !method.goes_wrong_at.empty() && method.standing == properties::Standing::kDefect;
+    return !method.failure.empty() ||
+           (!method.goes_wrong_at.empty() && method.standing == properties::Standing::kDefect);
   });
 }
 
@@ -155,8 +156,14 @@ ExplainReport explain(const ExplainOptions& options) {
   scene::require_valid(scene);
   // As check does: rays that a method makes from the eye only are judged from the eye.
   if (options.rays->pixel_rays == nullptr) scene.conventions.origin = scene::Origin::kFocal;
+  std::optional<properties::Candidate> other;
+  if (options.other) {
+    other = options.other->candidate();
+    scene.conventions = other->declared.over(scene.conventions);
+  }
   const scene::Conventions& conventions = scene.conventions;
   ExplainReport report;
+  report.other = options.other;
   report.scene = scene;
   report.pixel = options.pixel;
   report.rays_method = std::string(options.rays->name);
@@ -173,6 +180,9 @@ ExplainReport explain(const ExplainOptions& options) {
     add_ray_conditions(*subject, &*camera, report.steps);
     for (const auto* method : fast::pixel_ray_methods()) {
       report.methods.push_back(judge_rays(*method, conventions, *scene.camera, pixel));
+    }
+    if (other && (other->frame || other->pixel_points || other->pixel_rays || other->focal_rays)) {
+      report.methods.push_back(judge_others_rays(*other, conventions, *scene.camera, pixel));
     }
     if (!scene.spheres.empty()) {
       report.ray = ray_by(*options.rays, *scene.camera, conventions, pixel);
@@ -209,6 +219,10 @@ ExplainReport explain(const ExplainOptions& options) {
     scene::poll();
     report.methods.push_back(
         judge_intersection(*method, report.ray, sphere, conventions, *subject, exact));
+  }
+  if (other && other->intersect) {
+    report.methods.push_back(
+        judge_others_intersection(*other, report.ray, sphere, conventions, *subject, exact));
   }
   return report;
 }

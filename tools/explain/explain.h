@@ -2,6 +2,7 @@
 #define RAYCHECK_TOOLS_EXPLAIN_EXPLAIN_H_
 
 #include <cstddef>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -20,6 +21,8 @@ struct ExplainOptions {
   std::optional<scene::Pixel> pixel;  ///< Where the scene has a camera.
   std::optional<std::size_t> sphere;  ///< Empty: the one met first, or else the first.
   const fast::PixelRayMethod* rays = kDefaultMethods.rays;  ///< Whose rays the intersections get.
+  /// Someone else's implementation, by whose conventions all is explained; null: there is none.
+  std::shared_ptr<const OtherMethod> other = nullptr;
 };
 
 /// One step of the exact derivation: a scalar or three coordinates.
@@ -54,6 +57,7 @@ struct MethodReport {
   /// Of a class or a root that is wrong: whether inputs close by make it right.
   properties::Standing standing = properties::Standing::kDefect;
   std::string goes_wrong_at;  ///< The first wrong step's symbol; empty: none.
+  std::string failure;        ///< How it gave no answer, after these steps; empty: it did.
 };
 
 /// The exact answer about one sphere.
@@ -73,6 +77,7 @@ struct ExplainReport {
   std::string rays_method;
   std::vector<Step> steps;
   std::vector<MethodReport> methods;
+  std::shared_ptr<const OtherMethod> other;
   std::optional<std::size_t> sphere;  ///< The one derived and intersected by the methods.
   std::vector<SphereReport> spheres;
   std::optional<std::size_t> nearest;

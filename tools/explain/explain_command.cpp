@@ -22,6 +22,7 @@ struct ExplainArguments {
   std::string ray;
   std::string rays;
   std::string format;
+  ExternalArguments external;
 };
 
 ExplainOptions explain_given_ray(const ExplainArguments& arguments) {
@@ -74,8 +75,14 @@ ExplainOptions explain_pixel(const ExplainArguments& arguments) {
 }
 
 int run_explain(const ExplainArguments& arguments) {
-  const ExplainReport report =
-      explain(arguments.ray.empty() ? explain_pixel(arguments) : explain_given_ray(arguments));
+  ExplainOptions options =
+      arguments.ray.empty() ? explain_pixel(arguments) : explain_given_ray(arguments);
+  if (arguments.external.candidates.size() > 1) {
+    throw std::invalid_argument("--candidate: all is explained by its conventions; give it once");
+  }
+  const std::vector<StagedMethod> others = find_others(arguments.external);
+  if (!others.empty()) options.other = others.front().other;
+  const ExplainReport report = explain(options);
   scene::poll();
   print_view(kExplainViews, arguments.format, report);
   return exit_code(false, report.has_discrepancy(), true);
@@ -98,6 +105,7 @@ Command add_explain(CLI::App& program) {
   command.add_option("--sphere", arguments.sphere,
                      "which sphere of the scene (default: the one met first); with --ray: "
                      "cx,cy,cz,r");
+  add_external(command, arguments.external);
   add_format(command, arguments.format, kExplainViews);
   return {&command, [given] { return run_explain(*given); }};
 }

@@ -46,6 +46,7 @@ Json method_json(const MethodReport& method) {
 
 void add_steps(const MethodReport& method, Json& json) {
   json["goes_wrong_at"] = method.goes_wrong_at.empty() ? Json(nullptr) : Json(method.goes_wrong_at);
+  json["failed"] = method.failure.empty() ? Json(nullptr) : Json(method.failure);
   json["steps"] = Json::array();
   for (const MethodStep& step : method.steps) {
     json["steps"].push_back({{"symbol", step.symbol},
@@ -92,6 +93,8 @@ Json exact_ray_json(const ExplainReport& report) {
 std::string explain_json(const ExplainReport& report, const ViewOptions& /*options*/) {
   Json json = json_header("explain");
   json["conventions"] = conventions_json(report.scene.conventions);
+  json["isolated_by"] = report.other ? Json(report.other->isolated_by) : Json(nullptr);
+  json["bounds_of"] = report.other ? Json(report.other->bounds_of) : Json(nullptr);
   if (report.pixel) json["pixel"] = {report.pixel->i, report.pixel->j};
   json["sphere"] = report.sphere ? Json(*report.sphere) : Json(nullptr);
   json["exact"] = report.pixel ? exact_pixel_json(report) : exact_ray_json(report);

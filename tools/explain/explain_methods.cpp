@@ -21,21 +21,19 @@ using reference::Enclosure3;
 using reference::ExactRay;
 using reference::Intersection;
 
-namespace {
-
 MethodStep step(const char* symbol, std::vector<double> value, std::optional<double> error,
                 const char* unit, double bound) {
   return {symbol, std::move(value), error, unit, error && *error > bound};
 }
 
-/// The first step off by more than its bound, in a method whose answer is wrong; where none alone
-/// is, the last one, to which small errors add up.
 std::string first_wrong(const MethodReport& report) {
   for (const MethodStep& one : report.steps) {
     if (one.wrong) return one.symbol;
   }
   return report.steps.back().symbol;
 }
+
+namespace {
 
 /// g = n W + alpha U + beta V of the method's own axes, exactly.
 Enclosure3 along_own_axes(const fast::CameraFrame& frame, const Enclosure3& plane_position) {
@@ -133,36 +131,51 @@ MethodReport judge_rays(const fast::PixelRayMethod& method, const scene::Convent
 MethodReport judge_intersection(const fast::IntersectMethod& method, const scene::Ray& ray,
                                 const scene::Sphere& sphere, const scene::Conventions& conventions,
                                 const Subject& subject, const SphereReport& exact) {
+  RayAnswered answer{std::string(method.name), {}, {}, method.max_ulp, method.max_point_ulp,
+                     method.unit_roundoff};
+  if (scene::defects(ray).empty()) {
+    fast::Rays rays;
+    rays.resize(1);
+    rays.origin = {{ray.origin.x}, {ray.origin.y}, {ray.origin.z}};
+    rays.direction = {{ray.direction.x}, {ray.direction.y}, {ray.direction.z}};
+    fast::Hits hits;
+    method.intersect(rays, sphere, conventions.root, conventions.tangent, hits);
+    if (hits.hit[0] != 0) {
+      answer.hit = {hits.parameter[0], {hits.point.x[0], hits.point.y[0], hits.point.z[0]}};
+    }
+    if (method.roots != nullptr) answer.roots = method.roots(ray, sphere);
+  }
+  return judge_answer(answer, ray, sphere, conventions, subject, exact);
+}
+
+MethodReport judge_answer(const RayAnswered& answer, const scene::Ray& ray,
+                          const scene::Sphere& sphere, const scene::Conventions& conventions,
+                          const Subject& subject, const SphereReport& exact) {
   MethodReport report;
-  report.name = std::string(method.name);
+  report.name = answer.name;
   report.intersects = true;
   if (!scene::defects(ray).empty()) {  // over- or underflow on the ray's way: nothing to intersect
     report.class_error = exact.is_hit;
     report.goes_wrong_at = "D";
     return report;
   }
-  fast::Rays rays;
-  rays.resize(1);
-  rays.origin = {{ray.origin.x}, {ray.origin.y}, {ray.origin.z}};
-  rays.direction = {{ray.direction.x}, {ray.direction.y}, {ray.direction.z}};
-  fast::Hits hits;
-  method.intersect(rays, sphere, conventions.root, conventions.tangent, hits);
-  const bool hit = hits.hit[0] != 0;
-  if (hit) report.parameter = hits.parameter[0];
+  const bool hit = answer.hit.has_value();
+  if (hit) report.parameter = answer.hit->parameter;
 
   const ExactRay own(ray);
   const Intersection own_at = own.intersect(sphere, conventions.root);
   const bool own_hit = reference::counts_as_hit(own_at.hit_class, conventions.tangent);
-  const scene::Vector3 to_centre = sphere.centre - ray.origin;
-  report.steps.push_back(
-      step("T", numbers(to_centre),
-           reference::relative_error(
-               scene::UnitVector3{to_centre.x, to_centre.y, to_centre.z},
-               reference::enclose_exactly(sphere.centre) - reference::enclose_exactly(ray.origin)),
-           "u", properties::kDefaultMaxError));
-  std::optional<fast::Roots> own_roots;
-  if (method.roots != nullptr) {
-    const fast::Roots roots = own_roots.emplace(method.roots(ray, sphere));
+  if (!answer.tells_roots_alone) {
+    const scene::Vector3 to_centre = sphere.centre - ray.origin;
+    report.steps.push_back(step(
+        "T", numbers(to_centre),
+        reference::relative_error(
+            scene::UnitVector3{to_centre.x, to_centre.y, to_centre.z},
+            reference::enclose_exactly(sphere.centre) - reference::enclose_exactly(ray.origin)),
+        "u", properties::kDefaultMaxError));
+  }
+  if (answer.roots) {
+    const fast::Roots& roots = *answer.roots;
     const auto enclosed = own.enclose(1024);
     report.steps.push_back(
         step("v", {roots.axial_distance},
@@ -178,22 +191,22 @@ MethodReport judge_intersection(const fast::IntersectMethod& method, const scene
   MethodStep s{"s", {}, std::nullopt, "ulp", hit != own_hit};
   MethodStep point{"Q", {}, std::nullopt, "u", hit != own_hit};
   if (hit) {
-    s.value = {hits.parameter[0]};
-    point.value = {hits.point.x[0], hits.point.y[0], hits.point.z[0]};
+    s.value = {answer.hit->parameter};
+    point.value = numbers(answer.hit->point);
   }
   if (hit && own_hit) {
     s = step("s", s.value, reference::ulp_error(s.value[0], own.parameter(sphere, own_at)), "ulp",
-             method.max_ulp *
+             answer.max_ulp *
                  properties::bound_growth(reference::condition_of_parameter(own, sphere, own_at)));
     point = step(
         "Q", point.value,
         reference::relative_error(scene::Point3{point.value[0], point.value[1], point.value[2]},
                                   own.point(sphere, own_at)),
         "u",
-        method.max_point_ulp *
+        answer.max_point_ulp *
             properties::bound_growth(reference::condition_of_point(own, sphere, own_at)));
   }
-  if (hit && own_hit) judge_alone(ray, own_at, own_roots ? &*own_roots : nullptr, s, point);
+  if (hit && own_hit) judge_alone(ray, own_at, answer.roots ? &*answer.roots : nullptr, s, point);
   report.steps.push_back(s);
   report.steps.push_back(point);
 
@@ -201,13 +214,13 @@ MethodReport judge_intersection(const fast::IntersectMethod& method, const scene
                       conventions.tangent != scene::Tangent::kEither;
   report.class_error = judged && hit != exact.is_hit;
   if (hit && exact.is_hit) {
-    report.ulp_error = reference::ulp_error(hits.parameter[0],
+    report.ulp_error = reference::ulp_error(answer.hit->parameter,
                                             subject.exact.parameter(sphere, exact.intersection));
   }
   const bool wrong =
       report.class_error || point.wrong ||
       (report.ulp_error &&
-       *report.ulp_error > (method.max_ulp + subject.inherited_bound) *
+       *report.ulp_error > (answer.max_ulp + subject.inherited_bound) *
                                properties::bound_growth(reference::condition_of_parameter(
                                    subject.exact, sphere, exact.intersection)));
   const bool is_other_root =
@@ -216,7 +229,7 @@ MethodReport judge_intersection(const fast::IntersectMethod& method, const scene
   if (report.class_error || is_other_root) {
     // As the laws have it.
     const reference::Neighbourhood around{conventions.root, conventions.tangent,
-                                          properties::excused_change(method.unit_roundoff)};
+                                          properties::excused_change(answer.unit_roundoff)};
     report.standing = properties::standing_of(
         right_nearby(subject.exact, sphere, around, report.parameter).found);
   }

@@ -3,6 +3,8 @@
 
 // The methods' side of `explain`. Internal to tools/explain/.
 
+#include <optional>
+#include <string>
 #include <vector>
 
 #include "reference/closed_form.h"
@@ -36,10 +38,42 @@ void add_sphere_conditions(const Subject& subject, const scene::Sphere& sphere,
 MethodReport judge_rays(const fast::PixelRayMethod& method, const scene::Conventions& conventions,
                         const scene::Camera& camera, const scene::Pixel& pixel);
 
+/// Someone else's steps, as far as it offers them: of a pixel, and of the ray that intersection
+/// methods are given. Where it gives no answer, the report says how.
+MethodReport judge_others_rays(const properties::Candidate& candidate,
+                               const scene::Conventions& conventions, const scene::Camera& camera,
+                               const scene::Pixel& pixel);
+MethodReport judge_others_intersection(const properties::Candidate& candidate,
+                                       const scene::Ray& ray, const scene::Sphere& sphere,
+                                       const scene::Conventions& conventions,
+                                       const Subject& subject, const SphereReport& exact);
+
+/// A step of a method, wrong where its error is above the bound.
+MethodStep step(const char* symbol, std::vector<double> value, std::optional<double> error,
+                const char* unit, double bound);
+/// The first step off by more than its bound, in a method whose answer is wrong; where none alone
+/// is, the last one, to which small errors add up.
+std::string first_wrong(const MethodReport& report);
+
 /// The ray that a method makes at a pixel, under the origin convention; throws
 /// std::invalid_argument when it makes none.
 scene::Ray ray_by(const fast::PixelRayMethod& method, const scene::Camera& camera,
                   const scene::Conventions& conventions, const scene::Pixel& pixel);
+
+/// What an intersection method answered about one ray, and what it is held to.
+struct RayAnswered {
+  std::string name;
+  std::optional<fast::Hit> hit;  ///< Empty: a miss.
+  std::optional<fast::Roots> roots = {};
+  double max_ulp, max_point_ulp, unit_roundoff;
+  bool tells_roots_alone = false;  ///< Nothing of how it came to them, not even T.
+};
+
+/// The answer's steps and verdict, as judge_intersection has them.
+/// Domain: a valid ray.
+MethodReport judge_answer(const RayAnswered& answer, const scene::Ray& ray,
+                          const scene::Sphere& sphere, const scene::Conventions& conventions,
+                          const Subject& subject, const SphereReport& exact);
 
 /// An intersection method on one ray. Its steps are placed by the exact answer for the very ray
 /// that it was given; its answer is judged by the exact ray's.

@@ -5,6 +5,7 @@
 
 #include "scene/number.h"
 #include "tools/explain/explain_views.h"
+#include "tools/methods/others_text.h"
 #include "tools/report/words.h"
 
 namespace raycheck::tools {
@@ -66,6 +67,7 @@ void append_steps(const ExplainReport& report, std::string& text) {
 
 std::string verdict_of(const MethodReport& method, const ExplainReport& report, bool colours) {
   std::string text;
+  if (!method.failure.empty()) return red("failed: " + method.failure, colours);
   if (method.intersects) {
     text = method.parameter ? fmt::format("s = {}", scene::digits_and_hexfloat(*method.parameter))
                             : "miss";
@@ -76,7 +78,7 @@ std::string verdict_of(const MethodReport& method, const ExplainReport& report, 
     }
   } else {
     const MethodStep& last = method.steps.back();
-    text = fmt::format("rays: D off by {} {}", error_text(last.error), last.unit);
+    text = fmt::format("rays: {} off by {} {}", last.symbol, error_text(last.error), last.unit);
   }
   if (method.goes_wrong_at.empty()) return text;
   std::string where = "; goes wrong at " + method.goes_wrong_at;
@@ -120,6 +122,9 @@ std::string explain_text(const ExplainReport& report, const ViewOptions& options
     text += report.nearest == k ? ", the nearest\n" : "\n";
   }
   text += "\nmethods:\n";
+  if (report.other) {
+    text += indented(others_text({{.other = report.other}}), "  ");
+  }
   for (const MethodReport& method : report.methods) {
     text += fmt::format("  {:<17} {}\n", method.name, verdict_of(method, report, options.colours));
   }

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <functional>
 #include <memory>
 #include <stdexcept>
 #include <tuple>
@@ -139,6 +140,54 @@ void count(const PaintedBand& band, std::vector<bool>& seen, ImageReport& report
   for (std::size_t k = 0; k < band.errors.wrong.size(); ++k) {
     report.error->wrong[k] += band.errors.wrong[k];
   }
+  if (report.error->failed == 0) report.error->first_failure = band.errors.first_failure;
+  report.error->failed += band.errors.failed;
+}
+
+/// The first of its own hits with the least s, of each ray.
+std::vector<std::optional<std::size_t>> nearest_of(const std::vector<properties::SphereHits>& hits,
+                                                   std::size_t rays) {
+  std::vector<std::optional<std::size_t>> nearest(rays);
+  std::vector<double> least(rays);
+  for (std::size_t sphere = 0; sphere < hits.size(); ++sphere) {
+    for (const properties::RayHit& hit : hits[sphere]) {
+      std::optional<std::size_t>& known = nearest.at(hit.ray);
+      if (known && least[hit.ray] <= hit.hit.parameter) continue;
+      known = sphere;
+      least[hit.ray] = hit.hit.parameter;
+    }
+  }
+  return nearest;
+}
+
+/// Someone else's, and what it does not offer: rays are made by raycheck's method, and the nearest
+/// sphere is that of its own hits.
+properties::Candidate completed(const OtherMethod& other, const MethodPair& methods) {
+  properties::Candidate candidate = other.candidate();
+  if (!candidate.intersect) {
+    throw std::invalid_argument(other.name + ": intersects nothing, so it has no error of s");
+  }
+  const properties::Candidate own = candidate_of(methods);
+  if (!candidate.pixel_rays && !candidate.focal_rays) {
+    candidate.pixel_rays = own.pixel_rays;
+    candidate.focal_rays = own.focal_rays;
+  }
+  // One that makes rays of one origin is asked for those.
+  if (!candidate.pixel_rays) candidate.declared.origin = scene::Origin::kFocal;
+  if (!candidate.focal_rays) candidate.declared.origin = scene::Origin::kPixel;
+  if (!candidate.nearest) {
+    candidate.nearest = [intersect = candidate.intersect](properties::Candidate::Rays rays,
+                                                          properties::Candidate::Spheres spheres,
+                                                          const scene::Conventions& conventions) {
+      return nearest_of(intersect(rays, spheres, conventions), rays.size());
+    };
+  }
+  return candidate;
+}
+
+std::function<properties::Candidate()> shown_candidate(const ImageOptions& options) {
+  if (!options.other) return [methods = options.methods] { return candidate_of(methods); };
+  return [other = options.other, methods = options.methods] { return completed(*other, methods); };
 }
 
 std::unique_ptr<Painter> painter_for(const ImageOptions& options, const scene::Scene& scene,
@@ -151,7 +200,7 @@ std::unique_ptr<Painter> painter_for(const ImageOptions& options, const scene::S
     case Picture::kDepth:
       return depth_painter(range.value_or(DepthRange{}));
     case Picture::kError:
-      return error_painter(scene, options.methods);
+      return error_painter(scene, shown_candidate(options));
   }
   throw std::logic_error("a picture of nothing that there is");
 }
@@ -198,10 +247,11 @@ ImageReport report_on(const ImageOptions& options, const scene::LoadedScene& loa
   report.height = scene.camera->height;
   report.spheres = scene.spheres.size();
   if (options.what == Picture::kError) {
-    const properties::Candidate candidate = candidate_of(options.methods);
+    const properties::Candidate candidate = shown_candidate(options)();
     report.conventions = candidate.declared.over(scene.conventions);
     report.error.emplace();
     report.error->candidate = candidate.name;
+    report.error->other = options.other;
     report.error->pixels.resize(kErrorSteps.size());
   }
   return report;

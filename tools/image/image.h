@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -29,8 +30,9 @@ struct ImageOptions {
   std::string path;
   std::optional<scene::Dialect> dialect;
   Picture what = Picture::kSphere;
-  MethodPair methods = kDefaultMethods;  ///< Whose error is shown.
-  std::optional<scene::Pixel> size;      ///< Pixels across and down in place of the scene's.
+  MethodPair methods = kDefaultMethods;                ///< Whose error is shown.
+  std::shared_ptr<const OtherMethod> other = nullptr;  ///< Someone else's instead; null: none.
+  std::optional<scene::Pixel> size;  ///< Pixels across and down in place of the scene's.
 };
 
 /// The smallest and the largest s that pixels see.
@@ -41,6 +43,11 @@ struct DepthRange {
 /// A picture of errors in numbers: pixels by how far s is off.
 struct ErrorCounts {
   std::string candidate;
+  std::shared_ptr<const OtherMethod> other;  ///< Null: it is raycheck's.
+  /// Pixels without an answer, which are defects; of each 512 that were asked at once, at most
+  /// kMostFailuresSought are sought, and the others that were asked with them count, too.
+  std::uint64_t failed = 0;
+  std::string first_failure;
   std::vector<std::uint64_t> pixels;  ///< By kErrorSteps (tools/image/image_paint.h).
   /// Missed, a false hit, or another sphere, by standing.
   std::array<std::uint64_t, properties::kStandingCount> wrong = {};

@@ -27,6 +27,7 @@ struct ImageArguments {
   bool strict = false;
   int threads = tbb::info::default_concurrency();
   std::string format;
+  ExternalArguments external;
 };
 
 /// The colours of the picture of errors, for --help.
@@ -71,6 +72,18 @@ int run_image(const ImageArguments& arguments) {
   if (!arguments.intersect.empty()) {
     options.methods.intersect = &find_intersect(arguments.intersect);
   }
+  const std::vector<std::string>& candidates = arguments.external.candidates;
+  if (!candidates.empty() && options.what != Picture::kError) {
+    throw std::invalid_argument(
+        fmt::format("--candidate {}: only --what error shows an implementation; the others show "
+                    "the exact answer",
+                    candidates.front()));
+  }
+  if (candidates.size() > 1) {
+    throw std::invalid_argument("--candidate: a picture shows one; give it once");
+  }
+  const std::vector<StagedMethod> others = find_others(arguments.external);
+  if (!others.empty()) options.other = others.front().other;
   require_no_input("--out", arguments.out, {arguments.scene});
   PictureFile file("--out", arguments.out);
   const ImageReport report =
@@ -115,6 +128,8 @@ Command add_image(CLI::App& program) {
       ->capture_default_str();
   command.add_option("--dialect", arguments.dialect,
                      "of a driver file: A, B or C, or a year, 2017 to 2020");
+  add_external(command, arguments.external);
+  command.get_option("--candidate")->excludes(command.get_option("--intersect"));
   add_format(command, arguments.format, kImageViews);
   command.footer(legend());
   return {&command, [given] { return run_image(*given); }};

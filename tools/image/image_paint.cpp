@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <stdexcept>
 #include <utility>
 
 #include "properties/nearest_hit_error.h"
@@ -96,19 +97,19 @@ class DepthPainter : public Painter {
 
 class ErrorPainter : public Painter {
  public:
-  ErrorPainter(const scene::Scene& scene, const MethodPair& methods)
-      : scene_(scene), methods_(methods) {}
+  ErrorPainter(const scene::Scene& scene, std::function<properties::Candidate()> candidate)
+      : scene_(scene), candidate_(std::move(candidate)) {}
 
   void paint(const SeenBand& band, std::span<Colour> pixels, ErrorCounts& errors) const override {
-    const properties::Candidate candidate = candidate_of(methods_);
+    const properties::Candidate candidate = candidate_();
+    properties::FailureSearch search;
     errors.pixels.resize(kErrorSteps.size());
     const std::span<const std::int32_t> seen = band.sphere;
     properties::Case chunk = {scene_, {}};
     for (std::size_t first = 0; first < seen.size(); first += chunk.pixels.size()) {
       chunk.pixels = pixels_from(band, first, std::min(first + kChunk, seen.size()));
-      properties::Trial trial(chunk, candidate);
-      const auto found =
-          properties::nearest_hit_errors(trial, seen.subspan(first, chunk.pixels.size()));
+      properties::Trial trial(chunk, candidate, {.search = &search});
+      const auto found = errors_of(trial, seen.subspan(first, chunk.pixels.size()), search, errors);
       std::transform(found.begin(), found.end(),
                      pixels.begin() + static_cast<std::ptrdiff_t>(first),
                      [&](const auto& error) { return colour_counted(error, errors); });
@@ -117,6 +118,38 @@ class ErrorPainter : public Painter {
 
  private:
   static constexpr std::size_t kChunk = 512;
+
+  /// Where the candidate fails on some pixels, those are sought, and the others shown.
+  static std::vector<properties::NearestHitError> errors_of(properties::Trial& trial,
+                                                            std::span<const std::int32_t> seen,
+                                                            properties::FailureSearch& search,
+                                                            ErrorCounts& counts) {
+    const auto failed = [&](const std::string& how) {
+      if (counts.failed == 0) counts.first_failure = how;
+      counts.failed += seen.size();
+      properties::NearestHitError error;
+      error.wrong = properties::Wrong::kFailed;
+      error.standing = properties::Standing::kDefect;
+      return std::vector(seen.size(), error);
+    };
+    try {
+      return properties::nearest_hit_errors(trial, seen);
+    } catch (const properties::AskedInVain& error) {
+      return failed(error.what());
+    } catch (const std::runtime_error& error) {
+      if (!trial.is_several(false) || search.is_over()) {
+        ++search.found;
+        return failed(error.what());
+      }
+    }
+    std::vector<properties::NearestHitError> found;
+    for (const auto& half : trial.halves()) {
+      const auto some = errors_of(
+          half->trial, seen.subspan(found.size(), half->the_case.pixels.size()), search, counts);
+      found.insert(found.end(), some.begin(), some.end());
+    }
+    return found;
+  }
 
   std::vector<scene::Pixel> pixels_from(const SeenBand& band, std::size_t first,
                                         std::size_t end) const {
@@ -143,7 +176,7 @@ class ErrorPainter : public Painter {
   }
 
   const scene::Scene& scene_;
-  MethodPair methods_;
+  std::function<properties::Candidate()> candidate_;
 };
 
 }  // namespace
@@ -170,8 +203,9 @@ std::unique_ptr<Painter> depth_painter(const DepthRange& range) {
   return std::make_unique<DepthPainter>(range);
 }
 
-std::unique_ptr<Painter> error_painter(const scene::Scene& scene, const MethodPair& methods) {
-  return std::make_unique<ErrorPainter>(scene, methods);
+std::unique_ptr<Painter> error_painter(const scene::Scene& scene,
+                                       std::function<properties::Candidate()> candidate) {
+  return std::make_unique<ErrorPainter>(scene, std::move(candidate));
 }
 
 }  // namespace raycheck::tools

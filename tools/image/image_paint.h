@@ -5,6 +5,7 @@
 
 #include <array>
 #include <cstdint>
+#include <functional>
 #include <limits>
 #include <memory>
 #include <span>
@@ -72,7 +73,8 @@ std::unique_ptr<Painter> class_painter();
 std::unique_ptr<Painter> sphere_painter(const scene::Scene& scene);
 /// Near is bright and far is dark; what is seen is never as dark as the background.
 std::unique_ptr<Painter> depth_painter(const DepthRange& range);
-std::unique_ptr<Painter> error_painter(const scene::Scene& scene, const MethodPair& methods);
+std::unique_ptr<Painter> error_painter(const scene::Scene& scene,
+                                       std::function<properties::Candidate()> candidate);
 
 }  // namespace raycheck::tools
 

@@ -2,6 +2,7 @@
 
 #include "tools/image/image_paint.h"
 #include "tools/image/image_views.h"
+#include "tools/methods/others_text.h"
 #include "tools/report/table.h"
 #include "tools/report/words.h"
 
@@ -21,8 +22,14 @@ std::string error_table(const ErrorCounts& error) {
     table.add({fmt::format("wrong class or sphere: {}", name(standing)), hex(kWrongColours[k]),
                std::to_string(error.wrong[k])});
   }
-  return fmt::format("\n{} against the exact s of each pixel's nearest sphere\n{}", error.candidate,
-                     table.text());
+  std::string text = fmt::format("\n{} against the exact s of each pixel's nearest sphere\n{}",
+                                 error.candidate, table.text());
+  if (error.other) text += others_text({{.other = error.other}});
+  if (error.failed > 0) {
+    text += fmt::format("failed on {}, first: {}\n", count_text(error.failed, "pixel"),
+                        error.first_failure);
+  }
+  return text;
 }
 
 }  // namespace

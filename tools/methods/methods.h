@@ -23,6 +23,9 @@ struct MethodPair {
 /// What is judged when nothing is asked for: stable and plain.
 inline constexpr MethodPair kDefaultMethods = {&fast::kDirectRays, &fast::kCross};
 
+/// The plain ones in floats.
+inline constexpr MethodPair kSingleMethods = {&fast::kSingleRays, &fast::kSingleLecture};
+
 /// The method of that name; throws std::invalid_argument naming the field and the known names.
 const fast::PixelRayMethod& find_rays(const std::string& name);
 const fast::IntersectMethod& find_intersect(const std::string& name);

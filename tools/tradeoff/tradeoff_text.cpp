@@ -226,7 +226,9 @@ std::string rendered(const TradeoffReport& report, Render render, std::string_vi
   for (const auto* costs : {&report.rays, &report.intersections}) {
     for (const MethodCost& cost : *costs) {
       if (!cost.not_timed.empty()) {
-        notes.push_back(fmt::format("{}: {}", cost.method.name(), cost.not_timed));
+        const std::string stage =
+            cost.method.other ? fmt::format(" ({})", name(cost.method.stage)) : "";
+        notes.push_back(fmt::format("{}{}: {}", cost.method.name(), stage, cost.not_timed));
       }
     }
   }
