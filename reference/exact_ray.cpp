@@ -212,9 +212,12 @@ std::optional<NearestSphere> ExactRay::nearest(std::span<const scene::Sphere> sp
                                                Rung* highest) const {
   constexpr std::size_t kBetweenPolls = 256;
   std::optional<NearestSphere> best;
+  const bool is_usual = conventions.valid.is_usual();
   for (std::size_t k = 0; k < spheres.size(); ++k) {
     if (k % kBetweenPolls == 0) scene::poll();
-    const Intersection here = intersect(spheres[k], conventions, Engine::kFiltered, highest);
+    const Intersection here =
+        is_usual ? intersect(spheres[k], conventions.root, Engine::kFiltered, highest)
+                 : intersect(spheres[k], conventions, Engine::kFiltered, highest);
     if (!counts_as_hit(here.hit_class, conventions.tangent)) continue;
     keep_nearest(spheres, k, here, best, highest);
   }
