@@ -75,10 +75,11 @@ enum class Culling { none, back_faces, front_faces };
 /// Which roots count: those between t_min and t_max, in s or in radii of the sphere, that are not
 /// culled: v + d lies on back faces, v - d on front faces. As it is: every root >= 0.
 struct ValidRoots {
-  double t_min = 0, t_max = std::numeric_limits<double>::infinity();
-  Ends ends = Ends::closed;
-  TUnit unit = TUnit::absolute;
-  Culling culling = Culling::none;
+  double t_min = 0;  ///< The least s that counts, or the least number of radii; finite.
+  double t_max = std::numeric_limits<double>::infinity();  ///< Likewise the largest; >= t_min.
+  Ends ends = Ends::closed;         ///< Whether t_min and t_max count themselves.
+  TUnit unit = TUnit::absolute;     ///< What they are given in.
+  Culling culling = Culling::none;  ///< Which faces do not count, wherever they are.
 };
 
 /// Whether an implementation takes every root >= 0, the valid roots that it declares, or those that
