@@ -1,84 +1,28 @@
 #include "tools/check/check.h"
 
 #include <fmt/format.h>
-#include <tbb/enumerable_thread_specific.h>
 
 #include <algorithm>
-#include <array>
-#include <cmath>
-#include <map>
-#include <memory>
 #include <span>
 #include <stdexcept>
 #include <utility>
 
 #include "properties/cases/scene_cases.h"
-#include "properties/given_rays.h"
 #include "properties/laws/law.h"
 #include "properties/mistakes/answer_explanation.h"
 #include "properties/mistakes/picture_causes.h"
-#include "properties/rounded_case.h"
 #include "scene/interruption.h"
-#include "scene/plan/plan.h"
+#include "tools/check/judgement.h"
 #include "tools/check/timing.h"
-#include "tools/run/in_order.h"
 
 namespace raycheck::tools {
 namespace {
 
 using properties::Candidate;
 using properties::Case;
-using properties::FailureSearch;
 using properties::Law;
-using properties::Per;
 using properties::RunControl;
 using properties::SceneCases;
-using properties::Trial;
-using properties::TrialOptions;
-using properties::Truth;
-using properties::Verdict;
-
-/// Rays judged at a time: between chunks progress is shown and an interrupt is heeded. Methods are
-/// timed, and mistakes looked for, on the first chunk.
-constexpr std::size_t kChunk = 512;
-
-/// Reasons by law.
-using ReasonsLeftOut = std::map<std::string_view, std::string>;
-
-/// A candidate's report in the making.
-struct Draft {
-  CandidateReport report;
-  ReasonsLeftOut left_out;
-};
-
-/// What is found out about one candidate on a chunk of the rays.
-struct ChunkVerdict {
-  Verdict verdict;
-  ReasonsLeftOut left_out;
-  bool given_rays = false;
-  Swallowed swallowed;
-
-  bool has_failed() const {
-    const auto found = verdict.tallies().find(properties::Quantity::kRefusal);
-    return found != verdict.tallies().end() && found->second.count(properties::Wrong::kFailed) > 0;
-  }
-};
-
-/// A scene in a format, and its rays.
-struct ScenesOfFormats {
-  ScenesOfFormats(const scene::Scene& given, std::optional<std::int64_t> pixels)
-      : cases{SceneCases(given, pixels), {}} {
-    single = properties::rounded_case({given, {}}, scene::Precision::kSingle);
-    if (single.the_case) cases[1].emplace(single.the_case->scene, pixels);
-  }
-  /// Empty where the format cannot hold the scene.
-  const std::optional<SceneCases>& of(scene::Precision precision) const {
-    return cases[static_cast<std::size_t>(precision)];
-  }
-
-  properties::RoundedCase single;
-  std::array<std::optional<SceneCases>, 2> cases;
-};
 
 Draft prepare(const Contestant& contestant, const ScenesOfFormats& scenes) {
   const Candidate candidate = candidate_of(contestant);
@@ -97,43 +41,6 @@ Draft prepare(const Contestant& contestant, const ScenesOfFormats& scenes) {
   draft.report.conventions = candidate.declared.over(scene.conventions);
   draft.report.inside_domain = is_inside_domain(candidate, scene);
   return draft;
-}
-
-ChunkVerdict judge_chunk(const Case& chunk, std::uint64_t first, std::shared_ptr<Truth> truth,
-                         std::optional<double> max_error, const Candidate& candidate,
-                         FailureSearch* search = nullptr) {
-  Trial trial(chunk, candidate,
-              {.max_error = max_error, .truth = std::move(truth), .search = search});
-  ChunkVerdict found;
-  const bool wants_rays = std::any_of(
-      properties::laws().begin(), properties::laws().end(),
-      [&](const Law& law) { return law.judges_values && wants_given_rays(law, trial); });
-  const auto given =
-      wants_rays ? given_rays(chunk, trial.conventions(), candidate.precision) : std::nullopt;
-  found.given_rays = given.has_value();
-  std::optional<Trial> on_given;
-  if (given) {
-    on_given.emplace(given->the_case, candidate,
-                     TrialOptions{.max_error = max_error, .search = search});
-  }
-  for (const Law& law : properties::laws()) {
-    if (!law.judges_values || (law.per == Per::kScene && first > 0)) continue;
-    // Of others than renderers it need not be said that they make no images.
-    if (law.per == Per::kImage && !candidate.image) continue;
-    const bool is_given = on_given && wants_given_rays(law, trial);
-    Verdict verdict = apply(law, is_given ? *on_given : trial);
-    if (is_given) {
-      verdict.relocate([&](const properties::Place& place) { return given->place(place); });
-    }
-    if (!verdict.reason_left_out().empty()) found.left_out[law.name] = verdict.reason_left_out();
-    if (!chunk.scene.camera) verdict.shift_rays(first);
-    found.verdict.merge(std::move(verdict));
-  }
-  found.swallowed = swallowed(trial);
-  if (!chunk.scene.camera) {
-    for (SwallowedHit& hit : found.swallowed.worst) hit.place.ray += first;
-  }
-  return found;
 }
 
 /// The mistake that explains the errors of someone else's: of a picture, which is asked for again
@@ -292,104 +199,6 @@ std::vector<Contestant> without_equals(const std::vector<Contestant>& contestant
   return result;
 }
 
-/// Judges the rays chunk by chunk. Every thread has candidates of its own; chunks share nothing but
-/// the plans, and their verdicts are merged in the order of the rays.
-class Judgement {
- public:
-  Judgement(const CheckOptions& options, const ScenesOfFormats& scenes, std::vector<Draft>& drafts)
-      : options_(options), scenes_(scenes), drafts_(drafts) {
-    for (const Draft& draft : drafts) {
-      const auto& cases = scenes.of(draft.report.precision);
-      if (!cases || !cases->scene().camera) continue;
-      auto& plans = plans_[static_cast<std::size_t>(draft.report.precision)];
-      const scene::Conventions conventions = properties::planned(draft.report.conventions);
-      const bool is_planned = std::any_of(
-          plans.begin(), plans.end(),
-          [&](const scene::ScenePlan& plan) { return plan.conventions == conventions; });
-      if (!is_planned) {
-        plans.push_back(plan_scene(cases->scene(), conventions, scene::Wanted::kParameter));
-      }
-    }
-  }
-
-  /// Counts the rays judged, and tells.
-  template <class Tell>
-  void run(const RunControl& control, std::uint64_t& rays_judged, const Tell& tell) {
-    const std::uint64_t rays = scenes_.of(scene::Precision::kDouble)->rays_judged();
-    const auto chunks = static_cast<std::int64_t>((rays + kChunk - 1) / kChunk);
-    in_order<std::vector<ChunkVerdict>>(
-        chunks, control,
-        [&](std::int64_t k) { return judge(static_cast<std::uint64_t>(k) * kChunk); },
-        [&](std::vector<ChunkVerdict>& verdicts) {
-          const scene::Interruptible interruptible(control.interrupted);
-          for (std::size_t k = 0; k < drafts_.size(); ++k) {
-            if (verdicts[k].has_failed()) seek_failures(k, rays_judged, verdicts[k]);
-            drafts_[k].report.verdict.merge(std::move(verdicts[k].verdict));
-            drafts_[k].report.given_rays |= verdicts[k].given_rays;
-            drafts_[k].report.swallowed.merge(verdicts[k].swallowed);
-            for (auto& [law, reason] : verdicts[k].left_out) {
-              drafts_[k].left_out[law] = std::move(reason);
-            }
-          }
-          rays_judged = std::min(rays_judged + kChunk, rays);
-          tell();
-        });
-  }
-
- private:
-  /// Judges a chunk on which a candidate failed again, in parts: by a candidate of its own, chunk
-  /// after chunk, so that what is sought does not depend on the threads. Where it does not fail
-  /// now, the verdict stays what it was.
-  void seek_failures(std::size_t k, std::uint64_t first, ChunkVerdict& failed) {
-    CandidateReport& report = drafts_[k].report;
-    if (report.search.is_over()) {
-      ++report.search.not_sought;
-      return;
-    }
-    searchers_.resize(drafts_.size());
-    if (!searchers_[k]) searchers_[k] = candidate_of(report.contestant);
-    const auto& cases = scenes_.of(report.precision);
-    const Case chunk = cases->from(first, std::min(first + kChunk, cases->rays_judged()));
-    properties::SharedTruths truths(chunk, plans_[static_cast<std::size_t>(report.precision)]);
-    ++report.search.batches;
-    ChunkVerdict found = judge_chunk(chunk, first, truths.under(report.conventions),
-                                     options_.max_error, *searchers_[k], &report.search);
-    if (found.has_failed()) failed = std::move(found);
-  }
-
-  std::vector<ChunkVerdict> judge(std::uint64_t first) {
-    std::vector<Candidate>& candidates = candidates_.local();
-    if (candidates.empty()) {
-      for (const Draft& draft : drafts_) {
-        candidates.push_back(candidate_of(draft.report.contestant));
-      }
-    }
-    std::vector<ChunkVerdict> found(drafts_.size());
-    for (const auto precision : {scene::Precision::kDouble, scene::Precision::kSingle}) {
-      const auto& cases = scenes_.of(precision);
-      const bool is_asked = std::any_of(drafts_.begin(), drafts_.end(), [&](const Draft& draft) {
-        return draft.report.precision == precision;
-      });
-      if (!cases || !is_asked) continue;
-      const Case chunk = cases->from(first, std::min(first + kChunk, cases->rays_judged()));
-      properties::SharedTruths truths(chunk, plans_[static_cast<std::size_t>(precision)]);
-      for (std::size_t k = 0; k < drafts_.size(); ++k) {
-        if (drafts_[k].report.precision != precision) continue;
-        found[k] = judge_chunk(chunk, first, truths.under(drafts_[k].report.conventions),
-                               options_.max_error, candidates[k]);
-      }
-    }
-    return found;
-  }
-
-  const CheckOptions& options_;
-  const ScenesOfFormats& scenes_;
-  std::vector<Draft>& drafts_;
-  std::array<std::vector<scene::ScenePlan>, 2> plans_;  ///< By format.
-  tbb::enumerable_thread_specific<std::vector<Candidate>> candidates_;
-  std::vector<std::optional<Candidate>> searchers_;  ///< Where they have failed.
-};
-
 /// Times every candidate on the first rays, before any other thread runs.
 void time_all(const SceneCases& cases, std::vector<Draft>& drafts) {
   const Case chunk = cases.from(0, std::min<std::uint64_t>(kChunk, cases.rays_judged()));
@@ -430,7 +239,7 @@ CheckReport check(const CheckOptions& options, const RunControl& control) {
       drafts.push_back(prepare(contestant, scenes));
     }
     time_all(cases, drafts);
-    Judgement(options, scenes, drafts).run(control, report.rays_judged, [&] {
+    Judgement(options.max_error, scenes, drafts).run(control, report.rays_judged, [&] {
       control.progress(
           fmt::format("{} of {} rays judged", report.rays_judged, cases.rays_judged()));
     });

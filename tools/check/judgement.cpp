@@ -1,0 +1,168 @@
+#include "tools/check/judgement.h"
+
+#include <algorithm>
+#include <memory>
+#include <utility>
+
+#include "properties/given_rays.h"
+#include "properties/laws/law.h"
+#include "scene/interruption.h"
+#include "tools/check/swallowed.h"
+#include "tools/run/in_order.h"
+
+namespace raycheck::tools {
+
+using properties::Candidate;
+using properties::Case;
+using properties::FailureSearch;
+using properties::Law;
+using properties::Per;
+using properties::RunControl;
+using properties::Trial;
+using properties::TrialOptions;
+using properties::Truth;
+using properties::Verdict;
+
+struct ChunkVerdict {
+  Verdict verdict;
+  ReasonsLeftOut left_out;
+  bool given_rays = false;
+  Swallowed swallowed;
+
+  bool has_failed() const {
+    const auto found = verdict.tallies().find(properties::Quantity::kRefusal);
+    return found != verdict.tallies().end() && found->second.count(properties::Wrong::kFailed) > 0;
+  }
+};
+
+namespace {
+
+ChunkVerdict judge_chunk(const Case& chunk, std::uint64_t first, std::shared_ptr<Truth> truth,
+                         std::optional<double> max_error, const Candidate& candidate,
+                         FailureSearch* search = nullptr) {
+  Trial trial(chunk, candidate,
+              {.max_error = max_error, .truth = std::move(truth), .search = search});
+  ChunkVerdict found;
+  const bool wants_rays = std::any_of(
+      properties::laws().begin(), properties::laws().end(),
+      [&](const Law& law) { return law.judges_values && wants_given_rays(law, trial); });
+  const auto given =
+      wants_rays ? given_rays(chunk, trial.conventions(), candidate.precision) : std::nullopt;
+  found.given_rays = given.has_value();
+  std::optional<Trial> on_given;
+  if (given) {
+    on_given.emplace(given->the_case, candidate,
+                     TrialOptions{.max_error = max_error, .search = search});
+  }
+  for (const Law& law : properties::laws()) {
+    if (!law.judges_values || (law.per == Per::kScene && first > 0)) continue;
+    // Of others than renderers it need not be said that they make no images.
+    if (law.per == Per::kImage && !candidate.image) continue;
+    const bool is_given = on_given && wants_given_rays(law, trial);
+    Verdict verdict = apply(law, is_given ? *on_given : trial);
+    if (is_given) {
+      verdict.relocate([&](const properties::Place& place) { return given->place(place); });
+    }
+    if (!verdict.reason_left_out().empty()) found.left_out[law.name] = verdict.reason_left_out();
+    if (!chunk.scene.camera) verdict.shift_rays(first);
+    found.verdict.merge(std::move(verdict));
+  }
+  found.swallowed = swallowed(trial);
+  if (!chunk.scene.camera) {
+    for (SwallowedHit& hit : found.swallowed.worst) hit.place.ray += first;
+  }
+  return found;
+}
+
+}  // namespace
+
+Judgement::Judgement(std::optional<double> max_error, const ScenesOfFormats& scenes,
+                     std::vector<Draft>& drafts)
+    : max_error_(max_error), scenes_(scenes), drafts_(drafts) {
+  for (const Draft& draft : drafts) {
+    const auto& cases = scenes.of(draft.report.precision);
+    if (!cases || !cases->scene().camera) continue;
+    auto& plans = plans_[static_cast<std::size_t>(draft.report.precision)];
+    const scene::Conventions conventions = properties::planned(draft.report.conventions);
+    const bool is_planned =
+        std::any_of(plans.begin(), plans.end(),
+                    [&](const scene::ScenePlan& plan) { return plan.conventions == conventions; });
+    if (!is_planned) {
+      plans.push_back(plan_scene(cases->scene(), conventions, scene::Wanted::kParameter));
+    }
+  }
+}
+
+void Judgement::run(const RunControl& control, std::uint64_t& rays_judged,
+                    const std::function<void()>& tell) {
+  const std::uint64_t rays = scenes_.of(scene::Precision::kDouble)->rays_judged();
+  const auto chunks = static_cast<std::int64_t>((rays + kChunk - 1) / kChunk);
+  in_order<std::vector<ChunkVerdict>>(
+      chunks, control,
+      [&](std::int64_t k) { return judge(static_cast<std::uint64_t>(k) * kChunk); },
+      [&](std::vector<ChunkVerdict>& verdicts) {
+        const scene::Interruptible interruptible(control.interrupted);
+        merge(verdicts, rays_judged);
+        rays_judged = std::min(rays_judged + kChunk, rays);
+        tell();
+      });
+}
+
+/// Adds what a chunk, whose first ray is given, says of each draft.
+void Judgement::merge(std::vector<ChunkVerdict>& verdicts, std::uint64_t first) {
+  for (std::size_t k = 0; k < drafts_.size(); ++k) {
+    if (verdicts[k].has_failed()) seek_failures(k, first, verdicts[k]);
+    Draft& draft = drafts_[k];
+    draft.report.verdict.merge(std::move(verdicts[k].verdict));
+    draft.report.given_rays |= verdicts[k].given_rays;
+    draft.report.swallowed.merge(verdicts[k].swallowed);
+    for (auto& [law, reason] : verdicts[k].left_out) draft.left_out[law] = std::move(reason);
+  }
+}
+
+/// Judges a chunk on which a candidate failed again, in parts: by a candidate of its own, chunk
+/// after chunk, so that what is sought does not depend on the threads. Where it does not fail
+/// now, the verdict stays what it was.
+void Judgement::seek_failures(std::size_t k, std::uint64_t first, ChunkVerdict& failed) {
+  CandidateReport& report = drafts_[k].report;
+  if (report.search.is_over()) {
+    ++report.search.not_sought;
+    return;
+  }
+  searchers_.resize(drafts_.size());
+  if (!searchers_[k]) searchers_[k] = candidate_of(report.contestant);
+  const auto& cases = scenes_.of(report.precision);
+  const Case chunk = cases->from(first, std::min(first + kChunk, cases->rays_judged()));
+  properties::SharedTruths truths(chunk, plans_[static_cast<std::size_t>(report.precision)]);
+  ++report.search.batches;
+  ChunkVerdict found = judge_chunk(chunk, first, truths.under(report.conventions), max_error_,
+                                   *searchers_[k], &report.search);
+  if (found.has_failed()) failed = std::move(found);
+}
+
+std::vector<ChunkVerdict> Judgement::judge(std::uint64_t first) {
+  std::vector<Candidate>& candidates = candidates_.local();
+  if (candidates.empty()) {
+    for (const Draft& draft : drafts_) {
+      candidates.push_back(candidate_of(draft.report.contestant));
+    }
+  }
+  std::vector<ChunkVerdict> found(drafts_.size());
+  for (const auto precision : {scene::Precision::kDouble, scene::Precision::kSingle}) {
+    const auto& cases = scenes_.of(precision);
+    const bool is_asked = std::any_of(drafts_.begin(), drafts_.end(), [&](const Draft& draft) {
+      return draft.report.precision == precision;
+    });
+    if (!cases || !is_asked) continue;
+    const Case chunk = cases->from(first, std::min(first + kChunk, cases->rays_judged()));
+    properties::SharedTruths truths(chunk, plans_[static_cast<std::size_t>(precision)]);
+    for (std::size_t k = 0; k < drafts_.size(); ++k) {
+      if (drafts_[k].report.precision != precision) continue;
+      found[k] = judge_chunk(chunk, first, truths.under(drafts_[k].report.conventions), max_error_,
+                             candidates[k]);
+    }
+  }
+  return found;
+}
+
+}  // namespace raycheck::tools

@@ -1,0 +1,85 @@
+#ifndef RAYCHECK_TOOLS_CHECK_JUDGEMENT_H_
+#define RAYCHECK_TOOLS_CHECK_JUDGEMENT_H_
+
+// How `check` judges many rays. Internal to it.
+
+#include <tbb/enumerable_thread_specific.h>
+
+#include <array>
+#include <cstdint>
+#include <functional>
+#include <map>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "properties/cases/scene_cases.h"
+#include "properties/rounded_case.h"
+#include "properties/run_control.h"
+#include "properties/trial.h"
+#include "scene/plan/plan.h"
+#include "tools/check/check.h"
+
+namespace raycheck::tools {
+
+/// Rays judged at a time: between chunks progress is shown and an interrupt is heeded. Methods are
+/// timed, and mistakes looked for, on the first chunk.
+inline constexpr std::size_t kChunk = 512;
+
+/// Reasons by law.
+using ReasonsLeftOut = std::map<std::string_view, std::string>;
+
+/// A candidate's report in the making.
+struct Draft {
+  CandidateReport report;
+  ReasonsLeftOut left_out;
+};
+
+/// A scene in a format, and its rays.
+struct ScenesOfFormats {
+  ScenesOfFormats(const scene::Scene& given, std::optional<std::int64_t> pixels)
+      : cases{properties::SceneCases(given, pixels), {}} {
+    single = properties::rounded_case({given, {}}, scene::Precision::kSingle);
+    if (single.the_case) cases[1].emplace(single.the_case->scene, pixels);
+  }
+  /// Empty where the format cannot hold the scene.
+  const std::optional<properties::SceneCases>& of(scene::Precision precision) const {
+    return cases[static_cast<std::size_t>(precision)];
+  }
+
+  properties::RoundedCase single;
+  std::array<std::optional<properties::SceneCases>, 2> cases;
+};
+
+/// What is found out about one candidate on a chunk of the rays.
+struct ChunkVerdict;
+
+/// Judges the rays of drafts chunk by chunk. Every thread has candidates of its own; chunks share
+/// nothing but the plans, and their verdicts are merged in the order of the rays.
+class Judgement {
+ public:
+  /// What is given has to outlive it.
+  Judgement(std::optional<double> max_error, const ScenesOfFormats& scenes,
+            std::vector<Draft>& drafts);
+
+  /// Counts the rays judged, and tells after each chunk.
+  void run(const properties::RunControl& control, std::uint64_t& rays_judged,
+           const std::function<void()>& tell);
+
+ private:
+  std::vector<ChunkVerdict> judge(std::uint64_t first);
+  void merge(std::vector<ChunkVerdict>& verdicts, std::uint64_t first);
+  void seek_failures(std::size_t k, std::uint64_t first, ChunkVerdict& failed);
+
+  std::optional<double> max_error_;
+  const ScenesOfFormats& scenes_;
+  std::vector<Draft>& drafts_;
+  std::array<std::vector<scene::ScenePlan>, 2> plans_;  ///< By format.
+  tbb::enumerable_thread_specific<std::vector<properties::Candidate>> candidates_;
+  std::vector<std::optional<properties::Candidate>> searchers_;  ///< Where they have failed.
+};
+
+}  // namespace raycheck::tools
+
+#endif  // RAYCHECK_TOOLS_CHECK_JUDGEMENT_H_
