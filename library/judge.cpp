@@ -48,16 +48,12 @@ std::string text_of(const Verdict& verdict, const properties::Law& law) {
                                  name(verdict.finding), counts_text(verdict));
   if (!verdict.reason.empty()) text += fmt::format("  {}\n", verdict.reason);
   if (!verdict.broken) return text;
-  text += fmt::format("  the law: {}\n", law.sentence);
-  text += tools::indented(verdict.broken->discrepancy, "  ");
-  for (const std::string& sentence : verdict.broken->sentences) {
-    text += fmt::format("  {}\n", sentence);
-  }
-  if (!verdict.broken->replay.empty()) {
-    text += fmt::format("  replay: {}\n", verdict.broken->replay);
-  }
-  text += "  the shrunk case, as a scene for `raycheck check`:\n";
-  return text + tools::indented(scene_text(verdict.broken->shrunk), "    ");
+  const BrokenCase& broken = *verdict.broken;
+  std::string causes;
+  for (const std::string& cause : broken.sentences) causes += cause + "\n";
+  return text + tools::indented(tools::broken_law_text(law.sentence, broken.discrepancy, causes,
+                                                       broken.replay, scene_text(broken.shrunk)),
+                                "  ");
 }
 
 std::string reason_of(const CampaignResult& result) {

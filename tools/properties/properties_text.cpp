@@ -173,17 +173,17 @@ std::string failure_text(const CampaignReport& campaign, bool colours) {
     const std::string holding = holding_text(result);
     if (!holding.empty()) text += fmt::format("holds on {}\n", holding);
   }
-  text += fmt::format("the law: {}\n", campaign.law->sentence);
+  std::string discrepancies;
   for (const auto& discrepancy : failure.verdict.worst(1)) {
-    text += discrepancy_text(discrepancy, colours);
+    discrepancies += discrepancy_text(discrepancy, colours);
   }
   const bool renders = campaign.external && campaign.external->renderer;
-  text += explanations_text(campaign.explanations, renders ? "pixels" : "answers");
-  text += fmt::format("replay: {}\n", replay_text(campaign, failure.replay));
-  text += "the shrunk case, as a scene for `raycheck check`:\n";
   const std::string reason =
       fmt::format("breaks the law {} with {}", campaign.law->name, campaign.candidate);
-  text += indented(properties::scene_text(failure.shrunk, reason), "  ");
+  text += broken_law_text(campaign.law->sentence, discrepancies,
+                          explanations_text(campaign.explanations, renders ? "pixels" : "answers"),
+                          replay_text(campaign, failure.replay),
+                          properties::scene_text(failure.shrunk, reason));
   return text;
 }
 

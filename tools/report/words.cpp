@@ -240,6 +240,14 @@ std::string discrepancy_text(const Discrepancy& d, bool colours) {
   return text;
 }
 
+std::string broken_law_text(std::string_view sentence, std::string_view discrepancy,
+                            std::string_view causes, std::string_view replay,
+                            std::string_view scene) {
+  std::string text = fmt::format("the law: {}\n{}{}", sentence, discrepancy, causes);
+  if (!replay.empty()) text += fmt::format("replay: {}\n", replay);
+  return text + "the shrunk case, as a scene for `raycheck check`:\n" + indented(scene, "  ");
+}
+
 std::string decided_by_text(const reference::DecidedBy& decided_by) {
   std::string rungs;
   for (std::size_t k = 0; k < kRungNames.size(); ++k) {

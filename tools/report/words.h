@@ -62,6 +62,12 @@ std::string explanations_text(const std::vector<properties::Explanation>& explan
 /// What a discrepancy is, got, should have been, by how much and with what excuse, in lines.
 std::string discrepancy_text(const properties::Discrepancy& discrepancy, bool colours);
 
+/// Why a law is broken, in lines: its sentence, what is wrong and what causes that (lines of their
+/// own), how to ask again (or nothing) and the shrunk case as a scene.
+std::string broken_law_text(std::string_view sentence, std::string_view discrepancy,
+                            std::string_view causes, std::string_view replay,
+                            std::string_view scene);
+
 /// "250 by the filter, 6 exactly (6 by intervals)"
 std::string decided_by_text(const reference::DecidedBy& decided_by);
 
