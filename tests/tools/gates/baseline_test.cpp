@@ -121,7 +121,9 @@ TEST(Baseline, OfTwoBranchesThatMendDifferentThingsIsMergedByGit) {
 /// The whole way of one candidate: known, otherwise wrong, mended.
 class BaselineOfARun : public testing::Test {
  protected:
-  BaselineOfARun() : folder_(testing::TempDir() + "baseline_of_a_run") {
+  BaselineOfARun()
+      : folder_(testing::TempDir() + "baseline_of_a_run_" +
+                testing::UnitTest::GetInstance()->current_test_info()->name()) {
     fs::remove_all(folder_);
     fs::create_directories(folder_);
     fs::copy_file(fs::path(RAYCHECK_SOURCE_DIR) / "tests/candidates/right.py",

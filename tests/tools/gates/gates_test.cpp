@@ -144,7 +144,9 @@ TEST(GitlabCodequality, HasWhatGitLabAsksForOfEachNewDefect) {
 /// A candidate that answers far roots, in the files of a run.
 class GateOfARun : public testing::Test {
  protected:
-  GateOfARun() : folder_(testing::TempDir() + "gate_of_a_run") {
+  GateOfARun()
+      : folder_(testing::TempDir() + "gate_of_a_run_" +
+                testing::UnitTest::GetInstance()->current_test_info()->name()) {
     fs::remove_all(folder_);
     fs::create_directories(folder_);
     candidate_ = built_submission("rays.cpp", "far_root", folder_);

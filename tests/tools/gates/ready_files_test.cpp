@@ -1,6 +1,7 @@
 // The files for pipelines that are ready to be copied: their raycheck commands run as they stand.
 
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 #include <filesystem>
 #include <fstream>
@@ -39,7 +40,7 @@ class EachReadyFile : public testing::TestWithParam<const char*> {};
 TEST_P(EachReadyFile, GatesAProjectThatIsRightAndOneThatIsNot) {
   const auto commands = commands_of(GetParam());
   ASSERT_EQ(commands.size(), 1u);
-  const fs::path folder = testing::TempDir() + "ready_file";
+  const fs::path folder = testing::TempDir() + "ready_file_" + std::to_string(getpid());
   fs::remove_all(folder);
   fs::create_directories(folder / "src");
   std::ofstream(folder / "raycheck.baseline").flush();
