@@ -62,8 +62,8 @@ inline std::optional<raycheck::Hit> intersect(const raycheck::Ray& ray,
   const double near = std::fmin(one, other), far = std::fmax(one, other);
   double s = near < 0 ? far : near;
   if (makes("far_root")) s = far;
-  if (makes("behind")) s = std::fabs(near);
-  if (s < 0) return {};
+  if (makes("behind")) s = near;
+  if (s < 0 && !makes("behind")) return {};
   return raycheck::Hit{s, ray.origin + s * d};
 }
 

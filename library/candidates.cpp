@@ -3,6 +3,7 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <cmath>
 #include <stdexcept>
 #include <utility>
 
@@ -90,7 +91,31 @@ void add_intersections(const Candidate& from, properties::Candidate& to) {
 
 }  // namespace
 
+namespace {
+
+/// Errors: std::invalid_argument naming what no candidate may have.
+void require_valid(const Candidate& candidate) {
+  const bool has_any = candidate.frame || candidate.pixel_point || candidate.pixel_ray ||
+                       candidate.focal_ray || candidate.intersect || candidate.nearest;
+  if (!has_any) {
+    throw std::invalid_argument(fmt::format(
+        "candidate {}: it has no function, so that nothing can be asked", candidate.name));
+  }
+  const double smallest = candidate.smallest_length, largest = candidate.largest_length;
+  if (!(smallest >= 0) || !std::isfinite(smallest)) {
+    throw std::invalid_argument(
+        fmt::format("smallest_length = {}: must be 0 or more, and finite", smallest));
+  }
+  if (!(largest >= 0) || (largest > 0 && largest < smallest)) {
+    throw std::invalid_argument(fmt::format(
+        "largest_length = {}: must be 0, or no less than smallest_length = {}", largest, smallest));
+  }
+}
+
+}  // namespace
+
 properties::Candidate inside(const Candidate& candidate) {
+  require_valid(candidate);
   const properties::Candidate bounds = properties::fast_candidate(fast::kDirectRays, fast::kCross);
   properties::Candidate inside;
   inside.name = candidate.name;

@@ -1,15 +1,31 @@
 #include "library/conversions.h"
 
+#include <fmt/core.h>
+
 #include <optional>
+#include <stdexcept>
+#include <string_view>
+
+#include "scene/validate.h"
 
 namespace raycheck::library {
 namespace {
 
+/// Which of so many enumerators it is. Errors: std::invalid_argument naming the field.
+template <class Seen>
+int place_of(Seen seen, std::size_t count, std::string_view field) {
+  const int place = static_cast<int>(seen);
+  if (place >= 0 && static_cast<std::size_t>(place) < count) return place;
+  throw std::invalid_argument(
+      fmt::format("{} = {}: it has {} values, from 0 on", field, place, count));
+}
+
 /// The enumerators that others see are those inside, behind as_asked.
-template <class Inside, class Seen>
-std::optional<Inside> asked(Seen seen) {
-  if (seen == Seen::as_asked) return {};
-  return static_cast<Inside>(static_cast<int>(seen) - 1);
+template <class Inside, class Seen, class Names>
+std::optional<Inside> asked(Seen seen, const Names& names, std::string_view field) {
+  const int place = place_of(seen, names.size() + 1, field);
+  if (place == 0) return {};
+  return static_cast<Inside>(place - 1);
 }
 
 template <class Seen, class Inside>
@@ -30,8 +46,14 @@ Camera camera(const scene::Camera& c) {
 }
 
 scene::ValidRoots valid_roots(const ValidRoots& v) {
-  return {v.t_min, v.t_max, static_cast<scene::Ends>(v.ends), static_cast<scene::TUnit>(v.unit),
-          static_cast<scene::Culling>(v.culling)};
+  const auto ends = place_of(v.ends, scene::kEndsNames.size(), "valid.ends");
+  const auto unit = place_of(v.unit, scene::kTUnitNames.size(), "valid.unit");
+  const auto culling = place_of(v.culling, scene::kCullingNames.size(), "valid.culling");
+  scene::Conventions conventions;
+  conventions.valid = {v.t_min, v.t_max, static_cast<scene::Ends>(ends),
+                       static_cast<scene::TUnit>(unit), static_cast<scene::Culling>(culling)};
+  scene::require_valid(conventions);
+  return conventions.valid;
 }
 
 ValidRoots valid_roots(const scene::ValidRoots& v) {
@@ -40,14 +62,18 @@ ValidRoots valid_roots(const scene::ValidRoots& v) {
 }
 
 properties::DeclaredConventions declared(const Conventions& c) {
-  return {asked<scene::Rows>(c.rows),       asked<scene::Samples>(c.samples),
-          asked<scene::Origin>(c.origin),   asked<scene::Root>(c.root),
-          asked<scene::Tangent>(c.tangent), {}};
+  return {asked<scene::Rows>(c.rows, scene::kRowsNames, "rows"),
+          asked<scene::Samples>(c.samples, scene::kSamplesNames, "samples"),
+          asked<scene::Origin>(c.origin, scene::kOriginNames, "origin"),
+          asked<scene::Root>(c.root, scene::kRootNames, "root"),
+          asked<scene::Tangent>(c.tangent, scene::kTangentNames, "tangent"),
+          {}};
 }
 
 scene::Conventions conventions(const Conventions& c) {
   scene::Conventions inside = declared(c).over(scene::Conventions{});
   inside.valid = valid_roots(c.valid);
+  scene::require_valid(inside);
   return inside;
 }
 
@@ -57,8 +83,7 @@ Conventions conventions(const scene::Conventions& c) {
 }
 
 std::optional<properties::Level> level(Level level) {
-  if (level == Level::unstated) return {};
-  return static_cast<properties::Level>(static_cast<int>(level) - 1);
+  return asked<properties::Level>(level, properties::kLevelNames, "level");
 }
 
 scene::Precision precision(Precision precision) {

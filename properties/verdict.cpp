@@ -153,7 +153,8 @@ bool Verdict::holds(bool strictly) const {
   return !strictly || discrepancies() == count(Standing::kNotJudged);
 }
 
-std::optional<std::pair<Quantity, Question>> Verdict::too_few_right(std::uint64_t fewest) const {
+std::optional<std::pair<Quantity, Question>> Verdict::too_few_right(std::uint64_t fewest,
+                                                                    bool wants_hits) const {
   constexpr auto kOfValues = static_cast<std::size_t>(Question::kValue);
   std::uint64_t right_values = 0;
   for (const auto& [quantity, tally] : tallies_) right_values += tally.answered[kOfValues].right;
@@ -161,7 +162,9 @@ std::optional<std::pair<Quantity, Question>> Verdict::too_few_right(std::uint64_
     for (std::size_t k = 0; k < kQuestionCount; ++k) {
       const Answered& answers = tally.answered[k];
       const std::uint64_t right = k == kOfValues ? right_values : answers.right;
-      if (answers.asked > 0 && right < fewest) {
+      const bool is_wanted =
+          wants_hits && quantity == Quantity::kClass && static_cast<Question>(k) == Question::kHit;
+      if ((answers.asked > 0 || is_wanted) && right < fewest) {
         return std::pair(quantity, static_cast<Question>(k));
       }
     }

@@ -133,7 +133,9 @@ class Verdict {
   /// The first quantity and question that was asked, but answered rightly, without an excuse, fewer
   /// than so many times: of that a law has shown too little to hold. Values are one question,
   /// whatever the quantity.
-  std::optional<std::pair<Quantity, Question>> too_few_right(std::uint64_t fewest) const;
+  /// `wants_hits`: where classes were asked, hits must have been among them.
+  std::optional<std::pair<Quantity, Question>> too_few_right(std::uint64_t fewest,
+                                                             bool wants_hits = false) const;
   /// The kinds of those kept that break the law, each once, in order.
   std::vector<DefectKind> defects(bool strictly = false) const;
   const std::string& reason_left_out() const { return left_out_; }

@@ -196,5 +196,6 @@ void require_valid(const Sphere& sphere) {
   require_none(defects(sphere));
 }
 void require_valid(const Scene& scene) { require_none(defects(scene)); }
+void require_valid(const Conventions& conventions) { require_none(defects(conventions)); }
 
 }  // namespace raycheck::scene

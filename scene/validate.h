@@ -29,6 +29,7 @@ void require_valid(const Camera& camera);
 void require_valid(const Ray& ray);
 void require_valid(const Sphere& sphere);
 void require_valid(const Scene& scene);
+void require_valid(const Conventions& conventions);
 
 }  // namespace raycheck::scene
 

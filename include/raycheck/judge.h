@@ -75,7 +75,8 @@ struct Question {
 };
 
 /// The laws that speak of what a candidate has, each with every source that has cases for it at the
-/// candidate's level.
+/// candidate's level. Errors: std::invalid_argument naming what no candidate may have: no function
+/// at all, lengths that leave nothing, t_min and t_max that are no interval.
 RAYCHECK_API std::vector<Question> questions(const Candidate& candidate);
 
 /// How many cases are tried, which, and what is let pass.

@@ -5,6 +5,7 @@
 
 #include <raycheck/judge.h>
 
+#include <stdexcept>
 #include <string>
 #include <utility>
 #include <vector>
@@ -26,17 +27,25 @@ class LawTests {
 
   /// kCases cases of each law and source.
   explicit LawTests(Candidate candidate) : LawTests(std::move(candidate), usual()) {}
-  /// As many as options say. Errors: as judge().
+  /// As many as options say. Of a candidate that cannot be asked one test fails, which says why.
   LawTests(Candidate candidate, JudgeOptions options)
-      : candidate_(std::move(candidate)),
-        options_(options),
-        questions_(raycheck::questions(candidate_)) {}
+      : candidate_(std::move(candidate)), options_(options) {
+    try {
+      questions_ = raycheck::questions(candidate_);
+      if (questions_.empty()) error_ = "candidate: no law has a question for what it has";
+    } catch (const std::invalid_argument& error) {
+      error_ = error.what();
+    }
+    // Nothing to ask is no success: one test says why.
+    if (!error_.empty()) questions_ = {{"candidate", "valid"}};
+  }
 
   /// What the tests ask, in the order of reports.
   const std::vector<Question>& questions() const { return questions_; }
 
   /// Judges the candidate. Domain: a question of questions().
   LawOutcome run(const Question& question) const {
+    if (!error_.empty()) return {false, false, error_};
     const Verdict verdict = judge(candidate_, question.law, question.source, options_);
     const bool says_too_little = verdict.finding != Finding::holds &&
                                  (verdict.passes() || verdict.finding == Finding::too_few_judged);
@@ -53,6 +62,7 @@ class LawTests {
   Candidate candidate_;
   JudgeOptions options_;
   std::vector<Question> questions_;
+  std::string error_;  ///< Why nothing can be asked; empty: it can.
 };
 
 }  // namespace raycheck

@@ -50,8 +50,12 @@ void for_each_encounter(Trial& trial, Visit visit) {
 }
 
 bool is_at_other_root(Trial& trial, const Encounter& both) {
-  return reference::is_at_other_root(trial.exact_ray(both.ray), trial.scene().spheres[both.sphere],
-                                     *both.exact, both.answer->parameter);
+  const reference::ExactRay& ray = trial.exact_ray(both.ray);
+  const scene::Sphere& sphere = trial.scene().spheres[both.sphere];
+  const double s = both.answer->parameter;
+  // Roots may be closer to each other than numbers of the format: the best answer is at its own.
+  return reference::is_at_other_root(ray, sphere, *both.exact, s) &&
+         s != ray.rounded_parameter(sphere, *both.exact, trial.precision());
 }
 
 /// Calls visit(encounter) where both the candidate and the truth have a hit, at one root.

@@ -275,6 +275,8 @@ CampaignResult run_campaign(const Law& law, const Candidate& candidate,
   const scene::Interruptible interruptible(control.interrupted);
   CampaignResult result;
   result.level = options.level;
+  const auto& declared = candidate.declared.valid;
+  result.wants_hits = declared && !declared->is_usual();
   const auto shares = shared_out(law, options);
   if (shares.empty()) result.counts.reason = "no source of cases has a camera";
   bool stopped = false;

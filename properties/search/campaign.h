@@ -90,11 +90,13 @@ struct CampaignResult {
   std::optional<Failure> failure;
 
   std::uint64_t fewest_right = kFewestRight;  ///< 0 of a replay: its one case is enough.
+  /// Who declares which roots count may have declared that none does: hits have to be asked.
+  bool wants_hits = false;
 
   Finding finding() const;
   /// The first kind of question of which fewer answers are right than are needed.
   std::optional<std::pair<Quantity, Question>> too_few_right() const {
-    return verdict.too_few_right(fewest_right);
+    return verdict.too_few_right(fewest_right, wants_hits);
   }
 };
 

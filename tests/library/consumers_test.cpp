@@ -58,7 +58,7 @@ struct Mistake {
 };
 const std::array<Mistake, 5> kMistakes = {{
     {"far_root", "nearest_root/rays", "far root"},
-    {"behind", "class/rays", "behind"},
+    {"behind", "class/rays", "s >= 0 is not tested"},
     {"upside_down", "direction/cameras", "upside down"},
     {"not_unit", "unit_direction/cameras", "not normalised"},
     {"pixel_step", "direction/cameras", "i/w"},

@@ -5,6 +5,8 @@
 #include <raycheck/law_tests.h>
 
 #include <algorithm>
+#include <cmath>
+#include <optional>
 #include <stdexcept>
 #include <string>
 
@@ -96,7 +98,27 @@ TEST(Judge, AsksOnlyAboutWhatThereIs) {
   ASSERT_FALSE(all.empty());
   EXPECT_TRUE(
       std::none_of(all.begin(), all.end(), [](const Question& one) { return one.law == "class"; }));
-  EXPECT_TRUE(questions(Candidate("nothing")).empty());
+  EXPECT_THROW(questions(Candidate("nothing")), std::invalid_argument);
+  const auto refused = [](auto change) {
+    Candidate candidate("mine");
+    candidate.intersect = [](const Ray&, const Sphere&, const Conventions&) {
+      return std::optional<Hit>();
+    };
+    change(candidate);
+    const LawTests tests(candidate);
+    if (tests.questions().size() != 1) return false;
+    const LawOutcome outcome = tests.run(tests.questions().front());
+    return !outcome.passes && !outcome.text.empty();
+  };
+  EXPECT_TRUE(refused([](Candidate& c) { c.intersect = {}; }));
+  EXPECT_TRUE(refused([](Candidate& c) { c.smallest_length = 10, c.largest_length = 1; }));
+  EXPECT_TRUE(refused([](Candidate& c) { c.level = static_cast<Level>(99); }));
+  EXPECT_TRUE(refused([](Candidate& c) { c.declares.root = static_cast<Root>(99); }));
+  EXPECT_TRUE(refused([](Candidate& c) {
+    c.roots = Roots::declared;
+    c.declares.valid.t_min = std::nan("");
+  }));
+  EXPECT_FALSE(refused([](Candidate&) {}));
   EXPECT_THROW(judge(frames, "nothing"), std::invalid_argument);
   EXPECT_THROW(judge(frames, "class", "nowhere"), std::invalid_argument);
   EXPECT_THROW(replay(frames, "nothing"), std::invalid_argument);

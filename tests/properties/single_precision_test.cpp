@@ -157,6 +157,23 @@ TEST(SinglePrecision, ExcusesSixteenUOfFloat) {
   EXPECT_EQ(excuse(1 - 0x1p-16), Standing::kDefect);
 }
 
+TEST(SinglePrecision, TakesTheFloatNextToARootForThatRoot) {
+  // The roots are 99999996.125 and 99999999.875; floats there are 8 apart.
+  Case one;
+  one.scene.rays = {{{0, 0, 2}, {0, 0, 1}}};
+  one.scene.spheres = {{{0, 0, 1e8}, 1.875}};
+  const auto is_right = [&](double s) {
+    Candidate candidate = judged_in(kSingle, Candidate{});
+    candidate.intersect = [s](Candidate::Rays, Candidate::Spheres, const scene::Conventions&) {
+      return std::vector<SphereHits>{{{0, {s, {0, 0, s + 2}}}}};
+    };
+    Trial trial(one, candidate);
+    return apply(*find_law("nearest-root"), trial).discrepancies() == 0;
+  };
+  EXPECT_TRUE(is_right(1e8));
+  EXPECT_FALSE(is_right(1e8 + 8));
+}
+
 TEST(SinglePrecision, AsksFloatsOnly) {
   Case one;
   one.scene.rays = {{{0, 0, 0}, {1, 0, 0}}};

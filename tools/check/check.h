@@ -65,8 +65,10 @@ struct CandidateReport {
   /// Of a candidate without a defect, the first kind of question to which no answer was right
   /// without an excuse, though asked.
   std::optional<std::pair<properties::Quantity, properties::Question>> too_few_judged() const {
-    return inside_domain && verdict.holds() ? verdict.too_few_right(1) : std::nullopt;
+    return inside_domain && verdict.holds() ? verdict.too_few_right(1, swallows()) : std::nullopt;
   }
+  /// Whether its t_min, t_max or culling leave out a hit of the scene: then others must be left.
+  bool swallows() const { return !conventions.valid.is_usual() && swallowed.all().swallowed > 0; }
   /// Whether enough was judged, and decided, to say that there is no defect.
   bool is_enough_judged() const {
     return inside_domain && verdict.compared() > 0 && !too_few_judged() &&

@@ -137,7 +137,8 @@ std::string replay_text(const CheckReport& report, const CandidateReport& candid
                         const properties::Discrepancy& discrepancy) {
   const scene::Scene& scene = *discrepancy.failed.scene;
   const auto words = [&](const std::string& what) {
-    return fmt::format("  replay: raycheck {} --candidate '{}'\n", what, candidate.name);
+    return fmt::format("  replay: raycheck {} --candidate {}\n", what,
+                       single_quoted(candidate.name));
   };
   if (scene.camera) {
     if (!discrepancy.place.pixel) return "";

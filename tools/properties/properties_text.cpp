@@ -141,7 +141,8 @@ std::vector<std::span<const CampaignPart>> by_source(const CampaignResult& resul
 std::string replay_text(const CampaignReport& campaign, const std::string& replay) {
   // Someone else's has to be named again to be asked again, and so has how a renderer is judged.
   if (!campaign.external) return fmt::format("raycheck properties --replay {}", replay);
-  std::string words = fmt::format("raycheck properties --candidate '{}'", campaign.candidate);
+  std::string words =
+      fmt::format("raycheck properties --candidate {}", single_quoted(campaign.candidate));
   if (const auto& renderer = campaign.external->renderer) {
     const Renderer usual{};
     if (!(renderer->driver == usual.driver)) {
@@ -161,7 +162,7 @@ std::string replay_text(const CampaignReport& campaign, const std::string& repla
       words += fmt::format(" --t-threshold {}", renderer->threshold);
     }
   }
-  return fmt::format("{} --replay '{}'", words, replay);
+  return fmt::format("{} --replay {}", words, single_quoted(replay));
 }
 
 std::string failure_text(const CampaignReport& campaign, bool colours) {

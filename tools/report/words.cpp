@@ -118,8 +118,8 @@ std::string explanations_text(const std::vector<properties::Explanation>& explan
 }
 
 std::string valid_roots_text(const scene::ValidRoots& valid) {
-  std::string text = fmt::format("t in {}{:g}, {:g}{}", valid.includes_min() ? '[' : '(',
-                                 valid.t_min, valid.t_max, valid.includes_max() ? ']' : ')');
+  std::string text = fmt::format("t in {}{}, {}{}", valid.includes_min() ? '[' : '(', valid.t_min,
+                                 valid.t_max, valid.includes_max() ? ']' : ')');
   if (valid.unit == scene::TUnit::kRadius) text += " radii";
   if (valid.culling != scene::Culling::kNone) {
     text += fmt::format(", culling {}", name(valid.culling));
@@ -238,6 +238,12 @@ std::string discrepancy_text(const Discrepancy& d, bool colours) {
     text += fmt::format("  {}: {}\n", name(d.excuse.standing()), excuse_text(d));
   }
   return text;
+}
+
+std::string single_quoted(std::string_view word) {
+  std::string quoted = "'";
+  for (const char c : word) quoted += c == '\'' ? std::string("'\\''") : std::string(1, c);
+  return quoted + "'";
 }
 
 std::string broken_law_text(std::string_view sentence, std::string_view discrepancy,

@@ -77,6 +77,9 @@ std::string red(std::string_view text, bool colours);
 /// Lines, each behind `indent`; empty ones stay empty.
 std::string indented(std::string_view lines, std::string_view indent);
 
+/// A word of a command between single quotes, whatever it has.
+std::string single_quoted(std::string_view word);
+
 /// "1 sphere", "2 spheres"
 std::string count_text(std::uint64_t count, std::string_view noun);
 

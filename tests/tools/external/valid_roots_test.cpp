@@ -54,6 +54,24 @@ void expect_off_at_the_ends(const std::string& scene, const std::string& candida
   EXPECT_EQ(check(scene, candidate, "--strict").exit_code, 1);
 }
 
+/// Who declares that next to no root counts is right to miss, and has shown nothing.
+TEST(ValidRoots, that_nothing_reaches_are_no_success) {
+  const std::string candidate = temporary_file(
+      "misses.py",
+      "import raycheck_candidate as rc\n"
+      "rc.run('mine', intersect=lambda ray, sphere, by: None, root='nearest', tangent='hit',\n"
+      "       lengths=(1e-3, 1e3), roots=rc.Roots('[]', 1e9, float('inf'), 'absolute', 'none'))\n");
+  const Outcome checked =
+      check(temporary_file("ends.toml", kThreeRays), "command:python3 " + candidate);
+  EXPECT_EQ(checked.exit_code, 4) << checked.out << checked.err;
+  EXPECT_EQ(json::parse(checked.out)["candidates"][0]["too_few_judged"]["question"], "hit");
+  const Outcome campaign =
+      run("properties --filter class --cases 200 --candidate 'command:python3 " + candidate +
+          "' --format json");
+  EXPECT_EQ(campaign.exit_code, 4) << campaign.out << campaign.err;
+  EXPECT_EQ(json::parse(campaign.out)["campaigns"][0]["finding"], "too few judged");
+}
+
 TEST(ValidRoots, that_are_declared_are_judged_and_cost_what_check_says) {
   const std::string scene = temporary_file("ends.toml", kThreeRays);
   const std::string candidate =

@@ -5,6 +5,7 @@
 
 #include "scene/number.h"
 #include "tools/grade/pages/home.h"
+#include "tools/report/words.h"
 
 namespace raycheck::tools {
 namespace {
@@ -15,9 +16,7 @@ std::string quoted(const std::string& text) {
       "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789_-+=./,:@";
   if (!text.empty() && text.find_first_not_of(kPlain) == std::string::npos) return text;
   if (text.find_first_of("\"$`\\!") == std::string::npos) return '"' + text + '"';
-  std::string result = "'";
-  for (const char c : text) result += c == '\'' ? std::string("'\\''") : std::string(1, c);
-  return result + "'";
+  return single_quoted(text);
 }
 
 std::string replaced(std::string text, std::string_view what, const std::string& by) {
