@@ -158,11 +158,10 @@ TEST(SinglePrecision, ExcusesSixteenUOfFloat) {
 }
 
 TEST(SinglePrecision, TakesTheFloatNextToARootForThatRoot) {
-  // The roots are 99999996.125 and 99999999.875; floats there are 8 apart.
-  Case one;
-  one.scene.rays = {{{0, 0, 2}, {0, 0, 1}}};
-  one.scene.spheres = {{{0, 0, 1e8}, 1.875}};
-  const auto is_right = [&](double s) {
+  const auto is_right = [](double radius, double s) {
+    Case one;
+    one.scene.rays = {{{0, 0, 2}, {0, 0, 1}}};
+    one.scene.spheres = {{{0, 0, 1e8}, radius}};
     Candidate candidate = judged_in(kSingle, Candidate{});
     candidate.intersect = [s](Candidate::Rays, Candidate::Spheres, const scene::Conventions&) {
       return std::vector<SphereHits>{{{0, {s, {0, 0, s + 2}}}}};
@@ -170,8 +169,9 @@ TEST(SinglePrecision, TakesTheFloatNextToARootForThatRoot) {
     Trial trial(one, candidate);
     return apply(*find_law("nearest-root"), trial).discrepancies() == 0;
   };
-  EXPECT_TRUE(is_right(1e8));
-  EXPECT_FALSE(is_right(1e8 + 8));
+  // The roots are 99999996.125 and 99999999.875; floats there are 8 apart.
+  EXPECT_TRUE(is_right(1.875, 1e8));
+  EXPECT_FALSE(is_right(0x1p24, 1e8 + 0x1p24));
 }
 
 TEST(SinglePrecision, AsksFloatsOnly) {
