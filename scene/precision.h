@@ -34,18 +34,10 @@ constexpr double unit_roundoff(Precision precision) {
 }
 
 /// The number of the format nearest to a double, ties to even; beyond its range infinite.
-inline double rounded_to(Precision precision, double x) {
-  return precision == Precision::kSingle ? static_cast<double>(static_cast<float>(x)) : x;
-}
+double rounded_to(Precision precision, double x);
 
 /// The number of the format next to x, one of it, in the direction of another.
-inline double next_after(Precision precision, double x, double toward) {
-  if (precision == Precision::kDouble) return std::nextafter(x, toward);
-  constexpr float kInfinity = std::numeric_limits<float>::infinity();
-  if (toward == x) return x;
-  return static_cast<double>(
-      std::nextafter(static_cast<float>(x), toward > x ? kInfinity : -kInfinity));
-}
+double next_after(Precision precision, double x, double toward);
 
 }  // namespace raycheck::scene
 
