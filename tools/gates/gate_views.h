@@ -6,6 +6,7 @@
 
 #include <cstddef>
 #include <string>
+#include <string_view>
 
 #include "tools/gates/gate.h"
 
@@ -34,6 +35,17 @@ std::string github(const Gate& gate);
 
 /// GitLab's code quality: a JSON list, an entry for each defect that is not known.
 std::string gitlab_codequality(const Gate& gate);
+
+/// What --format and --report call it: who asks for it is asked for candidates with lines.
+inline constexpr std::string_view kSarif = "sarif";
+/// GitHub refuses a run of more results than 25,000; of these it keeps the first 5,000.
+inline constexpr std::size_t kMostSarifResults = 25'000;
+/// SARIF 2.1.0, as GitHub's code scanning reads it: a result for each line of a candidate's source
+/// at which it failed, where the baseline has not all that failed there.
+std::string sarif(const Gate& gate);
+/// How many of the defects that are not known no result of it speaks of, and why; empty where there
+/// are none.
+std::string without_line_text(const Gate& gate);
 
 }  // namespace raycheck::tools
 
