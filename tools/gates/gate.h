@@ -31,7 +31,7 @@ constexpr std::string_view name(GateOutcome outcome) {
 /// A question that got no answer.
 struct FailedAnswer {
   Identity identity;
-  std::string words;                         ///< How it failed, and how to ask again.
+  std::string words;                         ///< How it failed, in lines.
   std::optional<properties::CodeLine> line;  ///< Of the candidate's source, where that is known.
 };
 

@@ -7,6 +7,7 @@
 #include <cstddef>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "tools/gates/gate.h"
 
@@ -43,9 +44,9 @@ inline constexpr std::size_t kMostSarifResults = 25'000;
 /// SARIF 2.1.0, as GitHub's code scanning reads it: a result for each line of a candidate's source
 /// at which it failed, where the baseline has not all that failed there.
 std::string sarif(const Gate& gate);
-/// How many of the defects that are not known no result of it speaks of, and why; empty where there
-/// are none.
-std::string without_line_text(const Gate& gate);
+/// What is not in it, a sentence each: how many of the defects that are not known lie at no line,
+/// and why; how many lines are too many.
+std::vector<std::string> sarif_warnings(const Gate& gate);
 
 }  // namespace raycheck::tools
 

@@ -50,7 +50,6 @@ std::vector<FailedLine> failed_lines(const Gate& gate) {
       if (checks.empty() || checks.back() != check.name) checks.push_back(check.name);
     }
   }
-  if (lines.size() > kMostSarifResults) lines.resize(kMostSarifResults);
   return lines;
 }
 
@@ -74,7 +73,7 @@ std::string message_of(const FailedLine& failed) {
   if (failed.checks.size() > kMostNamed) {
     checks += fmt::format(" and {} more", failed.checks.size() - kMostNamed);
   }
-  return fmt::format("{}: {}\nfails there: {}", failed.candidate, failed.words, checks);
+  return fmt::format("{}: {}fails there: {}", failed.candidate, failed.words, checks);
 }
 
 /// Stays as it is where the line moves: of its text, and of which of the lines of the same text in
@@ -103,7 +102,9 @@ Json place_of(const CodeLine& line) {
 std::string sarif(const Gate& gate) {
   Json results = Json::array();
   Fingerprints fingerprints;
-  for (const FailedLine& failed : failed_lines(gate)) {
+  std::vector<FailedLine> lines = failed_lines(gate);
+  if (lines.size() > kMostSarifResults) lines.resize(kMostSarifResults);
+  for (const FailedLine& failed : lines) {
     results.push_back(
         {{"ruleId", kRule},
          {"ruleIndex", 0},
@@ -130,33 +131,39 @@ std::string sarif(const Gate& gate) {
                     {"runs", Json::array({run})}});
 }
 
-std::string without_line_text(const Gate& gate) {
-  std::size_t wrong = 0, failed = 0, with_line = 0;
+std::vector<std::string> sarif_warnings(const Gate& gate) {
+  std::size_t wrong = 0, failed = 0, at_lines = 0;
   for (const GateCheck& check : gate.checks) {
     for (const Identity& one : check.defects) {
       if (is_known(one, gate.ratchet)) continue;
       bool is_failure = false, has_line = false;
-      for (const FailedAnswer& of_check : check.failed) {
-        if (of_check.identity != one) continue;
+      for (const FailedAnswer& answer : check.failed) {
+        if (answer.identity != one) continue;
         is_failure = true;
-        has_line = has_line || of_check.line;
+        has_line = has_line || answer.line;
       }
-      ++(has_line ? with_line : is_failure ? failed : wrong);
+      ++(has_line ? at_lines : is_failure ? failed : wrong);
     }
   }
-  std::string why;
-  if (wrong > 0) {
-    why += fmt::format("{}, which no one line makes", count_text(wrong, "wrong answer"));
+  std::vector<std::string> warnings;
+  if (wrong + failed > 0) {
+    std::string why;
+    if (wrong > 0) why = count_text(wrong, "wrong answer") + ", which no one line makes";
+    if (wrong > 0 && failed > 0) why += "; ";
+    if (failed > 0) {
+      why += count_text(failed, "failure") +
+             " at no line of its source that is known: silence, an exit, a reply that is none, or "
+             "a stack that cannot be read";
+    }
+    warnings.push_back(fmt::format("{} of {} not in the SARIF log: {}", wrong + failed,
+                                   count_text(wrong + failed + at_lines, "defect"), why));
   }
-  if (failed > 0) {
-    why += fmt::format(
-        "{}{} outside the lines of its source (silence, an exit, a reply that is "
-        "none, a stack that cannot be read)",
-        why.empty() ? "" : "; ", count_text(failed, "failure"));
+  const std::size_t lines = failed_lines(gate).size();
+  if (lines > kMostSarifResults) {
+    warnings.push_back(
+        fmt::format("the SARIF log has the first {} of {} lines", kMostSarifResults, lines));
   }
-  if (why.empty()) return why;
-  return fmt::format("{} of {} not in the SARIF log, for want of a line: {}", wrong + failed,
-                     count_text(wrong + failed + with_line, "defect"), why);
+  return warnings;
 }
 
 }  // namespace raycheck::tools

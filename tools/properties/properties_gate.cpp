@@ -56,7 +56,7 @@ std::vector<FailedAnswer> failed_of(const CampaignReport& campaign, Parts parts)
   for (const CampaignPart& part : parts) {
     for (const properties::Discrepancy& one : part.failures) {
       failed.push_back({identity_of(campaign, part, {one.quantity, one.wrong}),
-                        fmt::format("{}replay: {}", discrepancy_text(one, false),
+                        fmt::format("{}replay: {}\n", discrepancy_text(one, false),
                                     replay_text(campaign, part.replay)),
                         one.failed.line});
     }
