@@ -11,9 +11,10 @@ namespace raycheck::properties {
 
 /// A line of a candidate's own source.
 struct CodeLine {
-  std::string file;       ///< Relative to the working folder where it lies below that.
-  std::int64_t line = 1;  ///< From 1 on.
-  std::string text;       ///< What stands there, without the space around it.
+  std::string file;         ///< Relative to the working folder where it lies below that.
+  std::int64_t line = 1;    ///< From 1 on.
+  std::int64_t column = 1;  ///< Where the text begins, in characters, from 1 on.
+  std::string text;         ///< What stands there, without the space around it.
   auto operator<=>(const CodeLine&) const = default;
 };
 

@@ -103,7 +103,7 @@ constexpr std::array<void (*)(), 14> kWays = {writes_nowhere,
 std::optional<raycheck::Hit> intersect(const raycheck::Ray& ray, const raycheck::Sphere&,
                                        const raycheck::Conventions&) {
   const auto way = static_cast<std::size_t>(ray.origin.x);
-  if (way > 0) kWays[way - 1]();
+  if (way > 0 && way <= kWays.size()) kWays[way - 1]();
   return {};
 }
 

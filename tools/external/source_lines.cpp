@@ -25,8 +25,8 @@ constexpr std::uintmax_t kMostSourceBytes = std::uintmax_t{16} << 20;
 /// What of a line is shown.
 constexpr std::size_t kMostShown = 200;
 
-/// A line of a text, the first being 1, without the space around it; empty where it has fewer.
-std::optional<std::string> line_of(std::string_view text, std::int64_t number) {
+/// A line of a text, as it is shown; of no file; empty where the text has fewer.
+std::optional<CodeLine> line_of(std::string_view text, std::int64_t number) {
   for (std::int64_t k = 1; k < number; ++k) {
     const std::size_t end = text.find('\n');
     if (end == std::string_view::npos) return std::nullopt;
@@ -35,9 +35,16 @@ std::optional<std::string> line_of(std::string_view text, std::int64_t number) {
   if (text.empty()) return std::nullopt;
   text = text.substr(0, text.find('\n'));
   constexpr std::string_view kSpace = " \t\r";
-  text.remove_prefix(std::min(text.find_first_not_of(kSpace), text.size()));
-  text = text.substr(0, text.find_last_not_of(kSpace) + 1);
-  return std::string(text.substr(0, kMostShown));
+  const std::size_t begin = std::min(text.find_first_not_of(kSpace), text.size());
+  std::size_t end = std::min(text.find_last_not_of(kSpace) + 1, begin + kMostShown);
+  // Not in the middle of a letter of several bytes.
+  while (end < text.size() && end > begin &&
+         (static_cast<unsigned char>(text[end]) & 0xC0) == 0x80) {
+    --end;
+  }
+  end = std::max(begin, end);
+  return CodeLine{"", number, static_cast<std::int64_t>(begin) + 1,
+                  std::string(text.substr(begin, end - begin))};
 }
 
 /// Whether a file, links followed, lies in a folder.
@@ -108,9 +115,9 @@ std::optional<CodeLine> SourceLines::own_line(std::string_view place) const {
   const fs::path inside = file.lexically_relative(compiled_);
   if (!file.is_absolute() || inside.empty() || *inside.begin() == "..") return std::nullopt;
   if (!lies_in(file, compiled_)) return std::nullopt;
-  auto text = line_of(scene::file_text(file, kMostSourceBytes), number);
-  if (!text) return std::nullopt;
-  return CodeLine{(named_ / inside).lexically_normal().string(), number, *std::move(text)};
+  auto line = line_of(scene::file_text(file, kMostSourceBytes), number);
+  if (line) line->file = (named_ / inside).lexically_normal().string();
+  return line;
 }
 
 }  // namespace raycheck::tools

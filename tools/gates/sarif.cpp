@@ -1,7 +1,6 @@
 #include <fmt/core.h>
 
 #include <algorithm>
-#include <array>
 #include <cstdint>
 #include <map>
 #include <nlohmann/json.hpp>
@@ -10,6 +9,7 @@
 #include <utility>
 #include <vector>
 
+#include "scene/text.h"
 #include "tools/gates/fingerprint.h"
 #include "tools/gates/gate_views.h"
 #include "tools/report/json.h"
@@ -23,8 +23,14 @@ using properties::CodeLine;
 
 /// The one thing that is wrong at a line: GitHub knows a finding again by it and the fingerprint.
 constexpr const char* kRule = "failed";
-constexpr const char* kRuleSentence =
-    "A question that is a problem has an answer: the code neither dies nor throws.";
+constexpr const char* kRuleSentence = "The code dies or throws where it is asked for an answer.";
+constexpr const char* kRuleMeaning =
+    "raycheck asks problems alone, as its documentation says, and each of them has an answer. At "
+    "this line the code died of a signal, or threw what it does not catch, and gave none.";
+constexpr const char* kRuleHelp =
+    "The message says how it died, and which ray and sphere it was asked about. The same command "
+    "without SARIF (--format text) has that question as a scene of its own, and a command that "
+    "asks it again.";
 /// What of the checks that fail at a line is named.
 constexpr std::size_t kMostNamed = 5;
 
@@ -89,12 +95,24 @@ class Fingerprints {
   std::map<std::pair<std::string, std::string>, int> seen_;
 };
 
+/// Code points of a text as json_text() writes it.
+std::int64_t characters(std::string_view text) {
+  const std::string shown = scene::visible(text);
+  return std::count_if(shown.begin(), shown.end(),
+                       [](char c) { return (static_cast<unsigned char>(c) & 0xC0) != 0x80; });
+}
+
 Json place_of(const CodeLine& line) {
   Json file = {{"uri", uri_of(line.file)}};
   if (!line.file.starts_with('/')) file["uriBaseId"] = "%SRCROOT%";
   return {{"physicalLocation",
            {{"artifactLocation", std::move(file)},
-            {"region", {{"startLine", line.line}, {"snippet", {{"text", line.text}}}}}}}};
+            {"region",
+             {{"startLine", line.line},
+              {"startColumn", line.column},
+              {"endLine", line.line},
+              {"endColumn", line.column + characters(line.text)},
+              {"snippet", {{"text", line.text}}}}}}}};
 }
 
 }  // namespace
@@ -116,7 +134,8 @@ std::string sarif(const Gate& gate) {
   const Json rule = {{"id", kRule},
                      {"name", "Failed"},
                      {"shortDescription", {{"text", kRuleSentence}}},
-                     {"fullDescription", {{"text", kRuleSentence}}},
+                     {"fullDescription", {{"text", kRuleMeaning}}},
+                     {"help", {{"text", kRuleHelp}}},
                      {"defaultConfiguration", {{"level", "error"}}}};
   const Json driver = {{"name", "raycheck"},
                        {"version", kVersion},
@@ -125,6 +144,7 @@ std::string sarif(const Gate& gate) {
   // The category keeps what `check` found and what `properties` found apart.
   const Json run = {{"tool", {{"driver", driver}}},
                     {"automationDetails", {{"id", fmt::format("raycheck/{}/", gate.command)}}},
+                    {"columnKind", "unicodeCodePoints"},
                     {"results", std::move(results)}};
   return json_text({{"$schema", "https://json.schemastore.org/sarif-2.1.0.json"},
                     {"version", "2.1.0"},

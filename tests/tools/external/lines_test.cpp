@@ -30,7 +30,7 @@ struct Place {
 /// The lines that bear a name, "// dies: NAME" or "// dies: NAME; NAME".
 std::map<std::string, Place> named_lines() {
   std::map<std::string, Place> found;
-  for (const std::string file : {kDies.c_str(), "tests/candidates/dies_elsewhere.h"}) {
+  for (const char* const file : {kDies.c_str(), "tests/candidates/dies_elsewhere.h"}) {
     std::istringstream text(contents(std::string(RAYCHECK_SOURCE_DIR) + "/" + file));
     int number = 0;
     for (std::string line; std::getline(text, line);) {

@@ -77,12 +77,12 @@ std::string defect_of_log(const json& log) {
 }
 
 /// A gate of so many failures, each at a line of its own.
-Gate gate_of(std::size_t failures, const std::string& text, const std::string& file) {
+Gate gate_at_lines(std::size_t failures, const std::string& text, const std::string& file) {
   Gate gate;
   gate.command = "check";
   for (std::size_t k = 0; k < failures; ++k) {
     const tools::Identity one = {"class", "rays", "refusal: failed", std::to_string(k), "mine"};
-    const properties::CodeLine line = {file, static_cast<std::int64_t>(k + 1), text};
+    const properties::CodeLine line = {file, static_cast<std::int64_t>(k + 1), 3, text};
     gate.checks.push_back({"mine",
                            "class/" + std::to_string(k),
                            GateOutcome::kFailed,
@@ -96,7 +96,7 @@ Gate gate_of(std::size_t failures, const std::string& text, const std::string& f
 }
 
 TEST(Sarif, HasWhatGitHubAsksForOfEachLine) {
-  const json log = json::parse(sarif(gate_of(3, "why", "src/my tracer.cpp")));
+  const json log = json::parse(sarif(gate_at_lines(3, "why", "src/my tracer.cpp")));
   EXPECT_EQ(defect_of_log(log), "");
   const json& results = log["runs"][0]["results"];
   ASSERT_EQ(results.size(), 3u);
@@ -112,19 +112,20 @@ TEST(Sarif, HasWhatGitHubAsksForOfEachLine) {
 }
 
 TEST(Sarif, IsHeldToASchemaThatSeesWhatIsMissingOrOther) {
-  const json right = json::parse(sarif(gate_of(2, "why", "tracer.cpp")));
+  const json right = json::parse(sarif(gate_at_lines(2, "why", "tracer.cpp")));
   ASSERT_EQ(defect_of_log(right), "");
   const std::string result = "/runs/0/results/0";
-  for (const std::string key :
+  for (const char* const key :
        {"/version", "/runs", "/runs/0/tool", "/runs/0/tool/driver/name", "/runs/0/results",
         "/runs/0/tool/driver/rules", "/runs/0/tool/driver/rules/0/id",
-        "/runs/0/tool/driver/rules/0/shortDescription/text", "/runs/0/results/0/ruleId",
+        "/runs/0/tool/driver/rules/0/shortDescription/text",
+        "/runs/0/tool/driver/rules/0/help/text", "/runs/0/results/0/ruleId",
         "/runs/0/results/0/message/text", "/runs/0/results/0/locations",
         "/runs/0/results/0/locations/0/physicalLocation/artifactLocation/uri",
         "/runs/0/results/0/locations/0/physicalLocation/region/startLine",
         "/runs/0/results/0/partialFingerprints/primaryLocationLineHash"}) {
     json without = right;
-    const json::json_pointer pointer(key);
+    const json::json_pointer pointer{std::string(key)};
     without[pointer.parent_pointer()].erase(pointer.back());
     EXPECT_NE(defect_of_log(without), "") << key;
   }
@@ -149,8 +150,8 @@ TEST(Sarif, IsHeldToASchemaThatSeesWhatIsMissingOrOther) {
 
 TEST(Sarif, KnowsALineAgainWhereItHasMoved) {
   const auto fingerprint = [](std::int64_t line, const std::string& text) {
-    Gate gate = gate_of(1, "why", "tracer.cpp");
-    gate.checks[0].failed[0].line = {"tracer.cpp", line, text};
+    Gate gate = gate_at_lines(1, "why", "tracer.cpp");
+    gate.checks[0].failed[0].line = {"tracer.cpp", line, 3, text};
     return json::parse(sarif(gate))["runs"][0]["results"][0]["partialFingerprints"];
   };
   EXPECT_EQ(fingerprint(3, "x / y"), fingerprint(30, "x / y"));
@@ -158,7 +159,7 @@ TEST(Sarif, KnowsALineAgainWhereItHasMoved) {
 }
 
 TEST(Sarif, HasALineOnceHoweverManyChecksFailThere) {
-  Gate gate = gate_of(9, "why", "tracer.cpp");
+  Gate gate = gate_at_lines(9, "why", "tracer.cpp");
   for (std::size_t k = 0; k < 9; ++k) gate.checks[k].failed[0].line->line = 7;
   const json results = json::parse(sarif(gate))["runs"][0]["results"];
   ASSERT_EQ(results.size(), 1u);
@@ -169,7 +170,7 @@ TEST(Sarif, HasALineOnceHoweverManyChecksFailThere) {
 }
 
 TEST(Sarif, LeavesOutWhatIsKnownAndSaysWhatHasNoLine) {
-  Gate gate = gate_of(4, "why", "tracer.cpp");
+  Gate gate = gate_at_lines(4, "why", "tracer.cpp");
   gate.ratchet.emplace();
   gate.ratchet->known = gate.checks[0].defects;
   gate.checks[1].failed[0].line.reset();
@@ -181,11 +182,11 @@ TEST(Sarif, LeavesOutWhatIsKnownAndSaysWhatHasNoLine) {
                              "line makes; 1 failure at no line"),
             0u)
       << warnings[0];
-  EXPECT_TRUE(sarif_warnings(gate_of(2, "why", "tracer.cpp")).empty());
+  EXPECT_TRUE(sarif_warnings(gate_at_lines(2, "why", "tracer.cpp")).empty());
 }
 
 TEST(HostileSarif, HasNoMoreResultsThanGitHubTakesAndSaysSo) {
-  const Gate gate = gate_of(25'001, "why", "tracer.cpp");
+  const Gate gate = gate_at_lines(25'001, "why", "tracer.cpp");
   const json log = json::parse(sarif(gate));
   EXPECT_EQ(defect_of_log(log), "");
   EXPECT_EQ(log["runs"][0]["results"].size(), 25'000u);
@@ -196,7 +197,7 @@ TEST(HostileSarif, HasNoMoreResultsThanGitHubTakesAndSaysSo) {
 TEST(HostileSarif, KeepsTextsOfOthersInTheirStrings) {
   const std::string hostile =
       "\"}],\"x\":[{\n::error::mine\n##[error]mine\x1b[31m\x01\xff \u202e</script>";
-  const std::string text = sarif(gate_of(1, hostile, "\"a\n%41\xff: b.cpp"));
+  const std::string text = sarif(gate_at_lines(1, hostile, "\"a\n%41\xff: b.cpp"));
   EXPECT_EQ(defect_of_log(json::parse(text)), "") << text;
   EXPECT_EQ(text.find('\x1b'), std::string::npos);
 }
@@ -243,6 +244,8 @@ TEST_F(SarifOfARun, OfCheckHasTheLineWhereItDies) {
   const json& place = results[0]["locations"][0]["physicalLocation"];
   EXPECT_EQ(place["artifactLocation"]["uri"], "file://" + folder_ + "/tracer.cpp");
   EXPECT_EQ(place["region"]["startLine"], 7);
+  EXPECT_EQ(place["region"]["startColumn"], 3);
+  EXPECT_EQ(place["region"]["endColumn"], 3 + 21);
   EXPECT_EQ(place["region"]["snippet"]["text"], "zero = radius / zero;");
   EXPECT_NE(results[0]["message"]["text"].get<std::string>().find("tracer.cpp:7"),
             std::string::npos);
@@ -297,7 +300,7 @@ TEST_F(SarifOfARun, IsRefusedWhereNoLineCanBeKnown) {
     }
   };
   const std::string own = "raycheck's own methods are not of a source of yours";
-  for (const std::string command : {"check " + kRays, std::string("properties --cases 20")}) {
+  for (const std::string& command : {"check " + kRays, std::string("properties --cases 20")}) {
     refused(command + " --format sarif", "--format sarif: ");
     refused(command + " --report sarif=" + folder_ + "/x", "--report sarif: ");
     refused(command + " --format sarif", own);
