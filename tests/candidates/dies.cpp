@@ -83,9 +83,14 @@ void frees_what_it_has_not() {
 
 void throws_where_it_may_not() noexcept { throws(); }
 
+void smashes_its_stack() {
+  volatile char room[16];
+  for (std::size_t k = 0; k < many; ++k) room[k] = 'x';
+}  // dies: smashes its stack
+
 void dies_in_an_inlined_function_of_another_file() { elsewhere::divide(zero); }
 
-constexpr std::array<void (*)(), 14> kWays = {writes_nowhere,
+constexpr std::array<void (*)(), 15> kWays = {writes_nowhere,
                                               reads_behind_a_file,
                                               divides_by_zero,
                                               does_what_is_no_instruction,
@@ -98,6 +103,7 @@ constexpr std::array<void (*)(), 14> kWays = {writes_nowhere,
                                               sorts_by_what_dies,
                                               frees_what_it_has_not,
                                               throws_where_it_may_not,
+                                              smashes_its_stack,
                                               dies_in_an_inlined_function_of_another_file};
 
 std::optional<raycheck::Hit> intersect(const raycheck::Ray& ray, const raycheck::Sphere&,

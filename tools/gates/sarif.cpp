@@ -9,7 +9,6 @@
 #include <utility>
 #include <vector>
 
-#include "scene/text.h"
 #include "tools/gates/fingerprint.h"
 #include "tools/gates/gate_views.h"
 #include "tools/report/json.h"
@@ -95,10 +94,9 @@ class Fingerprints {
   std::map<std::pair<std::string, std::string>, int> seen_;
 };
 
-/// Code points of a text as json_text() writes it.
+/// Code points.
 std::int64_t characters(std::string_view text) {
-  const std::string shown = scene::visible(text);
-  return std::count_if(shown.begin(), shown.end(),
+  return std::count_if(text.begin(), text.end(),
                        [](char c) { return (static_cast<unsigned char>(c) & 0xC0) != 0x80; });
 }
 
