@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <cassert>
+#include <csignal>
 #include <cstdio>
 #include <cstdlib>
 #include <raycheck/candidate.hpp>
@@ -67,6 +68,17 @@ int sum_of_all(int from) {
 
 void uses_up_its_stack() { zero = sum_of_all(zero); }
 
+void raises() {
+  std::raise(SIGFPE);  // dies: raises
+  zero = 0;
+}
+
+void sorts_what_is_not_there() {
+  int* const first = nowhere;
+  std::sort(first, first + many);  // dies: sorts what is not there
+  zero = 0;
+}
+
 void sorts_by_what_dies() {
   std::vector<int> list(many);
   std::sort(list.begin(), list.end(), [](int a, int b) {
@@ -90,7 +102,7 @@ void smashes_its_stack() {
 
 void dies_in_an_inlined_function_of_another_file() { elsewhere::divide(zero); }
 
-constexpr std::array<void (*)(), 15> kWays = {writes_nowhere,
+constexpr std::array<void (*)(), 17> kWays = {writes_nowhere,
                                               reads_behind_a_file,
                                               divides_by_zero,
                                               does_what_is_no_instruction,
@@ -100,6 +112,8 @@ constexpr std::array<void (*)(), 15> kWays = {writes_nowhere,
                                               throws,
                                               asks_a_list_for_what_it_has_not,
                                               uses_up_its_stack,
+                                              raises,
+                                              sorts_what_is_not_there,
                                               sorts_by_what_dies,
                                               frees_what_it_has_not,
                                               throws_where_it_may_not,

@@ -101,7 +101,6 @@ void on_death(int signal) {
   std::signal(deadly_signal, SIG_DFL);
   sigprocmask(SIG_UNBLOCK, &one, nullptr);
   raise(deadly_signal);
-  _exit(128 + deadly_signal);
 }
 
 /// Where the last exception of this thread was thrown.
