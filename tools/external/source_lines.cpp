@@ -47,14 +47,13 @@ std::optional<CodeLine> line_of(std::string_view text, std::int64_t number) {
                   std::string(text.substr(begin, end - begin))};
 }
 
-/// Whether a file, links followed, lies in a folder.
-bool lies_in(const fs::path& file, const fs::path& folder) {
+/// The path of a file in a folder, links followed; empty where it lies elsewhere, or is none.
+fs::path path_in(const fs::path& folder, const fs::path& file) {
   std::error_code error;
   const fs::path real = fs::canonical(file, error);
-  const fs::path real_folder = fs::canonical(folder, error);
-  if (error || !fs::is_regular_file(real, error)) return false;
-  return std::mismatch(real_folder.begin(), real_folder.end(), real.begin(), real.end()).first ==
-         real_folder.end();
+  if (error || !fs::is_regular_file(real, error)) return {};
+  const fs::path inside = real.lexically_relative(fs::canonical(folder, error));
+  return error || inside.empty() || *inside.begin() == ".." ? fs::path() : inside;
 }
 
 }  // namespace
@@ -82,7 +81,7 @@ std::optional<CodeLine> SourceLines::innermost(const std::vector<std::uint64_t>&
 
 std::optional<CodeLine> SourceLines::find(const std::vector<std::uint64_t>& frames) const try {
   Confined confined = addr2line_;
-  confined.arguments = {"addr2line", "--inlines", "--exe", library_.string()};
+  confined.arguments = {"addr2line", "-i", "-e", library_.string()};
   for (const std::uint64_t frame : frames) {
     confined.arguments.push_back(fmt::format("{:#x}", frame));
   }
@@ -111,10 +110,9 @@ std::optional<CodeLine> SourceLines::own_line(std::string_view place) const {
   const auto [end, error] =
       std::from_chars(place.data() + colon + 1, place.data() + place.size(), number);
   if (error != std::errc() || end != place.data() + place.size() || number < 1) return std::nullopt;
-  const fs::path file = fs::path(place.substr(0, colon)).lexically_normal();
-  const fs::path inside = file.lexically_relative(compiled_);
-  if (!file.is_absolute() || inside.empty() || *inside.begin() == "..") return std::nullopt;
-  if (!lies_in(file, compiled_)) return std::nullopt;
+  const fs::path file(place.substr(0, colon));
+  const fs::path inside = file.is_absolute() ? path_in(compiled_, file) : fs::path();
+  if (inside.empty()) return std::nullopt;
   auto line = line_of(scene::file_text(file, kMostSourceBytes), number);
   if (line) line->file = (named_ / inside).lexically_normal().string();
   return line;

@@ -27,9 +27,8 @@ constexpr const char* kRuleMeaning =
     "raycheck asks problems alone, as its documentation says, and each of them has an answer. At "
     "this line the code died of a signal, or threw what it does not catch, and gave none.";
 constexpr const char* kRuleHelp =
-    "The message says how it died, and which ray and sphere it was asked about. The same command "
-    "without SARIF (--format text) has that question as a scene of its own, and a command that "
-    "asks it again.";
+    "The message says how it died, and what it was asked. The same command as text, not as SARIF, "
+    "has that question as a scene of its own, and a command that asks it again.";
 /// What of the checks that fail at a line is named.
 constexpr std::size_t kMostNamed = 5;
 
