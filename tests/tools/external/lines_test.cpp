@@ -159,7 +159,7 @@ json died_at(const std::string& claim) {
             "  *nowhere = 1;\n"
             "  return {};\n"
             "}\n"
-            "RAYCHECK_CANDIDATE(.intersect = intersect)\n");
+            "RAYCHECK_CANDIDATE(.intersect = intersect)");
   const json report =
       judged(temporary_file("claim.toml", scene_of(1, 1)), "source:" + folder + "/own/own.cpp");
   const json one = report["worst"][0];
