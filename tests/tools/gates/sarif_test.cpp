@@ -1,17 +1,13 @@
-// SARIF, as GitHub's code scanning reads it, of candidates that die at known lines.
+// SARIF, as GitHub's code scanning reads it.
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
-#include <filesystem>
-#include <map>
 #include <nlohmann/json.hpp>
-#include <regex>
 #include <set>
 #include <string>
 #include <vector>
 
-#include "tests/tools/program.h"
+#include "tests/tools/gates/sarif_schema.h"
 #include "tools/gates/gate_views.h"
 
 namespace raycheck::tests {
@@ -20,66 +16,6 @@ namespace {
 using nlohmann::json;
 using tools::Gate;
 using tools::GateOutcome;
-namespace fs = std::filesystem;
-
-bool matches(const std::string& text, const std::string& pattern) {
-  static std::map<std::string, std::regex> known;
-  return std::regex_search(text, known.try_emplace(pattern, pattern).first->second);
-}
-
-/// What in a JSON value is not as a schema has it, in words; empty where all is. Of JSON Schema it
-/// knows the words that sarif.schema.json uses; a key that `properties` does not name is an error.
-std::string defect_of(const json& value, const json& schema, const std::string& at = "") {
-  const auto is = [&](const std::string& type) {
-    return type == "object"    ? value.is_object()
-           : type == "array"   ? value.is_array()
-           : type == "integer" ? value.is_number_integer()
-                               : value.is_string();
-  };
-  if (schema.contains("enum")) {
-    const json& values = schema["enum"];
-    return std::find(values.begin(), values.end(), value) != values.end() ? "" : at + ": other";
-  }
-  if (!is(schema.at("type"))) return at + ": not of type " + schema["type"].get<std::string>();
-  if (value.is_string() && schema.contains("pattern") &&
-      !matches(value.get<std::string>(), schema["pattern"].get<std::string>())) {
-    return at + ": does not match";
-  }
-  if (value.is_number() && value < schema.value("minimum", 0)) return at + ": too small";
-  if (value.is_array()) {
-    if (value.size() < schema.value("minItems", std::size_t{0})) return at + ": too few";
-    if (value.size() > schema.value("maxItems", value.size())) return at + ": too many";
-    for (const json& item : value) {
-      if (auto why = defect_of(item, schema.at("items"), at + "[]"); !why.empty()) return why;
-    }
-  }
-  if (!value.is_object()) return "";
-  for (const json& key : schema.at("required")) {
-    if (!value.contains(key)) return at + "/" + key.get<std::string>() + ": is missing";
-  }
-  for (const auto& [key, member] : value.items()) {
-    if (!schema.at("properties").contains(key)) return at + "/" + key + ": is not known";
-    const std::string why = defect_of(member, schema["properties"][key], at + "/" + key);
-    if (!why.empty()) return why;
-  }
-  return "";
-}
-
-std::string defect_of_log(const json& log) {
-  static const json schema =
-      json::parse(contents(std::string(RAYCHECK_SOURCE_DIR) + "/tests/tools/gates/"
-                                                              "sarif.schema.json"));
-  if (std::string why = defect_of(log, schema); !why.empty()) return why;
-  const json& run = log["runs"][0];
-  for (const json& result : run["results"]) {
-    const json& rules = run["tool"]["driver"]["rules"];
-    if (result["ruleIndex"] >= rules.size()) return "a rule that is not there";
-    if (rules[result["ruleIndex"].get<std::size_t>()]["id"] != result["ruleId"]) {
-      return "another rule than its index says";
-    }
-  }
-  return "";
-}
 
 /// A gate of so many failures, each at a line of its own.
 Gate gate_at_lines(std::size_t failures, const std::string& text, const std::string& file) {
@@ -205,118 +141,6 @@ TEST(HostileSarif, KeepsTextsOfOthersInTheirStrings) {
   const std::string text = sarif(gate_at_lines(1, hostile, "\"a\n%41\xff: b.cpp"));
   EXPECT_EQ(defect_of_log(json::parse(text)), "") << text;
   EXPECT_EQ(text.find('\x1b'), std::string::npos);
-}
-
-/// A candidate that divides by zero at line 7 whatever it is asked.
-class SarifOfARun : public testing::Test {
- protected:
-  SarifOfARun()
-      : folder_(testing::TempDir() + "sarif_of_a_run_" +
-                testing::UnitTest::GetInstance()->current_test_info()->name()) {
-    fs::remove_all(folder_);
-    fs::create_directories(folder_);
-    write("tracer.cpp",
-          "#include <raycheck/candidate.hpp>\n"
-          "using namespace raycheck;\n"
-          "volatile int zero = 0;\n"
-          "std::optional<Hit> intersect(const Ray&, const Sphere& sphere, const Conventions&) {\n"
-          "  const int radius = static_cast<int>(sphere.radius);\n"
-          "  // One line on:\n"
-          "  zero = radius / zero;\n"
-          "  return {};\n"
-          "}\n"
-          "RAYCHECK_CANDIDATE(.intersect = intersect)\n");
-  }
-  ~SarifOfARun() override { fs::remove_all(folder_); }
-  void write(const std::string& name, const std::string& text) const {
-    fs::rename(temporary_file("sarif_part", text), folder_ + "/" + name);
-  }
-  std::string source() const { return "source:" + folder_ + "/tracer.cpp"; }
-
-  std::string folder_;
-};
-
-const std::string kRays = "scene/examples/lecture-examples.toml";
-
-TEST_F(SarifOfARun, OfCheckHasTheLineWhereItDies) {
-  const Outcome outcome = run("check " + kRays + " --format sarif --candidate " + source());
-  EXPECT_EQ(outcome.exit_code, 1) << outcome.err;
-  EXPECT_EQ(outcome.err, "");
-  const json log = json::parse(outcome.out);
-  EXPECT_EQ(defect_of_log(log), "");
-  const json& results = log["runs"][0]["results"];
-  ASSERT_EQ(results.size(), 1u) << outcome.out;
-  const json& place = results[0]["locations"][0]["physicalLocation"];
-  EXPECT_EQ(place["artifactLocation"]["uri"], "file://" + folder_ + "/tracer.cpp");
-  EXPECT_EQ(place["region"]["startLine"], 7);
-  EXPECT_EQ(place["region"]["startColumn"], 3);
-  EXPECT_EQ(place["region"]["endColumn"], 3 + 21);
-  EXPECT_EQ(place["region"]["snippet"]["text"], "zero = radius / zero;");
-  EXPECT_NE(results[0]["message"]["text"].get<std::string>().find("tracer.cpp:7"),
-            std::string::npos);
-}
-
-TEST_F(SarifOfARun, OfPropertiesHasALineOnceAndNoneThatIsKnown) {
-  const std::string asked = "properties --filter root --cases 4 --source rays --candidate " +
-                            source() + " --report sarif=" + folder_;
-  const Outcome outcome = run(asked + "/found.sarif --format json");
-  EXPECT_EQ(outcome.exit_code, 1) << outcome.err;
-  const json log = json::parse(contents(folder_ + "/found.sarif"));
-  EXPECT_EQ(defect_of_log(log), "");
-  ASSERT_EQ(log["runs"][0]["results"].size(), 1u) << log.dump(2);
-  const std::string text = log["runs"][0]["results"][0]["message"]["text"];
-  EXPECT_NE(text.find("replay: raycheck properties --candidate"), std::string::npos) << text;
-  EXPECT_NE(text.find("fails there: nearest-root/rays"), std::string::npos) << text;
-  const std::string baseline = " --baseline " + folder_ + "/known";
-  run(asked + "/first.sarif --update-baseline" + baseline);
-  const Outcome known = run(asked + "/known.sarif" + baseline);
-  EXPECT_EQ(known.exit_code, 0) << known.out << known.err;
-  const json nothing = json::parse(contents(folder_ + "/known.sarif"));
-  EXPECT_EQ(defect_of_log(nothing), "");
-  EXPECT_TRUE(nothing["runs"][0]["results"].empty());
-}
-
-TEST_F(SarifOfARun, OfWrongAnswersHasNoResultsAndSaysHowManyHaveNoLine) {
-  write("tracer.cpp",
-        "#include <raycheck/candidate.hpp>\n"
-        "using namespace raycheck;\n"
-        "std::optional<Hit> intersect(const Ray& ray, const Sphere&, const Conventions&) {\n"
-        "  return Hit{1, ray.origin};\n"
-        "}\n"
-        "RAYCHECK_CANDIDATE(.intersect = intersect)\n");
-  const Outcome outcome = run("check " + kRays + " --format sarif --candidate " + source());
-  EXPECT_EQ(outcome.exit_code, 1) << outcome.err;
-  const json log = json::parse(outcome.out);
-  EXPECT_EQ(defect_of_log(log), "");
-  EXPECT_TRUE(log["runs"][0]["results"].empty());
-  EXPECT_TRUE(std::regex_search(outcome.err, std::regex("^warning: ([0-9]+) of \\1 defects? not in "
-                                                        "the SARIF log: \\1 wrong answers?, which "
-                                                        "no one line makes\n$")))
-      << outcome.err;
-}
-
-TEST_F(SarifOfARun, IsRefusedWhereNoLineCanBeKnown) {
-  const std::string others = "take junit, markdown, github or gitlab-codequality";
-  const auto refused = [&](const std::string& arguments, const std::string& why) {
-    const Outcome outcome = run(arguments);
-    EXPECT_EQ(outcome.exit_code, 2) << arguments;
-    for (const std::string& words : {why, others}) {
-      EXPECT_NE(outcome.err.find(words), std::string::npos) << arguments << "\n" << outcome.err;
-    }
-  };
-  const std::string own = "raycheck's own methods are not of a source of yours";
-  for (const std::string& command : {"check " + kRays, std::string("properties --cases 20")}) {
-    refused(command + " --format sarif", "--format sarif: ");
-    refused(command + " --report sarif=" + folder_ + "/x", "--report sarif: ");
-    refused(command + " --format sarif", own);
-    refused(command + " --format sarif --rays direct --candidate " + source(), own);
-    for (const std::string other :
-         {"'command:python3 tests/candidates/meets.py none'", "library:none.so"}) {
-      refused(command + " --format sarif --candidate " + source() + " --candidate " + other,
-              "none is known: raycheck did not compile it");
-    }
-  }
-  EXPECT_FALSE(fs::exists(folder_ + "/x"));
 }
 
 }  // namespace

@@ -155,6 +155,7 @@ std::string frames_of_throw(const std::exception& error) {
 
 /// In place of that of the C++ library, which it calls: the frames that an exception unwinds are
 /// gone when it is caught.
+// NOLINTNEXTLINE(bugprone-reserved-identifier,cert-dcl37-c,cert-dcl51-cpp): it has that name.
 extern "C" [[noreturn, gnu::visibility("default")]] void __cxa_throw(void* object,
                                                                      std::type_info* type,
                                                                      void (*destroy)(void*)) {
