@@ -140,13 +140,42 @@ TEST(OwnUnits, AreThoseOfTradeoff) {
   }
 }
 
-/// In raycheck's own process it is asked floats, too, and answers as it was judged.
-TEST(OwnUnits, AreTimedOnFloats) {
+/// It ends where it is asked anything but floats.
+TEST(OwnUnits, AreAskedAboutFloatsAlone) {
+  const std::string source = temporary_file("floats_alone.cpp", R"(
+#include <raycheck/candidate.hpp>
+#include <unistd.h>
+#include <initializer_list>
+using namespace raycheck;
+static std::optional<Hit> intersect(const Ray& r, const Sphere& s, const Conventions&) {
+  for (const double x : {r.origin.x, r.origin.y, r.origin.z, r.direction.x, r.direction.y,
+                         r.direction.z, s.centre.x, s.centre.y, s.centre.z, s.radius}) {
+    if (x != double(float(x))) _exit(3);
+  }
+  return {};
+}
+RAYCHECK_CANDIDATE(.intersect = intersect, .precision = Precision::single)
+)");
   const std::string unkept = std::string(" --sandbox none") + (geteuid() == 0 ? " --i-know" : "");
-  const json mine =
-      report_of("tradeoff --cases 40 --method cross" + unkept, kTracer, 0)["intersections"][1];
-  EXPECT_EQ(mine["called_in_process"], true) << mine["note"];
-  EXPECT_GT(mine["batch"]["median_ns"], 0);
+  const std::string picture = temporary_file("floats.png", "");
+  const std::string scene = "scene/examples/ten-spheres.toml";
+  for (const std::string& command :
+       {std::string("stress --family distance --severity 1 --cases 20 --method cross"),
+        std::string("stress --family field-of-view --severity 1 --cases 20 --method direct,cross"),
+        std::string("worst --family distance --cases 20 --steps 40"),
+        "tradeoff --cases 40 --method direct,cross" + unkept, "explain " + scene + " --pixel 3,4",
+        "image " + scene + " --what error --out " + picture}) {
+    const Outcome outcome = run(command + " --candidate source:" + source + " --format json");
+    EXPECT_FALSE(contains(outcome.out, "exited with 3")) << command << outcome.out;
+    EXPECT_TRUE(json::accept(outcome.out)) << command << outcome.err;
+    if (command.starts_with("tradeoff")) {
+      const json mine = json::parse(outcome.out)["intersections"][1];
+      EXPECT_EQ(mine["called_in_process"], true) << mine["note"];
+      EXPECT_GT(mine["batch"]["median_ns"], 0);
+    }
+  }
+  std::filesystem::remove(picture);
+  std::filesystem::remove(source);
 }
 
 TEST(OwnUnits, AreThoseOfExplain) {
