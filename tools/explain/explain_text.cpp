@@ -90,6 +90,10 @@ std::string verdict_of(const MethodReport& method, const ExplainReport& report, 
 
 }  // namespace
 
+std::string method_verdict(const MethodReport& method, const ExplainReport& report) {
+  return verdict_of(method, report, false);
+}
+
 std::string explain_text(const ExplainReport& report, const ViewOptions& options) {
   std::string text;
   if (report.pixel) {
