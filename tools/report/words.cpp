@@ -213,7 +213,7 @@ std::string failed_place_text(const Discrepancy& d) {
 
 }  // namespace
 
-std::string discrepancy_text(const Discrepancy& d, bool colours) {
+std::string discrepancy_head(const Discrepancy& d) {
   const properties::QuantityInfo& quantity = info(d.quantity);
   std::string head(quantity.name);
   if (has_place(d.quantity)) head += ", " + place_text(d.place);
@@ -224,6 +224,11 @@ std::string discrepancy_text(const Discrepancy& d, bool colours) {
   } else {
     head += fmt::format(": off by {} {}", error_text(d.error), unit_name(d.quantity, d.precision));
   }
+  return head;
+}
+
+std::string discrepancy_text(const Discrepancy& d, bool colours) {
+  const std::string head = discrepancy_head(d);
   const bool is_defect = d.excuse.standing() == Standing::kDefect;
   std::string text = (is_defect ? red(head, colours) : head) + "\n";
   const bool is_answer = !d.got.empty() || d.got_some_sphere;
@@ -244,6 +249,14 @@ std::string single_quoted(std::string_view word) {
   std::string quoted = "'";
   for (const char c : word) quoted += c == '\'' ? std::string("'\\''") : std::string(1, c);
   return quoted + "'";
+}
+
+std::string shell_word(const std::string& word) {
+  constexpr std::string_view kPlain =
+      "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789_-+=./,:@";
+  if (!word.empty() && word.find_first_not_of(kPlain) == std::string::npos) return word;
+  if (word.find_first_of("\"$`\\!") == std::string::npos) return '"' + word + '"';
+  return single_quoted(word);
 }
 
 std::string broken_law_text(std::string_view sentence, std::string_view discrepancy,

@@ -156,7 +156,9 @@ struct SceneView {
 struct FindingView {
   std::string sentence;
   std::string candidate;
-  properties::Standing standing = properties::Standing::kDefect;
+  std::string method;  ///< The one of its methods that panels show it by.
+  /// Empty of what is within its bound.
+  std::optional<properties::Standing> standing = properties::Standing::kDefect;
   std::size_t scene = 0;  ///< Index into the document's.
   Selection selection;
 };

@@ -14,6 +14,7 @@
 #include "tools/report/json.h"
 #include "tools/report/typeset.h"
 #include "tools/report/words.h"
+#include "tools/view/panel.h"
 
 namespace raycheck::tools {
 namespace {
@@ -121,17 +122,6 @@ Json method_json(const MethodReport& method, const MethodStep& mine, const Step&
   json["alone"] = mine.error_alone ? Json(error_text(mine.error_alone)) : Json(nullptr);
   json["wrong"] = method.goes_wrong_at == step.symbol;
   return json;
-}
-
-/// Closed forms of more characters are not typeset: explain's text cuts them, too.
-constexpr std::size_t kLongestTypeset = 160;
-
-bool is_typeset(const Step& step) {
-  return !step.closed_form.empty() &&
-         std::all_of(step.closed_form.begin(), step.closed_form.end(),
-                     [](const reference::ClosedForm& form) {
-                       return form.text().size() <= kLongestTypeset;
-                     });
 }
 
 Json step_json(const Step& step, const ExplainReport& report) {
@@ -250,7 +240,8 @@ Json scene_json(const SceneView& view) {
 Json finding_json(const FindingView& finding) {
   Json json = {{"sentence", finding.sentence},
                {"candidate", finding.candidate},
-               {"standing", name(finding.standing)},
+               {"method", finding.method},
+              {"standing", finding.standing ? Json(name(*finding.standing)) : Json(nullptr)},
                {"scene", finding.scene}};
   json.update(selection_json(finding.selection));
   return json;

@@ -2,8 +2,13 @@
 
 #include <fmt/core.h>
 
+#include <algorithm>
+#include <string_view>
+#include <utility>
+
 #include "scene/number.h"
 #include "tools/explain/explain_views.h"
+#include "tools/report/typeset.h"
 #include "tools/view/microscope.h"
 #include "tools/view/sage.h"
 
@@ -40,18 +45,46 @@ std::string command_of(const ExplainReport& report, const Selection& asked,
   return command + options.more_arguments;
 }
 
-/// The steps for a paper: symbol, formula and closed form of each.
+std::string symbol_latex(const std::string& symbol) {
+  constexpr std::pair<std::string_view, std::string_view> kOthers[] = {
+      {"alpha", "\\alpha"},
+      {"beta", "\\beta"},
+      {"direction", "\\mathit{direction}"},
+      {"s |direction|", "s\\,|\\mathit{direction}|"}};
+  for (const auto& [name, latex] : kOthers) {
+    if (symbol == name) return std::string(latex);
+  }
+  return symbol;
+}
+
+std::string rounded_latex(const std::vector<double>& values) {
+  std::string text;
+  for (const double x : values) text += fmt::format("{}{:.17g}", text.empty() ? "" : ", ", x);
+  return values.size() == 1 ? text : fmt::format("\\left({}\\right)", text);
+}
+
+/// The steps for a paper: of each its closed form, where that is short, and the rounded value.
 std::string latex_of(const ExplainReport& report) {
   std::string text = "\\begin{align*}\n";
   for (const Step& step : report.steps) {
-    text += fmt::format("{} &= {}", symbol_latex(step.symbol), formula_latex(step));
-    if (!step.closed_form.empty()) text += fmt::format(" = {}", latex(step.closed_form));
-    text += " \\\\\n";
+    text += symbol_latex(step.symbol);
+    if (is_typeset(step)) text += fmt::format(" &= {}", latex(step.closed_form));
+    text += fmt::format(" {} {} \\\\\n", is_typeset(step) ? "\\approx" : "&\\approx",
+                        rounded_latex(step.rounded));
   }
   return text + "\\end{align*}\n";
 }
 
 }  // namespace
+
+bool is_typeset(const Step& step) {
+  constexpr std::size_t kLongestTypeset = 160;
+  return !step.closed_form.empty() &&
+         std::all_of(step.closed_form.begin(), step.closed_form.end(),
+                     [](const reference::ClosedForm& form) {
+                       return form.text().size() <= kLongestTypeset;
+                     });
+}
 
 Panel panel_of(const scene::Scene& scene, const DrawnFrame& frame, const Selection& selection,
                const PanelOptions& options) {

@@ -20,6 +20,9 @@ struct PanelOptions {
 Panel panel_of(const scene::Scene& scene, const DrawnFrame& frame, const Selection& selection,
                const PanelOptions& options);
 
+/// Whether a step's closed form is short enough to be typeset: explain's text cuts longer ones, too.
+bool is_typeset(const Step& step);
+
 }  // namespace raycheck::tools
 
 #endif  // RAYCHECK_TOOLS_VIEW_PANEL_H_

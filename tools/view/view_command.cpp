@@ -1,0 +1,124 @@
+#include <fmt/core.h>
+#include <tbb/info.h>
+
+#include <memory>
+#include <sstream>
+#include <stdexcept>
+
+#include "tools/arguments.h"
+#include "tools/check/check_page.h"
+#include "tools/commands.h"
+#include "tools/report/output_file.h"
+#include "tools/report/words.h"
+#include "tools/terminal.h"
+#include "tools/view/document_json.h"
+#include "tools/view/page.h"
+
+namespace raycheck::tools {
+namespace {
+
+struct ViewArguments {
+  std::string scene;
+  std::string dialect;
+  std::string out;
+  std::string format;
+  std::vector<std::string> methods;
+  std::string rays;
+  std::vector<std::string> pixels;
+  std::string sphere;
+  ExternalArguments external;
+  int threads = tbb::info::default_concurrency();
+};
+
+/// Rays times spheres times methods up to which all of fast/'s are judged where none is asked for.
+constexpr double kMostJudged = 1 << 22;
+
+std::vector<Selection> wanted(const ViewArguments& arguments) {
+  std::vector<Selection> list;
+  std::optional<std::size_t> sphere;
+  if (!arguments.sphere.empty()) {
+    sphere = static_cast<std::size_t>(parse_index("--sphere", arguments.sphere, 0));
+  }
+  for (const std::string& text : arguments.pixels) {
+    list.push_back({parse_pixel("--pixel", text), {}, sphere});
+  }
+  if (sphere && list.empty()) {
+    throw std::invalid_argument("--sphere: goes with --pixel I,J");
+  }
+  return list;
+}
+
+CheckOptions check_options(const ViewArguments& arguments) {
+  CheckOptions options;
+  options.path = arguments.scene;
+  if (const auto dialect = parse_dialect(arguments.dialect)) options.driver = {.dialect = *dialect};
+  options.contestants = find_contestants(arguments.external);
+  if (options.contestants.empty() || !arguments.methods.empty() || !arguments.rays.empty()) {
+    const auto pairs = contestants(chosen_methods(arguments.rays, arguments.methods));
+    options.contestants.insert(options.contestants.begin(), pairs.begin(), pairs.end());
+  }
+  return options;
+}
+
+/// " --candidate ...", as it was given.
+std::string candidate_arguments(const ViewArguments& arguments) {
+  std::string text;
+  for (const std::string& candidate : arguments.external.candidates) {
+    text += " --candidate " + shell_word(candidate);
+  }
+  return text;
+}
+
+int run_view(const ViewArguments& arguments) {
+  if (arguments.out.empty() && arguments.format != "json") {
+    throw std::invalid_argument("view: give --out FILE.html, or --format json");
+  }
+  std::optional<OutputFile> out;
+  if (!arguments.out.empty()) {
+    require_no_input("--out", arguments.out, {arguments.scene});
+    out.emplace("--out", arguments.out);
+  }
+  const CheckPageOptions page_options = {wanted(arguments), candidate_arguments(arguments)};
+  const auto control = run_control(arguments.scene, arguments.threads);
+  const CheckReport report = check(check_options(arguments), control);
+  print_warnings(report.warnings);
+  const ViewDocument document = check_document(report, page_options, control);
+  if (control.interrupted()) throw scene::Interrupted();
+  if (out) {
+    const std::string text = page(document);
+    out->write(text);
+    if (arguments.format == "text") {
+      print_report(view_text(document, arguments.out, text.size()));
+    }
+  }
+  if (arguments.format == "json") print_report(document_json(document));
+  return kExitNothingFound;
+}
+
+}  // namespace
+
+Command add_view(CLI::App& program) {
+  const auto given = std::make_shared<ViewArguments>();
+  ViewArguments& arguments = *given;
+  CLI::App& command = *program.add_subcommand(
+      "view", "Show a scene, its rays and where methods go wrong, in a page for a browser");
+  command.add_option("SCENE", arguments.scene, "a TOML scene, or a driver file of the course")
+      ->required();
+  command.add_option("--out", arguments.out, "the page: one HTML file, which needs no other");
+  command.add_option("--dialect", arguments.dialect,
+                     "of a driver file: A, B or C, or a year, 2017 to 2020");
+  command
+      .add_option("--method", arguments.methods,
+                  "the methods that intersect rays, with commas between (default: all, or of large "
+                  "scenes cross)")
+      ->delimiter(',');
+  command.add_option("--rays", arguments.rays, "the method that makes rays (default: direct)");
+  command.add_option("--pixel", arguments.pixels, "a pixel to begin with, I,J; several times");
+  command.add_option("--sphere", arguments.sphere, "the sphere to begin with");
+  add_external(command, arguments.external);
+  add_threads(command, arguments.threads, "the page");
+  add_format(command, arguments.format, {"text", "json"});
+  return {&command, [given] { return run_view(*given); }};
+}
+
+}  // namespace raycheck::tools
