@@ -41,7 +41,7 @@ void append_steps(const ExplainReport& report, std::string& text) {
   for (const Step& step : report.steps) {
     text += fmt::format("  {:<{}} = {}\n", step.symbol, width, step.formula);
     if (!step.closed_form.empty()) {
-      text += fmt::format("  {:<{}} = {}\n", "", width, listed(step.closed_form));
+      text += fmt::format("  {:<{}} = {}\n", "", width, listed(reference::texts(step.closed_form)));
     }
     text += fmt::format("  {:<{}} = {}\n", "", width, decimals(step.rounded));
     if (step.condition) {
