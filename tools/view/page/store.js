@@ -1,8 +1,9 @@
-// What is shown: the document as it came, and the reader's choice of scene, pixel or ray, sphere and method.
+// What is shown: the document as it came, and the reader's choice of scene, ray, sphere, method.
 
-/// document: as `raycheck view --format json` prints it. `set` takes any of {scenesIndex, selection, methodShown, layers}; a
-/// selection or layers given in part keep the rest, except that another pixel or ray forgets the sphere, and another scene
-/// starts where that scene says. Each `set` calls every subscriber once with the store and the names of what was set.
+/// document: as `raycheck view --format json` prints it. `set` takes any of {scenesIndex,
+/// selection, methodShown, layers} and calls every subscriber once with the store and the names of
+/// what was set. A selection given in part keeps the rest, except that another pixel or ray forgets
+/// the sphere; another scene starts where it says.
 export function createStore(document) {
   const subscribers = [];
   const store = {
@@ -12,10 +13,11 @@ export function createStore(document) {
     methodShown: null,
     layers: {},
     scene: () => document.scenes[store.scenesIndex],
-    panelsHere: () => store.scene().panels.filter((panel) => isHere(panel, store.selection)),
+    /// All that is told of the chosen pixel or ray, a panel a sphere.
+    panelsHere: () => store.scene().panels.filter((panel) => samePlace(panel, store.selection)),
     panel: () => {
+      const { sphere } = store.selection;
       const here = store.panelsHere();
-      const sphere = store.selection.sphere;
       return (sphere === null ? here[0] : here.find((panel) => panel.sphere === sphere)) ?? null;
     },
     set(partial) {
@@ -23,31 +25,30 @@ export function createStore(document) {
         store.scenesIndex = partial.scenesIndex;
         store.selection = { ...store.scene().start };
       }
-      if ("selection" in partial) {
-        store.selection = completed(partial.selection, store.selection);
-      }
+      if ("selection" in partial) store.selection = completed(partial.selection, store.selection);
       if ("methodShown" in partial) store.methodShown = partial.methodShown;
       if ("layers" in partial) store.layers = { ...store.layers, ...partial.layers };
       for (const subscriber of subscribers) subscriber(store, Object.keys(partial));
     },
     subscribe: (subscriber) => subscribers.push(subscriber),
-    /// Goes right and up by so many pixels of the picture, not beyond its edges; along a list of rays either way is forth.
+    /// Goes so many pixels right and up in the picture, or rays forth, not beyond its edges.
     walk(right, up) {
       const { camera, rays } = store.scene().figure;
-      if (rays !== null) {
-        const ray = clamp((store.selection.ray ?? 0) + right + up, rays.length);
+      if (camera === null) {
+        const ray = within((store.selection.ray ?? 0) + right - up, rays.length);
         store.set({ selection: { ray } });
-      } else if (camera !== null) {
+      } else {
         const [i, j] = store.selection.pixel ?? [0, 0];
         const rows = camera.rows === "top-first" ? -up : up;
-        store.set({ selection: { pixel: [clamp(i + right, camera.width), clamp(j + rows, camera.height)] } });
+        const pixel = [within(i + right, camera.width), within(j + rows, camera.height)];
+        store.set({ selection: { pixel } });
       }
     },
   };
   return store;
 }
 
-/// How a selection is told: "pixel (9, 8), sphere 0".
+/// "pixel (9, 8), sphere 0"
 export function placeText({ pixel, ray, sphere }) {
   const told = [];
   if (pixel !== null) told.push(`pixel (${pixel[0]}, ${pixel[1]})`);
@@ -56,7 +57,12 @@ export function placeText({ pixel, ray, sphere }) {
   return told.join(", ");
 }
 
-/// Arrow keys on `target` walk.
+/// The same pixel or ray.
+export function samePlace(a, b) {
+  return a.ray === b.ray && String(a.pixel) === String(b.pixel);
+}
+
+/// Arrow keys on `target` walk from pixel to pixel, ten at once with Shift.
 export function walkByKeys(target, store) {
   const steps = { ArrowRight: [1, 0], ArrowLeft: [-1, 0], ArrowUp: [0, 1], ArrowDown: [0, -1] };
   target.addEventListener("keydown", (event) => {
@@ -68,20 +74,12 @@ export function walkByKeys(target, store) {
   });
 }
 
-export function samePlace(a, b) {
-  return a.ray === b.ray && (a.pixel === b.pixel || (a.pixel !== null && b.pixel !== null && a.pixel.join() === b.pixel.join()));
-}
-
-function isHere(panel, selection) {
-  return samePlace(panel, selection);
-}
-
 function completed(partial, before) {
   const chosen = { ...before, ...partial };
   if (!samePlace(chosen, before) && !("sphere" in partial)) chosen.sphere = null;
   return chosen;
 }
 
-function clamp(index, count) {
+function within(index, count) {
   return Math.min(Math.max(index, 0), count - 1);
 }
