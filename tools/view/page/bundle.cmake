@@ -2,11 +2,12 @@
 #
 # Starts at FROM/main.js and puts every module after those that it imports. An import is one line,
 # `import { names } from "./module.js";`, and is left out, as is the word `export` at a line's
-# start: names are unique over all modules, which share one function.
+# start: the modules share one function, and no two may declare the same name.
 cmake_minimum_required(VERSION 3.25)
 
 set(bundle "")
 set(done "")
+set(names "")
 
 function(add_module name path)
   if(name IN_LIST done)
@@ -23,9 +24,18 @@ function(add_module name path)
   endforeach()
   string(REGEX REPLACE "\nimport [^\n]*" "" text "\n${text}")
   string(REGEX REPLACE "\nexport " "\n" text "${text}")
+  string(REGEX MATCHALL "\n(async )?(function|const|let|class) [A-Za-z0-9_]+" found "${text}")
+  foreach(declaration IN LISTS found)
+    string(REGEX REPLACE ".* " "" declared "${declaration}")
+    if(declared IN_LIST names)
+      message(FATAL_ERROR "${FROM}/${name}.js declares ${declared}, as another module does")
+    endif()
+    list(APPEND names "${declared}")
+  endforeach()
   if(text MATCHES "</script|<!--")
     message(FATAL_ERROR "${FROM}/${name}.js would end the script element that it is put into")
   endif()
+  set(names "${names}" PARENT_SCOPE)
   set(done "${done};${name}" PARENT_SCOPE)
   set(bundle "${bundle}${text}" PARENT_SCOPE)
 endfunction()

@@ -2,6 +2,7 @@
 
 const SVG = "http://www.w3.org/2000/svg";
 const MATHML = "http://www.w3.org/1998/Math/MathML";
+export const LETTER = 6.7;  // pixels: a letter of a drawing's label is narrower
 const LONGEST_NAME = 80;  // characters of a name or sentence that is shown whole
 
 /// An element. An attribute whose value is a function listens to the event of that name; null and
