@@ -54,6 +54,12 @@ std::int64_t parse_index(const char* option, std::string_view text, std::int64_t
   return static_cast<std::int64_t>(*number);
 }
 
+scene::Pixel parse_pixel(const char* option, std::string_view text) {
+  const auto pixel = parse_list(option, text, 2, "column and row: I,J");
+  return {parse_index(option, scene::shortest(pixel[0]), 0),
+          parse_index(option, scene::shortest(pixel[1]), 0)};
+}
+
 std::optional<scene::Dialect> parse_dialect(const std::string& text) {
   const auto rule = parse_driver(text);
   // A file is of what it shows.

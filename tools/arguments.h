@@ -27,6 +27,8 @@ inline constexpr std::int64_t kMostIndex = 9'000'000'000'000'000;
 /// A whole number of these; the error names the option.
 std::int64_t parse_index(const char* option, std::string_view text, std::int64_t least,
                          std::int64_t most = kMostIndex);
+/// A pixel, "I,J".
+scene::Pixel parse_pixel(const char* option, std::string_view text);
 /// What --dialect says of a driver file that is read; empty of an empty text.
 std::optional<scene::Dialect> parse_dialect(const std::string& text);
 /// The form of driver files for renderers that it says, or that each is tried; likewise.

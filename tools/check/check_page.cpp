@@ -49,8 +49,8 @@ std::vector<FindingView> findings_of(const CandidateReport& candidate, const sce
                         one.excuse.standing(), scene_index, selection});
   }
   if (!findings.empty()) return findings;
-  for (const Quantity quantity : {Quantity::kParameter, Quantity::kHitPoint, Quantity::kDirection,
-                                  Quantity::kPixelPoint}) {
+  for (const Quantity quantity :
+       {Quantity::kParameter, Quantity::kHitPoint, Quantity::kDirection, Quantity::kPixelPoint}) {
     const auto tally = candidate.verdict.tallies().find(quantity);
     if (tally == candidate.verdict.tallies().end() || !tally->second.max()) continue;
     const Selection selection = selection_of(tally->second.worst_place, scene);

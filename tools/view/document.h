@@ -1,7 +1,8 @@
 #ifndef RAYCHECK_TOOLS_VIEW_DOCUMENT_H_
 #define RAYCHECK_TOOLS_VIEW_DOCUMENT_H_
 
-// What a page shows, as data. The page's script draws it and computes nothing that a claim rests on.
+// What a page shows, as data. The page's script draws it and computes nothing that a claim rests
+// on.
 
 #include <array>
 #include <cstdint>
@@ -100,8 +101,9 @@ struct Microscope {
     std::vector<std::array<double, 2>> curve;  ///< The exact circle.
   };
   std::vector<Zoom> zooms;
-  std::vector<double> grid;     ///< The doubles around s.
-  std::optional<double> region;  ///< What a relative change u of inputs may move s by; empty: no bound.
+  std::vector<double> grid;  ///< The doubles around s.
+  std::optional<double>
+      region;  ///< What a relative change u of inputs may move s by; empty: no bound.
   std::vector<MicroscopeMark> marks;
 };
 

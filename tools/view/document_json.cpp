@@ -30,8 +30,7 @@ std::string digits(double value) { return fmt::format("{:.17g}", value); }
 
 Json selection_json(const Selection& selection) {
   Json json;
-  json["pixel"] =
-      selection.pixel ? Json{selection.pixel->i, selection.pixel->j} : Json(nullptr);
+  json["pixel"] = selection.pixel ? Json{selection.pixel->i, selection.pixel->j} : Json(nullptr);
   json["ray"] = selection.ray ? Json(*selection.ray) : Json(nullptr);
   json["sphere"] = selection.sphere ? Json(*selection.sphere) : Json(nullptr);
   return json;
@@ -128,7 +127,8 @@ Json step_json(const Step& step, const ExplainReport& report) {
   Json json;
   json["symbol"] = step.symbol;
   json["formula"] = step.formula;
-  json["mathml"] = is_typeset(step) ? Json("<math>" + mathml(step.closed_form) + "</math>") : Json(nullptr);
+  json["mathml"] =
+      is_typeset(step) ? Json("<math>" + mathml(step.closed_form) + "</math>") : Json(nullptr);
   json["latex"] = is_typeset(step) ? Json(latex(step.closed_form)) : Json(nullptr);
   json["rounded"] = Json::array();
   for (const double value : step.rounded) json["rounded"].push_back(digits(value));
@@ -241,15 +241,18 @@ Json finding_json(const FindingView& finding) {
   Json json = {{"sentence", finding.sentence},
                {"candidate", finding.candidate},
                {"method", finding.method},
-              {"standing", finding.standing ? Json(name(*finding.standing)) : Json(nullptr)},
+               {"standing", finding.standing ? Json(name(*finding.standing)) : Json(nullptr)},
                {"scene", finding.scene}};
   json.update(selection_json(finding.selection));
   return json;
 }
 
 Json dial_json(const DialView& dial) {
-  Json json = {{"family", dial.family}, {"sentence", dial.sentence}, {"unit", dial.unit},
-               {"severities", dial.severities}, {"scenes", dial.scenes}};
+  Json json = {{"family", dial.family},
+               {"sentence", dial.sentence},
+               {"unit", dial.unit},
+               {"severities", dial.severities},
+               {"scenes", dial.scenes}};
   json["curves"] = Json::array();
   for (const DialCurve& curve : dial.curves) {
     Json points = Json::array();

@@ -111,9 +111,9 @@ DrawnFrame::DrawnFrame(const scene::Scene& scene) {
     if (!scene.spheres.empty()) {
       const scene::Sphere& sphere = scene.spheres.front();
       size = sphere.radius;
-      for (const double way : {sphere.centre.x / 2 - origin_.x / 2,
-                               sphere.centre.y / 2 - origin_.y / 2,
-                               sphere.centre.z / 2 - origin_.z / 2}) {
+      for (const double way :
+           {sphere.centre.x / 2 - origin_.x / 2, sphere.centre.y / 2 - origin_.y / 2,
+            sphere.centre.z / 2 - origin_.z / 2}) {
         size = std::max(size, std::abs(way));
       }
     }

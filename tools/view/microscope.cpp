@@ -39,7 +39,6 @@ double middle(const Enclosure& value) {
   return low / 2 + high / 2;
 }
 
-
 /// The gap between the doubles around a number.
 double ulp_at(double value) {
   const double size = std::abs(value);
@@ -86,8 +85,7 @@ class Plane {
     // A line through the centre has no side; that it does, no enclosure tells.
     const bool is_central = b.contains_zero();
     if (is_central && bits < kMostMicroscopeBits / 2) throw TooWide();
-    normal_ = is_central ? across(along_, bits)
-                          : scaled(to_centre, Enclosure(1.0, bits) / b);
+    normal_ = is_central ? across(along_, bits) : scaled(to_centre, Enclosure(1.0, bits) / b);
     centre_x_ = hits_ ? v - distance : Enclosure(0.0, bits);
     centre_y_ = is_central ? Enclosure(0.0, bits) : b;
     gap_ = hits_ ? Enclosure(0.0, bits) : centre_y_ - radius_;
@@ -98,10 +96,9 @@ class Plane {
     return (Enclosure(parameter, bits_) - parameter_) / Enclosure(ulp, bits_);
   }
   std::array<double, 2> place_of(const std::vector<double>& point) const {
-    const Enclosure3 offset =
-        Enclosure3{Enclosure(point[0], bits_), Enclosure(point[1], bits_),
-                   Enclosure(point[2], bits_)} -
-        origin_;
+    const Enclosure3 offset = Enclosure3{Enclosure(point[0], bits_), Enclosure(point[1], bits_),
+                                         Enclosure(point[2], bits_)} -
+                              origin_;
     return {middle(dot(offset, along_) / unit_), middle(dot(offset, normal_) / unit_)};
   }
   /// How far the sphere is from the ray, where that misses it.

@@ -36,8 +36,7 @@ std::string hash_source(std::string_view text) {
   if (EVP_Digest(text.data(), text.size(), bytes.data(), &size, EVP_sha256(), nullptr) != 1) {
     throw std::runtime_error("OpenSSL: SHA-256 failed");
   }
-  return fmt::format("'sha256-{}'",
-                     base64({reinterpret_cast<const char*>(bytes.data()), size}));
+  return fmt::format("'sha256-{}'", base64({reinterpret_cast<const char*>(bytes.data()), size}));
 }
 
 std::string html_text(std::string_view text) {
@@ -66,10 +65,10 @@ std::string html_text(std::string_view text) {
 }  // namespace
 
 std::string page(const ViewDocument& document) {
-  const std::string policy =
-      fmt::format("default-src 'none'; script-src {} {}; style-src {}; img-src data:; "
-                  "base-uri 'none'; form-action 'none'",
-                  hash_source(kPageScript), hash_source(kThree), hash_source(kPageStyle));
+  const std::string policy = fmt::format(
+      "default-src 'none'; script-src {} {}; style-src {}; img-src data:; "
+      "base-uri 'none'; form-action 'none'",
+      hash_source(kPageScript), hash_source(kThree), hash_source(kPageStyle));
   const std::pair<std::string_view, std::string> parts[] = {
       {"@CSP@", policy},
       {"@TITLE@", html_text(document.title)},

@@ -41,7 +41,8 @@ std::string command_of(const ExplainReport& report, const Selection& asked,
   std::string command = fmt::format("raycheck explain {} --pixel {},{}", options.scene_argument,
                                     report.pixel->i, report.pixel->j);
   if (asked.sphere) command += fmt::format(" --sphere {}", *asked.sphere);
-  if (options.rays != kDefaultMethods.rays) command += fmt::format(" --rays {}", options.rays->name);
+  if (options.rays != kDefaultMethods.rays)
+    command += fmt::format(" --rays {}", options.rays->name);
   return command + options.more_arguments;
 }
 
@@ -79,11 +80,10 @@ std::string latex_of(const ExplainReport& report) {
 
 bool is_typeset(const Step& step) {
   constexpr std::size_t kLongestTypeset = 160;
-  return !step.closed_form.empty() &&
-         std::all_of(step.closed_form.begin(), step.closed_form.end(),
-                     [](const reference::ClosedForm& form) {
-                       return form.text().size() <= kLongestTypeset;
-                     });
+  return !step.closed_form.empty() && std::all_of(step.closed_form.begin(), step.closed_form.end(),
+                                                  [](const reference::ClosedForm& form) {
+                                                    return form.text().size() <= kLongestTypeset;
+                                                  });
 }
 
 Panel panel_of(const scene::Scene& scene, const DrawnFrame& frame, const Selection& selection,

@@ -20,7 +20,8 @@ struct PanelOptions {
 Panel panel_of(const scene::Scene& scene, const DrawnFrame& frame, const Selection& selection,
                const PanelOptions& options);
 
-/// Whether a step's closed form is short enough to be typeset: explain's text cuts longer ones, too.
+/// Whether a step's closed form is short enough to be typeset: explain's text cuts longer ones,
+/// too.
 bool is_typeset(const Step& step);
 
 }  // namespace raycheck::tools

@@ -117,8 +117,11 @@ SceneImages images_of(const scene::Scene& scene, const std::vector<CandidateMake
   };
   std::vector<Shown> shown;
   for (const CandidateMaker& candidate : candidates) {
-    shown.push_back({candidate(), error_painter(scene, candidate),
-                     std::vector<std::int32_t>(count), std::vector<Colour>(count), {}});
+    shown.push_back({candidate(),
+                     error_painter(scene, candidate),
+                     std::vector<std::int32_t>(count),
+                     std::vector<Colour>(count),
+                     {}});
   }
   SceneImages images;
   std::vector<std::int32_t> seen(count);

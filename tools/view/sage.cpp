@@ -54,8 +54,8 @@ std::string camera_input(const scene::Scene& scene, const scene::Pixel& pixel) {
   text += fmt::format("beta = {0} + {2}*({1} - {0})\n", from, to,
                       centres ? "(j + 1/2)/h" : "j/(h - 1)");
   text += "P = E + n*W + alpha*U + beta*V; D = (P - E)/(P - E).norm()\n";
-  text += conventions.origin == scene::Origin::kPixel ? "L = P; length = 1\n"
-                                                      : "L = E; length = 1\n";
+  text +=
+      conventions.origin == scene::Origin::kPixel ? "L = P; length = 1\n" : "L = E; length = 1\n";
   return text;
 }
 

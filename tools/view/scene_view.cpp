@@ -52,9 +52,8 @@ std::vector<CandidateMaker> candidates_of(const SceneViewOptions& options) {
     makers.push_back([pair] { return candidate_of(pair); });
   }
   if (options.other) {
-    makers.push_back(answering_candidate(options.other, options.methods.empty()
-                                                            ? kDefaultMethods
-                                                            : options.methods.front()));
+    makers.push_back(answering_candidate(
+        options.other, options.methods.empty() ? kDefaultMethods : options.methods.front()));
   }
   return makers;
 }

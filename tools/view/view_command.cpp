@@ -5,6 +5,7 @@
 #include <sstream>
 #include <stdexcept>
 
+#include "scene/interruption.h"
 #include "tools/arguments.h"
 #include "tools/check/check_page.h"
 #include "tools/commands.h"
@@ -13,6 +14,7 @@
 #include "tools/terminal.h"
 #include "tools/view/document_json.h"
 #include "tools/view/page.h"
+#include "tools/view/view_text.h"
 
 namespace raycheck::tools {
 namespace {
@@ -32,6 +34,24 @@ struct ViewArguments {
 
 /// Rays times spheres times methods up to which all of fast/'s are judged where none is asked for.
 constexpr double kMostJudged = 1 << 22;
+
+/// Where nobody is asked for: every intersection method of a scene that is small enough, or cross.
+std::vector<MethodPair> default_methods(const ViewArguments& arguments) {
+  const auto loaded = scene::load_scene(arguments.scene, parse_dialect(arguments.dialect));
+  const auto& camera = loaded.scene.camera;
+  const double rays = camera
+                          ? static_cast<double>(camera->width) * static_cast<double>(camera->height)
+                          : static_cast<double>(loaded.scene.rays.size());
+  const auto all = fast::intersect_methods();
+  const double judged =
+      rays * static_cast<double>(loaded.scene.spheres.size()) * static_cast<double>(all.size());
+  if (judged > kMostJudged) return {kDefaultMethods};
+  std::vector<MethodPair> pairs;
+  for (const fast::IntersectMethod* method : all) {
+    pairs.push_back({kDefaultMethods.rays, method});
+  }
+  return pairs;
+}
 
 std::vector<Selection> wanted(const ViewArguments& arguments) {
   std::vector<Selection> list;
@@ -53,8 +73,10 @@ CheckOptions check_options(const ViewArguments& arguments) {
   options.path = arguments.scene;
   if (const auto dialect = parse_dialect(arguments.dialect)) options.driver = {.dialect = *dialect};
   options.contestants = find_contestants(arguments.external);
-  if (options.contestants.empty() || !arguments.methods.empty() || !arguments.rays.empty()) {
-    const auto pairs = contestants(chosen_methods(arguments.rays, arguments.methods));
+  const bool methods_asked = !arguments.methods.empty() || !arguments.rays.empty();
+  if (options.contestants.empty() || methods_asked) {
+    const auto pairs = contestants(methods_asked ? chosen_methods(arguments.rays, arguments.methods)
+                                                 : default_methods(arguments));
     options.contestants.insert(options.contestants.begin(), pairs.begin(), pairs.end());
   }
   return options;
