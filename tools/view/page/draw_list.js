@@ -1,4 +1,4 @@
-// What the figure holds, as segments, areas, points, spheres and labels in eye-relative doubles; webgl.js and flat.js draw it.
+// What the figure holds, as segments, points, spheres and labels in eye-relative doubles; webgl.js and flat.js draw it.
 
 import { atPlane, dotProduct, drawnHit, isFinitePoint, lengthOf, minus, pixelPointOf, plus, times, unitOf } from "./projection.js";
 
@@ -14,7 +14,7 @@ const ORDINARY = 50; // spheres within so many sizes of the frustum are framed
 /// list.parts are the named places, for the table; list.frame the points that a view of the whole shows.
 export function drawList(scene, selection, panel, layers, raysShown, palette) {
   const list = {
-    scene, camera: scene.figure.camera, palette, axes: axesOf(scene.figure), segments: [], areas: [], points: [], spheres: [], labels: [],
+    scene, camera: scene.figure.camera, palette, axes: axesOf(scene.figure), segments: [], points: [], spheres: [], labels: [],
     parts: [], notes: [], frame: [], size: 1,
   };
   list.size = sizeOf(scene.figure);
@@ -82,7 +82,6 @@ function addCamera(list, layers) {
     part(list, [0, 0, 0], "focal point (the eye)", palette.ink);
     list.points.push({ at: [0, 0, 0], colour: palette.ink, shape: "disc", size: 11 });
     near.forEach((corner) => line(list, [0, 0, 0], corner, palette.faint));
-    list.areas.push({ corners: near, colour: palette.near, opacity: 0.14 });
     outline(list, near, palette.near, { thick: true });
     part(list, near[3], "near clipping plane", palette.near);
     part(list, near[1], "bounded image plane", palette.near);

@@ -127,21 +127,6 @@ export function clipSegment(a, b, nearest) {
   return first <= last ? [between(a, b, first), between(a, b, last)] : null;
 }
 
-/// What of a polygon of homogeneous points lies on the screen, or a little beside it (Sutherland and Hodgman).
-export function clipPolygon(corners, nearest) {
-  const beside = 1.25;
-  const sides = [
-    ([, , w]) => w - nearest, ([x, , w]) => beside * w + x, ([x, , w]) => beside * w - x,
-    ([, y, w]) => beside * w + y, ([, y, w]) => beside * w - y,
-  ];
-  return sides.reduce((polygon, side) => polygon.flatMap((corner, k) => {
-    const next = polygon[(k + 1) % polygon.length];
-    const [here, there] = [side(corner), side(next)];
-    const kept = here >= 0 ? [corner] : [];
-    return here >= 0 === there >= 0 ? kept : [...kept, between(corner, next, 1 / (1 - there / here))];
-  }), corners);
-}
-
 /// A clipped segment in dashes of equal length on the screen.
 export function dashed(a, b, width, height) {
   const dash = 5;

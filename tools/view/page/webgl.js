@@ -1,114 +1,16 @@
 // Draws a list of figure.js with three.js. Everything reaches it in homogeneous screen coordinates; spheres are met by the
 // ray of every pixel.
 
-import { arrowHead, clipPolygon, clipSegment, crossProduct, dashed, eyeViewer, homogeneous, inView, lengthOf, sphereWindow } from "./projection.js";
+import { arrowHead, clipSegment, crossProduct, dashed, eyeViewer, homogeneous, inView, lengthOf, sphereWindow } from "./projection.js";
 
 const SHAPES = ["disc", "square", "diamond", "ring", "cross", "dot"];
 const LEAST_RADIUS = 1.5; // pixels: a smaller sphere has a mark
+const LEAST_DRAWN = 1e-3; // pixels: a smaller one is the mark alone
 const GREATEST_DEPTH = 1e30; // in units of the nearest depth: floats end at 3e38
 
 // Depth is the logarithm that three writes for lines, so that spheres, lines and points hide one another.
-const DEPTH = `
-  uniform float logDepthBufFC;
-  float depthOf(float w) { return log2(1.0 + w) * logDepthBufFC * 0.5; }`;
-
-const SPHERE_VERTEX = `
-  attribute vec4 window, perpendicular, perpendicularX, perpendicularY, span, tint;
-  attribute vec3 reference;
-  flat varying vec4 vPerpendicular, vPerpendicularX, vPerpendicularY, vSpan, vTint;
-  flat varying vec3 vReference;
-  void main() {
-    vPerpendicular = perpendicular; vPerpendicularX = perpendicularX; vPerpendicularY = perpendicularY;
-    vSpan = span; vTint = tint; vReference = reference;
-    gl_Position = vec4(mix(window.xy, window.zw, position.xy), 0.0, 1.0);
-  }`;
-
 // With D = (x, y, 1), T the way to the centre: perpendicular.xyz = D x T / r and perpendicular.w = D . T at a pixel beside the
 // centre, and what they grow by from pixel to pixel. |T| comes in two floats, all lengths in units of the nearest depth.
-const SPHERE_FRAGMENT = `
-  flat varying vec4 vPerpendicular, vPerpendicularX, vPerpendicularY, vSpan, vTint;
-  flat varying vec3 vReference;
-  uniform vec4 rays;
-  uniform vec3 upward;
-  uniform vec2 counted;
-  uniform vec4 rule;
-  ${DEPTH}
-  void main() {
-    vec2 from = gl_FragCoord.xy - vReference.xy;
-    vec4 here = vPerpendicular + vPerpendicularX * from.x + vPerpendicularY * from.y;
-    vec3 D = vec3(rays.xy + rays.zw * gl_FragCoord.xy, 1.0);
-    float length_ = length(D);
-    vec3 across = here.xyz / length_;
-    float h2 = dot(across, across);
-    float h = sqrt(h2);
-    float edge = max(fwidth(h), 1e-6);
-    if (!(h2 <= 1.0)) discard;
-    float d = sqrt((1.0 - h) * (1.0 + h));
-    float r = vSpan.z, v = here.w / length_;
-    bool isInside = vSpan.w > 0.5;
-    if (!isInside && v <= 0.0) discard;
-    // v - |T| of a sphere around us is no small difference, of others it is -h^2 / (|T| + v).
-    float middle = isInside ? v : vSpan.y - r * h2 * (r / (vSpan.x + v));
-    float base = isInside ? 0.0 : vSpan.x;
-    float start = rule.x * length_;
-    vec2 allowed = (rule.y > 0.5 ? counted * r : counted);
-    float nearS = (middle - r * d) - (start - base), farS = (middle + r * d) - (start - base);
-    bool isNear = nearS >= allowed.x && nearS <= allowed.y && rule.z < 1.5 && vReference.z < 0.5;
-    bool isFar = farS >= allowed.x && farS <= allowed.y && rule.z != 1.0 && rule.w < 0.5;
-    if (!isNear && !isFar) discard;
-    float s = base + middle + (isNear ? -r * d : r * d);
-    gl_FragDepthEXT = depthOf(s / length_);
-    #ifdef FLAT
-      float id = vTint.w + 1.0;
-      gl_FragColor = vec4(mod(id, 256.0), mod(floor(id / 256.0), 256.0), floor(id / 65536.0), 255.0) / 255.0;
-    #else
-      vec3 normal = (isNear ? -d : d) * (D / length_) + cross(D / length_, across);
-      vec3 facing = isNear ? normal : -normal;
-      float light = 0.55 + 0.45 * max(dot(facing, normalize(vec3(-0.4, 0.6, -0.7))), 0.0);
-      // Spheres differ by a pattern, too: plain, bands, or bands that are finer.
-      float pattern = mod(abs(vTint.w), 3.0);
-      float bands = pattern < 0.5 ? 1.0 : step(0.0, sin(dot(normal, upward) * (pattern < 1.5 ? 12.0 : 30.0)));
-      float hatch = isNear ? 1.0 : step(0.35, fract((gl_FragCoord.x + gl_FragCoord.y) / 8.0));
-      vec3 colour = vTint.rgb * light * (0.86 + 0.14 * bands) * (isNear ? 1.0 : 0.6 + 0.2 * hatch);
-      float rim = 1.0 - smoothstep(1.5 * edge, 2.5 * edge, 1.0 - h);
-      gl_FragColor = vec4(mix(colour, colour * 0.35, rim), clamp((1.0 - h) / edge, 0.0, 1.0));
-    #endif
-  }`;
-
-const POINT_VERTEX = `
-  attribute vec4 tint;
-  attribute float size;
-  uniform float ratio;
-  varying vec4 vTint;
-  varying float vDepth;
-  void main() {
-    vTint = tint;
-    vDepth = position.z;
-    gl_Position = vec4(position.xy, 0.0, position.z);
-    gl_PointSize = size * ratio;
-  }`;
-
-const POINT_FRAGMENT = `
-  varying vec4 vTint;
-  varying float vDepth;
-  uniform float opacity;
-  uniform vec3 rim;
-  ${DEPTH}
-  void main() {
-    vec2 p = abs(gl_PointCoord * 2.0 - 1.0);
-    float shape = vTint.w, away = length(p) - 0.85;
-    if (shape == 1.0) away = max(p.x, p.y) - 0.75;
-    if (shape == 2.0) away = (p.x + p.y - 0.98) * 0.8;
-    if (shape == 3.0) away = abs(length(p) - 0.68) - 0.14;
-    if (shape == 4.0) away = max(min(p.x, p.y) - 0.13, max(p.x, p.y) - 0.9);
-    float soft = fwidth(away);
-    float cover = 1.0 - smoothstep(-soft, soft, away);
-    if (cover < 0.02) discard;
-    float inner = shape >= 3.0 ? 1.0 : 1.0 - smoothstep(-0.28 - soft, -0.28 + soft, away);
-    gl_FragDepthEXT = depthOf(vDepth) - 2e-4; // a mark on a surface is before it
-    gl_FragColor = vec4(mix(rim, vTint.rgb, inner), cover * opacity);
-  }`;
-
 /// A painter on a canvas; null where there is no WebGL 2.
 export function webglPainter(canvas) {
   const context = globalThis.THREE && canvas.getContext("webgl2", { antialias: true, alpha: true });
@@ -118,7 +20,7 @@ export function webglPainter(canvas) {
   // Screen coordinates come in as they are; depth only by the fragments.
   camera.projectionMatrix.set(1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 0, 0, 0, 0, -1, 0);
   const stage = new THREE.Scene();
-  const parts = { areas: areaMesh(), spheres: sphereMesh(false), ids: sphereMesh(true), ...lineMeshes(), ...pointMeshes() };
+  const parts = { spheres: sphereMesh(false), ids: sphereMesh(true), ...lineMeshes(), ...pointMeshes() };
   stage.add(...Object.values(parts));
   const show = (ids) => Object.entries(parts).forEach(([name, part]) => { part.visible = (name === "ids") === ids; });
   const finish = (farthest) => { camera.far = Math.min(Math.max(farthest, 2), GREATEST_DEPTH); };
@@ -131,7 +33,7 @@ export function webglPainter(canvas) {
       fillSpheres(parts.spheres, spheres, viewer, list.scene, width * ratio, height * ratio, list.axes[1]);
       const marks = spheres.small.map(({ centre, colour }) => ({ at: centre, colour, shape: "ring", size: spheres.small.length > 200 ? 4 : 11 }));
       const farthest = Math.max(
-        spheres.farthest, fillLines(parts, list, viewer, width, height), fillAreas(parts.areas, list, viewer),
+        spheres.farthest, fillLines(parts, list, viewer, width, height),
         fillPoints(parts, [...list.points, ...marks], viewer, list.palette, ratio),
       );
       finish(farthest);
@@ -196,10 +98,11 @@ function packSpheres(spheres, viewer, width, height, least) {
   for (const sphere of spheres) {
     const centre = inView(viewer, sphere.centre);
     const distance = lengthOf(centre);
-    const pixels = sphere.radius / Math.max(centre[2], sphere.radius) / Math.abs(rays[2]);
-    if (!(pixels >= Math.max(least, 1e-3)) && distance > sphere.radius) packed.small.push(sphere);
-    const bounds = pixels >= 1e-3 && sphereWindow(centre, sphere.radius);
-    if (!bounds || distance + sphere.radius > GREATEST_DEPTH * viewer.nearest) continue;
+    const bounds = sphereWindow(centre, sphere.radius);
+    if (bounds === null) continue;
+    const pixels = Math.max((bounds[1] - bounds[0]) / Math.abs(rays[2]), (bounds[3] - bounds[2]) / Math.abs(rays[3])) / 2;
+    if (pixels < least) packed.small.push(sphere);
+    if (pixels < LEAST_DRAWN || distance + sphere.radius > GREATEST_DEPTH * viewer.nearest) continue;
     const window = [...pixelsOf(bounds[0], bounds[1], rays[0], rays[2], width), ...pixelsOf(bounds[2], bounds[3], rays[1], rays[3], height)];
     if (window[0] < window[1] && window[2] < window[3]) seen.push({ sphere, centre, distance, window });
   }
@@ -330,45 +233,6 @@ function fillLines(parts, list, viewer, width, height) {
     fillBuffer(parts[name].geometry, packed[name], 12, attributes);
     for (const mesh of [parts[name], parts[`${name}Hidden`]]) mesh.material.uniforms.resolution.value.set(width, height);
   }
-  return farthest;
-}
-
-function areaMesh() {
-  return always(new THREE.Mesh(new THREE.BufferGeometry(), new THREE.ShaderMaterial({
-    vertexShader: `
-      attribute vec4 tint;
-      varying vec4 vTint;
-      varying float vDepth;
-      void main() {
-        vTint = tint;
-        vDepth = position.z;
-        gl_Position = vec4(position.xy, 0.0, position.z);
-      }`,
-    fragmentShader: `
-      varying vec4 vTint;
-      varying float vDepth;
-      ${DEPTH}
-      void main() {
-        gl_FragDepthEXT = depthOf(vDepth);
-        gl_FragColor = vTint;
-      }`,
-    side: THREE.DoubleSide, transparent: true, depthWrite: false,
-  })), 1);
-}
-
-function fillAreas(mesh, list, viewer) {
-  const data = [];
-  let farthest = 0;
-  for (const { corners, colour, opacity } of list.areas) {
-    const polygon = clipPolygon(corners.map((corner) => homogeneous(viewer, corner).map((x) => x / viewer.nearest)), 1);
-    for (let k = 2; k < polygon.length; ++k) {
-      for (const corner of [polygon[0], polygon[k - 1], polygon[k]]) {
-        data.push(...corner, ...colour, opacity);
-        farthest = Math.max(farthest, corner[2]);
-      }
-    }
-  }
-  fillBuffer(mesh.geometry, data, 7, { position: [3, 0], tint: [4, 3] }, false);
   return farthest;
 }
 
