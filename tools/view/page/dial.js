@@ -1,37 +1,31 @@
 // The dial of a stress family: its severities, and each method's error along them.
-import { LETTER, atEachWidth, brief, disclosure, element, glyph, svg, table } from "./dom.js";
+import { LETTER, alike, atEachWidth, brief, disclosure, element, glyph, rangeField, svg, table } from "./dom.js";
 
-const CHART_HEIGHT = 300;       // pixels
-const LABEL_LINE = 15;     // pixels: from a label's line to the next
-const LONGEST_LABEL = 34;  // letters
-const CHART_MARGIN = { left: 56, top: 14, bottom: 44 };
+const TALL = 300; // pixels
+const LABEL_LINE = 15; // pixels: from a label's line to the next
+const LONGEST_LABEL = 30; // letters
+const EDGE = { left: 52, top: 14, bottom: 44 }; // pixels
+const POWERS = 6; // labels of the error axis, about
 
 export function mountDial(root, store) {
   const { dial } = store.document;
   if (dial === null) return;
   root.hidden = false;
-  const told = (k) => `severity ${dial.severities[k]}`;
   const position = () => Math.max(0, dial.scenes.indexOf(store.scenesIndex));
-  const output = element("output", { for: "severity" });
-  const input = element("input", { id: "severity", type: "range", min: 0, step: 1,
-    max: dial.severities.length - 1, input: () =>
-      store.set({ scenesIndex: dial.scenes[input.valueAsNumber] }) });
+  const { input, field } = rangeField("severity", "Severity", dial.severities.length - 1,
+    (k) => String(dial.severities[k]), (k) => store.set({ scenesIndex: dial.scenes[k] }));
   const drawing = element("div", { id: "dial-view" });
-  root.append(element("h2", { id: "dial-heading" }, `Dial: ${dial.family}`),
-    element("p", {}, brief(dial.sentence)),
-    element("label", { for: "severity", class: "field" }, element("span", {}, "Severity"), input, output),
-    drawing, disclosure("The curves as a table", table(`Largest error, in ${dial.unit}`,
-      ["method", ...dial.severities.map(String)],
-      dial.curves.map((curve) => [brief(curve.name), ...curve.points.map(pointText)]))));
+  const rows = dial.curves.map((curve) => [brief(curve.name), ...curve.points.map((point) =>
+    (point.error ?? "-") + (point.wrong === "0" ? "" : `, ${point.wrong} wrong`))]);
+  root.append(element("h2", { id: "dial-heading" }, `Dial: ${dial.family}`), element("p", {}, brief(dial.sentence)),
+    field, drawing, disclosure("The curves as a table", table(`Largest error, in ${dial.unit}`,
+      ["method", ...dial.severities.map(String)], rows)));
   const draw = () => {
-    if (drawing.clientWidth > 0) {
-      drawing.replaceChildren(dialChart(dial, position(), drawing.clientWidth, store));
-    }
+    const width = Math.floor(drawing.clientWidth);
+    if (width > 0) drawing.replaceChildren(errorCurves(dial, position(), width, store));
   };
   const show = () => {
-    input.value = position();
-    input.setAttribute("aria-valuetext", told(position()));
-    output.replaceChildren(told(position()));
+    input.show(position());
     draw();
   };
   atEachWidth(drawing, draw);
@@ -39,96 +33,67 @@ export function mountDial(root, store) {
   show();
 }
 
-function pointText({ error, wrong }) {
-  return (error ?? "-") + (wrong === "0" ? "" : `, ${wrong} wrong`);
-}
-
-function dialChart(dial, position, width, store) {
-  const groups = curvesAlike(dial.curves);
-  const longest = Math.max(...groups.map((group) => group.text.length));
-  const right = width - 24 - longest * LETTER;
-  const bottom = CHART_HEIGHT - CHART_MARGIN.bottom;
-  const logs = dial.curves.flatMap((curve) => curve.points.map((point) => logarithm(point.error)))
-    .filter(Number.isFinite);
-  const low = Math.floor(Math.min(0, ...logs));
-  const high = Math.ceil(Math.max(1, ...logs));
-  const last = Math.max(1, dial.severities.length - 1);
-  const x = (k) => CHART_MARGIN.left + k / last * (right - CHART_MARGIN.left);
-  const y = (value) => bottom - (Math.max(value, low) - low) / (high - low) * (bottom - CHART_MARGIN.top);
-  const every = Math.ceil((high - low) / 6);
-  const powers = [];
-  for (let power = low; power <= high; power += every) powers.push(power);
-  return svg("svg", { viewBox: `0 0 ${width} ${CHART_HEIGHT}`, class: "instrument", role: "img",
-    "aria-label": `Largest error of each method against severity; ${dial.severities[position]} is shown` },
+function errorCurves(dial, position, width, store) {
+  const groups = alike(dial.curves, (curve) => JSON.stringify(curve.points)).map((curves) => ({
+    points: curves[0].points, shape: curves[0].shape, text: curvesText(curves),
+    class: store.methodShown === null || curves.some((curve) => curve.name === store.methodShown) ? null : "faded",
+  }));
+  const right = width - 26 - Math.max(...groups.map((group) => group.text.length)) * LETTER;
+  const bottom = TALL - EDGE.bottom;
+  const logs = groups.flatMap((group) => group.points.map(logarithm)).filter(Number.isFinite);
+  const [low, high] = [Math.floor(Math.min(0, ...logs)), Math.ceil(Math.max(1, ...logs))];
+  const step = (right - EDGE.left) / Math.max(1, dial.severities.length - 1);
+  const x = (k) => EDGE.left + k * step;
+  const y = (power) => bottom - (Math.max(power, low) - low) / (high - low) * (bottom - EDGE.top);
+  const every = Math.ceil((high - low) / POWERS);
+  const powers = [...Array(high - low + 1).keys()].map((k) => low + k).filter((power) => power % every === 0);
+  return svg("svg", { viewBox: `0 0 ${width} ${TALL}`, class: "instrument", role: "img",
+    "aria-label": `Largest error of each method against severity; severity ${dial.severities[position]} is shown` },
   svg("g", { "aria-hidden": "true" },
-    powers.map((power) => [svg("path", { class: "gridline", d: `M${CHART_MARGIN.left} ${y(power)}H${right}` }),
-      svg("text", { class: "label quiet", x: CHART_MARGIN.left - 8, y: y(power) + 4, "text-anchor": "end" },
+    powers.map((power) => [svg("path", { class: "gridline", d: `M${EDGE.left} ${y(power)}H${right}` }),
+      svg("text", { class: "label quiet", x: EDGE.left - 8, y: y(power) + 4, "text-anchor": "end" },
         power === 0 ? "1" : ["10", svg("tspan", { dy: -5, "font-size": 9 }, power)])]),
-    svg("text", { class: "label quiet", x: 4, y: 11 }, dial.unit),
-    dial.severities.map((severity, k) => svg("text", { class: "label quiet", x: x(k), y: bottom + 17,
-      "text-anchor": "middle" }, severity)),
-    svg("text", { class: "label quiet", x: CHART_MARGIN.left, y: CHART_HEIGHT - 6 }, brief(dial.label)),
-    svg("path", { class: "current", d: `M${x(position)} ${CHART_MARGIN.top - 8}V${bottom}` }),
-    groups.map((group) => curveLine(group, x, y, store)),
-    endLabels(groups, x(last), y, bottom, store),
-    dial.severities.map((_, k) => svg("rect", { class: "touch", y: 0, height: CHART_HEIGHT,
-      x: x(k) - (x(1) - x(0)) / 2, width: x(1) - x(0),
+    svg("text", { class: "label quiet", x: 2, y: 11 }, dial.unit),
+    dial.severities.map((severity, k) =>
+      svg("text", { class: "label quiet", x: x(k), y: bottom + 17, "text-anchor": "middle" }, severity)),
+    svg("text", { class: "label quiet", x: EDGE.left, y: TALL - 6 }, brief(dial.label)),
+    svg("path", { class: "current", d: `M${x(position)} ${EDGE.top - 8}V${bottom}` }),
+    groups.map((group) => curveLine(group, x, y)),
+    endLabels(groups, right, y, bottom),
+    dial.severities.map((_, k) => svg("rect", { class: "touch", x: x(k) - step / 2, y: 0, width: step, height: TALL,
       click: () => store.set({ scenesIndex: dial.scenes[k] }) }))));
 }
 
-/// Curves that agree in every point are one, with all their names.
-function curvesAlike(curves) {
-  const found = new Map();
-  for (const curve of curves) {
-    const key = JSON.stringify(curve.points);
-    found.set(key, [...(found.get(key) ?? []), curve]);
-  }
-  return [...found.values()].map((group) => {
-    const text = group.map((curve) => curve.name).join(", ");
-    const short = text.length > LONGEST_LABEL
-      ? `${group[0].name.slice(0, LONGEST_LABEL - 12)} and ${group.length - 1} more` : text;
-    return { curves: group, points: group[0].points, shape: group[0].shape, text: short };
-  });
+function curvesText(curves) {
+  const all = curves.map((curve) => curve.name).join(", ");
+  if (all.length <= LONGEST_LABEL) return all;
+  return brief(curves[0].name, LONGEST_LABEL - 12) + (curves.length > 1 ? ` and ${curves.length - 1} more` : "");
 }
 
-function curveClass(group, store) {
-  return store.methodShown !== null && !group.curves.some((curve) => curve.name === store.methodShown);
+function curveLine(group, x, y) {
+  const at = group.points.map((point, k) => ({ point, x: x(k).toFixed(1), y: y(logarithm(point)).toFixed(1) }))
+    .filter(({ point }) => point.error !== null);
+  return svg("g", { class: group.class },
+    svg("polyline", { class: `curve line-${group.shape % 7}`, points: at.map((one) => `${one.x},${one.y}`).join(" ") }),
+    at.map((one) => [glyph(group.shape, one.x, one.y, 3.5), one.point.wrong === "0" ? null
+      : svg("path", { class: "cross", d: `M${one.x} ${one.y}m-5 -5l10 10m0 -10l-10 10` })]));
 }
 
-function curveLine(group, x, y, store) {
-  const at = group.points.map((point, k) => [x(k), y(logarithm(point.error)), point])
-    .filter(([, , point]) => point.error !== null);
-  return svg("g", { class: curveClass(group, store) ? "faded" : null },
-    svg("polyline", { class: `curve line-${group.shape % 7}`,
-      points: at.map(([px, py]) => `${px.toFixed(1)},${py.toFixed(1)}`).join(" ") }),
-    at.map(([px, py, point]) => [glyph(group.shape, px.toFixed(1), py.toFixed(1), 3.5),
-      point.wrong === "0" ? null
-        : svg("path", { class: "cross", d: `M${px - 5} ${py - 5}l10 10m0 -10l-10 10` })]));
-}
-
-/// Names at the curves' ends, pushed apart.
-function endLabels(groups, end, y, bottom, store) {
-  const ends = groups.map((group) => ({ group, at: y(logarithm(lastError(group))) }))
-    .sort((a, b) => a.at - b.at);
-  let floor = CHART_MARGIN.top - LABEL_LINE;
-  const spread = ends.map(({ group, at }) => {
-    floor = Math.max(at, floor + LABEL_LINE);
-    return { group, at, place: floor };
-  });
-  let ceiling = bottom + LABEL_LINE;
-  for (const label of spread.reverse()) {
-    ceiling = Math.min(label.place, ceiling - LABEL_LINE);
-    label.place = ceiling;
-  }
-  return spread.map(({ group, at, place }) => svg("g", { class: curveClass(group, store) ? "faded" : null },
+/// Names beside the curves' ends, pushed apart: first downwards, then up from the axis.
+function endLabels(groups, end, y, bottom) {
+  const labels = groups.map((group) => {
+    const last = group.points.filter((point) => point.error !== null).at(-1);
+    return { group, at: last ? y(logarithm(last)) : bottom };
+  }).sort((a, b) => a.at - b.at);
+  let last = EDGE.top - LABEL_LINE;
+  for (const label of labels) last = label.place = Math.max(label.at, last + LABEL_LINE);
+  let next = bottom + LABEL_LINE;
+  for (const label of labels.toReversed()) next = label.place = Math.min(label.place, next - LABEL_LINE);
+  return labels.map(({ group, at, place }) => svg("g", { class: group.class },
     svg("path", { class: "leader", d: `M${end + 6} ${at}L${end + 16} ${place}` }),
     svg("text", { class: "label", x: end + 20, y: place + 4 }, group.text)));
 }
 
-function lastError(group) {
-  return group.points.filter((point) => point.error !== null).at(-1)?.error ?? "0";
-}
-
-function logarithm(error) {
-  return error === null ? NaN : Math.log10(Number(error));
+function logarithm(point) {
+  return point.error === null ? NaN : Math.log10(Number(point.error));
 }

@@ -2,8 +2,8 @@
 
 const SVG = "http://www.w3.org/2000/svg";
 const MATHML = "http://www.w3.org/1998/Math/MathML";
-export const LETTER = 6.7;  // pixels: a letter of a drawing's label is narrower
-const LONGEST_NAME = 80;  // characters of a name or sentence that is shown whole
+export const LETTER = 6.7; // pixels: a letter of a drawing's label is narrower
+const LONGEST_TEXT = 300; // characters of a name or sentence that is shown whole
 
 /// An element. An attribute whose value is a function listens to the event of that name; null and
 /// false are left out, true is an empty attribute. Children are nodes, texts, lists of them, null.
@@ -23,16 +23,25 @@ export function mathematics(mathml) {
 
 /// "r^2 - v" with a raised 2, a minus, Greek letters: how formulas are told in a line.
 export function formula(text) {
-  const signs = { "alpha": "\u03b1", "beta": "\u03b2", "-": "\u2212", " . ": " \u00b7 ", " x ": " \u00d7 " };
+  const signs = { alpha: "\u03b1", beta: "\u03b2", "-": "\u2212", " . ": " \u00b7 ", " x ": " \u00d7 " };
   const told = text.replace(/\balpha\b|\bbeta\b|-| \. | x /g, (word) => signs[word]);
   const parts = told.split(/\^(\d)/);
   return parts.map((part, k) => (k % 2 === 1 ? element("sup", {}, part) : part));
 }
 
-/// Long names and sentences cut short, with how much was cut.
-export function brief(text) {
-  if (text.length <= LONGEST_NAME) return text;
-  return `${text.slice(0, LONGEST_NAME)}\u2026 (${text.length} characters)`;
+/// What is too long is cut short, with how long it is.
+export function brief(text, longest = LONGEST_TEXT) {
+  return text.length <= longest ? text : `${text.slice(0, longest)}\u2026 (${text.length} characters)`;
+}
+
+/// Lists of the items whose keys are the same, in the order of their firsts.
+export function alike(items, keyOf) {
+  const groups = new Map();
+  for (const item of items) {
+    const key = keyOf(item);
+    groups.set(key, [...(groups.get(key) ?? []), item]);
+  }
+  return [...groups.values()];
 }
 
 /// A table that scrolls sideways where it is too wide; the first cell of a row is its heading.
@@ -59,6 +68,21 @@ export function choice(id, label, options, chosen, onChoice) {
         element("option", { value, selected: String(value) === String(chosen) }, brief(text)))));
 }
 
+/// A labelled range of 0 to `last` that tells its value; input.show(k) sets it.
+export function rangeField(id, label, last, tell, onInput) {
+  const output = element("output", { for: id });
+  const input = element("input", { id, type: "range", min: 0, max: last, step: 1, input: () => {
+    input.show(input.valueAsNumber);
+    onInput(input.valueAsNumber);
+  } });
+  input.show = (k) => {
+    input.value = k;
+    input.setAttribute("aria-valuetext", tell(k));
+    output.replaceChildren(tell(k));
+  };
+  return { input, field: element("label", { for: id, class: "field" }, element("span", {}, label), input, output) };
+}
+
 /// A button that copies; where the browser keeps the clipboard to itself, a text to copy from.
 export function copyButton(id, label, text) {
   const said = element("span", { role: "status", class: "said" });
@@ -76,14 +100,12 @@ export function copyButton(id, label, text) {
   return element("span", { class: "copy" }, button, said);
 }
 
-/// Calls draw(width) now and whenever the width of `target` changes.
+/// Calls draw whenever the width of `target` has changed.
 export function atEachWidth(target, draw) {
   let drawn = 0;
   new ResizeObserver(() => {
-    const width = Math.floor(target.clientWidth);
-    if (width === 0 || width === drawn) return;
-    drawn = width;
-    draw(width);
+    if (target.clientWidth !== drawn) draw();
+    drawn = target.clientWidth;
   }).observe(target);
 }
 

@@ -1,35 +1,36 @@
 // Errors of 1e-16 made visible: the plane through ray and centre, in ulps around the exact point.
-import { LETTER, atEachWidth, brief, disclosure, element, glyph, svg, table } from "./dom.js";
+import { LETTER, alike, atEachWidth, brief, disclosure, element, glyph, rangeField, svg, table } from "./dom.js";
 
-const TALLEST = 440;      // pixels
-const TOGETHER = 10;      // pixels: marks nearer than this share a label
-const NAMES_SHOWN = 3;    // of marks that share a label
-const LANE = 16;          // pixels: from a label's line to the next
-const GRID_SPACING = 4;   // pixels: a denser grid is not drawn
+const TALLEST = 440; // pixels
+const TOGETHER = 10; // pixels: marks nearer than this share a label
+const NAMES_SHOWN = 3; // of marks that share a label
+const LANE = 16; // pixels: from a label's line to the next
+const GRID_SPACING = 4; // pixels: a denser grid is not drawn
 
 export function mountMicroscope(root, store) {
   const drawing = element("div", { id: "microscope-view" });
   let zoom = 0;
   let magnified = null;
   const draw = () => {
-    const width = drawing.clientWidth;
-    if (magnified !== null && width > 0) drawing.replaceChildren(magnifiedView(magnified, zoom, width, store));
+    const width = Math.floor(drawing.clientWidth);
+    if (magnified !== null && width > 0) drawing.replaceChildren(magnifiedView(magnified, zoom, width, store.methodShown));
   };
   const show = () => {
     const now = store.panel()?.microscope ?? null;
     if (now !== magnified || root.childElementCount === 0) {
       magnified = now;
-      zoom = now === null ? 0 : firstZoom(now);
       const heading = element("h2", { id: "microscope-heading" }, "Microscope");
       if (now === null) {
         root.replaceChildren(heading, element("p", {}, "There is no exact hit here to magnify."));
       } else {
-        root.replaceChildren(heading, element("p", {}, `${now.what}; 1 ulp = ${now.ulp}`), drawing,
-          zoomField(now, zoom, (chosen) => {
-            zoom = chosen;
+        zoom = firstZoom(now);
+        const { input, field } = rangeField("zoom", "Window", now.zooms.length - 1,
+          (k) => `\u00b1${numberText(now.zooms[k].half)} ulp`, (k) => {
+            zoom = k;
             draw();
-          }),
-          ...tellings(now));
+          });
+        root.replaceChildren(heading, element("p", {}, `${now.what}; 1 ulp = ${now.ulp}`), drawing, field, ...tellings(now));
+        input.show(zoom);
       }
     }
     draw();
@@ -41,174 +42,133 @@ export function mountMicroscope(root, store) {
 
 /// The narrowest window that shows every wrong answer, or any answer where none is wrong.
 function firstZoom({ zooms, marks }) {
-  const inside = (mark, { half }) => Math.abs(mark.x) <= half && Math.abs(mark.y) <= half;
   const wrong = marks.filter((mark) => mark.wrong);
-  const fits = zooms.findIndex((zoom) => (wrong.length > 0
-    ? wrong.every((mark) => inside(mark, zoom)) : marks.some((mark) => inside(mark, zoom))));
+  const inside = ({ half }) => (mark) => Math.abs(mark.x) <= half && Math.abs(mark.y) <= half / 2;
+  const fits = zooms.findIndex((zoom) => (wrong.length > 0 ? wrong.every(inside(zoom)) : marks.some(inside(zoom))));
   return fits < 0 ? zooms.length - 1 : fits;
-}
-
-function zoomField({ zooms }, first, onChange) {
-  const told = (k) => `\u00b1${numberText(zooms[k].half)} ulp`;
-  const output = element("output", { for: "zoom" }, told(first));
-  const input = element("input", { id: "zoom", type: "range", min: 0, max: zooms.length - 1, step: 1,
-    value: first, "aria-valuetext": told(first), input: () => {
-      output.replaceChildren(told(input.valueAsNumber));
-      input.setAttribute("aria-valuetext", told(input.valueAsNumber));
-      onChange(input.valueAsNumber);
-    } });
-  return element("label", { for: "zoom", class: "field" }, element("span", {}, "Window"), input, output);
 }
 
 function tellings({ caption, marks, missing }) {
   const rows = marks.map((mark) => [brief(mark.name), mark.x, mark.y, brief(mark.text)]);
+  const absent = missing.map((one) => `${brief(one.name)} (${brief(one.text)})`).join(", ");
   return [element("p", { class: "quiet", dir: "auto" }, brief(caption)),
-    missing.length === 0 ? "" : element("p", {}, "Nothing to draw: ",
-      missing.map((one) => `${brief(one.name)} (${brief(one.text)})`).join(", ")),
+    absent === "" ? "" : element("p", {}, `Nothing to draw: ${absent}`),
     disclosure("All answers as a table", table("Answers around the exact point, in ulp",
       ["method", "along the ray", "towards the centre", "answer"], rows))];
 }
 
-function magnifiedView(now, zoom, width, store) {
-  const { half, curve } = now.zooms[zoom];
+function magnifiedView({ zooms, marks, region, grid }, zoom, width, methodShown) {
+  const { half, curve } = zooms[zoom];
   const height = Math.min(TALLEST, Math.round(width * 0.7));
-  const scale = width / 2 / half;
-  const x = (ulps) => width / 2 + ulps * scale;
-  const y = (ulps) => height / 2 - ulps * scale;
-  const lines = curve.map((points) => svg("polyline", { class: "sphere-curve",
-    points: points.map((point) => `${x(point[0]).toFixed(2)},${y(point[1]).toFixed(2)}`).join(" ") }));
-  const inside = now.marks.filter((mark) =>
-    Math.abs(mark.x) <= half && Math.abs(y(mark.y) - height / 2) <= height / 2 - 8);
-  const outside = now.marks.filter((mark) => !inside.includes(mark));
-  const taken = [];
+  const x = (ulps) => width / 2 + ulps / half * width / 2;
+  const y = (ulps) => height / 2 - ulps / half * width / 2;
+  const inside = marks.filter((mark) => Math.abs(mark.x) <= half && y(mark.y) > 8 && y(mark.y) < height - 8);
+  const outside = marks.filter((mark) => !inside.includes(mark));
+  const free = freePlaces([{ x0: 0, x1: width, y0: 0, y1: 20 }]);
   return svg("svg", { viewBox: `0 0 ${width} ${height}`, role: "img", class: "instrument",
     "aria-label": `Where answers lie within ${numberText(half)} ulp of the exact point` },
   svg("g", { "aria-hidden": "true" },
-    regionBand(now.region, half, x, height),
-    gridLines(now.grid, half, scale, x, height, taken),
-    lines,
+    regionBand(region, half, x, height),
+    gridLines(grid, half, x, height),
+    curve.map((points) => svg("polyline", { class: "sphere-curve",
+      points: points.map((point) => `${x(point[0]).toFixed(2)},${y(point[1]).toFixed(2)}`).join(" ") })),
     svg("path", { class: "ray", d: `M0 ${height / 2}H${width - 3}m-8 -4l8 4l-8 4` }),
-    ulpTicks(half, x, height),
-    svg("circle", { class: "exact", cx: width / 2, cy: height / 2, r: 9 }),
-    edgeArrows(outside, half, width, height, taken),
-    inside.map((mark) => svg("g", { class: markClass(mark, store) },
+    [-1, -0.5, 0, 0.5, 1].map((part) => svg("text", { class: "label quiet", x: x(part * half), y: height - 5,
+      "text-anchor": part === -1 ? "start" : part === 1 ? "end" : "middle" },
+    part === 0 ? "0" : `${part > 0 ? "+" : "\u2212"}${numberText(Math.abs(part * half))}`, part === 1 ? " ulp" : "")),
+    svg("circle", { class: "exact", cx: x(0), cy: y(0), r: 9 }),
+    edgeArrows(outside, half, width, height, free),
+    inside.map((mark) => svg("g", { class: methodShown !== null && methodShown !== mark.name ? "faded" : null },
       glyph(mark.shape, x(mark.x).toFixed(2), y(mark.y).toFixed(2)))),
-    markLabels(marksTogether(inside, x, y, width, height), width, height, taken),
-    curveNames(curve, x, y, width, height, taken)));
-}
-
-function markClass(mark, store) {
-  return store.methodShown !== null && store.methodShown !== mark.name ? "faded" : null;
+    markLabels(marksTogether(inside, x, y), width, height, free),
+    curveNames(curve, x, y, width, height, free)));
 }
 
 function regionBand(region, half, x, height) {
-  const from = region === null ? -half : Math.max(-half, Number(region[0]));
-  const to = region === null ? half : Math.min(half, Number(region[1]));
-  const told = region === null ? "rounding the inputs may move s anywhere"
-    : `rounding the inputs moves s by up to ${region[1]} ulp`;
+  const [from, to] = region === null ? [-half, half] : [Math.max(-half, region[0]), Math.min(half, region[1])];
   return [svg("rect", { class: "region", x: x(from), width: Math.max(1, x(to) - x(from)), y: 0, height }),
-    svg("text", { class: "label region-label", x: x(0), y: 14, "text-anchor": "middle" }, told)];
+    svg("text", { class: "label", x: x(0), y: 14, "text-anchor": "middle" }, region === null
+      ? "rounding the inputs may move s anywhere" : `rounding the inputs moves s by up to ${region[1]} ulp`)];
 }
 
-function gridLines(grid, half, scale, x, height, taken) {
-  if (grid.length < 2 || Math.abs(grid[1] - grid[0]) * scale < GRID_SPACING) return null;
-  taken.push({ x0: x(0) - 150, x1: x(0) + 150, y0: 0, y1: 18 });
-  return grid.filter((at) => Math.abs(at) <= half).map((at) =>
-    svg("path", { class: "double", d: `M${x(at).toFixed(2)} 22V${height - 22}` }));
+function gridLines(grid, half, x, height) {
+  if (grid.length < 2 || x(grid[1]) - x(grid[0]) < GRID_SPACING) return null;
+  return grid.filter((at) => Math.abs(at) <= half)
+    .map((at) => svg("path", { class: "double", d: `M${x(at).toFixed(2)} 20V${height - 20}` }));
 }
 
-function ulpTicks(half, x, height) {
-  return [-1, -0.5, 0, 0.5, 1].map((part) => svg("text", { class: "label quiet", y: height - 5,
-    x: x(part * half), "text-anchor": part === -1 ? "start" : part === 1 ? "end" : "middle" },
-  part === 0 ? "0" : `${part > 0 ? "+" : "\u2212"}${numberText(Math.abs(part * half))}`
-    + (part === 1 ? " ulp" : "")));
-}
-
-/// What lies outside the window, at its edge with its distance.
-function edgeArrows(marks, half, width, height, taken) {
-  const sides = new Map();
-  for (const mark of marks) {
-    const side = Math.abs(mark.x) <= half ? (mark.y > 0 ? "up" : "down") : mark.x > 0 ? "right" : "left";
-    const told = side === "up" || side === "down" ? mark.y : mark.x;
-    const key = `${side} ${told}`;
-    const alike = sides.get(key) ?? { side, told, marks: [] };
-    alike.marks.push(mark);
-    sides.set(key, alike);
-  }
-  const arrows = { left: "\u2190", right: "\u2192", up: "\u2191", down: "\u2193" };
-  let rows = { left: 0, right: 0 };
-  return [...sides.values()].map(({ side, told, marks: alike }) => {
-    const atRight = side === "right";
-    const row = rows[atRight ? "right" : "left"]++;
-    const y = height - 30 - row * LANE;
-    const text = `${nameList(alike)} ${told} ulp`;
-    const length = (text.length + 3) * LETTER;
-    taken.push({ x0: atRight ? width - length : 0, x1: atRight ? width : length, y0: y - LANE, y1: y + 4 });
-    return svg("text", { class: alike.some((mark) => mark.wrong) ? "label wrong" : "label",
-      x: atRight ? width - 4 : 4, y, "text-anchor": atRight ? "end" : "start" },
-    atRight ? `${text} ${arrows[side]}` : `${arrows[side]} ${text}`);
+/// What lies outside the window, at its edge with its distance; what is equally far shares a line.
+function edgeArrows(marks, half, width, height, free) {
+  const told = marks.map((mark) => (Math.abs(mark.x) > half
+    ? { mark, arrow: mark.x > 0 ? "\u2192" : "\u2190", far: mark.x }
+    : { mark, arrow: mark.y > 0 ? "\u2191" : "\u2193", far: mark.y }));
+  return alike(told, ({ arrow, far }) => arrow + far).map((same) => {
+    const { arrow, far } = same[0];
+    const text = `${marksText(same.map(({ mark }) => mark))} ${far} ulp`;
+    const atRight = arrow === "\u2192";
+    const left = atRight ? width - (text.length + 3) * LETTER : 4;
+    const at = free.take([...Array(24).keys()].map((row) => height - 28 - row * LANE), left, text.length + 3);
+    return at === undefined ? null : svg("text", { y: at, x: atRight ? width - 4 : 4, "text-anchor": atRight ? "end" : "start",
+      class: same.every(({ mark }) => mark.wrong) ? "label wrong" : "label" }, atRight ? `${text} ${arrow}` : `${arrow} ${text}`);
   });
 }
 
-/// Marks that lie together share one label; the exact point is one of them.
-function marksTogether(marks, x, y, width, height) {
-  const found = [{ x: width / 2, y: height / 2, marks: [], text: "exact" }];
+/// Marks that lie together share one label; the exact point has its own.
+function marksTogether(marks, x, y) {
+  const found = [];
   for (const mark of [...marks].sort((a, b) => Number(b.wrong) - Number(a.wrong))) {
     const at = { x: x(mark.x), y: y(mark.y) };
-    const near = found.find((cluster) => cluster.marks.length > 0
-      && Math.hypot(cluster.x - at.x, cluster.y - at.y) < TOGETHER);
+    const near = found.find((group) => Math.hypot(group.x - at.x, group.y - at.y) < TOGETHER);
     if (near) near.marks.push(mark);
     else found.push({ ...at, marks: [mark] });
   }
-  return found.map((cluster) => ({ ...cluster,
-    wrong: cluster.marks.some((mark) => mark.wrong), text: cluster.text ?? nameList(cluster.marks) }));
+  const exact = { x: x(0), y: y(0), text: "exact", wrong: false };
+  return [exact, ...found.map((group) => (
+    { ...group, text: marksText(group.marks), wrong: group.marks.every((mark) => mark.wrong) }))];
 }
 
-function nameList(marks) {
-  const wrong = marks.some((mark) => mark.wrong) ? "\u2717 " : "";
-  const named = marks.slice(0, NAMES_SHOWN).map((mark) => brief(mark.name).slice(0, 24)).join(", ");
-  return wrong + named + (marks.length > NAMES_SHOWN ? ` and ${marks.length - NAMES_SHOWN} more` : "");
+function marksText(marks) {
+  const named = marks.slice(0, NAMES_SHOWN).map((mark) => (mark.wrong ? "\u2717 " : "") + brief(mark.name, 24)).join(", ");
+  return named + (marks.length > NAMES_SHOWN ? ` and ${marks.length - NAMES_SHOWN} more` : "");
 }
 
 /// Each label above or below its mark, as near as leaves every other label free.
-function markLabels(found, width, height, taken) {
-  for (const { x, y } of found) taken.push({ x0: x - 8, x1: x + 8, y0: y - 8, y1: y + 8 });
-  return [...found].sort((a, b) => a.x - b.x).map((cluster) => {
-    const length = cluster.text.length * LETTER;
-    const left = Math.min(Math.max(cluster.x - length / 2, 2), Math.max(2, width - length - 2));
-    const lanes = [...Array(24).keys()].map((k) =>
-      cluster.y + (k % 2 === 0 ? -1 : 1) * (24 + Math.floor(k / 2) * LANE));
-    const box = (at) => ({ x0: left, x1: left + length, y0: at - LANE + 4, y1: at + 4 });
-    const free = lanes.find((at) => at > 34 && at < height - 24
-      && !taken.some((other) => overlaps(other, box(at))));
-    if (free === undefined) return null;
-    taken.push(box(free));
-    const end = free < cluster.y ? free + 4 : free - 12;
-    const anchor = Math.min(Math.max(cluster.x, left), left + length);
-    return [svg("path", { class: "leader", d: `M${anchor} ${end}L${cluster.x} ${cluster.y}` }),
-      svg("text", { class: cluster.wrong ? "label wrong" : "label", x: left, y: free,
-        textLength: null }, cluster.text)];
+function markLabels(found, width, height, free) {
+  for (const { x, y } of found) free.block({ x0: x - 8, x1: x + 8, y0: y - 8, y1: y + 8 });
+  return [...found].sort((a, b) => a.x - b.x).map(({ x, y, text, wrong }) => {
+    const length = text.length * LETTER;
+    const left = Math.max(2, Math.min(x - length / 2, width - length - 2));
+    const lanes = [...Array(24).keys()].map((k) => y + (k % 2 === 0 ? -1 : 1) * (24 + Math.floor(k / 2) * LANE));
+    const at = free.take(lanes.filter((lane) => lane > 34 && lane < height - 24), left, text.length);
+    if (at === undefined) return null;
+    const anchor = Math.min(Math.max(x, left), left + length);
+    return [svg("path", { class: "leader", d: `M${anchor} ${at < y ? at + 4 : at - 12}L${x} ${y}` }),
+      svg("text", { class: wrong ? "label wrong" : "label", x: left, y: at }, text)];
   });
 }
 
 /// "ray" and "sphere", where there is room beside them.
-function curveNames(curve, x, y, width, height, taken) {
-  const points = curve.flat().map((point) => [x(point[0]), y(point[1])])
-    .filter(([px, py]) => px > 4 && px < width - 60 && py > 40 && py < height - 30);
-  const spots = [[width - 40, height / 2 - 8, "ray"],
-    ...points.map(([px, py]) => [px + 6, py + 4, "sphere"])];
-  const said = new Set();
-  return spots.map(([left, at, text]) => {
-    const box = { x0: left, x1: left + text.length * LETTER, y0: at - LANE + 4, y1: at + 4 };
-    if (said.has(text) || taken.some((other) => overlaps(other, box))) return null;
-    said.add(text);
-    taken.push(box);
-    return svg("text", { class: "label quiet", x: left, y: at }, text);
-  });
+function curveNames(curve, x, y, width, height, free) {
+  const beside = curve.flat().map((point) => [x(point[0]) + 6, y(point[1]) + 4])
+    .filter(([left, at]) => left > 8 && left < width - 60 && at > 40 && at < height - 30);
+  const named = (text, [left, at]) => (free.take([at], left, text.length) === undefined ? null
+    : svg("text", { class: "label quiet", x: left, y: at }, text));
+  const first = (text, spots) => spots.reduce((found, spot) => found ?? named(text, spot), null);
+  return [first("ray", [[width - 40, height / 2 - 8]]), first("sphere", beside)];
 }
 
-function overlaps(a, b) {
-  return a.x0 < b.x1 && b.x0 < a.x1 && a.y0 < b.y1 && b.y0 < a.y1;
+/// Where labels may still go: take(lines, left, letters) gives the first of these lines that is free, and keeps it.
+function freePlaces(taken) {
+  const meets = (a, b) => a.x0 < b.x1 && b.x0 < a.x1 && a.y0 < b.y1 && b.y0 < a.y1;
+  const boxAt = (at, left, letters) => ({ x0: left, x1: left + letters * LETTER, y0: at - LANE + 4, y1: at + 4 });
+  return {
+    block: (box) => taken.push(box),
+    take(lines, left, letters) {
+      const found = lines.find((at) => !taken.some((other) => meets(other, boxAt(at, left, letters))));
+      if (found !== undefined) taken.push(boxAt(found, left, letters));
+      return found;
+    },
+  };
 }
 
 function numberText(value) {

@@ -1,9 +1,9 @@
 // What is told of the chosen ray: the sentence at the page's top, and the panel of its steps.
-import { brief, choice, copyButton, disclosure, element, formula, mathematics } from "./dom.js";
+import { alike, brief, choice, copyButton, disclosure, element, formula, mathematics } from "./dom.js";
 import { placeText } from "./store.js";
 
-const LONGEST_SHOWN = 400;  // characters of MathML that are shown without being asked for
-const GROUP_SHOWN = 4;      // names of methods that agree, before "and 3 more"
+const LONGEST_SHOWN = 400; // characters of MathML that are shown without being asked for
+const NAMES_TOLD = 4; // of methods that agree, before "and 3 more"
 
 /// The sentence that says what went wrong, and the fields that choose another ray.
 export function mountStory(root, store) {
@@ -12,13 +12,11 @@ export function mountStory(root, store) {
   root.append(fields);
   const show = () => {
     const told = store.panel();
-    headline.replaceChildren(element("span", { class: "place" }, placeText(told ?? store.selection)),
-      " ", element("span", { class: "sentence" }, sentence(store, told)));
-    const focused = document.activeElement?.id;
+    headline.replaceChildren(element("span", { class: "place" }, placeText(told ?? store.selection)), " ",
+      element("span", { class: "sentence" }, headlineOf(store, told)));
+    const focused = document.activeElement?.id; // fields made anew keep the focus that one of them had
     fields.replaceChildren(...chooserFields(store));
-    if (focused && fields.querySelector(`#${CSS.escape(focused)}`)) {
-      document.getElementById(focused).focus();
-    }
+    if (focused) fields.querySelector(`#${CSS.escape(focused)}`)?.focus();
   };
   store.subscribe(show);
   show();
@@ -26,18 +24,16 @@ export function mountStory(root, store) {
 
 /// The steps, each method's value below the exact one, what explain prints, and what can be copied.
 export function mountPanel(root, store) {
-  const opened = new Map();  // symbol -> open, where the reader has chosen
+  const opened = new Map(); // symbol -> whether the reader opened it
   const show = () => {
     const told = store.panel();
-    const heading = element("h2", { id: "panel-heading" }, "Step by step");
-    if (told === null) {
-      root.replaceChildren(heading, howToAsk(store));
-      return;
-    }
-    root.replaceChildren(heading, methodFilter(store, told),
-      element("div", { id: "steps" }, told.steps.map((step) => stepView(step, store, opened))),
-      element("h3", {}, "Answers"), verdicts(told, store.methodShown),
-      element("h3", {}, "Take it away"), takeAway(told));
+    const focused = root.contains(document.activeElement) ? document.activeElement.id : "";
+    root.replaceChildren(element("h2", { id: "panel-heading" }, "Step by step"), ...(told === null ? howToAsk(store) : [
+      methodFilter(store, told),
+      element("div", { id: "steps" }, told.steps.map((step) => stepView(step, store.methodShown, opened))),
+      element("h3", {}, "Answers"), verdictList(told, store.methodShown),
+      ...takeAway(told)]));
+    if (focused) document.getElementById(focused)?.focus();
   };
   store.subscribe(show);
   show();
@@ -51,202 +47,165 @@ export function mountPanel(root, store) {
   });
 }
 
-function sentence(store, told) {
-  if (told === null) return ["has no panel in this page."];
+function headlineOf(store, told) {
+  if (told === null) return "This page has no panel for this choice.";
   const exact = told.steps.find((step) => step.symbol === "s");
   const name = store.methodShown ?? told.worst;
-  const verdict = told.verdicts.find((one) => one.name === name && (one.wrong || name !== told.worst));
-  if (!verdict) {
-    const s = exact ? ["Exactly ", symbol("s"), ` = ${exact.rounded[0]}.`] : [];
-    return ["No method goes wrong here. ", ...s];
-  }
   const answer = exact?.methods.find((method) => method.name === name);
-  const subject = element("strong", { dir: "auto" }, brief(name));
-  if (!answer) return [subject, ": ", brief(verdict.text)];
-  const wrong = told.steps.find((step) =>
-    step.methods.some((method) => method.name === name && method.wrong));
-  return [subject, " answers ", symbol("s"), " = ", digits(answer, 0), "; exactly ",
-    element("span", { class: "number" }, exact.rounded[0]), "; ", ...errorText(answer),
-    ...(wrong ? ["; ", element("strong", { class: "wrong" }, "goes wrong at ", symbol(wrong.symbol))] : []),
-    "."];
+  const subject = element("strong", { dir: "auto" }, brief(name ?? ""));
+  if (answer) {
+    const wrong = told.steps.find((step) => step.methods.some((method) => method.name === name && method.wrong));
+    return [subject, " answers ", symbolOf("s"), " = ", markedDigits(answer, 0), "; exactly ",
+      element("span", { class: "number" }, exact.rounded[0]), `; off by ${answer.error} ${answer.unit}`,
+      wrong ? ["; ", element("strong", { class: "wrong" }, "goes wrong at ", symbolOf(wrong.symbol))] : "", "."];
+  }
+  const verdict = told.verdicts.find((one) => one.name === name && (one.wrong || store.methodShown !== null));
+  if (verdict) return [subject, ": ", brief(verdict.text)];
+  return ["No method goes wrong here.", exact ? [" Exactly ", symbolOf("s"), ` = ${exact.rounded[0]}.`] : ""];
 }
 
 function chooserFields(store) {
-  const { selection } = store;
+  const { selection, document: { scenes, dial } } = store;
   const { camera, rays } = store.scene().figure;
   const fields = [];
-  if (store.document.scenes.length > 1 && store.document.dial === null) {
-    fields.push(choice("scene", "Scene", store.document.scenes.map((scene, k) => [k, scene.name]),
-      store.scenesIndex, (value) => store.set({ scenesIndex: Number(value) })));
+  if (scenes.length > 1 && dial === null) {
+    fields.push(choice("scene", "Scene", scenes.map((scene, k) => [k, scene.name]), store.scenesIndex,
+      (value) => store.set({ scenesIndex: Number(value) })));
   }
   if (camera !== null) {
-    const go = (k, value) => {
-      const pixel = [...(selection.pixel ?? [0, 0])];
-      pixel[k] = value;
-      store.set({ selection: { pixel } });
-    };
-    fields.push(numberField("pixel-i", "Pixel i", selection.pixel?.[0], camera.width, (i) => go(0, i)),
-      numberField("pixel-j", "j", selection.pixel?.[1], camera.height, (j) => go(1, j)));
+    const [i, j] = selection.pixel ?? [0, 0];
+    fields.push(numberField("pixel-i", "Pixel i", i, camera.width, (to) => store.set({ selection: { pixel: [to, j] } })),
+      numberField("pixel-j", "j", j, camera.height, (to) => store.set({ selection: { pixel: [i, to] } })));
   } else if (rays.length > 1) {
-    fields.push(numberField("ray", "Ray", selection.ray, rays.length,
-      (ray) => store.set({ selection: { ray } })));
+    fields.push(numberField("ray", "Ray", selection.ray, rays.length, (ray) => store.set({ selection: { ray } })));
   }
-  const spheres = store.panelsHere().filter((panel) => panel.sphere !== null);
+  const spheres = store.panelsHere().filter((panel) => panel.sphere !== null).map(({ sphere }) => [sphere, sphere]);
   if (spheres.length > 1) {
-    fields.push(choice("sphere", "Sphere", spheres.map((panel) => [panel.sphere, panel.sphere]),
-      store.panel()?.sphere, (value) => store.set({ selection: { sphere: Number(value) } })));
+    fields.push(choice("sphere", "Sphere", spheres, store.panel()?.sphere,
+      (value) => store.set({ selection: { sphere: Number(value) } })));
   }
-  fields.push(element("button", { type: "button", id: "go-start",
-    click: () => store.set({ selection: { ...store.scene().start }, methodShown: null }) },
-  "Back to the start"));
-  return fields;
+  const toStart = () => store.set({ selection: { ...store.scene().start }, methodShown: null });
+  return [...fields, element("button", { type: "button", id: "go-start", click: toStart }, "Back to the start")];
 }
 
 function numberField(id, label, value, count, onChange) {
+  const change = ({ target }) => {
+    const chosen = target.valueAsNumber;
+    if (Number.isInteger(chosen) && chosen >= 0 && chosen < count) onChange(chosen);
+    else target.value = value;
+  };
   return element("label", { for: id, class: "field" }, element("span", {}, label),
-    element("input", { id, type: "number", min: 0, max: count - 1, step: 1, value, change: (event) => {
-      const chosen = event.target.valueAsNumber;
-      if (Number.isInteger(chosen) && chosen >= 0 && chosen < count) onChange(chosen);
-      else event.target.value = value;
-    } }));
+    element("input", { id, type: "number", min: 0, max: count - 1, step: 1, value, change }));
 }
 
 function howToAsk(store) {
   const { pixel, ray } = store.selection;
   const which = pixel !== null ? ` --pixel ${pixel.join()}` : ray !== null ? ` --ray ${ray}` : "";
   const command = `raycheck view ${store.scene().name}${which}`;
-  return [element("p", {}, "This page has no panel for this choice. One that has it is made by"),
-    element("p", {}, element("code", { dir: "auto" }, brief(command)), " ",
-      copyButton("copy-view", "Copy", command))].reduce((box, line) => (box.append(line), box),
-    element("div", { id: "no-panel" }));
+  return [element("p", { id: "no-panel" }, "This page has no panel for this choice. One that has it is made by ",
+    element("code", { dir: "auto" }, brief(command)), " ", copyButton("copy-view", "Copy", command))];
 }
 
 function methodFilter(store, told) {
   const wrong = new Set(told.verdicts.filter((one) => one.wrong).map((one) => one.name));
-  const names = [...new Set(told.verdicts.map((one) => one.name))];
-  const button = (name, ...label) => element("button", { type: "button", class: "chip",
-    "aria-pressed": String(store.methodShown === name), dir: "auto",
-    click: () => store.set({ methodShown: store.methodShown === name ? null : name }) }, ...label);
+  const names = [...new Set([...wrong, ...told.verdicts.map((one) => one.name)])];
+  const button = (name, k, text) => element("button", { type: "button", class: "chip", dir: "auto", id: `method-${k}`,
+    "aria-pressed": String(store.methodShown === name),
+    click: () => store.set({ methodShown: store.methodShown === name ? null : name }) },
+  wrong.has(name) ? element("span", { class: "wrong" }, "\u2717 ", element("span", { class: "unseen" }, "wrong: ")) : "",
+  brief(text));
   return element("div", { id: "methods", role: "group", "aria-label": "Methods shown" },
-    button(null, "all methods"),
-    names.map((name) => (wrong.has(name)
-      ? button(name, element("span", { class: "wrong" }, "\u2717 wrong: "), brief(name))
-      : button(name, brief(name)))));
+    button(null, "all", "all methods"), names.map((name, k) => button(name, k, name)));
 }
 
-function stepView(step, store, opened) {
-  const methods = step.methods.filter((method) =>
-    store.methodShown === null || method.name === store.methodShown);
+function stepView(step, methodShown, opened) {
+  const methods = step.methods.filter((method) => methodShown === null || method.name === methodShown);
   const wrong = methods.filter((method) => method.wrong).length;
-  const view = element("details", {
-    id: `step-${step.symbol}`, class: wrong > 0 ? "step wrong-step" : "step",
-    open: opened.get(step.symbol) ?? wrong > 0,
-  },
-  element("summary", { click: () => opened.set(step.symbol, !view.open) },
-    element("h3", {}, symbol(step.symbol)),
-    element("span", { class: "number" }, vector(step.rounded)),
-    wrong > 0 ? element("span", { class: "wrong" }, `\u2717 goes wrong here: ${counted(wrong)}`) : null),
-  element("p", { class: "formula" }, symbol(step.symbol), " = ", formula(step.formula)),
+  const told = wrong === 0 ? "" : `\u2717 goes wrong here: ${wrong === 1 ? "1 method" : `${wrong} methods`}`;
+  const alone = step.condition_alone === null ? "" : `, of this step alone ${step.condition_alone}`;
+  const view = element("details", { id: `step-${step.symbol}`, class: wrong > 0 ? "step wrong-step" : "step",
+    open: opened.get(step.symbol) ?? wrong > 0 },
+  element("summary", { id: `summary-${step.symbol}`, click: () => opened.set(step.symbol, !view.open) },
+    element("h3", {}, symbolOf(step.symbol)), element("span", { class: "number" }, vectorOf(step.rounded)),
+    element("span", { class: "wrong" }, told)),
+  element("p", { class: "formula" }, symbolOf(step.symbol), " = ", formula(step.formula)),
   closedForm(step),
-  step.condition !== null ? element("p", { class: "quiet" }, `condition number ${step.condition}`,
-    step.condition_alone !== null ? `, of this step alone ${step.condition_alone}` : "") : null,
+  step.condition === null ? null : element("p", { class: "quiet" }, `condition number ${step.condition}${alone}`),
   methods.length > 0 ? methodTable(step, methods) : null);
   return view;
 }
 
-function closedForm(step) {
-  if (step.mathml === null) {
-    return step.latex === null ? null
-      : element("p", { class: "quiet" }, `A closed form of ${step.latex.length} characters: `
-        + "too long to be set here; it is in the LaTeX below.");
+function closedForm({ symbol, mathml, latex }) {
+  if (mathml === null) {
+    return latex === null ? null : element("p", { class: "quiet" },
+      `A closed form of ${latex.length} characters, too long to be set here: copy the LaTeX below.`);
   }
-  const set = element("div", { class: "closed", tabindex: "0", role: "group",
-    "aria-label": `closed form of ${step.symbol}` }, mathematics(step.mathml));
-  return step.mathml.length <= LONGEST_SHOWN ? set : disclosure("closed form", set);
+  const set = element("div", { class: "closed", tabindex: "0", role: "group", "aria-label": `closed form of ${symbol}` },
+    mathematics(mathml));
+  return mathml.length <= LONGEST_SHOWN ? set : disclosure("closed form", set);
 }
 
 /// Methods whose values, errors and standing agree share a row.
 function methodTable(step, methods) {
-  const rows = new Map();
-  for (const method of methods) {
-    const key = JSON.stringify({ ...method, name: null });
-    rows.set(key, [...(rows.get(key) ?? []), method]);
-  }
-  const row = (alike) => element("tr", { class: alike[0].wrong ? "wrong-row" : null },
-    element("th", { scope: "row", dir: "auto" }, names(alike)),
-    element("td", { class: "number" }, components(alike[0])),
-    element("td", {}, errorText(alike[0]),
-      alike[0].alone !== null ? element("span", { class: "quiet" }, ` (${alike[0].alone} alone)`) : null,
-      alike[0].wrong ? element("strong", { class: "wrong" }, " \u2717 goes wrong here") : null));
+  const row = ([method, ...others]) => element("tr", {},
+    element("th", { scope: "row", dir: "auto" }, agreeing([method, ...others])),
+    element("td", { class: "number" }, vectorOf(method.value.map((_, k) => markedDigits(method, k)))),
+    element("td", {}, method.error === null ? "" : `off by ${method.error} ${method.unit}`,
+      method.alone === null ? "" : element("span", { class: "quiet" }, ` (${method.alone} alone)`),
+      method.wrong ? element("strong", { class: "wrong" }, " \u2717 goes wrong here") : ""));
   return element("table", { class: "values" },
     element("caption", { class: "unseen" }, `What methods have for ${step.symbol}`),
-    element("thead", { class: "unseen" }, element("tr", {},
-      ["methods", "value", "error"].map((text) => element("th", { scope: "col" }, text)))),
-    element("tbody", {}, [...rows.values()].map(row)));
+    element("thead", { class: "unseen" },
+      element("tr", {}, ["methods", "value", "error"].map((text) => element("th", { scope: "col" }, text)))),
+    element("tbody", {}, alike(methods, (method) => JSON.stringify({ ...method, name: null })).map(row)));
 }
 
-function names(alike) {
-  const told = alike.slice(0, GROUP_SHOWN).map((method) => brief(method.name)).join(", ");
-  if (alike.length <= GROUP_SHOWN) return told;
-  const more = alike.slice(GROUP_SHOWN).map((method) => brief(method.name)).join(", ");
-  return [told, disclosure(`and ${alike.length - GROUP_SHOWN} more`, more)];
+function agreeing(methods) {
+  const told = (some) => some.map((method) => brief(method.name)).join(", ");
+  if (methods.length <= NAMES_TOLD) return told(methods);
+  return [told(methods.slice(0, NAMES_TOLD)),
+    disclosure(`and ${methods.length - NAMES_TOLD} more`, told(methods.slice(NAMES_TOLD)))];
 }
 
-function components(method) {
-  return vector(method.value.map((_, k) => digits(method, k)));
-}
-
-function vector(parts) {
+function vectorOf(parts) {
   if (parts.length === 1) return parts[0];
   return parts.map((part, k) => element("span", { class: "component" },
     k === 0 ? "(" : "", part, k === parts.length - 1 ? ")" : ", "));
 }
 
 /// A component's value; its digits after the first `right_digits` significant ones are marked.
-function digits(method, k) {
+function markedDigits(method, k) {
   const value = method.value[k];
+  const told = (end) => element("span", { class: "number" }, value.slice(0, end),
+    end < value.length ? element("mark", {}, value.slice(end)) : "");
+  if (method.right_digits[k] === 0) return told(0);
   let left = method.right_digits[k];
-  let end = 0;
-  let counting = false;
-  while (end < value.length && value[end] !== "e") {
+  let significant = false;
+  for (let end = 0; end < value.length && value[end] !== "e"; end++) {
     const digit = value[end] >= "0" && value[end] <= "9";
-    counting ||= digit && value[end] !== "0";
-    if (digit && counting && left-- === 0) break;
-    end++;
+    significant ||= digit && value[end] !== "0";
+    if (digit && significant && left-- === 0) return told(end);
   }
-  const right = method.right_digits[k] === 0 ? "" : value.slice(0, end);
-  const rest = value.slice(right.length);
-  if (rest === "" || rest[0] === "e") return element("span", { class: "number" }, value);
-  return element("span", { class: "number" }, right, element("mark", {}, rest));
+  return told(value.length);
 }
 
-function errorText(method) {
-  return method.error === null ? [] : [`off by ${method.error} ${method.unit}`];
-}
-
-function verdicts(told, methodShown) {
+function verdictList(told, methodShown) {
   const shown = told.verdicts.filter((one) => methodShown === null || one.name === methodShown);
-  return element("dl", { id: "verdicts" }, shown.map((one) => element("div", {},
-    element("dt", { dir: "auto", class: one.wrong ? "wrong" : null },
-      one.wrong ? "\u2717 " : "", brief(one.name)),
-    element("dd", { dir: "auto" }, brief(one.text)))));
+  return element("dl", { id: "verdicts" }, alike(shown, (one) => JSON.stringify([one.wrong, one.text])).map((same) =>
+    element("div", {}, element("dt", { dir: "auto", class: same[0].wrong ? "wrong" : null },
+      same[0].wrong ? "\u2717 " : "", same.map((one) => brief(one.name)).join(", ")),
+    element("dd", { dir: "auto" }, brief(same[0].text)))));
 }
 
 function takeAway(told) {
-  return element("div", { id: "take-away" },
-    element("div", { class: "fields" },
-      copyButton("copy-toml", "Copy as TOML scene", told.toml),
-      copyButton("copy-command", "Copy as command", told.command),
-      copyButton("copy-latex", "Copy as LaTeX", told.latex),
-      copyButton("copy-sage", "Copy as Sage", told.sage)),
-    disclosure(["What ", element("code", { dir: "auto" }, brief(told.command)), " prints"],
-      element("pre", { id: "explain-text", tabindex: "0" }, told.text)));
+  return [element("h3", { class: "screen" }, "Take it away"), element("div", { class: "fields screen" },
+    copyButton("copy-toml", "Copy as TOML scene", told.toml), copyButton("copy-command", "Copy as command", told.command),
+    copyButton("copy-latex", "Copy as LaTeX", told.latex), copyButton("copy-sage", "Copy as Sage", told.sage)),
+  element("details", { id: "explain" },
+    element("summary", {}, "What ", element("code", { dir: "auto" }, brief(told.command)), " prints"),
+    element("pre", { id: "explain-text", tabindex: "0" }, told.text))];
 }
 
-function symbol(text) {
+function symbolOf(text) {
   return element("i", { class: "symbol" }, formula(text));
-}
-
-function counted(count) {
-  return count === 1 ? "1 method" : `${count} methods`;
 }
