@@ -61,7 +61,7 @@ const std::map<std::string, Rooms> kSees = {
       "tools/grade/rubric"}},
     {"tools/grade/store", {"tools/report", "tools/external", "tools/grade/rubric"}},
     {"tools/grade/intake",
-     {"properties", "properties/mistakes", "tools/external", "tools/grade/rubric",
+     {"properties", "properties/mistakes", "tools/report", "tools/external", "tools/grade/rubric",
       "tools/grade/results", "tools/grade/store"}},
     {"tools/grade/judging",
      {"scene", "properties", "properties/laws", "properties/cases", "properties/mistakes",

@@ -9,6 +9,7 @@
 #include "reference/visibility/visibility.h"
 #include "scene/files/scene_file.h"
 #include "scene/number.h"
+#include "tools/explain/explain_views.h"
 #include "tools/image/image_paint.h"
 #include "tools/report/data_address.h"
 #include "tools/report/json.h"
