@@ -24,8 +24,8 @@ namespace {
 Json drawn(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
 Json drawn(const Drawn& point) { return {drawn(point[0]), drawn(point[1]), drawn(point[2])}; }
 
-/// A number that is told: nine digits, which are right.
-std::string told(double value) { return fmt::format("{:.9g}", value); }
+/// A number that is told: six digits, which are right.
+std::string told(double value) { return fmt::format("{:.6g}", value); }
 
 std::string digits(double value) { return fmt::format("{:.17g}", value); }
 

@@ -29,7 +29,9 @@ constexpr double kNothing = 0x1p-30;
 constexpr double kFirstHalfWidth = 4;
 constexpr double kZoomFactor = 16;
 constexpr double kLargestHalfWidth = 0x1p60;
-constexpr int kCurveSteps = 16;  ///< Of half a curve.
+constexpr int kCurveSteps = 8;  ///< Of half a curve.
+/// What bends less than this share of a window is drawn straight.
+constexpr double kStraight = 0x1p-10;
 constexpr int kGridSteps = 8;    ///< Doubles to each side of s.
 
 double middle(const Enclosure& value) {
@@ -109,6 +111,7 @@ class Plane {
   std::vector<std::array<double, 2>> circle(double half_width) const {
     const Enclosure r = radius_ / unit_;
     if (radius_.contains_zero()) return {};
+    if (!hits_ && (gap_ / unit_).lower() > half_width) return {};
     // From the middle the circle runs along `tangent` and bends along `inward`.
     const Enclosure zero(0.0, bits_), one(1.0, bits_);
     const Enclosure inward_x = hits_ ? centre_x_ / radius_ : zero;
@@ -123,8 +126,10 @@ class Plane {
       points.push_back({middle(depth * inward_x - t * inward_y),
                         middle(gap_ / unit_ + depth * inward_y + t * inward_x)});
     };
-    for (int k = -kCurveSteps; k <= kCurveSteps; ++k) {
-      const double share = static_cast<double>(k) / kCurveSteps;
+    const double bend = reach * reach / (2 * r.lower());
+    const int steps = bend < kStraight * half_width ? 1 : kCurveSteps;
+    for (int k = -steps; k <= steps; ++k) {
+      const double share = static_cast<double>(k) / steps;
       add(whole ? std::sin(share * std::numbers::pi / 2) : share, false);
     }
     for (int k = kCurveSteps; whole && k >= -kCurveSteps; --k) {
