@@ -5,6 +5,7 @@ const TALLEST = 440; // pixels
 const TOGETHER = 10; // pixels: marks nearer than this share a label
 const NAMES_SHOWN = 3; // of marks that share a label
 const LANE = 16; // pixels: from a label's line to the next
+const NARROW = 500; // pixels: has room for three numbers on its axis
 const GRID_SPACING = 4; // pixels: a denser grid is not drawn
 
 export function mountMicroscope(root, store) {
@@ -77,7 +78,7 @@ function magnifiedView({ hit, zooms, marks, region, grid }, zoom, width, store) 
     svg("polyline", { class: "sphere-curve",
       points: curve.map((point) => `${x(point[0]).toFixed(2)},${y(point[1]).toFixed(2)}`).join(" ") }),
     svg("path", { class: "ray", d: `M0 ${height / 2}H${width - 3}m-8 -4l8 4l-8 4` }),
-    [-1, -0.5, 0, 0.5, 1].map((part) => svg("text", { class: "label quiet", x: x(part * half), y: height - 5,
+    (width < NARROW ? [-1, 0, 1] : [-1, -0.5, 0, 0.5, 1]).map((part) => svg("text", { class: "label quiet", x: x(part * half), y: height - 5,
       "text-anchor": part === -1 ? "start" : part === 1 ? "end" : "middle" },
     part === 0 ? "0" : `${part > 0 ? "+" : "\u2212"}${numberText(Math.abs(part * half))}`, part === 1 ? " ulp" : "")),
     svg("circle", { class: "exact", cx: x(0), cy: y(0), r: 9 }),

@@ -30,7 +30,7 @@ export function mountPanel(root, store) {
     const focused = root.contains(document.activeElement) ? document.activeElement.id : "";
     root.replaceChildren(element("h2", { id: "panel-heading" }, "Step by step"), ...(told === null ? howToAsk(store) : [
       methodFilter(store, told),
-      element("div", { id: "steps" }, told.steps.map((step) => stepView(step, store.methodShown, opened))),
+      element("div", { id: "steps" }, told.steps.map((step, k) => stepView(step, k, store.methodShown, opened))),
       element("h3", {}, "Answers"), verdictList(told, store.methodShown),
       ...takeAway(told, store.scene().toml)]));
     if (focused) document.getElementById(focused)?.focus();
@@ -120,14 +120,14 @@ function methodFilter(store, told) {
     button(null, "all", "all methods"), names.map((name, k) => button(name, k, name)));
 }
 
-function stepView(step, methodShown, opened) {
+function stepView(step, k, methodShown, opened) {
   const methods = step.methods.filter((method) => methodShown === null || method.name === methodShown);
   const wrong = methods.filter((method) => method.wrong).length;
   const told = wrong === 0 ? "" : `\u2717 goes wrong here: ${wrong === 1 ? "1 method" : `${wrong} methods`}`;
   const alone = step.condition_alone === null ? "" : `, of this step alone ${step.condition_alone}`;
-  const view = element("details", { id: `step-${step.symbol}`, class: wrong > 0 ? "step wrong-step" : "step",
+  const view = element("details", { id: `step-${k}`, "data-symbol": step.symbol, class: wrong > 0 ? "step wrong-step" : "step",
     open: opened.get(step.symbol) ?? wrong > 0 },
-  element("summary", { id: `summary-${step.symbol}`, click: () => opened.set(step.symbol, !view.open) },
+  element("summary", { id: `summary-${k}`, click: () => opened.set(step.symbol, !view.open) },
     element("h3", {}, symbolOf(step.symbol)), element("span", { class: "number" }, vectorOf(step.rounded)),
     element("span", { class: "wrong" }, told)),
   element("p", { class: "formula" }, symbolOf(step.symbol), " = ", formula(step.formula)),
@@ -195,7 +195,7 @@ function takeAway(told, toml) {
     copyButton("copy-toml", "Copy as TOML scene", toml), copyButton("copy-command", "Copy as command", told.command),
     copyButton("copy-latex", "Copy as LaTeX", told.latex), copyButton("copy-sage", "Copy as Sage", told.sage)),
   element("details", { id: "explain" },
-    element("summary", {}, "What ", element("code", { dir: "auto" }, brief(told.command)), " prints"),
+    element("summary", {}, "What ", element("code", { dir: "auto" }, briefSentence(told.command)), " prints"),
     element("pre", { id: "explain-text", tabindex: "0" }, told.text))];
 }
 
