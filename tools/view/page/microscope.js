@@ -1,5 +1,5 @@
 // Errors of 1e-16 made visible: the plane through ray and centre, in ulps around the exact point.
-import { LETTER, alike, atEachWidth, brief, briefSentence, disclosure, element, glyph, rangeField, svg, table } from "./dom.js";
+import { LETTER, alike, atEachWidth, brief, disclosure, element, glyph, rangeField, svg, table } from "./dom.js";
 
 const TALLEST = 440; // pixels
 const TOGETHER = 10; // pixels: marks nearer than this share a label
@@ -12,19 +12,21 @@ export function mountMicroscope(root, store) {
   const drawing = element("div", { id: "microscope-view" });
   let zoom = 0;
   let magnified = null;
+  let told = null;
   const draw = () => {
     const width = Math.floor(drawing.clientWidth);
     if (magnified !== null && width > 0) drawing.replaceChildren(magnifiedView(magnified, zoom, width, store));
   };
   const show = () => {
     const now = store.panel()?.microscope ?? null;
-    if (now !== magnified || root.childElementCount === 0) {
+    if (now !== magnified || store.methodTold() !== told || root.childElementCount === 0) {
       magnified = now;
+      told = store.methodTold();
       const heading = element("h2", { id: "microscope-heading" }, "Microscope");
       if (now === null) {
         root.replaceChildren(heading, element("p", {}, "Here is nothing to magnify."));
       } else {
-        zoom = firstZoom(now);
+        zoom = firstZoom(now, told);
         const { input, field } = rangeField("zoom", "Window", now.zooms.length - 1,
           (k) => `\u00b1${numberText(now.zooms[k].half)} ulp`, (k) => {
             zoom = k;
@@ -42,12 +44,10 @@ export function mountMicroscope(root, store) {
   show();
 }
 
-/// The narrowest window that shows every wrong answer, or any answer where none is wrong.
-function firstZoom({ zooms, marks }) {
-  const wrong = marks.filter((mark) => mark.wrong);
-  const inside = ({ half }) => (mark) => Math.abs(mark.x) <= half && Math.abs(mark.y) <= half / 2;
-  const fits = zooms.findIndex((zoom) => (wrong.length > 0 ? wrong.every(inside(zoom)) : marks.some(inside(zoom))));
-  return fits < 0 ? zooms.length - 1 : fits;
+/// The narrowest window that shows the answer of the method told of, or any answer where none is.
+function firstZoom({ zooms, marks }, told) {
+  const meant = marks.filter((mark) => told === null || mark.name === told);
+  return Math.max(0, zooms.findIndex(({ half }) => meant.some((mark) => Math.abs(mark.x) <= half && Math.abs(mark.y) <= half / 2)));
 }
 
 function tellings({ marks }, { verdicts }) {

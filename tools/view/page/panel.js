@@ -49,9 +49,9 @@ export function mountPanel(root, store) {
 
 function headlineOf(store, told) {
   if (told === null) return "This page has no panel for this choice.";
-  const exactly = told.exact === null ? "no sphere" : told.exact.s === null ? told.exact.class
+  const exactly = told.exact === null ? "no sphere" : told.exact.s === null ? `a ${told.exact.class}`
     : [symbolOf("s"), " = ", element("span", { class: "number" }, told.exact.s)];
-  const name = store.methodShown ?? store.findingsHere()[0]?.method ?? told.verdicts.find((one) => one.wrong)?.name;
+  const name = store.methodTold();
   const ofName = told.verdicts.filter((one) => one.name === name); // a ray method may share its name
   const verdict = ofName.find((one) => one.wrong) ?? ofName.at(-1);
   if (!verdict) return ["No method goes wrong here. Exactly: ", exactly, "."];
@@ -102,10 +102,9 @@ function numberField(id, label, value, count, onChange) {
 function howToAsk(store) {
   const { pixel, sphere } = store.selection;
   if (pixel === null) return [element("p", { id: "no-panel" }, "This page has no panel for this choice.")];
-  const name = `'${store.scene().name.replaceAll("'", "'\\''")}'`;
-  const command = `raycheck view ${name} --pixel ${pixel.join()}${sphere === null ? "" : ` --sphere ${sphere}`} --out page.html`;
+  const command = `${store.scene().command} --pixel ${pixel.join()}${sphere === null ? "" : ` --sphere ${sphere}`} --out page.html`;
   return [element("p", { id: "no-panel" }, "This page has no panel for this choice. One that has it is made by ",
-    element("code", { dir: "auto" }, brief(command)), " ", copyButton("copy-view", "Copy", command))];
+    element("code", { dir: "auto" }, briefSentence(command)), " ", copyButton("copy-view", "Copy", command))];
 }
 
 function methodFilter(store, told) {

@@ -30,6 +30,9 @@ export function createStore(document) {
     /// What was found at the chosen place, the worst first.
     findingsHere: () => document.findings.filter((one) => one.scene === store.scenesIndex
       && samePlace(one, store.selection) && [null, store.panel()?.sphere].includes(one.sphere)),
+    /// The method that the page speaks of: the one shown, or the worst one here; null where none goes wrong.
+    methodTold: () => store.methodShown ?? store.findingsHere()[0]?.method
+      ?? store.panel()?.verdicts.find((one) => one.wrong)?.name ?? null,
     set(partial) {
       if ("scenesIndex" in partial && partial.scenesIndex !== store.scenesIndex) {
         store.scenesIndex = partial.scenesIndex;
