@@ -2,10 +2,21 @@
 #
 # Starts at FROM/main.js and puts every module after those that it imports. An import is one line,
 # `import { names } from "./module.js";`, and is left out, as is the word `export` at a line's
-# start: the modules share one function, and no two may declare the same name.
+# start: the modules share one function, and no two may declare the same name. Shaders, FROM/*.vert
+# and FROM/*.frag, come first, as SHADERS["name"].
 cmake_minimum_required(VERSION 3.25)
 
-set(bundle "")
+file(GLOB shaders "${FROM}/*.vert" "${FROM}/*.frag")
+set(bundle "const SHADERS = {\n")
+foreach(shader IN LISTS shaders)
+  file(READ "${shader}" text)
+  if(text MATCHES "[`$\\\\]|</script|<!--")
+    message(FATAL_ERROR "${shader} holds what no template string and no script element may")
+  endif()
+  get_filename_component(name "${shader}" NAME)
+  string(APPEND bundle "\"${name}\": `${text}`,\n")
+endforeach()
+string(APPEND bundle "};\n")
 set(done "")
 set(names "")
 
