@@ -3,7 +3,8 @@
 const SVG = "http://www.w3.org/2000/svg";
 const MATHML = "http://www.w3.org/1998/Math/MathML";
 export const LETTER = 6.7; // pixels: a letter of a drawing's label is narrower
-const LONGEST_TEXT = 300; // characters of a name or sentence that is shown whole
+const LONGEST_NAME = 60; // characters of a name that is shown whole
+const LONGEST_SENTENCE = 400;
 
 /// An element. An attribute whose value is a function listens to the event of that name; null and
 /// false are left out, true is an empty attribute. Children are nodes, texts, lists of them, null.
@@ -29,9 +30,13 @@ export function formula(text) {
   return parts.map((part, k) => (k % 2 === 1 ? element("sup", {}, part) : part));
 }
 
-/// What is too long is cut short, with how long it is.
-export function brief(text, longest = LONGEST_TEXT) {
+/// A name that is too long is cut short, with how long it is.
+export function brief(text, longest = LONGEST_NAME) {
   return text.length <= longest ? text : `${text.slice(0, longest)}\u2026 (${text.length} characters)`;
+}
+
+export function briefSentence(text) {
+  return brief(text, LONGEST_SENTENCE);
 }
 
 /// Lists of the items whose keys are the same, in the order of their firsts.

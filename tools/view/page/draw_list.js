@@ -1,278 +1,245 @@
-// What the figure holds, as segments, points, spheres and labels in eye-relative doubles; webgl.js and flat.js draw it.
-
-import { atPlane, dotProduct, drawnHit, isFinitePoint, lengthOf, minus, pixelPointOf, plus, times, unitOf } from "./projection.js";
+// What the figure holds, as segments, points, spheres and names in eye-relative doubles.
+import { dotProduct, drawnRoot, lengthOf, minus, pixelPointOf, plus, seenThrough, times, unitOf } from "./projection.js";
 
 /// The layers that can be switched, with their names.
 export const LAYERS = {
-  frustum: "Frustum", axes: "Axes", pixels: "Pixels", spheres: "Spheres", hits: "Hit points", lengths: "T, v, d, roots", labels: "Names",
+  frustum: "frustum", axes: "axes", pixels: "pixels", spheres: "spheres", hits: "hit points", roots: "T, v, d, roots", names: "names",
 };
-
-const MOST_PIXELS_ACROSS = 96; // points and rays beyond are thinned, and the figure says so
+const MOST_PIXELS_ACROSS = 96; // more are thinned, and the figure says so
 const MOST_RAYS_ACROSS = 24;
-const ORDINARY = 50; // spheres within so many sizes of the frustum are framed
+const ORDINARY = 50; // what reaches farther than so many sizes of the frustum is left out of views of the whole
+const MOST_NAMED_SPHERES = 24;
 
-/// list.parts are the named places, for the table; list.frame the points that a view of the whole shows.
-export function drawList(scene, selection, panel, layers, raysShown, palette) {
+/// layers.rays: "none", "pixel", "row" or "all". The list's `whole` are points that a view of the whole shows, its
+/// `notes` sentences about what is not drawn as it is; a thing that has `select` is chosen by a click.
+export function drawList(scene, selection, panel, layers, palette) {
+  const { camera, rays } = scene.figure;
   const list = {
-    scene, camera: scene.figure.camera, palette, axes: axesOf(scene.figure), segments: [], points: [], spheres: [], labels: [],
-    parts: [], notes: [], frame: [], size: 1,
+    scene, selection, layers, palette, camera, axes: camera ? [camera.U, camera.V, camera.W] : [[1, 0, 0], [0, 1, 0], [0, 0, 1]],
+    size: sizeOf(scene.figure), segments: [], points: [], spheres: [], names: [], notes: [], isOutOfScale: false,
+    whole: camera ? [] : rays.map((ray) => ray.origin),
   };
-  list.size = sizeOf(scene.figure);
-  list.isOrdinary = (centre, radius) => lengthOf(centre) + radius <= ORDINARY * list.size;
-  if (list.camera) addCamera(list, layers);
-  else list.frame.push(...scene.figure.rays.map((ray) => ray.origin));
-  addSpheres(list, selection, layers);
-  list.reach = Math.max(...list.frame.map(lengthOf)) || list.size;
-  if (list.camera && layers.pixels) addPixels(list, selection);
-  addRays(list, raysShown, selection, layers);
-  if (layers.lengths && panel) addLengths(list, panel.drawing);
-  if (!layers.labels) list.labels = [];
-  dropWhatIsNotFinite(list);
-  return list;
-}
-
-/// The axes [side, up, back] that a figure is looked at by.
-function axesOf({ camera }) {
-  return camera ? [camera.U, camera.V, camera.W] : [[1, 0, 0], [0, 1, 0], [0, 0, 1]];
+  if (camera) addCamera(list);
+  addSpheres(list);
+  list.reach = Math.max(...list.whole.map(lengthOf)) || list.size;
+  if (camera && layers.pixels) addPixels(list);
+  for (const ray of raysShown(list)) addRay(list, ray);
+  if (layers.roots && panel) addDrawing(list, panel.drawing);
+  return withoutInfinities(list);
 }
 
 function sizeOf({ camera, rays, spheres }) {
   if (camera) return Math.max(...cornersAt(camera, camera.far ?? camera.near).map(lengthOf));
-  return Math.max(...rays.map((ray) => lengthOf(ray.origin)), ...spheres.centre.slice(0, 1).map(lengthOf)) || 1;
+  return Math.max(...[...rays.map((ray) => ray.origin), ...spheres.centre.slice(0, 1)].map(lengthOf), ...spheres.radius.slice(0, 1)) || 1;
 }
 
-/// Corners of the frustum at a depth, enlarged about its middle.
+/// The frustum's corners at a depth, enlarged about its middle.
 function cornersAt(camera, depth, enlarged = 1) {
-  const [alpha, beta] = [(camera.left + camera.right) / 2, (camera.bottom + camera.top) / 2];
-  const [halfAlpha, halfBeta] = [(enlarged * (camera.right - camera.left)) / 2, (enlarged * (camera.top - camera.bottom)) / 2];
-  return [[-1, -1], [1, -1], [1, 1], [-1, 1]]
-    .map(([x, y]) => atPlane(camera, alpha + x * halfAlpha, beta + y * halfBeta, depth));
+  const at = (low, high, sign) => (low + high + sign * enlarged * (high - low)) / 2;
+  return [[-1, -1], [1, -1], [1, 1], [-1, 1]].map(([x, y]) =>
+    seenThrough(camera, at(camera.left, camera.right, x), at(camera.bottom, camera.top, y), depth));
 }
 
-function line(list, from, to, colour, style = {}) {
+const isOrdinary = (list, centre, radius) => lengthOf(centre) + radius <= ORDINARY * list.size;
+
+/// style: isThick, isDashed, hasArrow, select.
+function addLine(list, from, to, colour, style = {}) {
   list.segments.push({ from, to, colour, ...style });
 }
 
-function outline(list, corners, colour, style) {
-  corners.forEach((corner, k) => line(list, corner, corners[(k + 1) % corners.length], colour, style));
+function addOutline(list, corners, colour, style) {
+  corners.forEach((corner, k) => addLine(list, corner, corners[(k + 1) % corners.length], colour, style));
 }
 
-function label(list, at, text, colour = list.palette.ink, sphere = null) {
-  list.labels.push({ at, text, colour, sphere });
+function addPoint(list, at, colour, shape, size, select = null) {
+  list.points.push({ at, colour, shape, size, select });
 }
 
-/// A place with a name: in the figure's words, and in the table's.
-function part(list, at, text, colour) {
-  list.parts.push({ at, text });
-  label(list, at, text, colour);
+function addName(list, at, text, colour = list.palette.ink, sphere = null) {
+  list.names.push({ at, text, colour, sphere });
 }
 
-function addCamera(list, layers) {
+function addCamera(list) {
   const { camera, palette } = list;
   const near = cornersAt(camera, camera.near);
-  const middle = (a, b, share = 0.5) => plus(times(a, 1 - share), times(b, share));
-  list.frame.push([0, 0, 0], ...near);
-  if (lengthOf(minus(near[0], near[2])) < lengthOf(near[0]) / 50) {
+  list.whole.push([0, 0, 0], ...near, ...(isOrdinary(list, camera.look_at, 0) ? [camera.look_at] : []));
+  if (camera.far !== null) list.whole.push(...cornersAt(camera, camera.far));
+  if (lengthOf(minus(near[0], near[2])) < lengthOf(near[0]) / ORDINARY) {
     list.isOutOfScale = true;
-    list.notes.push("The image plane is less than a fiftieth as wide as it is far: from outside it is next to a point; the view from the eye shows it.");
+    list.notes.push("From outside the image plane is next to a point, so narrow it is; the view from the eye shows it.");
   }
-  if (list.isOrdinary(camera.look_at, 0)) list.frame.push(camera.look_at);
-  if (layers.frustum) {
-    part(list, [0, 0, 0], "eye E", palette.ink);
-    part(list, [0, 0, 0], "focal point (the eye)", palette.ink);
-    list.points.push({ at: [0, 0, 0], colour: palette.ink, shape: "disc", size: 11 });
-    near.forEach((corner) => line(list, [0, 0, 0], corner, palette.faint));
-    outline(list, near, palette.near, { thick: true });
-    part(list, near[3], "near clipping plane", palette.near);
-    part(list, near[1], "bounded image plane", palette.near);
-    const plane = cornersAt(camera, camera.near, 1.5);
-    outline(list, plane, palette.near, { isDashed: true });
-    part(list, plane[2], "view plane", palette.near);
-    line(list, [0, 0, 0], camera.look_at, palette.faint, { isDashed: true });
-    part(list, camera.look_at, "look-at point A", palette.ink);
-    list.points.push({ at: camera.look_at, colour: palette.ink, shape: "cross", size: 12 });
-  }
-  if (layers.frustum && camera.far !== null) {
-    const far = cornersAt(camera, camera.far);
-    list.frame.push(...far);
-    near.forEach((corner, k) => line(list, corner, far[k], palette.faint));
-    outline(list, far, palette.far, { thick: true });
-    part(list, middle(far[2], far[3], 0.25), "far clipping plane", palette.far);
-  }
-  if (layers.axes) {
+  if (list.layers.frustum) addFrustum(list, near);
+  if (list.layers.axes) {
     const long = 0.4 * Math.abs(camera.near);
-    const axes = { U: [camera.U, "U"], V: [camera.V, "V"], W: [camera.W, "W (view-plane normal)"] };
-    for (const [name, [axis, text]] of Object.entries(axes)) {
-      line(list, [0, 0, 0], times(axis, long), palette[name], { thick: true, hasArrow: true });
-      part(list, times(axis, long), text, palette[name]);
-    }
-    const up = times(unitOf(camera.up), 1.35 * long);
-    line(list, [0, 0, 0], up, palette.up, { isDashed: true, hasArrow: true });
-    part(list, up, "up vector", palette.up);
+    addAxis(list, times(camera.U, long), "U", palette.orange);
+    addAxis(list, times(camera.V, long), "V", palette.green);
+    addAxis(list, times(camera.W, long), "W (view-plane normal)", palette.blue);
+    addAxis(list, times(unitOf(camera.up), 1.35 * long), "up vector", palette.gold, { isDashed: true });
   }
 }
 
-/// Every so manieth index, so that at most `most` are left.
-function thinned(count, most) {
-  const step = Math.ceil(count / most);
-  return Array.from({ length: Math.ceil(count / step) }, (_, k) => k * step);
+function addAxis(list, tip, text, colour, style = { isThick: true }) {
+  addLine(list, [0, 0, 0], tip, colour, { hasArrow: true, ...style });
+  addName(list, tip, text, colour);
 }
 
-/// From red, the first pixel, to magenta, the last, as the lecture has it.
-function rainbow(share) {
-  const hue = 5 * share;
-  return [0, 4, 2].map((turn) => Math.min(Math.max(Math.abs(((hue + turn) % 6) - 3) - 1, 0), 1));
-}
-
-function pixelColour({ width, height }, i, j) {
-  return rainbow((j * width + i) / Math.max(width * height - 1, 1));
-}
-
-function addPixels(list, selection) {
+function addFrustum(list, near) {
   const { camera, palette } = list;
-  const columns = thinned(camera.width, MOST_PIXELS_ACROSS);
-  const rows = thinned(camera.height, MOST_PIXELS_ACROSS);
-  const size = Math.min(9, Math.max(3, 240 / Math.max(columns.length, rows.length)));
-  for (const j of rows) {
-    for (const i of columns) {
-      const select = { pixel: [i, j] };
-      list.points.push({ at: pixelPointOf(camera, i, j), colour: pixelColour(camera, i, j), shape: "disc", size, select });
-    }
-  }
-  if (columns.length < camera.width || rows.length < camera.height) {
-    list.notes.push(`Of ${camera.width} x ${camera.height} pixels every ${columns[1] ?? 1}th across and every ${rows[1] ?? 1}th down is a point.`);
-  }
-  label(list, pixelPointOf(camera, 0, 0), "pixel (0, 0)");
-  if (selection.pixel === null) return;
-  const [i, j] = selection.pixel;
-  const cell = [[-0.5, -0.5], [0.5, -0.5], [0.5, 0.5], [-0.5, 0.5]].map(([x, y]) => pixelPointOf(camera, i + x, j + y));
-  outline(list, cell, palette.chosen, { thick: true });
-  list.points.push({ at: pixelPointOf(camera, i, j), colour: pixelColour(camera, i, j), shape: "square", size: 11 });
-  if (i !== 0 || j !== 0) label(list, pixelPointOf(camera, i, j), `pixel (${i}, ${j})`, palette.chosen);
+  addPoint(list, [0, 0, 0], palette.ink, "disc", 11);
+  addName(list, [0, 0, 0], "eye E");
+  addName(list, [0, 0, 0], "focal point (the eye)");
+  near.forEach((corner) => addLine(list, [0, 0, 0], corner, palette.faint));
+  addOutline(list, near, palette.blue, { isThick: true });
+  addName(list, near[3], "near clipping plane", palette.blue);
+  addName(list, near[1], "bounded image plane", palette.blue);
+  const plane = cornersAt(camera, camera.near, 1.5);
+  addOutline(list, plane, palette.blue, { isDashed: true });
+  addName(list, plane[2], "view plane", palette.blue);
+  addLine(list, [0, 0, 0], camera.look_at, palette.faint, { isDashed: true });
+  addPoint(list, camera.look_at, palette.ink, "cross", 12);
+  addName(list, camera.look_at, "look-at point A");
+  if (camera.far === null) return;
+  const far = cornersAt(camera, camera.far);
+  near.forEach((corner, k) => addLine(list, corner, far[k], palette.faint));
+  addOutline(list, far, palette.purple, { isThick: true });
+  addName(list, plus(times(far[2], 0.75), times(far[3], 0.25)), "far clipping plane", palette.purple);
 }
 
-function addSpheres(list, selection, layers) {
+function addSpheres(list) {
   const { spheres, spheres_left_out: leftOut } = list.scene.figure;
+  const count = spheres.centre.length;
+  let beyond = 0;
   spheres.centre.forEach((centre, index) => {
-    const radius = spheres.radius[index];
+    const [radius, isChosen] = [spheres.radius[index], list.selection.sphere === index];
     const surroundsEye = lengthOf(centre) < radius;
-    if (list.isOrdinary(centre, radius) && !surroundsEye) {
-      for (const axis of list.axes) list.frame.push(plus(centre, times(axis, radius)), minus(centre, times(axis, radius)));
-    }
-    if (!layers.spheres) return;
-    const isChosen = selection.sphere === index;
-    list.spheres.push({ index, centre, radius, colour: rgbOf(spheres.colour[index]), surroundsEye, isChosen });
-    if (spheres.centre.length <= 24 || isChosen) label(list, centre, `sphere ${index}`, list.palette.ink, index);
-    if (surroundsEye) list.notes.push(`Sphere ${index} surrounds the eye; from outside, only its far half is drawn.`);
+    if (!isOrdinary(list, centre, radius)) beyond += 1;
+    else if (!surroundsEye) list.whole.push(...list.axes.flatMap((axis) => [plus(centre, times(axis, radius)), minus(centre, times(axis, radius))]));
+    if (!list.layers.spheres) return;
+    list.spheres.push({ index, centre, radius, colour: rgbOf(spheres.colour[index]), surroundsEye });
+    if (count <= MOST_NAMED_SPHERES || isChosen) addName(list, centre, `sphere ${index}`, list.palette.ink, index);
+    if (surroundsEye) list.notes.push(`Sphere ${index} surrounds the eye; from outside only its far half is drawn.`);
   });
-  const beyond = spheres.centre.filter((centre, index) => !list.isOrdinary(centre, spheres.radius[index])).length;
-  if (beyond > 0) {
-    list.isOutOfScale ||= beyond === spheres.centre.length;
-    list.notes.push(`${beyond} of ${spheres.centre.length} spheres reach more than ${ORDINARY} times farther than the rest: no view holds all to scale; go to one of them.`);
-  }
+  if (beyond > 0) list.notes.push(`${beyond} of ${count} spheres reach so far that no view holds everything to scale; go to one of them.`);
   if (leftOut > 0) list.notes.push(`${leftOut} more spheres are not in this page.`);
+  list.isOutOfScale ||= beyond > 0 && beyond === count;
 }
 
-function rgbOf(hex) {
+/// Red, green and blue, from 0 to 1, of "#rrggbb".
+export function rgbOf(hex) {
   return [1, 3, 5].map((k) => parseInt(hex.slice(k, k + 2), 16) / 255);
 }
 
-const seenBySphere = new WeakMap();
-
-/// The sphere that ray number k of a scene meets, -1 for none, undefined where the document does not say.
-function sphereSeen(scene, k) {
-  if (!scene.seen) return undefined;
-  if (!seenBySphere.has(scene)) {
-    seenBySphere.set(scene, scene.seen.flatMap(([run, sphere]) => new Array(run).fill(sphere)));
-  }
-  return seenBySphere.get(scene)[k];
+/// From red, the first, to magenta, the last, as the lecture has it.
+function rainbow(k, count) {
+  const hue = (5 * k) / Math.max(count - 1, 1);
+  return [0, 4, 2].map((turn) => Math.min(Math.max(Math.abs(((hue + turn) % 6) - 3) - 1, 0), 1));
 }
 
-/// The rays of a scene that are shown: what selects them, where they start, their direction, and the sphere they meet.
-function shownRays(list, raysShown, selection) {
-  const { camera, scene } = list;
+/// Indices below count, every so manieth, at most `most`; what is left out is told.
+function thinned(list, count, most, things) {
+  const step = Math.ceil(count / most);
+  if (step > 1) list.notes.push(`Of ${count} ${things} every ${step}th is drawn.`);
+  return Array.from({ length: Math.ceil(count / step) }, (_, k) => k * step);
+}
+
+function addPixels(list) {
+  const { camera, palette, selection } = list;
+  const columns = thinned(list, camera.width, MOST_PIXELS_ACROSS, "columns of pixels");
+  const rows = thinned(list, camera.height, MOST_PIXELS_ACROSS, "rows of pixels");
+  const size = Math.min(9, Math.max(3, 240 / Math.max(columns.length, rows.length)));
+  for (const { at, colour, select } of rows.flatMap((j) => columns.map((i) => pixelOf(camera, i, j)))) {
+    addPoint(list, at, colour, "disc", size, select);
+  }
+  addName(list, pixelPointOf(camera, 0, 0), "pixel (0, 0)");
+  if (selection.pixel === null) return;
+  const [i, j] = selection.pixel;
+  const cell = [[-0.5, -0.5], [0.5, -0.5], [0.5, 0.5], [-0.5, 0.5]].map(([x, y]) => pixelPointOf(camera, i + x, j + y));
+  addOutline(list, cell, palette.ink, { isThick: true });
+  if (i + j > 0) addName(list, pixelPointOf(camera, i, j), `pixel (${i}, ${j})`);
+}
+
+function pixelOf(camera, i, j) {
+  const index = j * camera.width + i;
+  return { index, at: pixelPointOf(camera, i, j), colour: rainbow(index, camera.width * camera.height), select: { pixel: [i, j] } };
+}
+
+/// The rays to draw: {origin, direction, colour, select, index}.
+function raysShown(list) {
+  const { camera, selection, layers, scene } = list;
+  if (layers.rays === "none") return [];
   if (!camera) {
     return scene.figure.rays
-      .map((ray, k) => ({ ...ray, select: { ray: k }, colour: rainbow(k / Math.max(scene.figure.rays.length - 1, 1)), sphere: sphereSeen(scene, k) }))
-      .filter((_, k) => raysShown === "all" || k === selection.ray);
+      .map((ray, index) => ({ ...ray, index, colour: rainbow(index, scene.figure.rays.length), select: { ray: index } }))
+      .filter(({ index }) => layers.rays === "all" || index === selection.ray);
   }
   const [chosenI, chosenJ] = selection.pixel ?? [0, 0];
-  const most = raysShown === "all" ? MOST_RAYS_ACROSS : MOST_PIXELS_ACROSS;
-  const columns = { none: [], pixel: [chosenI] }[raysShown] ?? thinned(camera.width, most);
-  const rows = raysShown === "all" ? thinned(camera.height, most) : [chosenJ];
-  if (raysShown !== "pixel" && columns.length > 0 && columns.length * rows.length < camera.width * (raysShown === "row" ? 1 : camera.height)) {
-    list.notes.push(`Of the rays every ${columns[1] ?? 1}th across and every ${rows[1] ?? 1}th down is drawn.`);
-  }
-  return rows.flatMap((j) => columns.map((i) => {
-    const point = pixelPointOf(camera, i, j);
-    return {
-      origin: camera.origin === "pixel" ? point : [0, 0, 0], direction: unitOf(point), select: { pixel: [i, j] },
-      colour: pixelColour(camera, i, j), sphere: sphereSeen(scene, j * camera.width + i),
-    };
-  }));
+  const columns = layers.rays === "pixel" ? [chosenI] : thinned(list, camera.width, MOST_RAYS_ACROSS, "columns of rays");
+  const rows = layers.rays === "all" ? thinned(list, camera.height, MOST_RAYS_ACROSS, "rows of rays") : [chosenJ];
+  return rows.flatMap((j) => columns.map((i) => pixelOf(camera, i, j))).map((pixel) =>
+    ({ ...pixel, origin: camera.origin === "pixel" ? pixel.at : [0, 0, 0], direction: unitOf(pixel.at) }));
 }
 
-function addRays(list, raysShown, selection, layers) {
-  const { spheres } = list.scene.figure;
-  for (const ray of raysShown === "none" ? [] : shownRays(list, raysShown, selection)) {
-    const isMet = ray.sphere >= 0 && ray.sphere < spheres.centre.length;
-    const s = isMet ? drawnHit(ray.origin, ray.direction, spheres.centre[ray.sphere], spheres.radius[ray.sphere]) : null;
-    const end = plus(ray.origin, times(ray.direction, s ?? list.reach));
-    line(list, ray.origin, end, ray.colour, { hasArrow: true, select: ray.select });
-    if (ray.select.ray !== undefined) list.points.push({ at: ray.origin, colour: ray.colour, shape: "disc", size: 8, select: ray.select });
-    if (s !== null && layers.hits) list.points.push({ at: end, colour: ray.colour, shape: "diamond", size: 10, select: ray.select });
-  }
+/// An arrow to the sphere that the document says is seen, or out of the figure.
+function addRay(list, { origin, direction, colour, select, index }) {
+  const { centre, radius } = list.scene.figure.spheres;
+  const met = sphereSeen(list.scene, index);
+  const s = met in centre ? drawnRoot(origin, direction, centre[met], radius[met]) : null;
+  const end = plus(origin, times(direction, s ?? list.reach));
+  addLine(list, origin, end, colour, { hasArrow: true });
+  if (!list.camera) addPoint(list, origin, colour, "disc", 8, select);
+  if (s !== null && list.layers.hits) addPoint(list, end, colour, "diamond", 10, select);
+}
+
+/// The sphere that ray number k meets, -1 for none; undefined where the document does not say.
+function sphereSeen(scene, k) {
+  let until = 0;
+  return scene.seen?.find(([run]) => (until += run) > k)?.[1];
 }
 
 /// T, v, d and the roots of the panel's ray and sphere.
-function addLengths(list, { L, P, D, C, foot, roots }) {
+function addDrawing(list, { L, P, D, C, foot, roots }) {
   const { palette } = list;
+  const middle = (a, b) => times(plus(a, b), 0.5);
   const along = (point) => dotProduct(minus(point, L), D);
-  if (list.camera && P) line(list, [0, 0, 0], P, palette.ray, { isDashed: true });
-  const ends = [...roots.map((root) => root.Q), ...(foot ? [foot] : [])];
-  const last = ends.filter((point) => along(point) > 0).sort((a, b) => along(b) - along(a))[0];
-  const behind = ends.filter((point) => along(point) < 0).sort((a, b) => along(a) - along(b))[0];
-  line(list, L, plus(last ?? L, times(D, 0.2 * list.reach)), palette.ray, { thick: true, hasArrow: true });
-  list.points.push({ at: L, colour: palette.ray, shape: "square", size: 9 });
-  label(list, L, "L, the ray's origin", palette.ray);
-  if (behind) {
-    line(list, L, behind, palette.ray, { thick: true, isDashed: true });
-    label(list, behind, "behind the origin", palette.ray);
+  const places = [L, ...(foot ? [foot] : []), ...roots.map((root) => root.Q)].sort((a, b) => along(a) - along(b));
+  if (P) addLine(list, [0, 0, 0], P, palette.ink, { isDashed: true });
+  if (places[0] !== L) {
+    addLine(list, L, places[0], palette.ink, { isThick: true, isDashed: true });
+    addName(list, places[0], "behind the origin");
   }
-  if (C) {
-    line(list, L, C, palette.T, { thick: true, hasArrow: true });
-    label(list, plus(times(L, 0.5), times(C, 0.5)), "T", palette.T);
-    list.points.push({ at: C, colour: palette.T, shape: "cross", size: 9 });
+  addLine(list, L, plus(places[places.length - 1], times(D, 0.2 * list.reach)), palette.ink, { isThick: true, hasArrow: true });
+  addPoint(list, L, palette.ink, "square", 9);
+  addName(list, L, "L, the ray's origin");
+  if (!C || !foot) return;
+  addLine(list, L, C, palette.purple, { isThick: true, hasArrow: true });
+  addName(list, middle(L, C), "T", palette.purple);
+  addPoint(list, C, palette.purple, "cross", 9);
+  addLine(list, L, foot, palette.blue, { isThick: true });
+  addName(list, middle(L, foot), "v", palette.blue);
+  addPoint(list, foot, palette.blue, "ring", 9);
+  addName(list, foot, "foot, L + v D", palette.blue);
+  addLine(list, C, foot, palette.faint, { isDashed: true });
+  for (const { which, Q, s, counts, chosen } of roots) {
+    const isNear = which === "smaller";
+    const colour = isNear ? palette.orange : palette.blue;
+    const name = roots.length === 1 ? "double root" : isNear ? "near root" : "far root";
+    addLine(list, C, Q, palette.faint);
+    addLine(list, foot, Q, palette.gold, { isThick: true });
+    if (isNear && roots.length > 1) addName(list, middle(foot, Q), "d", palette.gold);
+    addPoint(list, Q, colour, isNear ? "diamond" : "square", chosen ? 15 : 10);
+    addName(list, Q, `${name}, s = ${s}${counts ? "" : ", does not count"}`, colour);
   }
-  if (C && foot) {
-    line(list, C, foot, palette.faint, { isDashed: true });
-    list.points.push({ at: foot, colour: palette.v, shape: "ring", size: 9 });
-    label(list, plus(times(L, 0.55), times(foot, 0.45)), "v", palette.v);
-    label(list, foot, "foot, L + v D", palette.v);
-  }
-  roots.forEach((root) => addRoot(list, root, C, foot, roots.length));
 }
 
-function addRoot(list, { which, Q, s, counts, chosen }, C, foot, roots) {
-  const { palette } = list;
-  const isNear = which === "smaller";
-  const colour = isNear ? palette.nearRoot : palette.farRoot;
-  const name = roots === 1 ? "double root" : isNear ? "near root" : "far root";
-  list.points.push({ at: Q, colour, shape: isNear ? "diamond" : "square", size: chosen ? 15 : 10 });
-  label(list, Q, `${name}, s = ${s}${counts ? "" : " (does not count)"}`, colour);
-  if (C) line(list, C, Q, palette.faint);
-  if (foot) line(list, foot, Q, palette.d, { thick: true });
-  if (foot && isNear && roots > 1) label(list, plus(times(foot, 0.5), times(Q, 0.5)), "d", palette.d);
-}
-
-function dropWhatIsNotFinite(list) {
-  const places = { segments: ["from", "to"], points: ["at"], labels: ["at"], spheres: ["centre"] };
+function withoutInfinities(list) {
+  const isFinite = (item) => [item.at, item.from, item.to, item.centre, [item.radius ?? 0]].every((place) => !place || place.every(Number.isFinite));
   let dropped = 0;
-  for (const [kind, names] of Object.entries(places)) {
-    const kept = list[kind].filter((item) => names.every((name) => isFinitePoint(item[name])) && (item.radius ?? 0) < Infinity);
+  for (const kind of ["segments", "points", "names", "spheres"]) {
+    const kept = list[kind].filter(isFinite);
     dropped += list[kind].length - kept.length;
     list[kind] = kept;
   }
-  list.frame = list.frame.filter(isFinitePoint);
-  if (dropped > 0) list.notes.push(`${dropped} things are too far away, in the figure's unit, for any double: they are not drawn.`);
+  list.whole = list.whole.filter((place) => place.every(Number.isFinite));
+  if (dropped > 0) list.notes.push(`${dropped} things are so far away that no double holds where: they are not drawn.`);
+  return list;
 }

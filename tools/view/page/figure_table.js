@@ -1,42 +1,39 @@
 // Everything that the figure draws, as tables.
-
-import { element, table } from "./dom.js";
+import { disclosure, element, table } from "./dom.js";
 import { placeText } from "./store.js";
 
-/// Tables of the named parts, of the chosen ray, and of the spheres, made when they are opened.
-export function figureTable(store, list) {
+/// Tables of what is named in the figure, of the chosen ray and of the spheres, made while they are open.
+export function figureTable(store, listNow) {
   const body = element("div", {});
-  const folded = element("details", { class: "figure-table", toggle: () => fill() }, element("summary", {}, "The figure as a table"), body);
-  let shown = list;
-  const fill = () => folded.open && body.replaceChildren(partsTable(store, shown), ...rayTables(store), spheresTable(store));
-  return { node: folded, update(other) { shown = other; fill(); } };
+  const folded = disclosure("The figure as a table", body);
+  const fill = () => folded.open && body.replaceChildren(namesTable(store, listNow()), ...rootsTable(store), spheresTable(store));
+  folded.addEventListener("toggle", fill);
+  store.subscribe(fill);
+  return folded;
 }
 
-function partsTable(store, { parts }) {
+function namesTable(store, { names }) {
   const { origin_text: origin, scale_exponent: exponent } = store.scene().figure;
   const inScene = (x) => Number((x * 2 ** -exponent).toPrecision(6)).toString();
-  return table(`Parts, relative to ${origin}, to six digits`, ["part", "x", "y", "z"], parts.map(({ text, at }) => [text, ...at.map(inScene)]));
+  return table(`What is drawn, relative to ${origin}, to six digits`, ["name", "x", "y", "z"], names.map(({ text, at }) => [text, ...at.map(inScene)]));
 }
 
-function rayTables(store) {
-  const panels = store.panelsHere();
-  if (panels.length === 0) return [];
-  const { pixel, ray } = store.selection;
-  return [table(`Roots on ${placeText({ pixel, ray, sphere: null })}`, ["sphere", "root", "s", "counts", "is the answer"], panels.flatMap(rootRows))];
-}
-
-function rootRows({ sphere, drawing }) {
-  if (sphere === null) return [];
-  if (drawing.roots.length === 0) return [[`sphere ${sphere}`, "none: a miss", "", "", ""]];
-  return drawing.roots.map((root) => [
-    `sphere ${sphere}`, drawing.roots.length === 1 ? "double" : root.which, root.s, root.counts ? "yes" : "no", root.chosen ? "yes" : "no",
-  ]);
+function rootsTable(store) {
+  const panels = store.panelsHere().filter((panel) => panel.sphere !== null);
+  const rows = panels.flatMap(({ sphere, drawing: { roots } }) => (roots.length === 0
+    ? [[`sphere ${sphere}`, "none: a miss", "", "", ""]]
+    : roots.map(({ which, s, counts, chosen }) => [
+      `sphere ${sphere}`, roots.length === 1 ? "double" : which, s, counts ? "yes" : "no", chosen ? "yes" : "no",
+    ])));
+  const place = placeText({ ...store.selection, sphere: null });
+  return rows.length === 0 ? [] : [table(`Roots on the ray of ${place}`, ["sphere", "root", "s", "counts", "is the answer"], rows)];
 }
 
 function spheresTable(store) {
-  const { spheres, spheres_left_out: leftOut } = store.scene().figure;
-  const seen = new Map();
-  for (const [run, sphere] of store.scene().seen ?? []) seen.set(sphere, (seen.get(sphere) ?? 0) + run);
-  const caption = leftOut > 0 ? `Spheres; ${leftOut} more are not in this page` : "Spheres";
-  return table(caption, ["sphere", "seen by"], spheres.label.map((text, k) => [text, `${seen.get(k) ?? 0} pixels`]));
+  const { figure: { camera, spheres, spheres_left_out: leftOut }, seen } = store.scene();
+  const counts = new Map();
+  for (const [run, sphere] of seen ?? []) counts.set(sphere, (counts.get(sphere) ?? 0) + run);
+  const told = (k) => (seen ? `${counts.get(k) ?? 0} ${camera ? "pixels" : "rays"}` : "not told");
+  return table(leftOut > 0 ? `Spheres; ${leftOut} more are not in this page` : "Spheres", ["sphere", "seen by"],
+    spheres.label.map((text, k) => [text, told(k)]));
 }

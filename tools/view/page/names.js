@@ -1,61 +1,41 @@
 // Names in the figure: each beside its place, none over another.
-
 import { LETTER, svg } from "./dom.js";
 import { cssColour } from "./flat.js";
-import { onScreen } from "./projection.js";
+import { onPane } from "./projection.js";
 
 const LINE = 15; // pixels
 
-/// Writes labels over panes {viewer, x, y, width, height}; returns how many found no room.
-export function writeNames(target, labels, panes) {
-  const written = panes.flatMap((pane) => placed(labels, pane));
-  target.replaceChildren(...written.flatMap(({ at, box, text, colour }) => {
-    const [x, y] = [box.x + 4, box.y + LINE - 4];
-    const joint = [Math.min(Math.max(at[0], box.x), box.x + box.width), Math.min(Math.max(at[1], box.y), box.y + LINE)];
-    const isApart = Math.hypot(joint[0] - at[0], joint[1] - at[1]) > 12;
-    return [
-      isApart ? svg("line", { x1: at[0], y1: at[1], x2: joint[0], y2: joint[1], stroke: cssColour(colour), "stroke-width": 0.8 }) : null,
-      svg("text", { x, y, fill: cssColour(colour) }, text),
-    ].filter((node) => node !== null);
-  }));
-  return panes.reduce((missing, pane) => missing + pane.crowdedOut, 0);
-}
-
-/// The labels whose places are on a pane, each with the first free box around its place.
-function placed(labels, pane) {
-  const [taken, result] = [[], []];
-  const anchors = labels
-    .map((label) => ({ label, at: onScreen(pane.viewer, label.at, pane.width, pane.height) }))
-    .filter(({ at }) => at !== null && at[0] >= 0 && at[1] >= 0 && at[0] <= pane.width && at[1] <= pane.height);
-  pane.crowdedOut = 0;
-  for (const { label, at } of anchors) {
-    const box = freeBox(at, LETTER * label.text.length + 8, pane, taken);
-    if (box === null) {
-      pane.crowdedOut += 1;
-      continue;
+/// Writes names {at, text, colour} over panes; returns how many found no room.
+export function writeNames(target, names, panes) {
+  const taken = [];
+  let missing = 0;
+  target.replaceChildren();
+  for (const pane of panes) {
+    for (const { at, text, colour } of names) {
+      const place = onPane(pane, at);
+      const box = place && freeBox(place[0] + pane.x, place[1] + pane.y, LETTER * text.length + 6, pane, taken);
+      if (place && !box) missing += 1;
+      if (!box) continue;
+      taken.push(box);
+      if (box.isApart) target.append(svg("path", { d: `M${box.from}L${box.joint}`, stroke: cssColour(colour) }));
+      target.append(svg("text", { x: box.x + 3, y: box.y + LINE - 4, fill: cssColour(colour) }, text));
     }
-    taken.push(box);
-    const moved = ([x, y]) => [x + pane.x, y + pane.y];
-    const [x, y] = moved([box.x, box.y]);
-    result.push({ ...label, at: moved(at), box: { ...box, x, y } });
   }
-  return result;
+  return missing;
 }
 
-function freeBox([x, y], width, pane, taken) {
-  const turns = [0, 0.5, 3.5, 4, 3, 1, 2.5, 1.5, 2, 5, 6, 7];
+/// The first box around a place that lies in the pane and on no other.
+function freeBox(x, y, width, pane, taken) {
   for (const away of [9, 24, 42, 64, 90, 120]) {
-    for (const turn of turns) {
+    for (const turn of [0, 0.5, 3.5, 4, 3, 1, 2.5, 1.5, 2, 5, 6, 7]) {
       const angle = (turn * Math.PI) / 4;
-      const [cx, cy] = [x + (away + width / 2) * Math.cos(angle), y - (away + LINE / 2) * Math.sin(angle)];
-      const box = { x: cx - width / 2, y: cy - LINE / 2, width };
-      const isInside = box.x >= 0 && box.y >= 0 && box.x + width <= pane.width && box.y + LINE <= pane.height;
-      if (isInside && !taken.some((other) => meets(box, other))) return box;
+      const left = x + (away + width / 2) * Math.cos(angle) - width / 2;
+      const top = y - (away + LINE / 2) * Math.sin(angle) - LINE / 2;
+      const isInside = left >= pane.x && top >= pane.y && left + width <= pane.x + pane.width && top + LINE <= pane.y + pane.height;
+      if (!isInside || taken.some((box) => left < box.x + box.width && box.x < left + width && Math.abs(top - box.y) < LINE)) continue;
+      const joint = [Math.min(Math.max(x, left), left + width), Math.min(Math.max(y, top), top + LINE)];
+      return { x: left, y: top, width, from: [x, y], joint, isApart: Math.hypot(joint[0] - x, joint[1] - y) > 12 };
     }
   }
   return null;
-}
-
-function meets(a, b) {
-  return a.x < b.x + b.width && b.x < a.x + a.width && Math.abs(a.y - b.y) < LINE;
 }

@@ -3,6 +3,7 @@ attribute float size;
 uniform float ratio;
 varying vec4 vTint;
 varying float vDepth;
+
 void main() {
   vTint = tint;
   vDepth = position.z;

@@ -1,199 +1,186 @@
-// Draws a list of figure.js with three.js. Everything reaches it in homogeneous screen coordinates; spheres are met by the
-// ray of every pixel.
+// Draws a list with three.js: lines and points in homogeneous screen coordinates, spheres by the ray of every pixel.
+import { crossProduct, eyeViewer, homogeneous, inView, lengthOf, sphereWindow, strokesOf } from "./projection.js";
 
-import { arrowHead, clipSegment, crossProduct, dashed, eyeViewer, homogeneous, inView, lengthOf, sphereWindow } from "./projection.js";
+const SHAPES = ["disc", "square", "diamond", "ring", "cross"]; // as point.frag numbers them
+const LEAST_SEEN = 1.5; // pixels of radius: a smaller sphere has a ring
+const LEAST_DRAWN = 1e-3; // pixels of radius: a smaller one is not drawn
+const GREATEST_DEPTH = 1e30; // in units of the nearest: floats end at 3e38
+const LEAST_RESOLVED = 1e-5; // of the distance: what the depths of 24 bits tell apart
 
-const SHAPES = ["disc", "square", "diamond", "ring", "cross", "dot"];
-const LEAST_RADIUS = 1.5; // pixels: a smaller sphere has a mark
-const LEAST_DRAWN = 1e-3; // pixels: a smaller one is the mark alone
-const GREATEST_DEPTH = 1e30; // in units of the nearest depth: floats end at 3e38
-
-// Depth is the logarithm that three writes for lines, so that spheres, lines and points hide one another.
-// With D = (x, y, 1), T the way to the centre: perpendicular.xyz = D x T / r and perpendicular.w = D . T at a pixel beside the
-// centre, and what they grow by from pixel to pixel. |T| comes in two floats, all lengths in units of the nearest depth.
 /// A painter on a canvas; null where there is no WebGL 2.
 export function webglPainter(canvas) {
-  const context = globalThis.THREE && canvas.getContext("webgl2", { antialias: true, alpha: true });
+  const context = window.THREE && canvas.getContext("webgl2", { antialias: true, alpha: true });
   if (!context) return null;
-  const renderer = new THREE.WebGLRenderer({ canvas, context, antialias: true, alpha: true, logarithmicDepthBuffer: true });
+  const renderer = new THREE.WebGLRenderer({ canvas, context, alpha: true, logarithmicDepthBuffer: true });
   const camera = new THREE.PerspectiveCamera();
-  // Screen coordinates come in as they are; depth only by the fragments.
-  camera.projectionMatrix.set(1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 0, 0, 0, 0, -1, 0);
-  const stage = new THREE.Scene();
-  const parts = { spheres: sphereMesh(false), ids: sphereMesh(true), ...lineMeshes(), ...pointMeshes() };
-  stage.add(...Object.values(parts));
-  const show = (ids) => Object.entries(parts).forEach(([name, part]) => { part.visible = (name === "ids") === ids; });
-  const finish = (farthest) => { camera.far = Math.min(Math.max(farthest, 2), GREATEST_DEPTH); };
+  camera.projectionMatrix.set(1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 0, 0, 0, 0, -1, 0); // what it is handed is projected
+  const painter = { renderer, camera, spheres: sphereMesh({}), identities: sphereMesh({ IDENTIFY: 1 }), ...lineMeshes(), ...pointMeshes() };
   return {
-    /// Draws; returns sentences about what could not be drawn, and the spheres that only have a mark.
-    paint(list, viewer, width, height, ratio) {
-      renderer.setPixelRatio(ratio);
-      renderer.setSize(width, height, false);
-      const spheres = packSpheres(list.spheres, viewer, width * ratio, height * ratio, LEAST_RADIUS * ratio);
-      fillSpheres(parts.spheres, spheres, viewer, list.scene, width * ratio, height * ratio, list.axes[1]);
-      const marks = spheres.small.map(({ centre, colour }) => ({ at: centre, colour, shape: "ring", size: spheres.small.length > 200 ? 4 : 11 }));
-      const farthest = Math.max(
-        spheres.farthest, fillLines(parts, list, viewer, width, height),
-        fillPoints(parts, [...list.points, ...marks], viewer, list.palette, ratio),
-      );
-      finish(farthest);
-      show(false);
-      renderer.render(stage, camera);
-      return { small: spheres.small, notes: [...spheres.notes, ...depthNotes(farthest, spheres)] };
-    },
-    /// Which sphere every pixel shows, -1 for none; the row at the bottom first.
-    identify(list, viewer, width, height) {
-      const spheres = packSpheres(list.spheres, viewer, width, height, 0);
-      fillSpheres(parts.ids, spheres, viewer, list.scene, width, height, list.axes[1]);
-      finish(spheres.farthest);
-      show(true);
-      const target = new THREE.WebGLRenderTarget(width, height, { minFilter: THREE.NearestFilter, magFilter: THREE.NearestFilter });
-      renderer.setRenderTarget(target);
-      renderer.clear();
-      renderer.render(stage, camera);
-      const bytes = new Uint8Array(4 * width * height);
-      renderer.readRenderTargetPixels(target, 0, 0, width, height, bytes);
-      renderer.setRenderTarget(null);
-      target.dispose();
-      return Int32Array.from({ length: width * height }, (_, k) => bytes[4 * k] + 256 * bytes[4 * k + 1] + 65536 * bytes[4 * k + 2] - 1);
-    },
-    dispose() {
-      renderer.dispose();
-      renderer.forceContextLoss();
-    },
+    paint: (list, pane) => paintWith(painter, list, pane),
+    identify: (list, pane) => identifyWith(painter, list, pane),
+    dispose: () => { renderer.dispose(); renderer.forceContextLoss(); },
   };
 }
 
-/// Which sphere each of width x height pixels of a scene's view from the eye shows, -1 for none; row j = 0 first.
+function render({ renderer, camera }, meshes, farthest) {
+  camera.far = Math.min(Math.max(farthest, 2), GREATEST_DEPTH); // of the logarithmic depth
+  const stage = new THREE.Scene();
+  stage.add(...meshes);
+  renderer.render(stage, camera);
+}
+
+/// Draws a list on a pane; returns the spheres that are too small to see, and sentences on what is not drawn rightly.
+function paintWith(painter, list, pane) {
+  const ratio = Math.min(devicePixelRatio, 2);
+  painter.renderer.setPixelRatio(ratio);
+  painter.renderer.setSize(pane.width, pane.height, false);
+  const packed = packSpheres(list, pane, ratio);
+  fillSpheres(painter.spheres, packed, list, pane);
+  const size = packed.small.length > 200 ? 4 : 11;
+  const rings = packed.small.map(({ centre, colour }) => ({ at: centre, colour, shape: "ring", size }));
+  const farthest = Math.max(packed.farthest, fillLines(painter, list, pane), fillPoints(painter, [...list.points, ...rings], list, pane, ratio));
+  const { spheres, thin, thinHidden, thick, thickHidden, points, pointsHidden } = painter;
+  render(painter, [spheres, thinHidden, thin, thickHidden, thick, pointsHidden, points], farthest);
+  const notes = [];
+  if (farthest > GREATEST_DEPTH) notes.push("What is 1e30 times as far as the nearest is not drawn.");
+  if (packed.unresolved > 1) notes.push(`${packed.unresolved} spheres are so far off for their size that where two cross, either may be in front.`);
+  return { small: packed.small, notes };
+}
+
+/// The sphere that every pixel of a pane shows, -1 for none; the row at the bottom first.
+function identifyWith(painter, list, pane) {
+  const { renderer } = painter;
+  const { width, height } = pane;
+  const packed = packSpheres(list, pane, 1);
+  fillSpheres(painter.identities, packed, list, pane);
+  const target = new THREE.WebGLRenderTarget(width, height, { minFilter: THREE.NearestFilter, magFilter: THREE.NearestFilter });
+  renderer.setRenderTarget(target);
+  render(painter, [painter.identities], packed.farthest);
+  const bytes = new Uint8Array(4 * width * height);
+  renderer.readRenderTargetPixels(target, 0, 0, width, height, bytes);
+  renderer.setRenderTarget(null);
+  target.dispose();
+  return Int32Array.from({ length: width * height }, (_, k) => bytes[4 * k] + 256 * bytes[4 * k + 1] + 65536 * bytes[4 * k + 2] - 1);
+}
+
+/// The sphere that each of width x height pixels of the view from the eye shows, -1 for none; row j = 0 first.
 export function eyePicture(store, width, height) {
-  const scene = store.scene();
-  const { camera, spheres } = scene.figure;
-  if (!camera) throw new Error("a scene without a camera has no view from the eye");
+  const { figure, conventions } = store.scene();
+  const { camera, spheres } = figure;
   const painter = webglPainter(document.createElement("canvas"));
-  if (!painter) throw new Error("there is no WebGL 2 here");
-  const [across, down] = [width ?? camera.width, height ?? camera.height];
+  if (!camera || !painter) throw new Error(camera ? "there is no WebGL 2 here" : "without a camera there is no view from the eye");
+  const pane = { viewer: eyeViewer(camera), width: width ?? camera.width, height: height ?? camera.height };
   const list = {
-    scene, axes: [camera.U, camera.V, camera.W],
+    scene: { figure, conventions }, axes: [camera.U, camera.V, camera.W],
     spheres: spheres.centre.map((centre, index) => ({ index, centre, radius: spheres.radius[index], colour: [0, 0, 0] })),
   };
-  const seen = painter.identify(list, eyeViewer(camera), across, down);
+  const seen = painter.identify(list, pane);
   painter.dispose();
   if (camera.rows !== "top-first") return seen;
-  return seen.map((_, k) => seen[(down - 1 - Math.floor(k / across)) * across + (k % across)]);
+  return seen.map((_, k) => seen[(pane.height - 1 - Math.floor(k / pane.width)) * pane.width + (k % pane.width)]);
 }
 
-function depthNotes(farthest, { crowded }) {
-  const notes = [];
-  if (farthest > GREATEST_DEPTH) notes.push("What is farther than 1e30 times the nearest is not drawn.");
-  if (crowded > 1) notes.push(`${crowded} spheres are so small beside their distance that where two overlap, either may be before the other; go to one of them.`);
-  return notes;
-}
-
-/// What the GPU is told of each sphere, the farthest first. `small`: those whose radius is less than `least` pixels.
-function packSpheres(spheres, viewer, width, height, least) {
+/// What the GPU is told of the spheres, the farthest first: where depths are equal, the nearer is in front.
+function packSpheres({ spheres }, { viewer, width, height }, ratio) {
   const [x0, x1, y0, y1] = viewer.window;
-  const rays = [x0, y0, (x1 - x0) / width, (y1 - y0) / height];
-  const packed = { count: 0, small: [], notes: [], farthest: 0, crowded: 0, rays };
-  const seen = [];
+  const [across, along] = [Math.round(width * ratio), Math.round(height * ratio)];
+  const rays = [x0, y0, (x1 - x0) / across, (y1 - y0) / along];
+  const [seen, small] = [[], []];
   for (const sphere of spheres) {
     const centre = inView(viewer, sphere.centre);
+    const around = sphereWindow(centre, sphere.radius);
+    if (around === null) continue;
+    const radius = Math.max((around[1] - around[0]) / Math.abs(rays[2]), (around[3] - around[2]) / Math.abs(rays[3])) / 2;
     const distance = lengthOf(centre);
-    const bounds = sphereWindow(centre, sphere.radius);
-    if (bounds === null) continue;
-    const pixels = Math.max((bounds[1] - bounds[0]) / Math.abs(rays[2]), (bounds[3] - bounds[2]) / Math.abs(rays[3])) / 2;
-    if (pixels < least) packed.small.push(sphere);
-    if (pixels < LEAST_DRAWN || distance + sphere.radius > GREATEST_DEPTH * viewer.nearest) continue;
-    const window = [...pixelsOf(bounds[0], bounds[1], rays[0], rays[2], width), ...pixelsOf(bounds[2], bounds[3], rays[1], rays[3], height)];
-    if (window[0] < window[1] && window[2] < window[3]) seen.push({ sphere, centre, distance, window });
+    if (radius < LEAST_SEEN * ratio) small.push(sphere);
+    if (radius < LEAST_DRAWN || distance + sphere.radius > GREATEST_DEPTH * viewer.nearest) continue;
+    const x = pixelRange(around[0], around[1], rays[0], rays[2], across);
+    const y = pixelRange(around[2], around[3], rays[1], rays[3], along);
+    if (x[0] < x[1] && y[0] < y[1]) seen.push({ ...sphere, centre, distance, x, y });
   }
-  seen.sort((a, b) => (b.distance - b.sphere.radius) - (a.distance - a.sphere.radius));
-  packed.count = seen.length;
-  packed.data = new Float32Array(27 * seen.length);
-  seen.forEach((one, k) => {
-    packed.data.set(sphereData(one, viewer, rays, width, height), 27 * k);
-    packed.farthest = Math.max(packed.farthest, (one.distance + one.sphere.radius) / viewer.nearest);
-    if (one.sphere.radius < one.distance * 1e-5) packed.crowded += 1;
-  });
-  return packed;
+  seen.sort((a, b) => (b.distance - b.radius) - (a.distance - a.radius));
+  const data = new Float32Array(27 * seen.length);
+  seen.forEach((sphere, k) => data.set(sphereData(sphere, viewer, rays, across, along), 27 * k));
+  return {
+    data, rays, small, unresolved: seen.filter(({ radius, distance }) => radius < LEAST_RESOLVED * distance).length,
+    farthest: seen.reduce((most, { radius, distance }) => Math.max(most, (distance + radius) / viewer.nearest), 0),
+  };
 }
 
-/// The pixels, from the first to the last and one more on either side, between two tangents.
-function pixelsOf(low, high, origin, step, count) {
+/// The pixels between two tangents, and one more on either side.
+function pixelRange(low, high, origin, step, count) {
   const ends = [(low - origin) / step, (high - origin) / step].sort((a, b) => a - b);
   return [Math.max(0, Math.floor(ends[0]) - 1), Math.min(count, Math.ceil(ends[1]) + 1)];
 }
 
-function sphereData({ sphere, centre, distance, window }, viewer, rays, width, height) {
-  const r = sphere.radius;
-  const T = centre.map((x) => x / r);
+/// The attributes of one sphere, as sphere.frag reads them: differences are taken here, in doubles.
+function sphereData({ index, centre, radius, colour, surroundsEye, distance, x, y }, viewer, rays, across, along) {
   const unit = viewer.nearest;
-  // The middle of a pixel beside the centre, or as near to it as the screen goes.
-  const middle = (tangent, origin, step, first, last) => Math.min(Math.max(Math.floor((tangent - origin) / step), first), last - 1) + 0.5;
-  const isBefore = centre[2] > 0;
-  const x = middle(isBefore ? centre[0] / centre[2] : 0, rays[0], rays[2], window[0], window[1]);
-  const y = middle(isBefore ? centre[1] / centre[2] : 0, rays[1], rays[3], window[2], window[3]);
-  const D = [rays[0] + rays[2] * x, rays[1] + rays[3] * y, 1];
-  const far = Math.fround(distance / unit);
+  const T = centre.map((coordinate) => coordinate / radius);
+  const pixelNear = (tangent, origin, step, [first, end]) => Math.min(Math.max(Math.floor((tangent - origin) / step), first), end - 1) + 0.5;
+  const [px, py] = [0, 1].map((k) => pixelNear(centre[2] > 0 ? centre[k] / centre[2] : 0, rays[k], rays[k + 2], [x, y][k]));
+  const D = [rays[0] + rays[2] * px, rays[1] + rays[3] * py, 1];
+  const greater = Math.fround(distance / unit);
+  const isHalf = surroundsEye && !viewer.isEye && distance > radius;
   return [
-    (2 * window[0]) / width - 1, (2 * window[2]) / height - 1, (2 * window[1]) / width - 1, (2 * window[3]) / height - 1,
+    (2 * x[0]) / across - 1, (2 * y[0]) / along - 1, (2 * x[1]) / across - 1, (2 * y[1]) / along - 1,
     ...crossProduct(D, T), (D[0] * centre[0] + D[1] * centre[1] + centre[2]) / unit,
     0, -rays[2] * T[2], rays[2] * T[1], (rays[2] * centre[0]) / unit,
     rays[3] * T[2], 0, -rays[3] * T[0], (rays[3] * centre[1]) / unit,
-    far, distance / unit - far, r / unit, distance < r ? 1 : 0,
-    ...sphere.colour, sphere.index,
-    x, y, sphere.surroundsEye && viewer.start === 0 && distance >= r ? 1 : 0,
+    greater, distance / unit - greater, radius / unit, distance < radius ? 1 : 0,
+    ...colour, index, px, py, isHalf ? 1 : 0,
   ];
 }
 
-function sphereMesh(isFlat) {
+function sphereMesh(defines) {
   const geometry = new THREE.InstancedBufferGeometry();
   geometry.setAttribute("position", new THREE.Float32BufferAttribute([0, 0, 0, 1, 0, 0, 1, 1, 0, 0, 1, 0], 3));
   geometry.setIndex([0, 1, 2, 0, 2, 3]);
-  const uniforms = { rays: [4], upward: [3], counted: [2], rule: [4] };
-  const material = new THREE.ShaderMaterial({
-    vertexShader: SPHERE_VERTEX, fragmentShader: SPHERE_FRAGMENT, side: THREE.DoubleSide, transparent: !isFlat, depthWrite: true,
-    blending: isFlat ? THREE.NoBlending : THREE.NormalBlending, defines: isFlat ? { FLAT: 1 } : {},
-    uniforms: Object.fromEntries(Object.entries(uniforms).map(([name, [size]]) => [name, { value: new THREE[`Vector${size}`]() }])),
-  });
-  return always(new THREE.Mesh(geometry, material), 0);
+  return handed(new THREE.Mesh(geometry, new THREE.ShaderMaterial({
+    vertexShader: SHADERS["sphere.vert"], fragmentShader: SHADERS["sphere.frag"], side: THREE.DoubleSide, defines,
+    transparent: true, blending: defines.IDENTIFY ? THREE.NoBlending : THREE.NormalBlending,
+    uniforms: {
+      rays: { value: new THREE.Vector4() }, upward: { value: new THREE.Vector3() },
+      counted: { value: new THREE.Vector2() }, rule: { value: new THREE.Vector4() },
+    },
+  })), 0);
 }
 
-/// Nothing is culled by three: what it is handed lies on the screen.
-function always(mesh, order) {
+/// What is handed over lies on the screen: three need not look.
+function handed(mesh, order) {
   mesh.frustumCulled = false;
   mesh.renderOrder = order;
   return mesh;
 }
 
-function fillSpheres(mesh, packed, viewer, scene, width, height, up) {
-  fillBuffer(mesh.geometry, packed.data, 27, {
-    window: [4, 0], perpendicular: [4, 4], perpendicularX: [4, 8], perpendicularY: [4, 12], span: [4, 16], tint: [4, 20], reference: [3, 24],
-  });
+function fillSpheres(mesh, packed, { scene, axes }, { viewer }) {
+  fillBuffer(mesh.geometry, packed.data, { bounds: 4, turned: 4, turnedX: 4, turnedY: 4, span: 4, tint: 4, reference: 3 }, true);
   const { rays, upward, counted, rule } = mesh.material.uniforms;
   rays.value.fromArray(packed.rays);
-  upward.value.fromArray(viewer.axes.map((axis) => axis[0] * up[0] + axis[1] * up[1] + axis[2] * up[2]));
-  const own = viewer.isEye ? scene.conventions : {};
-  const isPerRadius = own.t_unit === "radius";
-  const inUnits = (t) => (isPerRadius ? t : (t * 2 ** scene.figure.scale_exponent) / viewer.nearest);
-  counted.value.set(inUnits(numberOf(own.t_min, 0)), Math.min(inUnits(numberOf(own.t_max, Infinity)), 3e38));
-  rule.value.set(
-    viewer.start / viewer.nearest, isPerRadius ? 1 : 0, { "back-faces": 1, "front-faces": 2 }[own.culling] ?? 0, own.root === "smaller" ? 1 : 0,
-  );
+  upward.value.fromArray(viewer.axes.map((axis) => axis[0] * axes[1][0] + axis[1] * axes[1][1] + axis[2] * axes[1][2]));
+  // From the eye what counts is what the scene's conventions say, from elsewhere what lies ahead.
+  const told = viewer.isEye ? scene.conventions : {};
+  const inRadii = told.t_unit === "radius";
+  const unit = inRadii ? 1 : 2 ** scene.figure.scale_exponent / viewer.nearest;
+  const greatest = Number.isFinite(told.t_max) ? told.t_max * unit : Infinity;
+  counted.value.set((told.t_min ?? 0) * unit, Math.min(greatest, 3e38));
+  const hasLarger = told.culling !== "back-faces" && told.root !== "smaller";
+  rule.value.set(viewer.start / viewer.nearest, inRadii ? 1 : 0, told.culling === "front-faces" ? 0 : 1, hasLarger ? 1 : 0);
 }
 
-function numberOf(told, otherwise) {
-  return told === undefined || told === null || told === "infinity" ? otherwise : Number(told);
-}
-
-/// Hands interleaved floats to a geometry, as instances or as vertices; its buffer is kept while it is large enough.
-function fillBuffer(geometry, data, stride, attributes, isInstanced = true) {
-  let buffer = geometry.attributes[Object.keys(attributes)[0]]?.data;
+/// Hands interleaved floats to a geometry; its buffer is kept while it is large enough.
+function fillBuffer(geometry, data, sizes, isInstanced) {
+  const stride = Object.values(sizes).reduce((sum, size) => sum + size);
+  let buffer = geometry.attributes[Object.keys(sizes)[0]]?.data;
   if (!buffer || buffer.array.length < data.length) {
+    geometry.dispose();
     const Buffer = isInstanced ? THREE.InstancedInterleavedBuffer : THREE.InterleavedBuffer;
-    buffer = new Buffer(new Float32Array(Math.max(2 * data.length, stride)), stride);
+    buffer = new Buffer(new Float32Array(2 * data.length + stride), stride);
     buffer.setUsage(THREE.DynamicDrawUsage);
-    for (const [name, [size, offset]] of Object.entries(attributes)) {
+    let offset = 0;
+    for (const [name, size] of Object.entries(sizes)) {
       geometry.setAttribute(name, new THREE.InterleavedBufferAttribute(buffer, size, offset));
+      offset += size;
     }
   }
   buffer.array.set(data);
@@ -202,60 +189,60 @@ function fillBuffer(geometry, data, stride, attributes, isInstanced = true) {
   else geometry.setDrawRange(0, data.length / stride);
 }
 
-function lineMeshes() {
-  const mesh = (geometry, linewidth, isHidden) => always(new THREE.LineSegments2(geometry, new THREE.LineMaterial({
-    linewidth, vertexColors: THREE.VertexColors, transparent: true, depthWrite: false,
-    opacity: isHidden ? 0.3 : 1, depthFunc: isHidden ? THREE.GreaterDepth : THREE.LessEqualDepth,
-  })), 1);
-  const [thin, thick] = [new THREE.LineSegmentsGeometry(), new THREE.LineSegmentsGeometry()];
-  return {
-    thin: mesh(thin, 1.3, false), thinHidden: mesh(thin, 1.3, true), thick: mesh(thick, 2.6, false), thickHidden: mesh(thick, 2.6, true),
-  };
+/// What is before the spheres, and, shining through, what they hide.
+function passes(make) {
+  const common = { transparent: true, depthWrite: false };
+  return [make({ ...common, depthFunc: THREE.LessEqualDepth }, 1), make({ ...common, depthFunc: THREE.GreaterDepth }, 0.3)];
 }
 
-/// Fills the lines; returns the greatest depth.
-function fillLines(parts, list, viewer, width, height) {
+function lineMeshes() {
+  const meshes = (linewidth) => {
+    const geometry = new THREE.LineSegmentsGeometry();
+    return passes((pass, opacity) => handed(new THREE.LineSegments2(geometry,
+      new THREE.LineMaterial({ ...pass, opacity, linewidth, vertexColors: THREE.VertexColors })), 1));
+  };
+  const [[thin, thinHidden], [thick, thickHidden]] = [meshes(1.3), meshes(2.6)];
+  return { thin, thinHidden, thick, thickHidden };
+}
+
+/// Returns the greatest depth.
+function fillLines(painter, list, pane) {
   const packed = { thin: [], thick: [] };
   let farthest = 0;
-  for (const { from, to, colour, thick, isDashed, hasArrow } of list.segments) {
-    const [start, end] = [from, to].map((point) => homogeneous(viewer, point).map((x) => x / viewer.nearest));
-    const clipped = clipSegment(start, end, 1);
-    if (!clipped || clipped[1][2] > GREATEST_DEPTH || clipped[0][2] > GREATEST_DEPTH) continue;
-    const pieces = isDashed ? dashed(...clipped, width, height) : [clipped];
-    if (hasArrow && clipped[1].every((x, k) => x === end[k])) pieces.push(...arrowHead(...clipped, width, height));
-    for (const [a, b] of pieces) {
-      packed[thick ? "thick" : "thin"].push(a[0], a[1], -a[2], b[0], b[1], -b[2], ...colour, ...colour);
+  for (const segment of list.segments) {
+    for (const [a, b] of strokesOf(pane, segment)) {
       farthest = Math.max(farthest, a[2], b[2]);
+      if (Math.max(a[2], b[2]) > GREATEST_DEPTH) continue;
+      packed[segment.isThick ? "thick" : "thin"].push(a[0], a[1], -a[2], b[0], b[1], -b[2], ...segment.colour, ...segment.colour);
     }
   }
-  const attributes = { instanceStart: [3, 0], instanceEnd: [3, 3], instanceColorStart: [3, 6], instanceColorEnd: [3, 9] };
-  for (const name of ["thin", "thick"]) {
-    fillBuffer(parts[name].geometry, packed[name], 12, attributes);
-    for (const mesh of [parts[name], parts[`${name}Hidden`]]) mesh.material.uniforms.resolution.value.set(width, height);
+  for (const [name, data] of Object.entries(packed)) {
+    fillBuffer(painter[name].geometry, data, { instanceStart: 3, instanceEnd: 3, instanceColorStart: 3, instanceColorEnd: 3 }, true);
+    for (const mesh of [painter[name], painter[`${name}Hidden`]]) mesh.material.uniforms.resolution.value.set(pane.width, pane.height);
   }
   return farthest;
 }
 
 function pointMeshes() {
   const geometry = new THREE.BufferGeometry();
-  const mesh = (isHidden) => always(new THREE.Points(geometry, new THREE.ShaderMaterial({
-    vertexShader: POINT_VERTEX, fragmentShader: POINT_FRAGMENT, transparent: true, depthWrite: false,
-    depthFunc: isHidden ? THREE.GreaterDepth : THREE.LessEqualDepth,
-    uniforms: { ratio: { value: 1 }, opacity: { value: isHidden ? 0.35 : 1 }, rim: { value: new THREE.Vector3() } },
-  })), 2);
-  return { points: mesh(false), pointsHidden: mesh(true) };
+  const [points, pointsHidden] = passes((pass, opacity) => handed(new THREE.Points(geometry, new THREE.ShaderMaterial({
+    ...pass, vertexShader: SHADERS["point.vert"], fragmentShader: SHADERS["point.frag"],
+    uniforms: { ratio: { value: 1 }, opacity: { value: opacity }, rim: { value: new THREE.Vector3() } },
+  })), 2));
+  return { points, pointsHidden };
 }
 
-function fillPoints({ points, pointsHidden }, marked, viewer, palette, ratio) {
+/// Returns the greatest depth.
+function fillPoints({ points, pointsHidden }, marks, { palette }, { viewer }, ratio) {
   const data = [];
   let farthest = 0;
-  for (const { at, colour, shape, size } of marked) {
-    const [x, y, w] = homogeneous(viewer, at).map((value) => value / viewer.nearest);
-    if (!(w >= 1) || w > GREATEST_DEPTH || Math.abs(x) > 1.1 * w || Math.abs(y) > 1.1 * w) continue;
-    data.push(x, y, w, ...colour, SHAPES.indexOf(shape), size);
+  for (const { at, colour, shape, size } of marks) {
+    const [x, y, w] = homogeneous(viewer, at);
+    if (!(w >= 1) || Math.abs(x) > 1.1 * w || Math.abs(y) > 1.1 * w) continue;
     farthest = Math.max(farthest, w);
+    if (w <= GREATEST_DEPTH) data.push(x, y, w, ...colour, SHAPES.indexOf(shape), size);
   }
-  fillBuffer(points.geometry, data, 8, { position: [3, 0], tint: [4, 3], size: [1, 7] }, false);
+  fillBuffer(points.geometry, data, { position: 3, tint: 4, size: 1 }, false);
   for (const { material } of [points, pointsHidden]) {
     material.uniforms.ratio.value = ratio;
     material.uniforms.rim.value.fromArray(palette.rim);
