@@ -1,5 +1,5 @@
 // The dial of a stress family: its severities, and each method's error along them.
-import { LETTER, alike, atEachWidth, brief, disclosure, element, glyph, rangeField, svg, table } from "./dom.js";
+import { LETTER, alike, atEachWidth, brief, briefSentence, disclosure, element, glyph, rangeField, svg, table } from "./dom.js";
 
 const TALL = 300; // pixels
 const LABEL_LINE = 15; // pixels: from a label's line to the next
@@ -16,8 +16,8 @@ export function mountDial(root, store) {
     (k) => String(dial.severities[k]), (k) => store.set({ scenesIndex: dial.scenes[k] }));
   const drawing = element("div", { id: "dial-view" });
   const rows = dial.curves.map((curve) => [brief(curve.name), ...curve.points.map((point) =>
-    (point.error ?? "-") + (point.wrong === "0" ? "" : `, ${point.wrong} wrong`))]);
-  root.append(element("h2", { id: "dial-heading" }, `Dial: ${dial.family}`), element("p", {}, brief(dial.sentence)),
+    (point.error ?? "-") + (point.wrong === 0 ? "" : `, ${point.wrong} wrong`))]);
+  root.append(element("h2", { id: "dial-heading" }, `Dial: ${dial.family}`), element("p", {}, briefSentence(dial.sentence)),
     field, drawing, disclosure("The curves as a table", table(`Largest error, in ${dial.unit}`,
       ["method", ...dial.severities.map(String)], rows)));
   const draw = () => {
@@ -35,7 +35,7 @@ export function mountDial(root, store) {
 
 function errorCurves(dial, position, width, store) {
   const groups = alike(dial.curves, (curve) => JSON.stringify(curve.points)).map((curves) => ({
-    points: curves[0].points, shape: curves[0].shape, text: curvesText(curves),
+    points: curves[0].points, number: store.methodNumber(curves[0].name), text: curvesText(curves),
     class: store.methodShown === null || curves.some((curve) => curve.name === store.methodShown) ? null : "faded",
   }));
   const right = width - 26 - Math.max(...groups.map((group) => group.text.length)) * LETTER;
@@ -56,7 +56,7 @@ function errorCurves(dial, position, width, store) {
     svg("text", { class: "label quiet", x: 2, y: 11 }, dial.unit),
     dial.severities.map((severity, k) =>
       svg("text", { class: "label quiet", x: x(k), y: bottom + 17, "text-anchor": "middle" }, severity)),
-    svg("text", { class: "label quiet", x: EDGE.left, y: TALL - 6 }, brief(dial.label)),
+    svg("text", { class: "label quiet", x: EDGE.left, y: TALL - 6 }, "severity"),
     svg("path", { class: "current", d: `M${x(position)} ${EDGE.top - 8}V${bottom}` }),
     groups.map((group) => curveLine(group, x, y)),
     endLabels(groups, right, y, bottom),
@@ -72,17 +72,17 @@ function curvesText(curves) {
 
 function curveLine(group, x, y) {
   const at = group.points.map((point, k) => ({ point, x: x(k).toFixed(1), y: y(logarithm(point)).toFixed(1) }))
-    .filter(({ point }) => point.error !== null);
+    .filter(({ point }) => !Number.isNaN(logarithm(point)));
   return svg("g", { class: group.class },
-    svg("polyline", { class: `curve line-${group.shape % 7}`, points: at.map((one) => `${one.x},${one.y}`).join(" ") }),
-    at.map((one) => [glyph(group.shape, one.x, one.y, 3.5), one.point.wrong === "0" ? null
+    svg("polyline", { class: `curve line-${group.number % 7}`, points: at.map((one) => `${one.x},${one.y}`).join(" ") }),
+    at.map((one) => [glyph(group.number, one.x, one.y, 3.5), one.point.wrong === 0 ? null
       : svg("path", { class: "cross", d: `M${one.x} ${one.y}m-5 -5l10 10m0 -10l-10 10` })]));
 }
 
 /// Names beside the curves' ends, pushed apart: first downwards, then up from the axis.
 function endLabels(groups, end, y, bottom) {
   const labels = groups.map((group) => {
-    const last = group.points.filter((point) => point.error !== null).at(-1);
+    const last = group.points.filter((point) => !Number.isNaN(logarithm(point))).at(-1);
     return { group, at: last ? y(logarithm(last)) : bottom };
   }).sort((a, b) => a.at - b.at);
   let last = EDGE.top - LABEL_LINE;
@@ -94,6 +94,7 @@ function endLabels(groups, end, y, bottom) {
     svg("text", { class: "label", x: end + 20, y: place + 4 }, group.text)));
 }
 
-function logarithm(point) {
-  return point.error === null ? NaN : Math.log10(Number(point.error));
+/// Minus infinity of no error; no number where nothing was compared, or the error has no bound.
+function logarithm({ error }) {
+  return typeof error === "number" ? Math.log10(error) : NaN;
 }

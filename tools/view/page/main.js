@@ -1,5 +1,5 @@
 // Reads what raycheck put into the page, and shows what there is.
-import { brief, element } from "./dom.js";
+import { briefSentence, element } from "./dom.js";
 import { createStore } from "./store.js";
 import { mountFigure } from "./figure.js";
 import { mountPanel, mountStory } from "./panel.js";
@@ -28,13 +28,11 @@ function byId(id) {
 }
 
 function showFrame(store) {
-  const show = () => byId("conventions").replaceChildren(brief(store.scene().conventions_text));
+  const show = () => byId("conventions").replaceChildren(briefSentence(store.scene().conventions_text));
   store.subscribe(show);
   show();
-  byId("footer").append(
-    ...store.document.left_out.map((sentence) => element("p", { dir: "auto" }, brief(sentence))),
-    element("p", {}, `Made by raycheck ${store.document.version}. `
-      + "Every number is computed exactly by raycheck and rounded once; this page only draws."));
+  byId("footer").append(...store.document.left_out.map((sentence) => element("p", { dir: "auto" }, briefSentence(sentence))),
+    element("p", {}, `Made by raycheck ${store.document.version}. Every number is computed exactly and then rounded; this page only draws.`));
 }
 
 async function start() {
@@ -53,6 +51,7 @@ async function start() {
 
 window.raycheckPage = { store: null, ready: null };
 window.raycheckPage.ready = start().catch((problem) => {
-  byId("headline").replaceChildren(`This page could not be shown: ${problem.message}`);
+  const at = byId(window.raycheckPage.store === null ? "headline" : "figure-view");
+  at.append(element("p", {}, `This could not be shown: ${problem.message}`));
   throw problem;
 });

@@ -5,31 +5,36 @@ const TALLEST = 440; // pixels
 const TOGETHER = 10; // pixels: marks nearer than this share a label
 const NAMES_SHOWN = 3; // of marks that share a label
 const LANE = 16; // pixels: from a label's line to the next
+const NARROW = 500; // pixels: has room for three numbers on its axis
 const GRID_SPACING = 4; // pixels: a denser grid is not drawn
 
 export function mountMicroscope(root, store) {
   const drawing = element("div", { id: "microscope-view" });
   let zoom = 0;
   let magnified = null;
+  let told = null;
   const draw = () => {
     const width = Math.floor(drawing.clientWidth);
-    if (magnified !== null && width > 0) drawing.replaceChildren(magnifiedView(magnified, zoom, width, store.methodShown));
+    if (magnified !== null && width > 0) drawing.replaceChildren(magnifiedView(magnified, zoom, width, store));
   };
   const show = () => {
     const now = store.panel()?.microscope ?? null;
-    if (now !== magnified || root.childElementCount === 0) {
+    if (now !== magnified || store.methodTold() !== told || root.childElementCount === 0) {
       magnified = now;
+      told = store.methodTold();
       const heading = element("h2", { id: "microscope-heading" }, "Microscope");
       if (now === null) {
-        root.replaceChildren(heading, element("p", {}, "There is no exact hit here to magnify."));
+        root.replaceChildren(heading, element("p", {}, "Here is nothing to magnify."));
       } else {
-        zoom = firstZoom(now);
+        zoom = firstZoom(now, told);
         const { input, field } = rangeField("zoom", "Window", now.zooms.length - 1,
           (k) => `\u00b1${numberText(now.zooms[k].half)} ulp`, (k) => {
             zoom = k;
             draw();
           });
-        root.replaceChildren(heading, element("p", {}, `${now.what}; 1 ulp = ${now.ulp}`), drawing, field, ...tellings(now));
+        const where = now.hit ? "Around the exact hit point, " : "Around the ray's point nearest to the centre, ";
+        root.replaceChildren(heading, element("p", {}, where, element("i", { class: "symbol" }, "s"), ` = ${now.s}; 1 ulp = ${now.ulp}`),
+          drawing, field, ...tellings(now, store.panel()));
         input.show(zoom);
       }
     }
@@ -40,25 +45,26 @@ export function mountMicroscope(root, store) {
   show();
 }
 
-/// The narrowest window that shows every wrong answer, or any answer where none is wrong.
-function firstZoom({ zooms, marks }) {
-  const wrong = marks.filter((mark) => mark.wrong);
-  const inside = ({ half }) => (mark) => Math.abs(mark.x) <= half && Math.abs(mark.y) <= half / 2;
-  const fits = zooms.findIndex((zoom) => (wrong.length > 0 ? wrong.every(inside(zoom)) : marks.some(inside(zoom))));
-  return fits < 0 ? zooms.length - 1 : fits;
+/// The narrowest window that shows the answer of the method told of, or any answer where none is.
+function firstZoom({ zooms, marks }, told) {
+  const meant = marks.filter((mark) => told === null || mark.name === told);
+  return Math.max(0, zooms.findIndex(({ half }) => meant.some((mark) => Math.abs(mark.x) <= half && Math.abs(mark.y) <= half / 2)));
 }
 
-function tellings({ caption, marks, missing }) {
+function tellings({ marks }, { verdicts }) {
   const rows = marks.map((mark) => [brief(mark.name), mark.x, mark.y, brief(mark.text)]);
-  const absent = missing.map((one) => `${brief(one.name)} (${brief(one.text)})`).join(", ");
-  return [element("p", { class: "quiet", dir: "auto" }, brief(caption)),
-    absent === "" ? "" : element("p", {}, `Nothing to draw: ${absent}`),
+  const absent = verdicts.filter((one) => one.intersects && !marks.some((mark) => mark.name === one.name))
+    .map((one) => `${brief(one.name)} (${brief(one.text)})`).join(", ");
+  return [element("p", { class: "quiet" }, "The plane through the ray and the sphere's centre. Filled marks: s along the ray; "
+    + "hollow ones: the point Q that a method gives. Lines: the neighbouring doubles of s."),
+    absent === "" ? "" : element("p", { dir: "auto" }, `Nothing to draw of ${absent}`),
     disclosure("All answers as a table", table("Answers around the exact point, in ulp",
       ["method", "along the ray", "towards the centre", "answer"], rows))];
 }
 
-function magnifiedView({ zooms, marks, region, grid }, zoom, width, methodShown) {
-  const { half, curve } = zooms[zoom];
+function magnifiedView({ hit, zooms, marks, region, grid }, zoom, width, store) {
+  const half = Number(zooms[zoom].half);
+  const curve = zooms[zoom].curve;
   const height = Math.min(TALLEST, Math.round(width * 0.7));
   const x = (ulps) => width / 2 + ulps / half * width / 2;
   const y = (ulps) => height / 2 - ulps / half * width / 2;
@@ -68,27 +74,28 @@ function magnifiedView({ zooms, marks, region, grid }, zoom, width, methodShown)
   return svg("svg", { viewBox: `0 0 ${width} ${height}`, role: "img", class: "instrument",
     "aria-label": `Where answers lie within ${numberText(half)} ulp of the exact point` },
   svg("g", { "aria-hidden": "true" },
-    regionBand(region, half, x, height),
+    hit ? regionBand(region, half, x, height) : null,
     gridLines(grid, half, x, height),
-    curve.map((points) => svg("polyline", { class: "sphere-curve",
-      points: points.map((point) => `${x(point[0]).toFixed(2)},${y(point[1]).toFixed(2)}`).join(" ") })),
+    svg("polyline", { class: "sphere-curve",
+      points: curve.map((point) => `${x(point[0]).toFixed(2)},${y(point[1]).toFixed(2)}`).join(" ") }),
     svg("path", { class: "ray", d: `M0 ${height / 2}H${width - 3}m-8 -4l8 4l-8 4` }),
-    [-1, -0.5, 0, 0.5, 1].map((part) => svg("text", { class: "label quiet", x: x(part * half), y: height - 5,
+    (width < NARROW ? [-1, 0, 1] : [-1, -0.5, 0, 0.5, 1]).map((part) => svg("text", { class: "label quiet", x: x(part * half), y: height - 5,
       "text-anchor": part === -1 ? "start" : part === 1 ? "end" : "middle" },
     part === 0 ? "0" : `${part > 0 ? "+" : "\u2212"}${numberText(Math.abs(part * half))}`, part === 1 ? " ulp" : "")),
     svg("circle", { class: "exact", cx: x(0), cy: y(0), r: 9 }),
     edgeArrows(outside, half, width, height, free),
-    inside.map((mark) => svg("g", { class: methodShown !== null && methodShown !== mark.name ? "faded" : null },
-      glyph(mark.shape, x(mark.x).toFixed(2), y(mark.y).toFixed(2)))),
+    inside.map((mark) => svg("g", { class: [store.methodShown === null || store.methodShown === mark.name ? "" : "faded",
+      mark.kind === "Q" ? "hollow" : ""].join(" ") },
+    glyph(store.methodNumber(mark.name), x(mark.x).toFixed(2), y(mark.y).toFixed(2), mark.kind === "Q" ? 7 : 5))),
     markLabels(marksTogether(inside, x, y), width, height, free),
     curveNames(curve, x, y, width, height, free)));
 }
 
 function regionBand(region, half, x, height) {
-  const [from, to] = region === null ? [-half, half] : [Math.max(-half, region[0]), Math.min(half, region[1])];
-  return [svg("rect", { class: "region", x: x(from), width: Math.max(1, x(to) - x(from)), y: 0, height }),
+  const to = region === null ? half : Math.min(half, region);
+  return [svg("rect", { class: "region", x: x(-to), width: Math.max(1, x(to) - x(-to)), y: 0, height }),
     svg("text", { class: "label", x: x(0), y: 14, "text-anchor": "middle" }, region === null
-      ? "rounding the inputs may move s anywhere" : `rounding the inputs moves s by up to ${region[1]} ulp`)];
+      ? "rounding the inputs may move s anywhere" : `rounding the inputs moves s by up to ${region} ulp`)];
 }
 
 function gridLines(grid, half, x, height) {
@@ -128,8 +135,8 @@ function marksTogether(marks, x, y) {
 }
 
 function marksText(marks) {
-  const named = marks.slice(0, NAMES_SHOWN).map((mark) => (mark.wrong ? "\u2717 " : "") + brief(mark.name, 24)).join(", ");
-  return named + (marks.length > NAMES_SHOWN ? ` and ${marks.length - NAMES_SHOWN} more` : "");
+  const names = [...new Set(marks.map((mark) => (mark.wrong ? "\u2717 " : "") + brief(mark.name, 24)))];
+  return names.slice(0, NAMES_SHOWN).join(", ") + (names.length > NAMES_SHOWN ? ` and ${names.length - NAMES_SHOWN} more` : "");
 }
 
 /// Each label above or below its mark, as near as leaves every other label free.
@@ -149,7 +156,7 @@ function markLabels(found, width, height, free) {
 
 /// "ray" and "sphere", where there is room beside them.
 function curveNames(curve, x, y, width, height, free) {
-  const beside = curve.flat().map((point) => [x(point[0]) + 6, y(point[1]) + 4])
+  const beside = curve.map((point) => [x(point[0]) + 6, y(point[1]) + 4])
     .filter(([left, at]) => left > 8 && left < width - 60 && at > 40 && at < height - 30);
   const named = (text, [left, at]) => (free.take([at], left, text.length) === undefined ? null
     : svg("text", { class: "label quiet", x: left, y: at }, text));
@@ -172,5 +179,5 @@ function freePlaces(taken) {
 }
 
 function numberText(value) {
-  return value < 1e5 ? String(value) : value.toExponential(1);
+  return Number(value) < 1e5 ? String(value) : Number(value).toExponential(1);
 }

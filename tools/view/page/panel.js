@@ -1,5 +1,5 @@
 // What is told of the chosen ray: the sentence at the page's top, and the panel of its steps.
-import { alike, brief, choice, copyButton, disclosure, element, formula, mathematics } from "./dom.js";
+import { alike, brief, briefSentence, choice, copyButton, disclosure, element, formula, mathematics } from "./dom.js";
 import { placeText } from "./store.js";
 
 const LONGEST_SHOWN = 400; // characters of MathML that are shown without being asked for
@@ -30,9 +30,9 @@ export function mountPanel(root, store) {
     const focused = root.contains(document.activeElement) ? document.activeElement.id : "";
     root.replaceChildren(element("h2", { id: "panel-heading" }, "Step by step"), ...(told === null ? howToAsk(store) : [
       methodFilter(store, told),
-      element("div", { id: "steps" }, told.steps.map((step) => stepView(step, store.methodShown, opened))),
+      element("div", { id: "steps" }, told.steps.map((step, k) => stepView(step, k, store.methodShown, opened))),
       element("h3", {}, "Answers"), verdictList(told, store.methodShown),
-      ...takeAway(told)]));
+      ...takeAway(told, store.scene().toml)]));
     if (focused) document.getElementById(focused)?.focus();
   };
   store.subscribe(show);
@@ -49,19 +49,20 @@ export function mountPanel(root, store) {
 
 function headlineOf(store, told) {
   if (told === null) return "This page has no panel for this choice.";
-  const exact = told.steps.find((step) => step.symbol === "s");
-  const name = store.methodShown ?? told.worst;
-  const answer = exact?.methods.find((method) => method.name === name);
-  const subject = element("strong", { dir: "auto" }, brief(name ?? ""));
-  if (answer) {
-    const wrong = told.steps.find((step) => step.methods.some((method) => method.name === name && method.wrong));
-    return [subject, " answers ", symbolOf("s"), " = ", markedDigits(answer, 0), "; exactly ",
-      element("span", { class: "number" }, exact.rounded[0]), `; off by ${answer.error} ${answer.unit}`,
-      wrong ? ["; ", element("strong", { class: "wrong" }, "goes wrong at ", symbolOf(wrong.symbol))] : "", "."];
-  }
-  const verdict = told.verdicts.find((one) => one.name === name && (one.wrong || store.methodShown !== null));
-  if (verdict) return [subject, ": ", brief(verdict.text)];
-  return ["No method goes wrong here.", exact ? [" Exactly ", symbolOf("s"), ` = ${exact.rounded[0]}.`] : ""];
+  const exactly = told.exact === null ? "no sphere" : told.exact.s === null ? `a ${told.exact.class}`
+    : [symbolOf("s"), " = ", element("span", { class: "number" }, told.exact.s)];
+  const name = store.methodTold();
+  const ofName = told.verdicts.filter((one) => one.name === name); // a ray method may share its name
+  const verdict = ofName.find((one) => one.wrong) ?? ofName.at(-1);
+  if (!verdict) return ["No method goes wrong here. Exactly: ", exactly, "."];
+  const subject = element("strong", { dir: "auto" }, brief(name));
+  const wrong = verdict.goes_wrong_at === "" ? ""
+    : ["; ", element("strong", { class: "wrong" }, "goes wrong at ", symbolOf(verdict.goes_wrong_at))];
+  const step = told.steps.find(({ symbol }) => symbol === "s");
+  const answer = verdict.intersects && step?.methods.find((method) => method.name === name);
+  if (!answer || answer.error === null) return [subject, ": ", briefSentence(verdict.text), "; exactly ", exactly, "."];
+  return [subject, " answers ", symbolOf("s"), " = ", markedDigits(answer, 0), "; exactly ",
+    element("span", { class: "number" }, step.rounded[0]), `; off by ${answer.error} ${answer.unit}`, wrong, "."];
 }
 
 function chooserFields(store) {
@@ -99,11 +100,11 @@ function numberField(id, label, value, count, onChange) {
 }
 
 function howToAsk(store) {
-  const { pixel, ray } = store.selection;
-  const which = pixel !== null ? ` --pixel ${pixel.join()}` : ray !== null ? ` --ray ${ray}` : "";
-  const command = `raycheck view ${store.scene().name}${which}`;
+  const { pixel, sphere } = store.selection;
+  if (pixel === null) return [element("p", { id: "no-panel" }, "This page has no panel for this choice.")];
+  const command = `${store.scene().command} --pixel ${pixel.join()}${sphere === null ? "" : ` --sphere ${sphere}`} --out page.html`;
   return [element("p", { id: "no-panel" }, "This page has no panel for this choice. One that has it is made by ",
-    element("code", { dir: "auto" }, brief(command)), " ", copyButton("copy-view", "Copy", command))];
+    element("code", { dir: "auto" }, briefSentence(command)), " ", copyButton("copy-view", "Copy", command))];
 }
 
 function methodFilter(store, told) {
@@ -118,14 +119,14 @@ function methodFilter(store, told) {
     button(null, "all", "all methods"), names.map((name, k) => button(name, k, name)));
 }
 
-function stepView(step, methodShown, opened) {
+function stepView(step, k, methodShown, opened) {
   const methods = step.methods.filter((method) => methodShown === null || method.name === methodShown);
   const wrong = methods.filter((method) => method.wrong).length;
   const told = wrong === 0 ? "" : `\u2717 goes wrong here: ${wrong === 1 ? "1 method" : `${wrong} methods`}`;
   const alone = step.condition_alone === null ? "" : `, of this step alone ${step.condition_alone}`;
-  const view = element("details", { id: `step-${step.symbol}`, class: wrong > 0 ? "step wrong-step" : "step",
+  const view = element("details", { id: `step-${k}`, "data-symbol": step.symbol, class: wrong > 0 ? "step wrong-step" : "step",
     open: opened.get(step.symbol) ?? wrong > 0 },
-  element("summary", { id: `summary-${step.symbol}`, click: () => opened.set(step.symbol, !view.open) },
+  element("summary", { id: `summary-${k}`, click: () => opened.set(step.symbol, !view.open) },
     element("h3", {}, symbolOf(step.symbol)), element("span", { class: "number" }, vectorOf(step.rounded)),
     element("span", { class: "wrong" }, told)),
   element("p", { class: "formula" }, symbolOf(step.symbol), " = ", formula(step.formula)),
@@ -173,20 +174,11 @@ function vectorOf(parts) {
     k === 0 ? "(" : "", part, k === parts.length - 1 ? ")" : ", "));
 }
 
-/// A component's value; its digits after the first `right_digits` significant ones are marked.
+/// A component's value; what follows its first `right_digits` characters is marked.
 function markedDigits(method, k) {
-  const value = method.value[k];
-  const told = (end) => element("span", { class: "number" }, value.slice(0, end),
-    end < value.length ? element("mark", {}, value.slice(end)) : "");
-  if (method.right_digits[k] === 0) return told(0);
-  let left = method.right_digits[k];
-  let significant = false;
-  for (let end = 0; end < value.length && value[end] !== "e"; end++) {
-    const digit = value[end] >= "0" && value[end] <= "9";
-    significant ||= digit && value[end] !== "0";
-    if (digit && significant && left-- === 0) return told(end);
-  }
-  return told(value.length);
+  const [value, right] = [method.value[k], method.right_digits[k]];
+  return element("span", { class: "number" }, value.slice(0, right),
+    right < value.length ? element("mark", {}, value.slice(right)) : "");
 }
 
 function verdictList(told, methodShown) {
@@ -194,15 +186,15 @@ function verdictList(told, methodShown) {
   return element("dl", { id: "verdicts" }, alike(shown, (one) => JSON.stringify([one.wrong, one.text])).map((same) =>
     element("div", {}, element("dt", { dir: "auto", class: same[0].wrong ? "wrong" : null },
       same[0].wrong ? "\u2717 " : "", same.map((one) => brief(one.name)).join(", ")),
-    element("dd", { dir: "auto" }, brief(same[0].text)))));
+    element("dd", { dir: "auto" }, briefSentence(same[0].text)))));
 }
 
-function takeAway(told) {
+function takeAway(told, toml) {
   return [element("h3", { class: "screen" }, "Take it away"), element("div", { class: "fields screen" },
-    copyButton("copy-toml", "Copy as TOML scene", told.toml), copyButton("copy-command", "Copy as command", told.command),
+    copyButton("copy-toml", "Copy as TOML scene", toml), copyButton("copy-command", "Copy as command", told.command),
     copyButton("copy-latex", "Copy as LaTeX", told.latex), copyButton("copy-sage", "Copy as Sage", told.sage)),
   element("details", { id: "explain" },
-    element("summary", {}, "What ", element("code", { dir: "auto" }, brief(told.command)), " prints"),
+    element("summary", {}, "What ", element("code", { dir: "auto" }, briefSentence(told.command)), " prints"),
     element("pre", { id: "explain-text", tabindex: "0" }, told.text))];
 }
 

@@ -31,7 +31,7 @@ export function mountPicture(root, store) {
     const both = [pictures[shown.left], pictures[shown.right]];
     both.forEach((picture, k) => {
       images[k].src = picture.png;
-      images[k].alt = brief(picture.name);
+      images[k].alt = pictureName(picture);
     });
     legends.replaceChildren(...[...new Set(both)].map(legend));
   };
@@ -45,7 +45,7 @@ export function mountPicture(root, store) {
     view.style.aspectRatio = `${camera.width} / ${camera.height}`;
     overlay.setAttribute("viewBox", `0 0 ${camera.width} ${camera.height}`);
     choices.replaceChildren(...["left", "right"].map((side) => choice(`picture-${side}`, side === "left" ? "Left" : "Right",
-      pictures.map((picture, k) => [k, picture.name]), shown[side], (value) => {
+      pictures.map((picture, k) => [k, pictureName(picture)]), shown[side], (value) => {
         shown[side] = Number(value);
         showPictures();
       })));
@@ -95,11 +95,15 @@ function seenAt(runs, index) {
   return null;
 }
 
-function legend({ name, caption, legend: entries }) {
+function pictureName({ kind, candidate }) {
+  return kind === "certified" ? "certified" : kind === "answered" ? `as ${brief(candidate)} has it` : `errors of ${brief(candidate)}`;
+}
+
+function legend(picture) {
   const swatch = (colour) => svg("svg", { class: "swatch", viewBox: "0 0 1 1", "aria-hidden": "true" },
     svg("rect", { width: 1, height: 1, fill: colour }));
   return element("figure", { class: "legend" },
-    element("figcaption", {}, element("strong", { dir: "auto" }, brief(name)), " ", brief(caption)),
-    element("ul", {}, entries.filter((entry) => entry.count !== "0").map((entry) => element("li", {},
-      swatch(entry.colour), ` ${brief(entry.text)} `, element("span", { class: "number" }, entry.count)))));
+    element("figcaption", { dir: "auto" }, pictureName(picture)),
+    element("ul", {}, picture.legend.filter((entry) => entry.pixels !== 0).map((entry) => element("li", {},
+      swatch(entry.colour), ` ${brief(entry.text)} `, element("span", { class: "number" }, entry.pixels ?? "")))));
 }

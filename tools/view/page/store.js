@@ -3,13 +3,15 @@
 /// document: as `raycheck view --format json` prints it. `set` takes any of {scenesIndex,
 /// selection, methodShown, layers} and calls every subscriber once with the store and the names of
 /// what was set. A selection given in part keeps the rest, except that another pixel or ray forgets
-/// the sphere; another scene starts where it says.
+/// the sphere; another scene starts where it says. The first scene is the first finding's.
 export function createStore(document) {
   const subscribers = [];
+  const numbers = new Map(); // of methods, as they are asked for
+  const first = document.findings[0]?.scene ?? 0;
   const store = {
     document,
-    scenesIndex: 0,
-    selection: { ...document.scenes[0].start },
+    scenesIndex: first,
+    selection: { ...document.scenes[first].start },
     methodShown: null,
     layers: {},
     scene: () => document.scenes[store.scenesIndex],
@@ -20,6 +22,17 @@ export function createStore(document) {
       const here = store.panelsHere();
       return (sphere === null ? here[0] : here.find((panel) => panel.sphere === sphere)) ?? null;
     },
+    /// Which shape and colour a method has, everywhere in the page.
+    methodNumber(name) {
+      if (!numbers.has(name)) numbers.set(name, numbers.size);
+      return numbers.get(name);
+    },
+    /// What was found at the chosen place, the worst first.
+    findingsHere: () => document.findings.filter((one) => one.scene === store.scenesIndex
+      && samePlace(one, store.selection) && [null, store.panel()?.sphere].includes(one.sphere)),
+    /// The method that the page speaks of: the one shown, or the worst one here; null where none goes wrong.
+    methodTold: () => store.methodShown ?? store.findingsHere()[0]?.method
+      ?? store.panel()?.verdicts.find((one) => one.wrong)?.name ?? null,
     set(partial) {
       if ("scenesIndex" in partial && partial.scenesIndex !== store.scenesIndex) {
         store.scenesIndex = partial.scenesIndex;
