@@ -32,8 +32,9 @@ export function mountMicroscope(root, store) {
             zoom = k;
             draw();
           });
-        root.replaceChildren(heading, element("p", {}, now.hit ? "Around the exact hit point, " : "Around the ray's point nearest to the centre, ",
-          element("i", { class: "symbol" }, "s"), ` = ${now.s}; 1 ulp = ${now.ulp}`), drawing, field, ...tellings(now, store.panel()));
+        const where = now.hit ? "Around the exact hit point, " : "Around the ray's point nearest to the centre, ";
+        root.replaceChildren(heading, element("p", {}, where, element("i", { class: "symbol" }, "s"), ` = ${now.s}; 1 ulp = ${now.ulp}`),
+          drawing, field, ...tellings(now, store.panel()));
         input.show(zoom);
       }
     }
