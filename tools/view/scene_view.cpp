@@ -10,6 +10,7 @@
 #include "scene/validate.h"
 #include "tools/image/image_paint.h"
 #include "tools/run/in_order.h"
+#include "tools/view/deflate.h"
 #include "tools/view/document_json.h"
 #include "tools/view/figure.h"
 #include "tools/view/panel.h"
@@ -130,9 +131,10 @@ void add_panels(const scene::Scene& scene, const SceneViewOptions& options, Scen
   const std::vector<Selection> list = candidates_for_panels(scene, options);
   struct Made {
     Panel panel;
-    std::size_t bytes = 0;
+    std::string line;
   };
   std::size_t bytes = 0;
+  std::string before;
   std::atomic<bool> is_full = false;
   properties::RunControl until_full = control;
   until_full.interrupted = [&] { return is_full || control.interrupted(); };
@@ -140,7 +142,7 @@ void add_panels(const scene::Scene& scene, const SceneViewOptions& options, Scen
       static_cast<std::int64_t>(list.size()), until_full,
       [&](std::int64_t k) {
         Made made{panel_of(scene, frame, list[static_cast<std::size_t>(k)], panels)};
-        made.bytes = panel_bytes(made.panel);
+        made.line = panel_line(made.panel);
         return made;
       },
       [&](const Made& made) {
@@ -148,7 +150,8 @@ void add_panels(const scene::Scene& scene, const SceneViewOptions& options, Scen
             view.panels.begin(), view.panels.end(),
             [&](const Panel& other) { return other.selection == made.panel.selection; });
         if (is_full || is_there) return;
-        bytes += made.bytes;
+        bytes += deflated_behind(before, made.line);
+        before = made.line;
         if (bytes > options.limits.panel_bytes && !view.panels.empty()) {
           is_full = true;
           return;
@@ -174,6 +177,7 @@ SceneView view_of(const scene::Scene& scene, const SceneViewOptions& options,
                   std::vector<std::string>& left_out, const properties::RunControl& control) {
   SceneView view;
   view.name = options.name;
+  view.command = fmt::format("raycheck view {}{}", options.file, options.more_arguments);
   view.scene = shown_scene(scene, options);
   view.figure = figure_of(view.scene, options.limits.spheres);
   if (view.figure.spheres_left_out > 0) {
