@@ -24,7 +24,7 @@ export function drawList(scene, selection, panel, layers, palette) {
   list.reach = Math.max(...list.whole.map(lengthOf)) || list.size;
   if (camera && layers.pixels) addPixels(list);
   for (const ray of raysShown(list)) addRay(list, ray);
-  if (layers.roots && panel) addDrawing(list, panel.drawing);
+  if (layers.roots && panel) addDrawing(list, panel);
   return withoutInfinities(list);
 }
 
@@ -198,8 +198,9 @@ function sphereSeen(scene, k) {
 }
 
 /// T, v, d and the roots of the panel's ray and sphere.
-function addDrawing(list, { L, P, D, C, foot, roots }) {
-  const { palette } = list;
+function addDrawing(list, { sphere, drawing: { L, P, D, foot, roots } }) {
+  const { palette, scene } = list;
+  const C = scene.figure.spheres.centre[sphere];
   const middle = (a, b) => times(plus(a, b), 0.5);
   const along = (point) => dotProduct(minus(point, L), D);
   const places = [L, ...(foot ? [foot] : []), ...roots.map((root) => root.Q)].sort((a, b) => along(a) - along(b));
