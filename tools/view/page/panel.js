@@ -77,7 +77,7 @@ function chooserFields(store) {
   } else if (rays.length > 1) {
     fields.push(numberField("ray", "Ray", selection.ray, rays.length, (ray) => store.set({ selection: { ray } })));
   }
-  const spheres = store.panelsHere().filter((panel) => panel.sphere !== null).map(({ sphere }) => [sphere, sphere]);
+  const spheres = store.panelsHere().filter((panel) => panel.sphere !== null).map(({ sphere }) => [sphere, String(sphere)]);
   if (spheres.length > 1) {
     fields.push(choice("sphere", "Sphere", spheres, store.panel()?.sphere,
       (value) => store.set({ selection: { sphere: Number(value) } })));
