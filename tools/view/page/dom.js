@@ -64,7 +64,7 @@ export function disclosure(summary, ...children) {
 export function choice(id, label, options, chosen, onChoice) {
   return element("label", { for: id, class: "field" }, element("span", {}, label),
     element("select", { id, change: (event) => onChoice(event.target.value) }, options.map(([value, text]) =>
-      element("option", { value, selected: String(value) === String(chosen) }, brief(text)))));
+      element("option", { value, selected: String(value) === String(chosen) }, brief(String(text))))));
 }
 
 /// A labelled range of 0 to `last` that tells its value; input.show(k) sets it.
