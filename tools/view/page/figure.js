@@ -179,8 +179,8 @@ function drawFigure(figure) {
   ].join(" ").trim());
   const { camera, rays, spheres } = store.scene().figure;
   const what = camera ? `camera, ${camera.width} x ${camera.height} pixels` : `${rays.length} rays`;
-  stage.setAttribute("aria-label", `Figure ${VIEWS[isFlat ? "flat" : view].name}: ${what}, `
-    + `${spheres.centre.length} spheres; chosen: ${placeText(store.selection) || "nothing"}`);
+  stage.setAttribute("aria-label", `Figure ${VIEWS[isFlat ? "flat" : view].name}: ${what}, spheres: `
+    + `${spheres.centre.length}; chosen: ${placeText(store.selection) || "nothing"}`);
 }
 
 function viewerOf({ view, list, orbit, zoom: enlarged }, aspect) {
