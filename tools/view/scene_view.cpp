@@ -141,7 +141,7 @@ void add_panels(const scene::Scene& scene, const SceneViewOptions& options, Scen
   in_order<Made>(
       static_cast<std::int64_t>(list.size()), until_full,
       [&](std::int64_t k) {
-        Made made{panel_of(scene, frame, list[static_cast<std::size_t>(k)], panels)};
+        Made made{panel_of(scene, frame, list[static_cast<std::size_t>(k)], panels), {}};
         made.line = panel_line(made.panel);
         return made;
       },
