@@ -103,14 +103,17 @@ function showView(figure, view) {
   const radius = Math.max(...whole.map((place) => lengthOf(minus(place, target)))) || size;
   const { azimuth, elevation } = { ...VIEWS.corner, ...VIEWS[view] };
   const orbit = { target, axes, azimuth, elevation, distance: distanceToFit(radius) };
-  // Then as much nearer as what is seen leaves room, and a little less.
-  const viewer = orbitViewer(orbit, figure.stage.clientWidth / figure.stage.clientHeight || 1);
-  const seen = whole.map((place) => homogeneous(viewer, place));
-  const share = Math.max(...seen.map(([x, y, w]) => Math.max(Math.abs(x), Math.abs(y)) / w));
-  orbit.distance *= share + 0.12;
+  // Then as much nearer as what is seen leaves room, and a little less; what is near grows faster than what is far.
+  const aspect = figure.stage.clientWidth / figure.stage.clientHeight || 1;
+  for (let k = 0; k < 4; ++k) orbit.distance *= shareSeen(orbitViewer(orbit, aspect), whole) + 0.12;
   Object.assign(figure, { view, zoom: 1, gone: "", orbit });
   fillControls(figure);
   redrawFigure(figure);
+}
+
+/// How much of the screen places fill, from its middle; 1 and more where one is outside.
+function shareSeen(viewer, places) {
+  return Math.max(...places.map((place) => homogeneous(viewer, place)).map(([x, y, w]) => (w > 0 ? Math.max(Math.abs(x), Math.abs(y)) / w : 1)));
 }
 
 function goToSphere(figure, index) {
