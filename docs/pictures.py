@@ -9,6 +9,7 @@ below a comment that says what it shows:
     page    the page
     part    which element of it, by a CSS selector; default: the figure
     width   of the window, in pixels; default: 700
+    scale   of the picture; default: 1
     set     fields of the page and their values, by CSS selectors
     store   what the page's store is to be set to (tools/view/page/store.js)
 
@@ -42,7 +43,7 @@ for (const [selector, value] of Object.entries(fields)) {
   for (const kind of ["input", "change"]) field.dispatchEvent(new Event(kind, { bubbles: true }));
 }"""
 PLACE = """const { x, y, width, height } = document.querySelector(arguments[0]).getBoundingClientRect();
-return { x: x + scrollX, y: y + scrollY, width, height, scale: 1 };"""
+return { x: x + scrollX, y: y + scrollY, width, height };"""
 
 
 def made_pages(text, folder, program):
@@ -65,6 +66,7 @@ def picture(browser, page, wanted):
     browser.run(SET, wanted.get("store", {}), wanted.get("set", {}))
     browser.run(READY)
     place = browser.run(PLACE, wanted.get("part", ".figure-stage"))
+    place["scale"] = wanted.get("scale", 1)
     taken = browser.command("Page.captureScreenshot", format="webp", quality=QUALITY, clip=place, captureBeyondViewport=True)
     return base64.b64decode(taken["data"])
 
