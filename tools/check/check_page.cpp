@@ -11,6 +11,7 @@
 #include "tools/report/words.h"
 #include "tools/view/scene_view.h"
 #include "tools/view/selection.h"
+#include "tools/view/view_words.h"
 
 namespace raycheck::tools {
 namespace {
@@ -95,8 +96,7 @@ ViewDocument check_document(const CheckReport& report, const CheckPageOptions& o
   document.title = std::filesystem::path(report.path).filename();
   if (report.rays_judged < report.rays_in_scene) {
     document.left_out.push_back(
-        fmt::format("{}: findings are of {} of {} rays; `raycheck check --view` judges them all",
-                    document.title, report.rays_judged, report.rays_in_scene));
+        fewer_judged(document.title, {report.rays_judged, report.rays_in_scene}));
   }
   for (const Group& group : groups_of(report)) {
     SceneViewOptions view;

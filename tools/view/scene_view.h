@@ -19,7 +19,7 @@ struct PageLimits {
 struct SceneViewOptions {
   std::string name;  ///< As commands and titles call it.
   std::string file;  ///< The scene as commands name it: a word, quoted where it has to be.
-  std::string more_arguments;       ///< Of commands: " --candidate ...", or nothing.
+  std::string more_arguments;       ///< Of commands: the candidate, or nothing.
   std::vector<MethodPair> methods;  ///< Whose pictures are shown; the rays are the first's.
   /// Someone else's, by whose conventions all is shown; null: there is none.
   std::shared_ptr<const OtherMethod> other = nullptr;
