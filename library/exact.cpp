@@ -56,7 +56,7 @@ Numbers numbers(const Enclose& enclose, const Round& round, const Write& write,
   const auto one = [&](int k) {
     return number([=](int bits) { return coordinate(enclose(bits), k); },
                   [=] { return coordinate(round(), k); },
-                  [=] { return write()[static_cast<std::size_t>(k)]; }, condition);
+                  [=] { return write()[static_cast<std::size_t>(k)].text(); }, condition);
   };
   return {one(0), one(1), one(2)};
 }
@@ -114,7 +114,7 @@ Intersection intersection(const SharedRay& of, const scene::Sphere& sphere,
   met.root = static_cast<WhichRoot>(at.root);
   met.parameter = number([=](int bits) { return of->ray.parameter(sphere, at, bits); },
                          [=] { return of->ray.rounded_parameter(sphere, at); },
-                         [=] { return of->forms.parameter(sphere, at); },
+                         [=] { return of->forms.parameter(sphere, at).text(); },
                          [=] { return condition_of_parameter(of->ray, sphere, at); });
   met.point = numbers([=](int bits) { return of->ray.point(sphere, at, bits); },
                       [=] { return of->ray.rounded_point(sphere, at); },

@@ -12,6 +12,22 @@
 namespace raycheck::reference {
 namespace {
 
+std::string text_of(const ClosedForm::Natural& numerator, const ClosedForm::Natural& denominator) {
+  return denominator.is_one() ? numerator.digits : numerator.digits + "/" + denominator.digits;
+}
+
+/// Without its sign.
+std::string text_of(const ClosedForm::Term& term) {
+  std::string product = text_of(term.numerator, term.denominator);
+  if (product == "1" && !term.is_rational()) product.clear();
+  const auto times = [&](const std::string& factor) {
+    product += (product.empty() ? "" : "*") + factor;
+  };
+  for (const ClosedForm& sum : term.sums) times("(" + sum.text() + ")");
+  for (const ClosedForm& radicand : term.radicands) times("sqrt(" + radicand.text() + ")");
+  return product;
+}
+
 using SymbolicKernel = CGAL::Simple_cartesian<RadicalSum>;
 using SymbolicVector = SymbolicKernel::Vector_3;
 
@@ -20,7 +36,9 @@ struct SymbolicLift {
   RadicalSum constant(double value) const { return (*this)(value); }
 };
 
-ClosedForm3 texts(const SymbolicVector& v) { return {v.x().text(), v.y().text(), v.z().text()}; }
+ClosedForm3 closed_forms(const SymbolicVector& v) {
+  return {v.x().closed_form(), v.y().closed_form(), v.z().closed_form()};
+}
 
 RadicalSum root_factor(const Intersection& intersection) {
   if (intersection.hit_class == HitClass::kTangent) return RadicalSum(0);
@@ -28,6 +46,26 @@ RadicalSum root_factor(const Intersection& intersection) {
 }
 
 }  // namespace
+
+std::string ClosedForm::text() const {
+  if (is_zero()) return "0";
+  std::string sum;
+  for (const Term& term : terms) {
+    if (sum.empty()) {
+      sum = term.negative ? "-" : "";
+    } else {
+      sum += term.negative ? " - " : " + ";
+    }
+    sum += text_of(term);
+  }
+  return sum;
+}
+
+std::vector<std::string> texts(std::span<const ClosedForm> forms) {
+  std::vector<std::string> result;
+  for (const ClosedForm& form : forms) result.push_back(form.text());
+  return result;
+}
 
 struct ClosedFormRay::Impl {
   Line<SymbolicKernel> line;
@@ -39,18 +77,18 @@ struct ClosedFormRay::Impl {
     return line_and_sphere(line, lift_sphere<SymbolicKernel>(SymbolicLift{}, sphere));
   }
   /// (v -+ d) / unit
-  std::string root_over(const RadicalSum& unit, const scene::Sphere& sphere,
-                        const Intersection& intersection) const {
+  ClosedForm root_over(const RadicalSum& unit, const scene::Sphere& sphere,
+                       const Intersection& intersection) const {
     const auto pair = with(sphere);
-    return text_of_sum(linear_coefficient(pair) / length / unit, root_factor(intersection) / unit,
-                       discriminant(pair) / line.a);
+    return closed_form_of_sum(linear_coefficient(pair) / length / unit,
+                              root_factor(intersection) / unit, discriminant(pair) / line.a);
   }
 };
 
 ClosedFormFrame closed_form_frame(const scene::Camera& camera) {
   scene::require_valid(camera);
   const auto axes = camera_numbers<SymbolicKernel>(SymbolicLift{}, camera).axes;
-  return {texts(axes.U), texts(axes.V), texts(axes.W)};
+  return {closed_forms(axes.U), closed_forms(axes.V), closed_forms(axes.W)};
 }
 
 ClosedFormRay::ClosedFormRay(const scene::Camera& camera, const scene::Conventions& conventions,
@@ -76,30 +114,32 @@ ClosedFormRay::ClosedFormRay(const scene::Ray& ray) {
   impl_ = std::make_shared<const Impl>(Impl{std::move(line), length, std::nullopt});
 }
 
-std::string ClosedFormRay::alpha() const { return impl_->position.value().alpha.text(); }
-std::string ClosedFormRay::beta() const { return impl_->position.value().beta.text(); }
-ClosedForm3 ClosedFormRay::pixel_point() const { return texts(impl_->line.base + impl_->line.g); }
-ClosedForm3 ClosedFormRay::origin() const { return texts(ray_origin(impl_->line)); }
-ClosedForm3 ClosedFormRay::direction() const { return texts(impl_->line.g / impl_->length); }
-std::string ClosedFormRay::length() const { return impl_->length.text(); }
+ClosedForm ClosedFormRay::alpha() const { return impl_->position.value().alpha.closed_form(); }
+ClosedForm ClosedFormRay::beta() const { return impl_->position.value().beta.closed_form(); }
+ClosedForm3 ClosedFormRay::pixel_point() const {
+  return closed_forms(impl_->line.base + impl_->line.g);
+}
+ClosedForm3 ClosedFormRay::origin() const { return closed_forms(ray_origin(impl_->line)); }
+ClosedForm3 ClosedFormRay::direction() const { return closed_forms(impl_->line.g / impl_->length); }
+ClosedForm ClosedFormRay::length() const { return impl_->length.closed_form(); }
 
 ClosedForm3 ClosedFormRay::to_centre(const scene::Sphere& sphere) const {
-  return texts(reference::to_centre(impl_->with(sphere)));
+  return closed_forms(reference::to_centre(impl_->with(sphere)));
 }
-std::string ClosedFormRay::axial_distance(const scene::Sphere& sphere) const {
-  return (linear_coefficient(impl_->with(sphere)) / impl_->length).text();
+ClosedForm ClosedFormRay::axial_distance(const scene::Sphere& sphere) const {
+  return (linear_coefficient(impl_->with(sphere)) / impl_->length).closed_form();
 }
-std::string ClosedFormRay::half_chord_sq(const scene::Sphere& sphere) const {
-  return (discriminant(impl_->with(sphere)) / impl_->line.a).text();
+ClosedForm ClosedFormRay::half_chord_sq(const scene::Sphere& sphere) const {
+  return (discriminant(impl_->with(sphere)) / impl_->line.a).closed_form();
 }
 
-std::string ClosedFormRay::distance(const scene::Sphere& sphere,
-                                    const Intersection& intersection) const {
+ClosedForm ClosedFormRay::distance(const scene::Sphere& sphere,
+                                   const Intersection& intersection) const {
   return impl_->root_over(RadicalSum(1), sphere, intersection);
 }
 
-std::string ClosedFormRay::parameter(const scene::Sphere& sphere,
-                                     const Intersection& intersection) const {
+ClosedForm ClosedFormRay::parameter(const scene::Sphere& sphere,
+                                    const Intersection& intersection) const {
   return impl_->root_over(impl_->position ? RadicalSum(1) : impl_->length, sphere, intersection);
 }
 
@@ -111,8 +151,8 @@ ClosedForm3 ClosedFormRay::point(const scene::Sphere& sphere,
   const RadicalSum half_chord_sq = discriminant(pair) / impl_->line.a;
   const auto coordinate = [&](int k) {
     const RadicalSum& g = impl_->line.g[k];
-    return text_of_sum(start[k] + mu * g, root_factor(intersection) * g / impl_->length,
-                       half_chord_sq);
+    return closed_form_of_sum(start[k] + mu * g, root_factor(intersection) * g / impl_->length,
+                              half_chord_sq);
   };
   return {coordinate(0), coordinate(1), coordinate(2)};
 }

@@ -27,6 +27,8 @@ inline constexpr std::int64_t kMostIndex = 9'000'000'000'000'000;
 /// A whole number of these; the error names the option.
 std::int64_t parse_index(const char* option, std::string_view text, std::int64_t least,
                          std::int64_t most = kMostIndex);
+/// A pixel, "I,J".
+scene::Pixel parse_pixel(const char* option, std::string_view text);
 /// What --dialect says of a driver file that is read; empty of an empty text.
 std::optional<scene::Dialect> parse_dialect(const std::string& text);
 /// The form of driver files for renderers that it says, or that each is tried; likewise.
@@ -89,6 +91,10 @@ void add_format(CLI::App& command, std::string& format, const View<Report> (&vie
   }
   add_format(command, format, names);
 }
+/// --view FILE: a page for a browser; `what` is what it shows.
+void add_view(CLI::App& command, std::optional<std::string>& path, std::string_view what);
+/// " --candidate ..." for each, as a shell takes them.
+std::string candidate_words(const ExternalArguments& arguments);
 /// --certificates FILE
 void add_certificates(CLI::App& command, std::optional<std::string>& path);
 /// --threads; `same` is what does not depend on it.

@@ -25,6 +25,7 @@ struct Command {
   ROW(tradeoff)                \
   ROW(worst)                   \
   ROW(image)                   \
+  ROW(view)                    \
   ROW(plan)                    \
   ROW(grade)                   \
   ROW(try)                     \

@@ -4,8 +4,6 @@
 #include <utility>
 #include <vector>
 
-#include "reference/closed_form.h"
-
 namespace raycheck::reference {
 namespace {
 
@@ -61,10 +59,15 @@ SquareFactor take_out_squares(Integer n) {
   return result;
 }
 
-std::string text_of_term(const Integer& radicand, const Rational& magnitude) {
-  if (radicand == 1) return magnitude.str();
-  const std::string root = "sqrt(" + radicand.str() + ")";
-  return magnitude == 1 ? root : magnitude.str() + "*" + root;
+ClosedForm::Natural natural(const Integer& n) {
+  const auto twos = static_cast<unsigned>(mp::lsb(n));
+  const Integer odd = n >> twos;
+  if (twos < kFewestTwos || odd > kLargestOdd) return {n.str()};
+  return {n.str(), odd.convert_to<unsigned>(), twos};
+}
+
+ClosedForm::Term rational_term(const Rational& value) {
+  return {value < 0, natural(mp::abs(mp::numerator(value))), natural(mp::denominator(value))};
 }
 
 }  // namespace
@@ -140,17 +143,11 @@ std::optional<RadicalSum> RadicalSum::square_root() const {
   return q > 0 ? larger + smaller : larger - smaller;
 }
 
-std::string RadicalSum::text() const {
-  if (terms_.empty()) return "0";
-  std::string result;
+ClosedForm RadicalSum::closed_form() const {
+  ClosedForm result;
   for (const auto& [radicand, coefficient] : terms_) {
-    const bool negative = coefficient < 0;
-    if (result.empty()) {
-      if (negative) result = "-";
-    } else {
-      result += negative ? " - " : " + ";
-    }
-    result += text_of_term(radicand, Rational(mp::abs(coefficient)));
+    ClosedForm::Term& term = result.terms.emplace_back(rational_term(coefficient));
+    if (radicand != 1) term.radicands.push_back({{rational_term(Rational(radicand))}});
   }
   return result;
 }
@@ -159,19 +156,20 @@ RadicalSum first_root(const RadicalSum& rational) {
   return RadicalSum::square_root(rational.rational().value());
 }
 
-std::string text_of_sum(const RadicalSum& a, const RadicalSum& b, const RadicalSum& c) {
-  if (const auto root = c.square_root()) return (a + b * *root).text();
-  if (b.is_zero()) return a.text();
-  std::string result = "sqrt(" + c.text() + ")";
-  const auto factor = b.rational();
-  if (factor == Rational(-1)) {
-    result = "-" + result;
-  } else if (!factor || *factor != 1) {
-    result = (b.is_one_term() ? b.text() : "(" + b.text() + ")") + "*" + result;
+ClosedForm closed_form_of_sum(const RadicalSum& a, const RadicalSum& b, const RadicalSum& c) {
+  if (const auto root = c.square_root()) return (a + b * *root).closed_form();
+  ClosedForm result = a.closed_form();
+  if (b.is_zero()) return result;
+  ClosedForm coefficient = b.closed_form();
+  ClosedForm::Term nested;
+  if (b.is_one_term()) {
+    nested = std::move(coefficient.terms.front());
+  } else {
+    nested.sums.push_back(std::move(coefficient));
   }
-  if (a.is_zero()) return result;
-  const std::string rest = a.text();
-  return rest.front() == '-' ? result + " - " + rest.substr(1) : result + " + " + rest;
+  nested.radicands.push_back(c.closed_form());
+  result.terms.insert(result.terms.begin(), std::move(nested));
+  return result;
 }
 
 }  // namespace raycheck::reference

@@ -4,8 +4,8 @@
 #include <functional>
 #include <map>
 #include <optional>
-#include <string>
 
+#include "reference/closed_form.h"
 #include "reference/internal/kernels.h"
 
 namespace raycheck::reference {
@@ -35,7 +35,7 @@ class RadicalSum {
   std::optional<RadicalSum> square_root() const;
   bool is_zero() const { return terms_.empty(); }
   bool is_one_term() const { return terms_.size() == 1; }
-  std::string text() const;
+  ClosedForm closed_form() const;
 
  private:
   void add(const Integer& radicand, const Rational& coefficient);
@@ -52,8 +52,8 @@ inline RadicalSum operator/(RadicalSum a, const RadicalSum& b) { return a /= b; 
 RadicalSum first_root(const RadicalSum& rational);
 inline RadicalSum second_root(const RadicalSum& rational) { return first_root(rational); }
 
-/// The text of a + b sqrt(c); the root is worked out where c's is a RadicalSum.
-std::string text_of_sum(const RadicalSum& a, const RadicalSum& b, const RadicalSum& c);
+/// b sqrt(c) + a; the root is worked out where c's is a RadicalSum.
+ClosedForm closed_form_of_sum(const RadicalSum& a, const RadicalSum& b, const RadicalSum& c);
 
 }  // namespace raycheck::reference
 

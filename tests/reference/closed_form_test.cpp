@@ -3,6 +3,9 @@
 #include <gtest/gtest.h>
 
 #include <stdexcept>
+#include <string>
+#include <utility>
+#include <vector>
 
 #include "tests/reference/closed_form_value.h"
 #include "tests/reference/random_cases.h"
@@ -13,6 +16,8 @@ namespace {
 using scene::Camera;
 using scene::Ray;
 using scene::Sphere;
+
+using Texts = std::vector<std::string>;
 
 const Intersection kSmallerHit{HitClass::kHit, WhichRoot::kSmaller};
 const Intersection kLargerHit{HitClass::kHit, WhichRoot::kLarger};
@@ -29,15 +34,15 @@ TEST(ClosedFormValueParser, ReadsWhatIsPrintedAndNothingElse) {
 
 TEST(LectureClosedForm, FirstSphere) {
   const ClosedFormRay ray(Ray{{1, 1, 3}, {4, 3, 0}});
-  EXPECT_EQ(ray.direction(), (ClosedForm3{"4/5", "3/5", "0"}));
-  EXPECT_EQ(ray.origin(), (ClosedForm3{"1", "1", "3"}));
-  EXPECT_EQ(ray.length(), "5");
-  EXPECT_EQ(ray.to_centre(kLectureSphere), (ClosedForm3{"4", "4", "2"}));
-  EXPECT_EQ(ray.axial_distance(kLectureSphere), "28/5");
-  EXPECT_EQ(ray.half_chord_sq(kLectureSphere), "109/25");
-  EXPECT_EQ(ray.parameter(kLectureSphere, kSmallerHit), "-1/25*sqrt(109) + 28/25");
-  EXPECT_EQ(ray.point(kLectureSphere, kSmallerHit),
-            (ClosedForm3{"-4/25*sqrt(109) + 137/25", "-3/25*sqrt(109) + 109/25", "3"}));
+  EXPECT_EQ(texts(ray.direction()), (Texts{"4/5", "3/5", "0"}));
+  EXPECT_EQ(texts(ray.origin()), (Texts{"1", "1", "3"}));
+  EXPECT_EQ(ray.length().text(), "5");
+  EXPECT_EQ(texts(ray.to_centre(kLectureSphere)), (Texts{"4", "4", "2"}));
+  EXPECT_EQ(ray.axial_distance(kLectureSphere).text(), "28/5");
+  EXPECT_EQ(ray.half_chord_sq(kLectureSphere).text(), "109/25");
+  EXPECT_EQ(ray.parameter(kLectureSphere, kSmallerHit).text(), "-1/25*sqrt(109) + 28/25");
+  EXPECT_EQ(texts(ray.point(kLectureSphere, kSmallerHit)),
+            (Texts{"-4/25*sqrt(109) + 137/25", "-3/25*sqrt(109) + 109/25", "3"}));
 }
 
 TEST(LectureClosedForm, FirstSphereByAUnitDirection) {
@@ -46,74 +51,74 @@ TEST(LectureClosedForm, FirstSphereByAUnitDirection) {
   conventions.origin = scene::Origin::kFocal;
   const Camera camera{{1, 1, 3}, {5, 4, 3}, {0, 0, 1}, -1, {}, -1, 1, -1, 1, 3, 3};
   const ClosedFormRay ray(camera, conventions, {1, 1});
-  EXPECT_EQ(ray.direction(), (ClosedForm3{"4/5", "3/5", "0"}));
-  EXPECT_EQ(ray.parameter(kLectureSphere, kSmallerHit), "-1/5*sqrt(109) + 28/5");
-  EXPECT_EQ(ray.parameter(kLectureSphere, kLargerHit), "1/5*sqrt(109) + 28/5");
+  EXPECT_EQ(texts(ray.direction()), (Texts{"4/5", "3/5", "0"}));
+  EXPECT_EQ(ray.parameter(kLectureSphere, kSmallerHit).text(), "-1/5*sqrt(109) + 28/5");
+  EXPECT_EQ(ray.parameter(kLectureSphere, kLargerHit).text(), "1/5*sqrt(109) + 28/5");
 }
 
 TEST(LectureClosedForm, Example1) {
   const ClosedFormRay ray(Ray{{0, 0, 0}, {1, 3, 4}});
-  EXPECT_EQ(ray.direction(), (ClosedForm3{"1/26*sqrt(26)", "3/26*sqrt(26)", "2/13*sqrt(26)"}));
-  EXPECT_EQ(ray.to_centre(kLectureSphere), (ClosedForm3{"5", "5", "5"}));
-  EXPECT_EQ(ray.half_chord_sq(kLectureSphere), "-58/13");
+  EXPECT_EQ(texts(ray.direction()), (Texts{"1/26*sqrt(26)", "3/26*sqrt(26)", "2/13*sqrt(26)"}));
+  EXPECT_EQ(texts(ray.to_centre(kLectureSphere)), (Texts{"5", "5", "5"}));
+  EXPECT_EQ(ray.half_chord_sq(kLectureSphere).text(), "-58/13");
 }
 
 TEST(LectureClosedForm, Example2) {
   const ClosedFormRay ray(Ray{{1, 0, 1}, {1, 2, 1}});
-  EXPECT_EQ(ray.direction(), (ClosedForm3{"1/6*sqrt(6)", "1/3*sqrt(6)", "1/6*sqrt(6)"}));
-  EXPECT_EQ(ray.to_centre(kLectureSphere), (ClosedForm3{"4", "5", "4"}));
-  EXPECT_EQ(ray.half_chord_sq(kLectureSphere), "6");
-  EXPECT_EQ(ray.axial_distance(kLectureSphere), "3*sqrt(6)");
-  EXPECT_EQ(ray.parameter(kLectureSphere, kSmallerHit), "2");
-  EXPECT_EQ(ray.point(kLectureSphere, kSmallerHit), (ClosedForm3{"3", "4", "3"}));
+  EXPECT_EQ(texts(ray.direction()), (Texts{"1/6*sqrt(6)", "1/3*sqrt(6)", "1/6*sqrt(6)"}));
+  EXPECT_EQ(texts(ray.to_centre(kLectureSphere)), (Texts{"4", "5", "4"}));
+  EXPECT_EQ(ray.half_chord_sq(kLectureSphere).text(), "6");
+  EXPECT_EQ(ray.axial_distance(kLectureSphere).text(), "3*sqrt(6)");
+  EXPECT_EQ(ray.parameter(kLectureSphere, kSmallerHit).text(), "2");
+  EXPECT_EQ(texts(ray.point(kLectureSphere, kSmallerHit)), (Texts{"3", "4", "3"}));
   // The same ray from a camera: s = 2 sqrt(6) is a length.
   scene::Conventions conventions;
   conventions.origin = scene::Origin::kFocal;
   const Camera camera{{1, 0, 1}, {2, 2, 2}, {0, 0, 1}, -1, {}, -1, 1, -1, 1, 3, 3};
   const ClosedFormRay unit(camera, conventions, {1, 1});
-  EXPECT_EQ(unit.direction(), ray.direction());
-  EXPECT_EQ(unit.parameter(kLectureSphere, kSmallerHit), "2*sqrt(6)");
+  EXPECT_EQ(texts(unit.direction()), texts(ray.direction()));
+  EXPECT_EQ(unit.parameter(kLectureSphere, kSmallerHit).text(), "2*sqrt(6)");
 }
 
 TEST(LectureClosedForm, Cameras) {
   const Camera first{{8, 8, 100}, {8, 8, 54}, {0, 1, 0}, -30, -75, -30, 30, -20, 20, 2, 2};
   const ClosedFormFrame frame = closed_form_frame(first);
-  EXPECT_EQ(frame.U, (ClosedForm3{"1", "0", "0"}));
-  EXPECT_EQ(frame.V, (ClosedForm3{"0", "1", "0"}));
-  EXPECT_EQ(frame.W, (ClosedForm3{"0", "0", "1"}));
+  EXPECT_EQ(texts(frame.U), (Texts{"1", "0", "0"}));
+  EXPECT_EQ(texts(frame.V), (Texts{"0", "1", "0"}));
+  EXPECT_EQ(texts(frame.W), (Texts{"0", "0", "1"}));
   const ClosedFormRay corner(first, {}, {0, 0});
-  EXPECT_EQ(corner.alpha(), "-30");
-  EXPECT_EQ(corner.beta(), "-20");
-  EXPECT_EQ(corner.pixel_point(), (ClosedForm3{"-22", "-12", "70"}));
-  EXPECT_EQ(corner.direction(),
-            (ClosedForm3{"-3/22*sqrt(22)", "-1/11*sqrt(22)", "-3/22*sqrt(22)"}));
-  EXPECT_EQ(corner.length(), "10*sqrt(22)");
+  EXPECT_EQ(corner.alpha().text(), "-30");
+  EXPECT_EQ(corner.beta().text(), "-20");
+  EXPECT_EQ(texts(corner.pixel_point()), (Texts{"-22", "-12", "70"}));
+  EXPECT_EQ(texts(corner.direction()),
+            (Texts{"-3/22*sqrt(22)", "-1/11*sqrt(22)", "-3/22*sqrt(22)"}));
+  EXPECT_EQ(corner.length().text(), "10*sqrt(22)");
 
   const Camera optical{{8, 8, 100}, {8, 8, 54}, {0, 1, 0}, -30, -75, -20, 20, 20, -20, 3, 3};
   const ClosedFormRay other(optical, {}, {0, 0});
-  EXPECT_EQ(other.pixel_point(), (ClosedForm3{"-12", "28", "70"}));
-  EXPECT_EQ(other.direction(), (ClosedForm3{"-2/17*sqrt(17)", "2/17*sqrt(17)", "-3/17*sqrt(17)"}));
-  EXPECT_EQ(ClosedFormRay(optical, {}, {1, 1}).direction(), (ClosedForm3{"0", "0", "-1"}));
+  EXPECT_EQ(texts(other.pixel_point()), (Texts{"-12", "28", "70"}));
+  EXPECT_EQ(texts(other.direction()), (Texts{"-2/17*sqrt(17)", "2/17*sqrt(17)", "-3/17*sqrt(17)"}));
+  EXPECT_EQ(texts(ClosedFormRay(optical, {}, {1, 1}).direction()), (Texts{"0", "0", "-1"}));
 }
 
 TEST(ClosedForm, TermsThatVanishAreDropped) {
   const ClosedFormRay ray(Ray{{-5, 0, 0}, {1, 0, 0}});
   const Sphere unit{{0, 0, 0}, 1};
-  EXPECT_EQ(ray.parameter(unit, kSmallerHit), "4");
-  EXPECT_EQ(ray.point(unit, kSmallerHit), (ClosedForm3{"-1", "0", "0"}));
-  EXPECT_EQ(ray.parameter({{-5, 0, 0}, 2}, kLargerHit), "2");
+  EXPECT_EQ(ray.parameter(unit, kSmallerHit).text(), "4");
+  EXPECT_EQ(texts(ray.point(unit, kSmallerHit)), (Texts{"-1", "0", "0"}));
+  EXPECT_EQ(ray.parameter({{-5, 0, 0}, 2}, kLargerHit).text(), "2");
   const ClosedFormRay inside(Ray{{0, 0.5, 0}, {1, 0, 0}});
-  EXPECT_EQ(inside.parameter(unit, kLargerHit), "1/2*sqrt(3)");
-  EXPECT_EQ(inside.parameter(unit, kSmallerHit), "-1/2*sqrt(3)");
-  EXPECT_EQ(ray.parameter({{0, 1, 0}, 1}, kTangent), "5");
+  EXPECT_EQ(inside.parameter(unit, kLargerHit).text(), "1/2*sqrt(3)");
+  EXPECT_EQ(inside.parameter(unit, kSmallerHit).text(), "-1/2*sqrt(3)");
+  EXPECT_EQ(ray.parameter({{0, 1, 0}, 1}, kTangent).text(), "5");
 }
 
 TEST(ClosedForm, SquareFactorsAreTakenOut) {
-  EXPECT_EQ(ClosedFormRay(Ray{{0, 0, 0}, {2, 2, 2}}).length(), "2*sqrt(3)");
-  EXPECT_EQ(ClosedFormRay(Ray{{0, 0, 0}, {0.5, 0.25, 0}}).length(), "1/4*sqrt(5)");
+  EXPECT_EQ(ClosedFormRay(Ray{{0, 0, 0}, {2, 2, 2}}).length().text(), "2*sqrt(3)");
+  EXPECT_EQ(ClosedFormRay(Ray{{0, 0, 0}, {0.5, 0.25, 0}}).length().text(), "1/4*sqrt(5)");
   // 65537 is beyond the primes that are tried; what is left of this radicand is its square.
-  EXPECT_EQ(ClosedFormRay(Ray{{0, 0, 0}, {65537, 65537, 0}}).length(), "65537*sqrt(2)");
-  EXPECT_EQ(ClosedFormRay(Ray{{0, 0, 0}, {65521, 65521, 65521}}).length(), "65521*sqrt(3)");
+  EXPECT_EQ(ClosedFormRay(Ray{{0, 0, 0}, {65537, 65537, 0}}).length().text(), "65537*sqrt(2)");
+  EXPECT_EQ(ClosedFormRay(Ray{{0, 0, 0}, {65521, 65521, 65521}}).length().text(), "65521*sqrt(3)");
 }
 
 TEST(ClosedForm, HitsOutsideTheFieldKeepOneNestedRoot) {
@@ -122,11 +127,52 @@ TEST(ClosedForm, HitsOutsideTheFieldKeepOneNestedRoot) {
   const Camera camera{{0, 0, 0}, {-1, -1, -1}, {0, 0, 1}, -1, {}, -1, 1, -1, 1, 3, 3};
   const ClosedFormRay ray(camera, conventions, {2, 1});
   const Sphere sphere{{-2, -1, -1}, 1};
-  const std::string s = ray.parameter(sphere, kSmallerHit);
+  const std::string s = ray.parameter(sphere, kSmallerHit).text();
   EXPECT_NE(s.find("sqrt("), std::string::npos);
-  const std::string d_sq = ray.half_chord_sq(sphere);
+  const std::string d_sq = ray.half_chord_sq(sphere).text();
   EXPECT_NE(d_sq.find("sqrt("), std::string::npos) << d_sq;
-  EXPECT_EQ(s, "-sqrt(" + d_sq + ") + " + ray.axial_distance(sphere));
+  EXPECT_EQ(s, "-sqrt(" + d_sq + ") + " + ray.axial_distance(sphere).text());
+}
+
+TEST(ClosedForm, IsASumOfTermsInTheOrderOfItsText) {
+  const ClosedForm s =
+      ClosedFormRay(Ray{{1, 1, 3}, {4, 3, 0}}).parameter(kLectureSphere, kSmallerHit);
+  ASSERT_EQ(s.terms.size(), 2U);
+  const ClosedForm::Term &root = s.terms[0], &rational = s.terms[1];
+  EXPECT_TRUE(root.negative);
+  EXPECT_TRUE(root.numerator.is_one());
+  EXPECT_EQ(root.denominator.digits, "25");
+  ASSERT_EQ(root.radicands.size(), 1U);
+  EXPECT_EQ(root.radicands[0].text(), "109");
+  EXPECT_FALSE(root.is_rational());
+  EXPECT_FALSE(rational.negative);
+  EXPECT_TRUE(rational.is_rational());
+  EXPECT_EQ(rational.numerator.digits, "28");
+  EXPECT_TRUE(ClosedFormRay(Ray{{0, 0, 0}, {1, 0, 0}}).direction()[1].is_zero());
+}
+
+TEST(ClosedForm, NestedRootsKeepTheirCoefficients) {
+  const ClosedForm two{{{.numerator = {"2"}}}};
+  const ClosedForm three{{{.numerator = {"3"}}}};
+  const ClosedForm root{{{.radicands = {two}}, {.negative = true, .numerator = {"3"}}}};
+  EXPECT_EQ(root.text(), "sqrt(2) - 3");
+  EXPECT_EQ((ClosedForm{{{.sums = {root}, .radicands = {three}}}}.text()), "(sqrt(2) - 3)*sqrt(3)");
+  const ClosedForm product{
+      {{.negative = true, .denominator = {"5"}, .radicands = {three, root}}, {}}};
+  EXPECT_EQ(product.text(), "-1/5*sqrt(3)*sqrt(sqrt(2) - 3) + 1");
+}
+
+TEST(ClosedForm, SaysWhichIntegersAreShortProducts) {
+  const auto x_of = [](double x) { return ClosedFormRay(Ray{{x, 0, 0}, {1, 0, 0}}).origin()[0]; };
+  const auto power = [](const ClosedForm::Natural& n) { return std::pair(n.odd, n.twos); };
+  using Power = std::pair<unsigned, unsigned>;
+  EXPECT_EQ(power(x_of(0x1p-1074).terms[0].denominator), Power(1, 1074));
+  EXPECT_EQ(power(x_of(-3 * 0x1p60).terms[0].numerator), Power(3, 60));
+  EXPECT_EQ(x_of(-3 * 0x1p60).text(), "-3458764513820540928");
+  EXPECT_EQ(power(x_of(kLargestOdd * 0x1p32).terms[0].numerator), Power(kLargestOdd, 32));
+  EXPECT_EQ(power(x_of((kLargestOdd + 2) * 0x1p32).terms[0].numerator), Power(0, 0));
+  EXPECT_EQ(power(x_of(0x1p31).terms[0].numerator), Power(0, 0));
+  EXPECT_EQ(power(x_of(7).terms[0].numerator), Power(0, 0));
 }
 
 TEST(ClosedForm, InvalidInputIsRefused) {
@@ -142,27 +188,31 @@ TEST(ClosedForm, APixelOutsideTheImageIsRefused) {
   EXPECT_THROW(ClosedFormRay(camera, {}, {0, -1}), std::invalid_argument);
 }
 
-void expect_same(const ClosedForm3& texts, const Enclosure3& values) {
-  EXPECT_TRUE(contains(values.x, ClosedFormValue::of(texts[0]))) << texts[0];
-  EXPECT_TRUE(contains(values.y, ClosedFormValue::of(texts[1]))) << texts[1];
-  EXPECT_TRUE(contains(values.z, ClosedFormValue::of(texts[2]))) << texts[2];
+/// Whether a closed form, as it is and as its text, has an enclosed value.
+bool has_value(const ClosedForm& form, const Enclosure& value) {
+  return contains(value, ClosedFormValue::of(form)) &&
+         contains(value, ClosedFormValue::of(form.text()));
+}
+
+void expect_same(const ClosedForm3& forms, const Enclosure3& values) {
+  EXPECT_TRUE(has_value(forms[0], values.x)) << forms[0].text();
+  EXPECT_TRUE(has_value(forms[1], values.y)) << forms[1].text();
+  EXPECT_TRUE(has_value(forms[2], values.z)) << forms[2].text();
 }
 
 /// What the two say of one ray and a sphere; whether it was a hit.
-bool expect_same_hit(const ClosedFormRay& text, const ExactRay& ray, const Sphere& sphere) {
-  expect_same(text.origin(), ray.origin());
-  expect_same(text.direction(), ray.direction());
+bool expect_same_hit(const ClosedFormRay& forms, const ExactRay& ray, const Sphere& sphere) {
+  expect_same(forms.origin(), ray.origin());
+  expect_same(forms.direction(), ray.direction());
   const EnclosedRay enclosed = ray.enclose(256);
-  EXPECT_TRUE(contains(enclosed.length(), ClosedFormValue::of(text.length())));
-  EXPECT_TRUE(
-      contains(enclosed.axial_distance(sphere), ClosedFormValue::of(text.axial_distance(sphere))));
-  EXPECT_TRUE(
-      contains(enclosed.half_chord_sq(sphere), ClosedFormValue::of(text.half_chord_sq(sphere))));
+  EXPECT_TRUE(has_value(forms.length(), enclosed.length()));
+  EXPECT_TRUE(has_value(forms.axial_distance(sphere), enclosed.axial_distance(sphere)));
+  EXPECT_TRUE(has_value(forms.half_chord_sq(sphere), enclosed.half_chord_sq(sphere)));
   const Intersection at = ray.intersect(sphere);
   if (at.hit_class == HitClass::kMiss) return false;
-  const std::string s = text.parameter(sphere, at);
-  EXPECT_TRUE(contains(ray.parameter(sphere, at), ClosedFormValue::of(s))) << s;
-  expect_same(text.point(sphere, at), ray.point(sphere, at));
+  const ClosedForm s = forms.parameter(sphere, at);
+  EXPECT_TRUE(has_value(s, ray.parameter(sphere, at))) << s.text();
+  expect_same(forms.point(sphere, at), ray.point(sphere, at));
   return true;
 }
 
@@ -182,9 +232,9 @@ TEST(ClosedForm, OfRandomCamerasHasTheEnclosedValue) {
     expect_same(frame.V, enclosed.V);
     expect_same(frame.W, enclosed.W);
     const ExactRay ray(exact, pixel);
-    const ClosedFormRay text(camera, conventions, pixel);
-    expect_same(text.pixel_point(), ray.pixel_point());
-    hits += expect_same_hit(text, ray, sphere) ? 1 : 0;
+    const ClosedFormRay forms(camera, conventions, pixel);
+    expect_same(forms.pixel_point(), ray.pixel_point());
+    hits += expect_same_hit(forms, ray, sphere) ? 1 : 0;
   }
   EXPECT_GE(hits, 40);
 }

@@ -6,12 +6,13 @@
 #include <string>
 #include <string_view>
 
+#include "reference/closed_form.h"
 #include "tests/reference/big_float.h"
 
 namespace raycheck::reference {
 
-/// The value of a printed closed form: sums of products and quotients of integers, parentheses and
-/// square roots. Anything else throws std::runtime_error.
+/// The value of a closed form, and of a printed one: sums of products and quotients of integers,
+/// parentheses and square roots. Anything else throws std::runtime_error.
 class ClosedFormValue {
  public:
   static Big of(std::string_view text) {
@@ -21,7 +22,23 @@ class ClosedFormValue {
     return value;
   }
 
+  static Big of(const ClosedForm& form) {
+    Big sum = 0;
+    for (const ClosedForm::Term& term : form.terms) {
+      Big product = value_of(term.numerator) / value_of(term.denominator);
+      for (const ClosedForm& factor : term.sums) product *= of(factor);
+      for (const ClosedForm& radicand : term.radicands) product *= sqrt(of(radicand));
+      sum += term.negative ? Big(-product) : product;
+    }
+    return sum;
+  }
+
  private:
+  /// By the short product where there is one.
+  static Big value_of(const ClosedForm::Natural& n) {
+    return n.is_short_product() ? Big(ldexp(Big(n.odd), static_cast<int>(n.twos))) : Big(n.digits);
+  }
+
   explicit ClosedFormValue(std::string_view text) : text_(text) {}
 
   [[noreturn]] void fail() const {

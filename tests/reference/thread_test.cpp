@@ -23,7 +23,7 @@ using scene::Sphere;
 
 /// Everything that reference/ says of one ray and two spheres; doubles as hexfloats.
 std::vector<std::string> everything(const ExactCamera& camera, const ExactRay& ray,
-                                    const ClosedFormRay& text, const std::array<Sphere, 2>& pair) {
+                                    const ClosedFormRay& forms, const std::array<Sphere, 2>& pair) {
   std::vector<std::string> said;
   const auto say = [&](double x) { said.push_back(scene::hexfloat(x)); };
   const auto say3 = [&](const auto& v) { said.push_back(spelled(v)); };
@@ -46,7 +46,7 @@ std::vector<std::string> everything(const ExactCamera& camera, const ExactRay& r
   say(relative_error(direction, exact_direction));
   say(unit_defect(direction));
   say(stage_conditions(ray).direction);
-  said.push_back(text.length());
+  said.push_back(forms.length().text());
   for (const Sphere& sphere : pair) {
     for (const Engine engine : {Engine::kFiltered, Engine::kFieldOnly}) {
       const Intersection at = ray.intersect(sphere, scene::Root::kNearest, engine);
@@ -70,8 +70,8 @@ std::vector<std::string> everything(const ExactCamera& camera, const ExactRay& r
                        ray.rounded_parameter(sphere, at)));
     say(condition_of_parameter(ray, sphere, at));
     say(condition_of_point(ray, sphere, at));
-    said.push_back(text.parameter(sphere, at));
-    said.push_back(text.point(sphere, at)[1]);
+    said.push_back(forms.parameter(sphere, at).text());
+    said.push_back(forms.point(sphere, at)[1].text());
   }
   const auto nearest = ray.nearest(pair, {});
   said.push_back(nearest ? std::to_string(nearest->index) : "none");
@@ -82,7 +82,7 @@ struct Case {
   std::shared_ptr<const ExactCamera> camera;
   scene::Pixel pixel;
   std::shared_ptr<const ExactRay> ray;
-  std::shared_ptr<const ClosedFormRay> text;
+  std::shared_ptr<const ClosedFormRay> forms;
   std::array<Sphere, 2> pair;
   std::vector<std::string> said;
 };
@@ -108,7 +108,7 @@ std::vector<Case> random_cases_of(Sizes sizes, std::uint64_t seed) {
                 std::make_shared<const ClosedFormRay>(camera, conventions, pixel),
                 {sphere, other},
                 {}};
-      made.said = everything(*made.camera, *made.ray, *made.text, made.pair);
+      made.said = everything(*made.camera, *made.ray, *made.forms, made.pair);
       cases.push_back(made);
     }
   }
@@ -129,7 +129,7 @@ TEST(Threads, SharingOneCameraAndItsRaysSayWhatOneThreadSays) {
         // Every second time through a ray of the thread's own.
         const ExactRay own(*one.camera, one.pixel);
         const ExactRay& ray = k % 2 == 0 ? *one.ray : own;
-        different[t] += everything(*one.camera, ray, *one.text, one.pair) == one.said ? 0 : 1;
+        different[t] += everything(*one.camera, ray, *one.forms, one.pair) == one.said ? 0 : 1;
       }
       flint_cleanup();  // The caches that FLINT keeps for each thread.
     });
@@ -160,8 +160,8 @@ TEST_P(RoundingMode, OfTheCallerChangesNoAnswerAndIsLeftAsFound) {
       const bool kept_by_camera = std::fegetround() == mode;
       const ExactRay ray(exact, one.pixel);
       const bool kept_by_ray = std::fegetround() == mode;
-      const ClosedFormRay text(camera, conventions, one.pixel);
-      const auto said = everything(exact, ray, text, one.pair);
+      const ClosedFormRay forms(camera, conventions, one.pixel);
+      const auto said = everything(exact, ray, forms, one.pair);
       const bool kept_by_all = std::fegetround() == mode;
       std::fesetround(FE_TONEAREST);
       EXPECT_TRUE(kept_by_camera && kept_by_ray && kept_by_all) << mode;

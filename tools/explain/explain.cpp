@@ -16,17 +16,18 @@
 namespace raycheck::tools {
 namespace {
 
+using reference::ClosedForm;
 using reference::ClosedForm3;
 using reference::Enclosure;
 using reference::Enclosure3;
 using reference::ExactRay;
 
-std::vector<std::string> texts(const ClosedForm3& form) { return {form.begin(), form.end()}; }
+std::vector<ClosedForm> coordinates(const ClosedForm3& form) { return {form.begin(), form.end()}; }
 
 /// The double nearest to a number that is enclosed at any precision; 0 where its closed form says
 /// so, since no enclosure of 0 narrows to it.
-double rounded(const std::function<Enclosure(int)>& enclose, const std::string& closed_form) {
-  if (closed_form == "0") return 0;
+double rounded(const std::function<Enclosure(int)>& enclose, const ClosedForm& closed_form) {
+  if (closed_form.is_zero()) return 0;
   constexpr int kMostBits = 1 << 14;
   for (int bits = 128;; bits *= 2) {
     scene::poll();
@@ -36,7 +37,7 @@ double rounded(const std::function<Enclosure(int)>& enclose, const std::string& 
   }
 }
 
-Step scalar_step(const char* symbol, const char* formula, std::string closed_form,
+Step scalar_step(const char* symbol, const char* formula, ClosedForm closed_form,
                  const std::function<Enclosure(int)>& enclose) {
   const double value = rounded(enclose, closed_form);
   return {symbol, formula, {std::move(closed_form)}, {value}};
@@ -44,7 +45,7 @@ Step scalar_step(const char* symbol, const char* formula, std::string closed_for
 
 Step vector_step(const char* symbol, const char* formula, const ClosedForm3& closed_form,
                  const std::function<Enclosure3(int)>& enclose) {
-  Step step{symbol, formula, texts(closed_form), {}};
+  Step step{symbol, formula, coordinates(closed_form), {}};
   Enclosure Enclosure3::*const members[] = {&Enclosure3::x, &Enclosure3::y, &Enclosure3::z};
   for (std::size_t k = 0; k < 3; ++k) {
     step.rounded.push_back(
@@ -67,9 +68,9 @@ void derive_camera(const reference::ExactCamera& camera, const Subject& subject,
   const bool top_first = camera.conventions().rows == scene::Rows::kTopFirst;
   const bool centres = camera.conventions().samples == scene::Samples::kCentres;
   steps.push_back({"E", "the eye", {}, numbers(camera.camera().eye)});
-  steps.push_back({"W", "(E - A)/|E - A|", texts(axes.W), numbers(frame.W)});
-  steps.push_back({"U", "(up x W)/|up x W|", texts(axes.U), numbers(frame.U)});
-  steps.push_back({"V", "W x U", texts(axes.V), numbers(frame.V)});
+  steps.push_back({"W", "(E - A)/|E - A|", coordinates(axes.W), numbers(frame.W)});
+  steps.push_back({"U", "(up x W)/|up x W|", coordinates(axes.U), numbers(frame.U)});
+  steps.push_back({"V", "W x U", coordinates(axes.V), numbers(frame.V)});
   const auto& closed = subject.symbolic;
   steps.push_back(scalar_step(
       "alpha", centres ? "left + (i + 1/2)/w (right - left)" : "left + i/(w - 1) (right - left)",
@@ -80,16 +81,16 @@ void derive_camera(const reference::ExactCamera& camera, const Subject& subject,
           : (top_first ? "top + j/(h - 1) (bottom - top)" : "bottom + j/(h - 1) (top - bottom)");
   steps.push_back(scalar_step("beta", beta, closed.beta(),
                               [&](int bits) { return camera.plane_position(pixel, bits).y; }));
-  steps.push_back({"P", "E + n W + alpha U + beta V", texts(closed.pixel_point()),
+  steps.push_back({"P", "E + n W + alpha U + beta V", coordinates(closed.pixel_point()),
                    numbers(subject.exact.rounded_pixel_point())});
-  steps.push_back({"D", "(P - E)/|P - E|", texts(closed.direction()),
+  steps.push_back({"D", "(P - E)/|P - E|", coordinates(closed.direction()),
                    numbers(subject.exact.rounded_direction())});
 }
 
 void derive_given(const Subject& subject, const scene::Ray& ray, std::vector<Step>& steps) {
   steps.push_back({"L", "the ray's origin", {}, numbers(ray.origin)});
   steps.push_back({"direction", "as given", {}, numbers(ray.direction)});
-  steps.push_back({"D", "direction/|direction|", texts(subject.symbolic.direction()),
+  steps.push_back({"D", "direction/|direction|", coordinates(subject.symbolic.direction()),
                    numbers(subject.exact.rounded_direction())});
 }
 
@@ -160,7 +161,7 @@ SphereReport report_sphere(const Subject& subject, const scene::Sphere& sphere,
   report.parameter = subject.exact.rounded_parameter(sphere, report.intersection);
   report.point = numbers(subject.exact.rounded_point(sphere, report.intersection));
   report.closed_form_parameter = subject.symbolic.parameter(sphere, report.intersection);
-  report.closed_form_point = texts(subject.symbolic.point(sphere, report.intersection));
+  report.closed_form_point = coordinates(subject.symbolic.point(sphere, report.intersection));
   return report;
 }
 

@@ -30,7 +30,7 @@ struct ExplainOptions {
 struct Step {
   std::string symbol;
   std::string formula;
-  std::vector<std::string> closed_form;
+  std::vector<reference::ClosedForm> closed_form;  ///< One, or three coordinates.
   std::vector<double> rounded;  ///< Correctly rounded; empty: the closed form is an input's own.
   std::optional<double> condition = {};  ///< kappa by the scene's numbers; of axes, the worst's.
   std::optional<double> condition_alone = {};  ///< kappa by what goes into the step directly.
@@ -77,8 +77,8 @@ struct SphereReport {
   std::vector<RootLeftOut> left_out;  ///< Before the one that counts, if any.
   std::optional<double> parameter;
   std::vector<double> point;
-  std::optional<std::string> closed_form_parameter;
-  std::vector<std::string> closed_form_point;
+  std::optional<reference::ClosedForm> closed_form_parameter;
+  std::vector<reference::ClosedForm> closed_form_point;
 };
 
 struct ExplainReport {

@@ -57,9 +57,7 @@ ExplainOptions explain_pixel(const ExplainArguments& arguments) {
                                 ": has given rays and no camera, so no pixels; explain one of "
                                 "its rays by --ray and --sphere");
   }
-  const auto pixel = parse_list("--pixel", arguments.pixel, 2, "column and row: I,J");
-  options.pixel = scene::Pixel{parse_index("--pixel", scene::shortest(pixel[0]), 0),
-                               parse_index("--pixel", scene::shortest(pixel[1]), 0)};
+  options.pixel = parse_pixel("--pixel", arguments.pixel);
   const scene::Camera& camera = *options.scene.camera;
   if (options.pixel->i >= camera.width || options.pixel->j >= camera.height) {
     throw std::invalid_argument(

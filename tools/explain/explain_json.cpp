@@ -7,8 +7,8 @@
 namespace raycheck::tools {
 namespace {
 
-Json text_or_null(const std::optional<std::string>& text) {
-  return text ? Json(*text) : Json(nullptr);
+Json text_or_null(const std::optional<reference::ClosedForm>& form) {
+  return form ? Json(form->text()) : Json(nullptr);
 }
 
 Json left_out_json(const std::vector<RootLeftOut>& roots) {
@@ -28,15 +28,16 @@ Json sphere_json(const SphereReport& sphere) {
   json["s"] = hexfloat_or_null(sphere.parameter);
   json["left_out"] = left_out_json(sphere.left_out);
   json["point"] = miss ? Json(nullptr) : hexfloats(sphere.point);
-  json["closed_form"] = {{"s", text_or_null(sphere.closed_form_parameter)},
-                         {"point", miss ? Json(nullptr) : Json(sphere.closed_form_point)}};
+  json["closed_form"] = {
+      {"s", text_or_null(sphere.closed_form_parameter)},
+      {"point", miss ? Json(nullptr) : Json(reference::texts(sphere.closed_form_point))}};
   return json;
 }
 
 Json step_json(const Step& step) {
   return {{"symbol", step.symbol},
           {"formula", step.formula},
-          {"closed_form", step.closed_form},
+          {"closed_form", reference::texts(step.closed_form)},
           {"rounded", hexfloats(step.rounded)},
           {"condition", error_json(step.condition)},
           {"condition_alone", error_json(step.condition_alone)}};
@@ -74,7 +75,7 @@ Json exact_pixel_json(const ExplainReport& report) {
   const auto add = [&](const char* name, const char* symbol) {
     const Step& step = *report.find(symbol);
     json[name] = hexfloats(step.rounded);
-    closed_form[name] = step.closed_form;
+    closed_form[name] = reference::texts(step.closed_form);
   };
   add("pixel_point", "P");
   add("direction", "D");
@@ -96,7 +97,8 @@ Json exact_ray_json(const ExplainReport& report) {
   json["left_out"] = left_out_json(sphere.left_out);
   json["closed_form"] = text_or_null(sphere.closed_form_parameter);
   json["point"] = sphere.parameter ? hexfloats(sphere.point) : Json(nullptr);
-  json["closed_form_point"] = sphere.parameter ? Json(sphere.closed_form_point) : Json(nullptr);
+  json["closed_form_point"] =
+      sphere.parameter ? Json(reference::texts(sphere.closed_form_point)) : Json(nullptr);
   return json;
 }
 

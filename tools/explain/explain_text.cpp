@@ -74,7 +74,7 @@ void append_steps(const ExplainReport& report, std::string& text) {
   for (const Step& step : report.steps) {
     text += fmt::format("  {:<{}} = {}\n", step.symbol, width, step.formula);
     if (!step.closed_form.empty()) {
-      text += fmt::format("  {:<{}} = {}\n", "", width, listed(step.closed_form));
+      text += fmt::format("  {:<{}} = {}\n", "", width, listed(reference::texts(step.closed_form)));
     }
     text += fmt::format("  {:<{}} = {}\n", "", width, decimals(step.rounded));
     if (step.condition) {
@@ -129,6 +129,10 @@ std::string verdict_of(const MethodReport& method, const ExplainReport& report, 
 }
 
 }  // namespace
+
+std::string method_verdict(const MethodReport& method, const ExplainReport& report) {
+  return verdict_of(method, report, false);
+}
 
 std::string explain_text(const ExplainReport& report, const ViewOptions& options) {
   std::string text;

@@ -11,6 +11,9 @@ namespace raycheck::tools {
 std::string explain_text(const ExplainReport& report, const ViewOptions& options);
 std::string explain_json(const ExplainReport& report, const ViewOptions& options);
 
+/// What the text says of one method: "s = 6 (0x1.8p+2), off by 0.2 ulp".
+std::string method_verdict(const MethodReport& method, const ExplainReport& report);
+
 inline constexpr View<ExplainReport> kExplainViews[] = {
     {"text", explain_text},
     {"json", explain_json},

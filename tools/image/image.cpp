@@ -200,8 +200,7 @@ properties::Candidate completed(const OtherMethod& other, const MethodPair& meth
 }
 
 std::function<properties::Candidate()> shown_candidate(const ImageOptions& options) {
-  if (!options.other) return [methods = options.methods] { return candidate_of(methods); };
-  return [other = options.other, methods = options.methods] { return completed(*other, methods); };
+  return answering_candidate(options.other, options.methods);
 }
 
 std::unique_ptr<Painter> painter_for(const ImageOptions& options, const scene::Scene& scene,
@@ -282,6 +281,12 @@ ImageReport report_on(const ImageOptions& options, const scene::LoadedScene& loa
 }
 
 }  // namespace
+
+std::function<properties::Candidate()> answering_candidate(
+    const std::shared_ptr<const OtherMethod>& other, const MethodPair& methods) {
+  if (!other) return [methods] { return candidate_of(methods); };
+  return [other, methods] { return completed(*other, methods); };
+}
 
 ImageReport make_image(const ImageOptions& options, PictureFile& file,
                        const properties::RunControl& control) {

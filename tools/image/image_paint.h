@@ -1,7 +1,7 @@
 #ifndef RAYCHECK_TOOLS_IMAGE_IMAGE_PAINT_H_
 #define RAYCHECK_TOOLS_IMAGE_IMAGE_PAINT_H_
 
-// How pixels are coloured by what they see. Internal to `image`.
+// How pixels are coloured by what they see.
 
 #include <array>
 #include <cstdint>
@@ -76,6 +76,11 @@ std::unique_ptr<Painter> sphere_painter(const scene::Scene& scene);
 std::unique_ptr<Painter> depth_painter(const DepthRange& range);
 std::unique_ptr<Painter> error_painter(const scene::Scene& scene,
                                        std::function<properties::Candidate()> candidate);
+
+/// A maker of candidates that answer whole pixels: raycheck's methods, or someone else's, which
+/// these complete where it makes no rays.
+std::function<properties::Candidate()> answering_candidate(
+    const std::shared_ptr<const OtherMethod>& other, const MethodPair& methods);
 
 }  // namespace raycheck::tools
 

@@ -227,17 +227,21 @@ std::string failed_place_text(const Discrepancy& d) {
 
 }  // namespace
 
-std::string discrepancy_text(const Discrepancy& d, bool colours) {
-  const properties::QuantityInfo& quantity = info(d.quantity);
-  std::string head(quantity.name);
+std::string wrongness_text(const Discrepancy& d) {
+  if (d.wrong != properties::Wrong::kNot) return std::string(name(d.wrong));
+  return fmt::format("off by {} {}", error_text(d.error), unit_name(d.quantity, d.precision));
+}
+
+std::string discrepancy_head(const Discrepancy& d) {
+  std::string head(info(d.quantity).name);
   if (has_place(d.quantity)) head += ", " + place_text(d.place);
   head += failed_place_text(d);
   if (!d.what.empty()) head += fmt::format(", {}", d.what);
-  if (d.wrong != properties::Wrong::kNot) {
-    head += fmt::format(": {}", name(d.wrong));
-  } else {
-    head += fmt::format(": off by {} {}", error_text(d.error), unit_name(d.quantity, d.precision));
-  }
+  return head + ": " + wrongness_text(d);
+}
+
+std::string discrepancy_text(const Discrepancy& d, bool colours) {
+  const std::string head = discrepancy_head(d);
   const bool is_defect = d.excuse.standing() == Standing::kDefect;
   std::string text = (is_defect ? red(head, colours) : head) + "\n";
   const bool is_answer = !d.got.empty() || d.got_some_sphere;
@@ -262,6 +266,14 @@ std::string single_quoted(std::string_view word) {
   std::string quoted = "'";
   for (const char c : word) quoted += c == '\'' ? std::string("'\\''") : std::string(1, c);
   return quoted + "'";
+}
+
+std::string shell_word(const std::string& word) {
+  constexpr std::string_view kPlain =
+      "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789_-+=./,:@";
+  if (!word.empty() && word.find_first_not_of(kPlain) == std::string::npos) return word;
+  if (word.find_first_of("\"$`\\!") == std::string::npos) return '"' + word + '"';
+  return single_quoted(word);
 }
 
 std::string broken_law_text(std::string_view sentence, std::string_view discrepancy,

@@ -68,6 +68,10 @@ std::string standings_text(
 std::string explanations_text(const std::vector<properties::Explanation>& explanations,
                               std::string_view answers);
 
+/// How a discrepancy is wrong: "false hit", "off by 6.7e+07 ulp".
+std::string wrongness_text(const properties::Discrepancy& discrepancy);
+/// What a discrepancy is, in a line: "parameter, pixel (9, 8), sphere 0: off by 6.7e+07 ulp".
+std::string discrepancy_head(const properties::Discrepancy& discrepancy);
 /// What a discrepancy is, got, should have been, by how much and with what excuse, in lines.
 std::string discrepancy_text(const properties::Discrepancy& discrepancy, bool colours);
 
@@ -88,6 +92,8 @@ std::string indented(std::string_view lines, std::string_view indent);
 
 /// A word of a command between single quotes, whatever it has.
 std::string single_quoted(std::string_view word);
+/// The same, quoted only where it has to be.
+std::string shell_word(const std::string& word);
 
 /// "1 sphere", "2 spheres"
 std::string count_text(std::uint64_t count, std::string_view noun);

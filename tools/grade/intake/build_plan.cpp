@@ -9,6 +9,7 @@
 
 #include "tools/grade/intake/quoting.h"
 #include "tools/grade/intake/sources.h"
+#include "tools/report/words.h"
 
 namespace raycheck::tools {
 namespace {
@@ -84,14 +85,15 @@ void plan_built_before(const HandedInFiles& files, BuildPlan& plan) {
     const std::string& program = programs.front();
     plan.attempts.push_back({"its program",
                              "chmod +x " + program,
-                             "chmod +x " + shell_word(program),
+                             "chmod +x " + single_quoted(program),
                              candidate_word("./" + program),
                              {},
                              {fmt::format("{} is run as it was handed in", program)}});
   } else if (!scripts.empty()) {
     const std::string& script = scripts.front();
     const bool has_interpreter = files.at(script).text.starts_with("#!");
-    plan.attempts.push_back({"its script", "chmod +x " + script, "chmod +x " + shell_word(script),
+    plan.attempts.push_back({"its script", "chmod +x " + script,
+                             "chmod +x " + single_quoted(script),
                              (has_interpreter ? "" : "sh ") + candidate_word("./" + script)});
   }
 }

@@ -12,6 +12,7 @@
 #include "tools/grade/intake/quoting.h"
 #include "tools/grade/rubric/digest.h"
 #include "tools/grade/store/toolchain.h"
+#include "tools/report/words.h"
 
 namespace raycheck::tools {
 
@@ -30,7 +31,9 @@ bool Building::is_needed() const {
   return !form_.build.empty() || program_.kind == CandidateKind::kSource;
 }
 
-std::string Building::words() const { return with_mark(form_.build, "{file}", shell_word(file_)); }
+std::string Building::words() const {
+  return with_mark(form_.build, "{file}", single_quoted(file_));
+}
 
 Built Building::run(const fs::path& to, const RunOptions& options) const {
   if (form_.builds_as_it_comes()) return build_as_it_comes(folder_, files_, to, options);

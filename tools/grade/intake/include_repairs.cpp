@@ -8,6 +8,7 @@
 #include <optional>
 
 #include "tools/grade/intake/quoting.h"
+#include "tools/report/words.h"
 
 namespace raycheck::tools {
 namespace {
@@ -106,8 +107,8 @@ std::string repair_words(const std::vector<IncludeRepair>& repairs) {
       instead = with_mark(instead, special, "\\" + std::string(special));
     }
     words += fmt::format("sed -i {} {}; ",
-                         shell_word(fmt::format("{}s|.*|#include {}|", repair.line, instead)),
-                         shell_word(repair.file));
+                         single_quoted(fmt::format("{}s|.*|#include {}|", repair.line, instead)),
+                         single_quoted(repair.file));
   }
   return words;
 }

@@ -11,6 +11,7 @@
 #include "tools/grade/intake/include_repairs.h"
 #include "tools/grade/intake/quoting.h"
 #include "tools/grade/intake/sources.h"
+#include "tools/report/words.h"
 
 namespace raycheck::tools {
 namespace {
@@ -55,12 +56,12 @@ struct CSources {
   /// For compilers that a Makefile calls: after the folders that it names itself.
   std::string search_path() const {
     std::string path = "export CPATH=";
-    for (const std::string& folder : include) path += "\"$PWD\"/" + shell_word(folder) + ":";
+    for (const std::string& folder : include) path += "\"$PWD\"/" + single_quoted(folder) + ":";
     return path + kSystemEigen + "; ";
   }
   std::string flags() const {
     std::string flags;
-    for (const std::string& folder : include) flags += "-I " + shell_word(folder) + " ";
+    for (const std::string& folder : include) flags += "-I " + single_quoted(folder) + " ";
     return flags + "-I " + kSystemEigen;
   }
 
@@ -226,8 +227,8 @@ void plan_make(const HandedInFiles& files, BuildPlan& plan) {
   std::vector<std::string> notes = c.notes();
   plan.attempts.push_back({"its " + path, folder == "." ? "make" : "make -C " + folder,
                            removal_words(files) + repair_words(c.repairs) + c.search_path() +
-                               "cd " + shell_word(folder) + " && make -f " +
-                               shell_word(base_of(path)),
+                               "cd " + single_quoted(folder) + " && make -f " +
+                               single_quoted(base_of(path)),
                            std::string(kMade), made_by(files.at(path).text), std::move(notes)});
 }
 
@@ -239,7 +240,7 @@ void plan_cmake(const HandedInFiles& files, BuildPlan& plan) {
   plan.attempts.push_back(
       {"its " + path, "cmake",
        removal_words(files) + repair_words(c.repairs) + c.search_path() + "cmake -S " +
-           shell_word(folder) +
+           single_quoted(folder) +
            " -B raycheck-build -DCMAKE_BUILD_TYPE=Release && make -C raycheck-build",
        std::string(kMade), executables_of(files), c.notes()});
 }

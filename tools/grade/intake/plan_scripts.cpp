@@ -12,6 +12,7 @@
 #include "tools/grade/intake/build_plan.h"
 #include "tools/grade/intake/quoting.h"
 #include "tools/grade/intake/sources.h"
+#include "tools/report/words.h"
 
 namespace raycheck::tools {
 namespace {
@@ -148,7 +149,7 @@ void plan_java(const HandedInFiles& files, BuildPlan& plan) {
       "javac {}{}", jars.empty() ? "" : "-cp " + jars.substr(1) + " ",
       sources.size() > 3 ? fmt::format("({} files)", sources.size()) : shell_words(sources));
   attempt.words = fmt::format("javac -encoding UTF-8 -nowarn -d {} -cp {} {}", kClasses,
-                              shell_word("." + jars), shell_words(sources));
+                              single_quoted("." + jars), shell_words(sources));
   // Pictures and the like that lie beside the classes.
   attempt.program =
       fmt::format("java -cp {} {}", candidate_word(std::string(kClasses) + jars), started);

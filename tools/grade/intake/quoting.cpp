@@ -1,16 +1,12 @@
 #include "tools/grade/intake/quoting.h"
 
-namespace raycheck::tools {
+#include "tools/report/words.h"
 
-std::string shell_word(const std::string& name) {
-  std::string word = "'";
-  for (const char c : name) word += c == '\'' ? std::string("'\\''") : std::string(1, c);
-  return word + "'";
-}
+namespace raycheck::tools {
 
 std::string shell_words(const std::vector<std::string>& names) {
   std::string words;
-  for (const std::string& name : names) words += (words.empty() ? "" : " ") + shell_word(name);
+  for (const std::string& name : names) words += (words.empty() ? "" : " ") + single_quoted(name);
   return words;
 }
 

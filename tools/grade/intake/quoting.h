@@ -7,9 +7,6 @@
 
 namespace raycheck::tools {
 
-/// A file's name as one word of a shell.
-std::string shell_word(const std::string& name);
-
 /// Files' names as words of a shell.
 std::string shell_words(const std::vector<std::string>& names);
 

@@ -10,15 +10,6 @@
 namespace raycheck::tools {
 namespace {
 
-/// For the shell, whatever the text has.
-std::string quoted(const std::string& text) {
-  constexpr std::string_view kPlain =
-      "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789_-+=./,:@";
-  if (!text.empty() && text.find_first_not_of(kPlain) == std::string::npos) return text;
-  if (text.find_first_of("\"$`\\!") == std::string::npos) return '"' + text + '"';
-  return single_quoted(text);
-}
-
 std::string replaced(std::string text, std::string_view what, const std::string& by) {
   for (std::size_t at = 0; (at = text.find(what, at)) != std::string::npos; at += by.size()) {
     text.replace(at, what.size(), by);
@@ -40,9 +31,9 @@ std::vector<HomeCommand> commands_for_case(const StudentGrade& grade, std::size_
                                             "{image}", "out.ppm")});
   }
   std::string check =
-      fmt::format("raycheck check {}.toml --candidate {}", name, quoted(program->text()));
+      fmt::format("raycheck check {}.toml --candidate {}", name, shell_word(program->text()));
   if (is_renderer && !(grade.submission.driver == DriverForm{})) {
-    check += " --dialect " + quoted(grade.submission.driver.name());
+    check += " --dialect " + shell_word(grade.submission.driver.name());
   }
   const auto precision = grade.submission.items[k].failing->answer.precision;
   if (is_renderer && precision != scene::Precision::kDouble) {
@@ -59,8 +50,8 @@ std::vector<HomeCommand> commands_for_case(const StudentGrade& grade, std::size_
 
 HomeCommand command_for_all(const StudentGrade& grade) {
   return {"To grade it again, as here, in your folder",
-          fmt::format("raycheck try {} .{}", quoted(grade.rubric),
-                      grade.dialect.empty() ? "" : " --dialect " + quoted(grade.dialect))};
+          fmt::format("raycheck try {} .{}", shell_word(grade.rubric),
+                      grade.dialect.empty() ? "" : " --dialect " + shell_word(grade.dialect))};
 }
 
 }  // namespace raycheck::tools

@@ -1,0 +1,221 @@
+#include "tools/report/typeset.h"
+
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "reference/exact_ray.h"
+#include "tests/reference/random_cases.h"
+
+namespace raycheck::tools {
+namespace {
+
+using reference::ClosedForm, reference::ClosedForm3, reference::ClosedFormRay;
+using reference::HitClass, reference::Intersection, reference::Random, reference::Sizes;
+
+const Intersection kSmallerHit{HitClass::kHit, reference::WhichRoot::kSmaller};
+const scene::Sphere kLectureSphere{{5, 5, 5}, 3};
+
+TEST(Typeset, shows_the_lecture_s_first_sphere) {
+  const ClosedFormRay ray(scene::Ray{{1, 1, 3}, {4, 3, 0}});
+  EXPECT_EQ(latex(ray.direction()), R"(\left(\frac{4}{5}, \frac{3}{5}, 0\right))");
+  EXPECT_EQ(latex(ray.half_chord_sq(kLectureSphere)), R"(\frac{109}{25})");
+  EXPECT_EQ(latex(ray.distance(kLectureSphere, kSmallerHit)),
+            R"(-\frac{\sqrt{109}}{5} + \frac{28}{5})");
+  EXPECT_EQ(latex(ray.point(kLectureSphere, kSmallerHit)),
+            R"(\left(-\frac{4 \sqrt{109}}{25} + \frac{137}{25}, )"
+            R"(-\frac{3 \sqrt{109}}{25} + \frac{109}{25}, 3\right))");
+  EXPECT_EQ(mathml(ray.distance(kLectureSphere, kSmallerHit)),
+            "<mrow><mo>&#x2212;</mo><mfrac><msqrt><mn>109</mn></msqrt><mn>5</mn></mfrac><mo>+</mo>"
+            "<mfrac><mn>28</mn><mn>5</mn></mfrac></mrow>");
+  EXPECT_EQ(mathml(ray.to_centre(kLectureSphere)),
+            "<mrow><mo>(</mo><mn>4</mn><mo>,</mo><mn>4</mn><mo>,</mo><mn>2</mn><mo>)</mo></mrow>");
+}
+
+TEST(Typeset, shows_the_lecture_s_examples) {
+  const ClosedFormRay miss(scene::Ray{{0, 0, 0}, {1, 3, 4}});
+  EXPECT_EQ(latex(miss.direction()),
+            R"(\left(\frac{\sqrt{26}}{26}, \frac{3 \sqrt{26}}{26}, \frac{2 \sqrt{26}}{13}\right))");
+  EXPECT_EQ(latex(miss.half_chord_sq(kLectureSphere)), R"(-\frac{58}{13})");
+  const ClosedFormRay hit(scene::Ray{{1, 0, 1}, {1, 2, 1}});
+  EXPECT_EQ(latex(hit.distance(kLectureSphere, kSmallerHit)), R"(2 \sqrt{6})");
+  EXPECT_EQ(mathml(hit.distance(kLectureSphere, kSmallerHit)),
+            "<mrow><mn>2</mn><mo>&#x2062;</mo><msqrt><mn>6</mn></msqrt></mrow>");
+  EXPECT_EQ(latex(hit.point(kLectureSphere, kSmallerHit)), R"(\left(3, 4, 3\right))");
+
+  const scene::Camera first{{8, 8, 100}, {8, 8, 54}, {0, 1, 0}, -30, -75, -30, 30, -20, 20, 2, 2};
+  const ClosedFormRay corner(first, {}, {0, 0});
+  EXPECT_EQ(
+      latex(corner.direction()),
+      R"(\left(-\frac{3 \sqrt{22}}{22}, -\frac{\sqrt{22}}{11}, -\frac{3 \sqrt{22}}{22}\right))");
+  const scene::Camera optical{{8, 8, 100}, {8, 8, 54}, {0, 1, 0}, -30, -75, -20, 20, 20, -20, 3, 3};
+  EXPECT_EQ(latex(ClosedFormRay(optical, {}, {1, 1}).direction()), R"(\left(0, 0, -1\right))");
+}
+
+TEST(Typeset, keeps_nested_roots_and_their_coefficients) {
+  const ClosedForm three{{{.numerator = {"3"}}}};
+  const ClosedForm sum{{{.radicands = {{{{.numerator = {"2"}}}}}}, {.negative = true}}};
+  const ClosedForm nested{{{.sums = {sum}, .radicands = {three}},
+                           {.negative = true, .denominator = {"5"}, .radicands = {three, sum}}}};
+  EXPECT_EQ(nested.text(), "(sqrt(2) - 1)*sqrt(3) - 1/5*sqrt(3)*sqrt(sqrt(2) - 1)");
+  EXPECT_EQ(latex(nested),
+            R"(\left(\sqrt{2} - 1\right) \sqrt{3} - \frac{\sqrt{3} \sqrt{\sqrt{2} - 1}}{5})");
+  EXPECT_EQ(mathml(sum), "<mrow><msqrt><mn>2</mn></msqrt><mo>&#x2212;</mo><mn>1</mn></mrow>");
+}
+
+TEST(Typeset, shows_powers_of_two_as_such) {
+  const ClosedFormRay ray(scene::Ray{{0x1p-1074, -3 * 0x1p60, 0x1p31}, {1, 0, 0}});
+  EXPECT_EQ(latex(ray.origin()), R"(\left(\frac{1}{2^{1074}}, -3 \cdot 2^{60}, 2147483648\right))");
+  EXPECT_EQ(mathml(ray.origin()[0]),
+            "<mfrac><mn>1</mn><msup><mn>2</mn><mn>1074</mn></msup></mfrac>");
+  EXPECT_EQ(mathml(ray.origin()[1]),
+            "<mrow><mo>&#x2212;</mo><mrow><mn>3</mn><mo>&#x22c5;</mo><msup><mn>2</mn><mn>60</mn>"
+            "</msup></mrow></mrow>");
+}
+
+TEST(Typeset, gives_a_single_form_by_itself_and_refuses_none) {
+  const std::vector<ClosedForm> one(1);
+  EXPECT_EQ(latex(one), "0");
+  EXPECT_EQ(mathml(one), "<mn>0</mn>");
+  EXPECT_THROW(latex(std::vector<ClosedForm>{}), std::invalid_argument);
+  EXPECT_THROW(mathml(std::vector<ClosedForm>{}), std::invalid_argument);
+}
+
+/// Digits enough for closed forms of ordinary doubles, and for those of doubles of all sizes, whose
+/// squares may cancel.
+constexpr int kOrdinaryDigits = 600, kMostDigits = 5000;
+
+/// What is written, and the doubles nearest to what it stands for.
+struct Written {
+  std::string text;
+  std::vector<double> values;
+};
+
+/// The values of what is written, by tests/tools/report/typeset_values.py.
+std::vector<std::vector<double>> values_of(const std::vector<Written>& written, int digits) {
+  const std::string stem = testing::TempDir() + "raycheck_typeset_" + std::to_string(getpid());
+  {
+    std::ofstream out(stem + ".in");
+    for (const Written& one : written) out << one.text << '\n';
+  }
+  const std::string command = "python3 '" RAYCHECK_SOURCE_DIR
+                              "/tests/tools/report/typeset_values.py' " +
+                              std::to_string(digits) + " < '" + stem + ".in' > '" + stem + ".out'";
+  EXPECT_EQ(std::system(command.c_str()), 0) << "python3 is needed: " << command;
+  std::vector<std::vector<double>> values;
+  std::ifstream in(stem + ".out");
+  for (std::string line; std::getline(in, line);) {
+    std::istringstream words(line);
+    std::vector<double>& row = values.emplace_back();
+    for (std::string word; words >> word;) row.push_back(std::strtod(word.c_str(), nullptr));
+  }
+  std::filesystem::remove(stem + ".in");
+  std::filesystem::remove(stem + ".out");
+  return values;
+}
+
+bool has_nested_root(const ClosedForm& form) {
+  return std::any_of(form.terms.begin(), form.terms.end(), [](const ClosedForm::Term& term) {
+    return std::any_of(term.radicands.begin(), term.radicands.end(),
+                       [](const ClosedForm& radicand) {
+                         return radicand.terms.size() > 1 || !radicand.terms.front().is_rational();
+                       });
+  });
+}
+
+/// Both ways of writing numbers that are known correctly rounded.
+class Both {
+ public:
+  void add(const ClosedForm& form, double value) {
+    written_.push_back({latex(form), {value}});
+    written_.push_back({mathml(form), {value}});
+  }
+  template <class Triple>
+  void add(const ClosedForm3& forms, const Triple& value) {
+    written_.push_back({latex(forms), {value.x, value.y, value.z}});
+    written_.push_back({mathml(forms), {value.x, value.y, value.z}});
+  }
+  /// What a closed form and the exact ray say of one ray and a sphere; whether it was met.
+  bool add(const ClosedFormRay& forms, const reference::ExactRay& ray,
+           const scene::Sphere& sphere) {
+    add(forms.origin(), ray.rounded_origin());
+    add(forms.direction(), ray.rounded_direction());
+    const Intersection at = ray.intersect(sphere);
+    if (at.hit_class == HitClass::kMiss) return false;
+    nested_roots_ += has_nested_root(forms.parameter(sphere, at)) ? 1 : 0;
+    add(forms.parameter(sphere, at), ray.rounded_parameter(sphere, at));
+    add(forms.point(sphere, at), ray.rounded_point(sphere, at));
+    return true;
+  }
+  int nested_roots() const { return nested_roots_; }
+  void expect_values(int digits = kOrdinaryDigits) const {
+    const std::vector<std::vector<double>> values = values_of(written_, digits);
+    ASSERT_EQ(values.size(), written_.size());
+    for (std::size_t k = 0; k < values.size(); ++k) {
+      EXPECT_EQ(values[k], written_[k].values) << written_[k].text;
+    }
+  }
+
+ private:
+  std::vector<Written> written_;
+  int nested_roots_ = 0;
+};
+
+TEST(Typeset, of_random_cameras_has_the_rounded_value) {
+  Random random(1);
+  Both both;
+  int hits = 0;
+  for (int k = 0; k < 300; ++k) {
+    const scene::Camera camera = random_camera(random, Sizes::kSmallIntegers);
+    const scene::Conventions conventions = reference::random_conventions(random);
+    const scene::Pixel pixel = reference::random_pixel(random, camera);
+    const scene::Sphere sphere = random_sphere(random, Sizes::kSmallIntegers);
+    const reference::ExactCamera exact(camera, conventions);
+    const reference::ClosedFormFrame frame = reference::closed_form_frame(camera);
+    both.add(frame.U, exact.rounded_frame().U);
+    both.add(frame.V, exact.rounded_frame().V);
+    both.add(frame.W, exact.rounded_frame().W);
+    hits += both.add(ClosedFormRay(camera, conventions, pixel), {exact, pixel}, sphere) ? 1 : 0;
+  }
+  EXPECT_GE(hits, 40);
+  EXPECT_GE(both.nested_roots(), 20);
+  both.expect_values();
+}
+
+TEST(Typeset, of_random_rays_has_the_rounded_value) {
+  Random random(2);
+  Both both;
+  int hits = 0;
+  for (int k = 0; k < 500; ++k) {
+    const Sizes sizes = random.one_in(4) ? Sizes::kOrdinary : Sizes::kSmallIntegers;
+    const scene::Ray ray = random_ray(random, sizes);
+    const scene::Sphere sphere = random_sphere(random, sizes);
+    hits += both.add(ClosedFormRay(ray), reference::ExactRay(ray), sphere) ? 1 : 0;
+  }
+  EXPECT_GE(hits, 60);
+  both.expect_values();
+}
+
+TEST(Typeset, of_rays_all_over_the_doubles_has_the_rounded_value) {
+  Random random(3);
+  Both both;
+  int hits = 0;
+  for (int k = 0; k < 40; ++k) {
+    const scene::Ray ray = random_ray(random, Sizes::kAll);
+    const scene::Sphere sphere = random_sphere(random, Sizes::kAll);
+    hits += both.add(ClosedFormRay(ray), reference::ExactRay(ray), sphere) ? 1 : 0;
+  }
+  EXPECT_GE(hits, 5);
+  both.expect_values(kMostDigits);
+}
+
+}  // namespace
+}  // namespace raycheck::tools

@@ -1,0 +1,135 @@
+#include "tools/check/check_page.h"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <filesystem>
+
+#include "properties/search/worst_case.h"
+#include "properties/stage.h"
+#include "tools/external/staged.h"
+#include "tools/report/words.h"
+#include "tools/view/scene_view.h"
+#include "tools/view/selection.h"
+#include "tools/view/view_words.h"
+
+namespace raycheck::tools {
+namespace {
+
+using properties::Quantity;
+
+/// Findings of one candidate, one for each ray and sphere: the worst discrepancies of its answers,
+/// or where it has none its largest errors.
+constexpr std::size_t kMostFindings = 8;
+constexpr std::size_t kMostDiscrepancies = 64;
+
+std::string method_of(const CandidateReport& candidate, Quantity quantity) {
+  const MethodPair* const pair = methods_of(candidate.contestant);
+  if (pair == nullptr) return candidate.name;
+  const bool is_of_rays = properties::law_of(properties::Stage::kRays, quantity) != nullptr;
+  return std::string(is_of_rays ? pair->rays->name : pair->intersect->name);
+}
+
+std::vector<FindingView> findings_of(const CandidateReport& candidate, const scene::Scene& scene,
+                                     std::size_t scene_index) {
+  std::vector<FindingView> findings;
+  for (const auto& one : candidate.verdict.worst(kMostDiscrepancies)) {
+    const Selection selection = selection_of(one.place, scene);
+    if (!is_of_ray(selection) || !has_place(one.quantity)) continue;
+    const std::string what = fmt::format("{} {}", info(one.quantity).name, wrongness_text(one));
+    const auto known =
+        std::find_if(findings.begin(), findings.end(),
+                     [&](const FindingView& other) { return other.selection == selection; });
+    if (known != findings.end()) {
+      known->sentence += "; " + what;
+    } else if (findings.size() < kMostFindings) {
+      findings.push_back({fmt::format("{}: {}", place_text(one.place), what), candidate.name,
+                          method_of(candidate, one.quantity), one.excuse.standing(), scene_index,
+                          selection});
+    }
+  }
+  if (!findings.empty()) return findings;
+  for (const Quantity quantity :
+       {Quantity::kParameter, Quantity::kHitPoint, Quantity::kDirection, Quantity::kPixelPoint}) {
+    const auto tally = candidate.verdict.tallies().find(quantity);
+    if (tally == candidate.verdict.tallies().end() || !tally->second.max()) continue;
+    const Selection selection = selection_of(tally->second.worst_place, scene);
+    if (!is_of_ray(selection)) continue;
+    findings.push_back(
+        {fmt::format("largest error of {}: {} {}, {}", info(quantity).name,
+                     error_text(tally->second.max()), unit_name(quantity, candidate.precision),
+                     place_text(tally->second.worst_place)),
+         candidate.name, method_of(candidate, quantity), std::nullopt, scene_index, selection});
+  }
+  return findings;
+}
+
+/// Candidates that one view shows: raycheck's together, of others each alone.
+using Group = std::vector<const CandidateReport*>;
+
+std::vector<Group> groups_of(const CheckReport& report) {
+  std::vector<Group> groups;
+  Group own;
+  for (const CandidateReport& candidate : report.candidates) {
+    if (methods_of(candidate.contestant) != nullptr) {
+      own.push_back(&candidate);
+    } else if (candidate.not_asked.empty()) {
+      groups.push_back({&candidate});
+    }
+  }
+  if (!own.empty() || groups.empty()) groups.insert(groups.begin(), own);
+  return groups;
+}
+
+/// Someone else's implementation as explain asks it; null where it cannot be asked that.
+std::shared_ptr<const OtherMethod> other_of(const CandidateReport& candidate) {
+  const External* const external = external_of(candidate.contestant);
+  if (external == nullptr || external->renderer) return nullptr;
+  return staged(*external).front().other;
+}
+
+}  // namespace
+
+ViewDocument check_document(const CheckReport& report, const CheckPageOptions& options,
+                            const properties::RunControl& control) {
+  ViewDocument document;
+  document.title = std::filesystem::path(report.path).filename();
+  if (report.rays_judged < report.rays_in_scene) {
+    document.left_out.push_back(
+        fewer_judged(document.title, {report.rays_judged, report.rays_in_scene}));
+  }
+  for (const Group& group : groups_of(report)) {
+    SceneViewOptions view;
+    view.name = group.size() == 1 && methods_of(group.front()->contestant) == nullptr
+                    ? group.front()->name
+                    : document.title;
+    view.file = shell_word(report.path);
+    view.more_arguments = options.more_arguments;
+    view.wanted = options.wanted;
+    for (const CandidateReport* candidate : group) {
+      if (const MethodPair* const pair = methods_of(candidate->contestant)) {
+        view.methods.push_back(*pair);
+      } else {
+        view.other = other_of(*candidate);
+      }
+      const auto found = findings_of(*candidate, report.scene, document.scenes.size());
+      document.findings.insert(document.findings.end(), found.begin(), found.end());
+    }
+    // Defects before what else there is, in the order of the report.
+    std::stable_sort(document.findings.begin(), document.findings.end(),
+                     [](const FindingView& a, const FindingView& b) {
+                       const auto rank = [](const FindingView& one) {
+                         return one.standing ? static_cast<int>(*one.standing)
+                                             : static_cast<int>(properties::kStandingCount);
+                       };
+                       return rank(a) < rank(b);
+                     });
+    for (const FindingView& finding : document.findings) {
+      if (finding.scene == document.scenes.size()) view.wanted.push_back(finding.selection);
+    }
+    document.scenes.push_back(view_of(report.scene, view, document.left_out, control));
+  }
+  return document;
+}
+
+}  // namespace raycheck::tools

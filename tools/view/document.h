@@ -1,0 +1,198 @@
+#ifndef RAYCHECK_TOOLS_VIEW_DOCUMENT_H_
+#define RAYCHECK_TOOLS_VIEW_DOCUMENT_H_
+
+// What a page shows, as data. The page's script draws it and computes nothing that a claim rests
+// on.
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "properties/excuse.h"
+#include "scene/scene.h"
+#include "tools/explain/explain.h"
+#include "tools/report/picture_file.h"
+
+namespace raycheck::tools {
+
+/// A position or a direction that is drawn.
+/// Units: (p - origin) * 2^scale_exponent of the figure that it belongs to; directions are unit.
+using Drawn = std::array<double, 3>;
+
+/// A camera that is drawn, with the eye as the origin.
+struct DrawnCamera {
+  Drawn U, V, W, look_at, up;
+  double near = 0, left = 0, right = 0, bottom = 0, top = 0;
+  std::optional<double> far;
+};
+
+struct DrawnSphere {
+  Drawn centre;
+  double radius = 0;
+  Colour colour;
+  std::string label;  ///< "sphere 0: C = (5, 5, 5), r = 3"
+};
+
+/// A ray that a scene gives.
+struct DrawnRay {
+  Drawn origin, direction;
+};
+
+/// A scene as it is drawn: every coordinate is computed exactly relative to the origin, scaled by a
+/// power of two and rounded once.
+struct Figure {
+  scene::Point3 origin;  ///< The eye, or the origin of the first given ray, in the scene.
+  int scale_exponent = 0;
+  std::optional<DrawnCamera> camera;
+  std::vector<DrawnRay> rays;
+  std::vector<DrawnSphere> spheres;
+  std::size_t spheres_left_out = 0;
+};
+
+/// Which ray of a scene is looked at, and which of its spheres.
+struct Selection {
+  std::optional<scene::Pixel> pixel;
+  std::optional<std::size_t> ray;
+  std::optional<std::size_t> sphere;
+  bool operator==(const Selection&) const = default;
+};
+
+/// One of the two points in which a ray's line meets a sphere.
+struct DrawnRoot {
+  bool smaller = false;
+  Drawn point;
+  double parameter = 0;    ///< s, correctly rounded.
+  bool counts = false;     ///< Under the conventions.
+  bool is_chosen = false;  ///< It is the exact answer.
+};
+
+/// A ray and the sphere that its panel speaks of.
+struct PanelDrawing {
+  Drawn origin;                ///< L
+  std::optional<Drawn> pixel;  ///< P
+  Drawn direction;             ///< D
+  std::optional<Drawn> foot;   ///< L + v D, the point of the line nearest to the centre.
+  std::vector<DrawnRoot> roots;
+};
+
+/// Where a method's answer lies in the microscope.
+struct MicroscopeMark {
+  std::string method;
+  bool is_point = false;  ///< Its hit point; else its s, on the exact ray.
+  double x = 0, y = 0;
+  bool is_wrong = false;
+  std::string text;
+};
+
+/// The neighbourhood of the exact hit point, or of the ray's point nearest to the centre where the
+/// exact answer is a miss, in the plane through the ray and the centre.
+/// Units: ulp of that point's parameter; x along the ray, y from the ray towards the centre. Every
+///        coordinate is a difference that was enclosed to within 2^-34 of itself.
+struct Microscope {
+  bool is_hit = false;
+  double parameter = 0;  ///< s of the point, correctly rounded.
+  double ulp = 0;
+  struct Zoom {
+    double half_width = 0;
+    std::vector<std::array<double, 2>> curve;  ///< The exact circle.
+  };
+  std::vector<Zoom> zooms;
+  std::vector<double> grid;  ///< The doubles around s.
+  std::optional<double>
+      region;  ///< What a relative change u of inputs may move s by; empty: no bound.
+  std::vector<MicroscopeMark> marks;
+};
+
+/// All that is said about one ray and one sphere.
+struct Panel {
+  Selection selection;
+  std::string command;  ///< What prints `text`.
+  std::string text;     ///< As explain prints it.
+  ExplainReport report;
+  PanelDrawing drawing;
+  std::optional<Microscope> microscope;
+  std::string sage, latex;
+};
+
+struct LegendEntry {
+  Colour colour;
+  std::string text;
+  std::optional<std::uint64_t> pixels;
+};
+
+enum class PictureKind { kCertified, kAnswered, kError };
+inline constexpr std::array<std::string_view, 3> kPictureKindNames = {"certified", "answered",
+                                                                      "error"};
+constexpr std::string_view name(PictureKind kind) {
+  return kPictureKindNames[static_cast<std::size_t>(kind)];
+}
+
+struct ScenePicture {
+  PictureKind kind = PictureKind::kCertified;
+  std::string candidate;  ///< Of the others.
+  std::string png;        ///< The bytes of the file.
+  std::vector<LegendEntry> legend;
+};
+
+/// So many pixels, one after the other along the rows from row 0 on, see the same.
+struct SeenRun {
+  std::uint64_t pixels = 0;
+  std::int32_t sphere = 0;  ///< reference::kNoSphere: none.
+};
+
+struct SceneView {
+  std::string name;
+  std::string command;  ///< What makes a page of it; pixels and spheres are added.
+  scene::Scene scene;
+  Figure figure;
+  std::vector<ScenePicture> pictures;
+  std::vector<SeenRun> seen;
+  std::vector<Panel> panels;
+  Selection start;  ///< What is shown first.
+};
+
+/// Something to look at.
+struct FindingView {
+  std::string sentence;
+  std::string candidate;
+  std::string method;  ///< The one of its methods that panels show it by.
+  /// Empty of what is within its bound.
+  std::optional<properties::Standing> standing = properties::Standing::kDefect;
+  std::size_t scene = 0;  ///< Index into the document's.
+  Selection selection;
+};
+
+/// The error of a method along a stress family's dial.
+struct DialCurve {
+  struct Point {
+    double severity = 0;
+    std::optional<double> error;  ///< Empty: nothing was compared.
+    std::uint64_t wrong = 0;      ///< Decisions.
+    bool is_stable = false;
+  };
+  std::string method;
+  std::vector<Point> points;
+};
+
+struct DialView {
+  std::string family, sentence, unit;
+  std::vector<double> severities;
+  std::vector<std::size_t> scenes;  ///< Of each severity, index into the document's.
+  std::vector<DialCurve> curves;
+};
+
+struct ViewDocument {
+  std::string title;
+  std::vector<SceneView> scenes;
+  std::vector<FindingView> findings;
+  std::optional<DialView> dial;
+  std::vector<std::string> left_out;  ///< What there is no room for, and how to ask for it.
+};
+
+}  // namespace raycheck::tools
+
+#endif  // RAYCHECK_TOOLS_VIEW_DOCUMENT_H_

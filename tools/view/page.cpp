@@ -1,0 +1,87 @@
+#include "tools/view/page.h"
+
+#include <fmt/core.h>
+#include <openssl/evp.h>
+
+#include <array>
+#include <stdexcept>
+#include <string_view>
+#include <utility>
+
+#include "tools/report/data_address.h"
+#include "tools/view/assets.h"
+#include "tools/view/deflate.h"
+#include "tools/view/document_json.h"
+
+namespace raycheck::tools {
+namespace {
+
+/// How a content security policy names a script or a style of the page (CSP level 3, 2.3.1).
+std::string hash_source(std::string_view text) {
+  std::array<unsigned char, EVP_MAX_MD_SIZE> bytes{};
+  unsigned size = 0;
+  if (EVP_Digest(text.data(), text.size(), bytes.data(), &size, EVP_sha256(), nullptr) != 1) {
+    throw std::runtime_error("OpenSSL: SHA-256 failed");
+  }
+  return fmt::format("'sha256-{}'", base64({reinterpret_cast<const char*>(bytes.data()), size}));
+}
+
+std::string html_text(std::string_view text) {
+  std::string escaped;
+  for (const char c : text) {
+    switch (c) {
+      case '&':
+        escaped += "&amp;";
+        break;
+      case '<':
+        escaped += "&lt;";
+        break;
+      case '>':
+        escaped += "&gt;";
+        break;
+      case '"':
+        escaped += "&quot;";
+        break;
+      default:
+        escaped += c;
+    }
+  }
+  return escaped;
+}
+
+}  // namespace
+
+std::string page(const ViewDocument& document) {
+  const std::string policy = fmt::format(
+      "default-src 'none'; script-src {} {}; style-src {}; img-src data:; "
+      "base-uri 'none'; form-action 'none'",
+      hash_source(kPageScript), hash_source(kThree), hash_source(kPageStyle));
+  const std::pair<std::string_view, std::string> parts[] = {
+      {"@CSP@", policy},
+      {"@TITLE@", html_text(document.title)},
+      {"@STYLE@", std::string(kPageStyle)},
+      {"@SCRIPT@", std::string(kPageScript)},
+      {"@THREE@", base64(deflated(kThree))},
+      {"@DOCUMENT@", base64(deflated(document_line(document)))},
+  };
+  // What is put in is not looked into again.
+  std::string text;
+  std::string_view rest = kPageTemplate;
+  while (true) {
+    std::size_t first = rest.size();
+    const std::pair<std::string_view, std::string>* found = nullptr;
+    for (const auto& part : parts) {
+      const std::size_t at = rest.find(part.first);
+      if (at < first) {
+        first = at;
+        found = &part;
+      }
+    }
+    text += rest.substr(0, first);
+    if (found == nullptr) return text;
+    text += found->second;
+    rest.remove_prefix(first + found->first.size());
+  }
+}
+
+}  // namespace raycheck::tools

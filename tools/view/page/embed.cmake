@@ -1,0 +1,17 @@
+# Puts files into a C++ source: cmake -DTO=file.cpp -DSTYLE=... -DTEMPLATE=... -DSCRIPT=... -DTHREE="a;b" -P embed.cmake
+cmake_minimum_required(VERSION 3.25)
+
+set(source "#include \"tools/view/assets.h\"\n\nnamespace raycheck::tools {\n\n")
+function(embed name)
+  set(text "")
+  foreach(file IN LISTS ARGN)
+    file(READ "${file}" one)
+    string(APPEND text "${one}")
+  endforeach()
+  set(source "${source}const std::string_view ${name} = R\"asset(${text})asset\";\n" PARENT_SCOPE)
+endfunction()
+embed(kPageTemplate "${TEMPLATE}")
+embed(kPageStyle ${STYLE})
+embed(kPageScript "${SCRIPT}")
+embed(kThree ${THREE})
+file(WRITE "${TO}" "${source}\n}  // namespace raycheck::tools\n")

@@ -1,0 +1,57 @@
+// Reads what raycheck put into the page, and shows what there is.
+import { briefSentence, element } from "./dom.js";
+import { createStore } from "./store.js";
+import { mountFigure } from "./figure.js";
+import { mountPanel, mountStory } from "./panel.js";
+import { mountPicture } from "./picture.js";
+import { mountMicroscope } from "./microscope.js";
+import { mountFindings } from "./findings.js";
+import { mountDial } from "./dial.js";
+
+/// What is deflated (zlib, base64) in the element of that id.
+async function inflated(id) {
+  const bytes = Uint8Array.from(atob(byId(id).textContent.trim()), (letter) => letter.charCodeAt(0));
+  const stream = new Blob([bytes]).stream().pipeThrough(new DecompressionStream("deflate"));
+  return new Response(stream).text();
+}
+
+/// Runs three.js, which the page's policy knows by its hash; the figure does without where it fails.
+async function runThree() {
+  if (byId("three").textContent.trim() === "") return;
+  const script = element("script", {});
+  script.textContent = await inflated("three");
+  document.head.append(script);
+}
+
+function byId(id) {
+  return document.getElementById(id);
+}
+
+function showFrame(store) {
+  const show = () => byId("conventions").replaceChildren(briefSentence(store.scene().conventions_text));
+  store.subscribe(show);
+  show();
+  byId("footer").append(...store.document.left_out.map((sentence) => element("p", { dir: "auto" }, briefSentence(sentence))),
+    element("p", {}, `Made by raycheck ${store.document.version}. Every number is computed exactly and then rounded; this page only draws.`));
+}
+
+async function start() {
+  const store = createStore(JSON.parse(await inflated("document")));
+  window.raycheckPage.store = store;
+  showFrame(store);
+  mountStory(byId("story"), store);
+  mountDial(byId("dial"), store);
+  mountPicture(byId("picture"), store);
+  mountMicroscope(byId("microscope"), store);
+  mountFindings(byId("findings"), store);
+  mountPanel(byId("panel"), store);
+  await runThree();
+  mountFigure(byId("figure-view"), store);
+}
+
+window.raycheckPage = { store: null, ready: null };
+window.raycheckPage.ready = start().catch((problem) => {
+  const at = byId(window.raycheckPage.store === null ? "headline" : "figure-view");
+  at.append(element("p", {}, `This could not be shown: ${problem.message}`));
+  throw problem;
+});

@@ -1,0 +1,186 @@
+// Where things lie on the screen, in doubles. The GPU computes in single precision: it is handed only
+// what is left when everything large has been subtracted, rotated and clipped here.
+
+export const plus = (a, b) => [a[0] + b[0], a[1] + b[1], a[2] + b[2]];
+export const minus = (a, b) => [a[0] - b[0], a[1] - b[1], a[2] - b[2]];
+export const times = (a, k) => [a[0] * k, a[1] * k, a[2] * k];
+export const dotProduct = (a, b) => a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+export const lengthOf = (a) => Math.hypot(a[0], a[1], a[2]); // neither overflows nor underflows
+export const unitOf = (a) => a.map((x) => x / lengthOf(a));
+
+export function crossProduct(a, b) {
+  return [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]];
+}
+
+/// alpha and beta of a pixel, fractions of a pixel too.
+function onPlane(camera, i, j) {
+  const share = (k, count) => (camera.samples === "edges" ? k / (count - 1) : (k + 0.5) / count);
+  const [first, last] = camera.rows === "top-first" ? [camera.top, camera.bottom] : [camera.bottom, camera.top];
+  const [across, along] = [share(i, camera.width), share(j, camera.height)];
+  return [camera.left + across * (camera.right - camera.left), first + along * (last - first)];
+}
+
+/// The point that is seen at (alpha, beta) of the image plane, at a depth along W.
+export function seenThrough(camera, alpha, beta, depth = camera.near) {
+  const share = depth / camera.near;
+  return plus(times(camera.W, depth), plus(times(camera.U, alpha * share), times(camera.V, beta * share)));
+}
+
+/// P of pixel (i, j), eye-relative.
+export function pixelPointOf(camera, i, j) {
+  return seenThrough(camera, ...onPlane(camera, i, j));
+}
+
+/// The pixel whose cell holds (alpha, beta) of the image plane; null where there is none.
+export function pixelUnder(camera, alpha, beta) {
+  const [alpha0, beta0] = onPlane(camera, -0.5, -0.5);
+  const [alpha1, beta1] = onPlane(camera, camera.width - 0.5, camera.height - 0.5);
+  const i = Math.floor(((alpha - alpha0) / (alpha1 - alpha0)) * camera.width);
+  const j = Math.floor(((beta - beta0) / (beta1 - beta0)) * camera.height);
+  return i >= 0 && i < camera.width && j >= 0 && j < camera.height ? [i, j] : null;
+}
+
+// A viewer: position; axes right, up, forward; window [x0, x1, y0, y1], what fills the screen from left to
+// right and from bottom to top, at depth 1 (if parallel, at any depth); nearest, the depth below which lines
+// are clipped; start, the depth of the plane where sight begins (0: at the position).
+
+/// Sees what the camera's picture shows: a whole cell around every sample.
+export function eyeViewer(camera) {
+  const depth = Math.abs(camera.near);
+  const upwards = { ...camera, rows: "bottom-first" };
+  const [x0, y0] = onPlane(upwards, -0.5, -0.5);
+  const [x1, y1] = onPlane(upwards, camera.width - 0.5, camera.height - 0.5);
+  return {
+    isEye: true, position: [0, 0, 0], axes: [camera.U, camera.V, times(camera.W, Math.sign(camera.near))],
+    window: [x0, x1, y0, y1].map((x) => x / depth), nearest: depth / 128,
+    start: camera.origin === "pixel" ? depth : 0,
+  };
+}
+
+/// The same viewer with a window of the screen's aspect around its own, enlarged.
+export function letterboxed(viewer, aspect, enlarged) {
+  const [x0, x1, y0, y1] = viewer.window;
+  const half = (enlarged * Math.max(Math.abs(y1 - y0), Math.abs(x1 - x0) / aspect)) / 2;
+  const [x, y] = [(x0 + x1) / 2, (y0 + y1) / 2];
+  const [halfX, halfY] = [Math.sign(x1 - x0) * half * aspect, Math.sign(y1 - y0) * half];
+  return { ...viewer, window: [x - halfX, x + halfX, y - halfY, y + halfY] };
+}
+
+const HALF_FIELD = Math.tan(Math.PI / 12);
+
+/// orbit: target, distance, and azimuth and elevation about axes [side, up, back].
+export function orbitViewer({ target, distance, azimuth, elevation, axes: [side, up, back] }, aspect) {
+  const level = plus(times(back, Math.cos(azimuth)), times(side, Math.sin(azimuth)));
+  const outward = plus(times(level, Math.cos(elevation)), times(up, Math.sin(elevation)));
+  const right = plus(times(side, Math.cos(azimuth)), times(back, -Math.sin(azimuth)));
+  const [halfX, halfY] = [HALF_FIELD * Math.max(aspect, 1), HALF_FIELD / Math.min(aspect, 1)];
+  return {
+    position: plus(target, times(outward, distance)),
+    axes: [right, crossProduct(outward, right), times(outward, -1)],
+    window: [-halfX, halfX, -halfY, halfY], nearest: distance / 4096, start: 0,
+  };
+}
+
+/// How far away a ball must be to be seen as a whole.
+export const distanceToFit = (radius) => radius / Math.sin(Math.atan(HALF_FIELD));
+
+export function parallelViewer(axes, middle, halfX, halfY) {
+  return { isParallel: true, position: middle, axes, window: [-halfX, halfX, -halfY, halfY], nearest: 0, start: 0 };
+}
+
+/// Coordinates along right, up and forward.
+export function inView(viewer, point) {
+  const from = minus(point, viewer.position);
+  return viewer.axes.map((axis) => dotProduct(from, axis));
+}
+
+/// [x, y, w]: on the screen at x/w and y/w, each from -1 to 1; w is the depth, in units of the nearest.
+export function homogeneous(viewer, point) {
+  const [x0, x1, y0, y1] = viewer.window;
+  const [x, y, depth] = inView(viewer, point).map((length) => length / (viewer.nearest || 1));
+  const w = viewer.isParallel ? 1 : depth;
+  return [(2 * x - (x0 + x1) * w) / (x1 - x0), (2 * y - (y0 + y1) * w) / (y1 - y0), w];
+}
+
+/// Pixels of a screen, from its top left, for a homogeneous point.
+export function pixelsOf([x, y, w], { width, height }) {
+  return [((x / w + 1) / 2) * width, ((1 - y / w) / 2) * height];
+}
+
+/// Where a pane {viewer, width, height} shows a point; null where it does not.
+export function onPane(pane, point) {
+  const place = homogeneous(pane.viewer, point);
+  const [x, y] = pixelsOf(place, pane);
+  return place[2] >= 1 && x >= 0 && y >= 0 && x <= pane.width && y <= pane.height ? [x, y] : null;
+}
+
+const between = (a, b, t) => a.map((x, k) => x * (1 - t) + b[k] * t);
+
+/// What of a segment lies on a pane, or a little beside it, as homogeneous points (Liang and Barsky); null: nothing.
+export function clippedSegment({ viewer }, from, to) {
+  const beside = 1.25;
+  const [a, b] = [homogeneous(viewer, from), homogeneous(viewer, to)];
+  const inside = ([x, y, w]) => [w - 1, beside * w + x, beside * w - x, beside * w + y, beside * w - y];
+  const [insideA, insideB] = [inside(a), inside(b)];
+  let [first, last] = [0, 1];
+  for (let k = 0; k < insideA.length; ++k) {
+    if (!(insideA[k] >= 0 || insideB[k] >= 0)) return null;
+    const crossing = 1 / (1 - insideB[k] / insideA[k]);
+    if (insideA[k] < 0) first = Math.max(first, crossing);
+    else if (insideB[k] < 0) last = Math.min(last, crossing);
+  }
+  return first <= last ? [first > 0 ? between(a, b, first) : a, last < 1 ? between(a, b, last) : b] : null;
+}
+
+/// The strokes that show a segment {from, to, isDashed, hasArrow} on a pane, as pairs of homogeneous points.
+export function strokesOf(pane, segment) {
+  const clipped = clippedSegment(pane, segment.from, segment.to);
+  if (clipped === null) return [];
+  const [a, b] = clipped;
+  const [[ax, ay], [bx, by]] = [pixelsOf(a, pane), pixelsOf(b, pane)];
+  const length = Math.hypot(bx - ax, by - ay);
+  if (!(length > 0.05)) return [];
+  const strokes = segment.isDashed ? dashes(a, b, Math.max(1, Math.round(length / 10))) : [clipped];
+  if (!segment.hasArrow || length < 9) return strokes;
+  return [...strokes, ...arrowHead(b, (bx - ax) / length, (by - ay) / length, pane)];
+}
+
+function dashes(a, b, count) {
+  // A share of the way on the screen is another share of the way in space.
+  const inSpace = (share) => (share * a[2]) / (share * a[2] + (1 - share) * b[2]);
+  const at = (k) => between(a, b, inSpace(k / count));
+  return Array.from({ length: count }, (_, k) => [at(k), at(k + 0.5)]);
+}
+
+function arrowHead(tip, x, y, { width, height }) {
+  const long = 9; // pixels
+  const [perX, perY] = [(2 * long * tip[2]) / width, (2 * long * tip[2]) / height];
+  return [0.4, -0.4].map((bend) => [tip, [tip[0] - perX * (x - bend * y), tip[1] + perY * (y + bend * x), tip[2]]]);
+}
+
+/// The least window [x0, x1, y0, y1] at depth 1 that holds a sphere, its centre in view; null: it is behind.
+export function sphereWindow([x, y, depth], radius) {
+  const across = seenBetween(x, depth, radius);
+  const along = across && seenBetween(y, depth, radius);
+  return along && [...across, ...along];
+}
+
+/// The tangents of the directions in which a circle about (across, depth) is seen from the origin.
+function seenBetween(across, depth, radius) {
+  const distance = Math.hypot(across, depth);
+  if (distance <= radius) return [-Infinity, Infinity];
+  const [middle, half] = [Math.atan2(across, depth), Math.asin(radius / distance)];
+  const [low, high] = [middle - half, middle + half];
+  if (low >= Math.PI / 2 || high <= -Math.PI / 2) return null;
+  return [low <= -Math.PI / 2 ? -Infinity : Math.tan(low), high >= Math.PI / 2 ? Infinity : Math.tan(high)];
+}
+
+/// The nearest root >= 0 of a ray, for drawing, or null. By the perpendicular T x D: nothing cancels.
+export function drawnRoot(origin, direction, centre, radius) {
+  const T = minus(centre, origin);
+  const v = dotProduct(T, direction);
+  const off = lengthOf(crossProduct(T, direction)) / radius;
+  const d = radius * Math.sqrt((1 - off) * (1 + off));
+  const s = v - d >= 0 ? v - d : v + d;
+  return s >= 0 ? s : null;
+}

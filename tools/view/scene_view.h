@@ -1,0 +1,39 @@
+#ifndef RAYCHECK_TOOLS_VIEW_SCENE_VIEW_H_
+#define RAYCHECK_TOOLS_VIEW_SCENE_VIEW_H_
+
+#include "properties/run_control.h"
+#include "tools/methods/methods.h"
+#include "tools/view/document.h"
+
+namespace raycheck::tools {
+
+/// How much of a scene a page keeps.
+struct PageLimits {
+  std::size_t spheres = 10'000;           ///< Drawn in the figure.
+  std::int64_t picture_pixels = 1 << 20;  ///< Of a picture; larger images are shown smaller.
+  std::size_t panels = 4000;
+  std::size_t panel_bytes = 720 << 10;     ///< Of all panels, deflated.
+  std::uint64_t answered_pairs = 1 << 24;  ///< Rays times spheres that are asked for pictures.
+};
+
+struct SceneViewOptions {
+  std::string name;  ///< As commands and titles call it.
+  std::string file;  ///< The scene as commands name it: a word, quoted where it has to be.
+  std::string more_arguments;       ///< Of commands: the candidate, or nothing.
+  std::vector<MethodPair> methods;  ///< Whose pictures are shown; the rays are the first's.
+  /// Someone else's, by whose conventions all is shown; null: there is none.
+  std::shared_ptr<const OtherMethod> other = nullptr;
+  /// What there has to be a panel of, the first selected at the start; empty: the middle.
+  std::vector<Selection> wanted;
+  PageLimits limits;
+};
+
+/// A scene as a page shows it, and what was left out of it.
+/// Throws std::invalid_argument naming the field where the scene is not valid or a selection is not
+/// of it.
+SceneView view_of(const scene::Scene& scene, const SceneViewOptions& options,
+                  std::vector<std::string>& left_out, const properties::RunControl& control);
+
+}  // namespace raycheck::tools
+
+#endif  // RAYCHECK_TOOLS_VIEW_SCENE_VIEW_H_

@@ -1,0 +1,15 @@
+#ifndef RAYCHECK_TOOLS_VIEW_VIEW_TEXT_H_
+#define RAYCHECK_TOOLS_VIEW_VIEW_TEXT_H_
+
+#include <string>
+
+#include "tools/view/document.h"
+
+namespace raycheck::tools {
+
+/// What a page has, in lines: where it begins, its findings, what was left out.
+std::string view_text(const ViewDocument& document, const std::string& file, std::size_t bytes);
+
+}  // namespace raycheck::tools
+
+#endif  // RAYCHECK_TOOLS_VIEW_VIEW_TEXT_H_
