@@ -73,12 +73,9 @@ const std::map<std::string, Rooms> kSees = {
 
 /// Rooms of commands that may see another command's.
 const std::map<std::string, Rooms> kCommandsThatSee = {
-    {"tools/check", {"tools/view"}},
-    {"tools/exchange", {"tools/check"}},
-    {"tools/properties", {"tools/view"}},
-    {"tools/stress", {"tools/view"}},
-    {"tools/try", {"tools/grade"}},
-    {"tools/view", {"tools/explain", "tools/image"}},
+    {"tools/check", {"tools/view"}},      {"tools/exchange", {"tools/check"}},
+    {"tools/properties", {"tools/view"}}, {"tools/stress", {"tools/view"}},
+    {"tools/try", {"tools/grade"}},       {"tools/view", {"tools/explain", "tools/image"}},
     {"tools/worst", {"tools/view"}}};
 
 /// Folders that are part of the room around them: `internal` ones are for that room's .cpp files
@@ -397,7 +394,9 @@ TEST(Rooms, LetTheEdgeAloneReadFlags) {
 
 /// Sources of programs that speak to raycheck through their standard output.
 bool speaks_through_its_output(const std::string& file) {
-  return file == "tools/external/sandbox/jail.cpp" || file == "tools/external/protocol/worker.cpp";
+  return file == "tools/external/sandbox/jail.cpp" ||
+         file == "tools/external/protocol/worker.cpp" ||
+         file == "tools/external/protocol/last_frames.cpp";
 }
 
 TEST(Rooms, LetTheEdgeAlonePrint) {

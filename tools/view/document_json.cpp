@@ -220,7 +220,7 @@ Json verdict_json(const MethodReport& method, const ExplainReport& report) {
     json["right_digits"].push_back(exact ? right_characters(*method.parameter, *exact) : 0);
   }
   json["error"] = method.ulp_error ? Json(error_text(method.ulp_error)) : Json(nullptr);
-  json["unit"] = "ulp";
+  json["unit"] = unit_name(properties::Quantity::kParameter, method.precision);
   return json;
 }
 

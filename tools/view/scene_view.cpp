@@ -7,6 +7,7 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "properties/rounded_case.h"
 #include "scene/validate.h"
 #include "tools/image/image_paint.h"
 #include "tools/run/in_order.h"
@@ -20,11 +21,18 @@
 namespace raycheck::tools {
 namespace {
 
-/// The scene as it is shown: under the conventions of someone else's implementation, and from the
-/// eye where rays are made from there only, as explain does.
+/// The scene as it is shown: in the format and under the conventions of someone else's
+/// implementation, and from the eye where rays are made from there only, as explain does.
 scene::Scene shown_scene(const scene::Scene& scene, const SceneViewOptions& options) {
+  scene::require_valid(scene);
   scene::Scene shown = scene;
-  scene::require_valid(shown);
+  if (options.other) {
+    auto rounded = properties::rounded_case({scene, {}}, options.other->precision);
+    if (!rounded.the_case) {
+      throw std::invalid_argument(options.other->name + ": " + rounded.reason);
+    }
+    shown = std::move(rounded.the_case->scene);
+  }
   if (!options.methods.empty() && options.methods.front().rays->pixel_rays == nullptr) {
     shown.conventions.origin = scene::Origin::kFocal;
   }
@@ -53,7 +61,8 @@ std::vector<CandidateMaker> candidates_of(const SceneViewOptions& options) {
   for (const MethodPair& pair : options.methods) {
     makers.push_back([pair] { return candidate_of(pair); });
   }
-  if (options.other) {
+  // Who intersects nothing has no picture.
+  if (options.other && options.other->candidate().intersect) {
     makers.push_back(answering_candidate(
         options.other, options.methods.empty() ? kDefaultMethods : options.methods.front()));
   }
