@@ -44,7 +44,7 @@ CASES = {
     "t-min": ({}, {"t_min": 2.5}, NEAR_ONES, 3),
     "t-max": ({}, {"t_max": 3}, NEAR_ONES, 2),
     "culled-back": ({}, {"culling": '"back-faces"'}, [("[0, 0, 0]", 2), ("[0.5, 0, -4]", 1)], 1),
-    "culled-front": ({}, {"culling": '"front-faces"'}, NEAR_ONES, 3),
+    "culled-front": ({}, {"culling": '"front-faces"'}, [("[0, 0, -4]", 1.5), ("[0.2, 0, -4.5]", 0.5)], 2),
 }
 
 

@@ -25,7 +25,7 @@ MUTANTS = {
     "half a pixel off": ("eye", "onPlane(upwards, -0.5, -0.5)", "onPlane(upwards, 0, 0)"),
     "from the eye, always": ("eye", 'camera.origin === "pixel" ? depth : 0', "0"),
     "no interval": ("eye", "counted.value.set(", "counted.value.set(0, 3e38); [].push("),
-    "no culling": ("eye", 'told.culling === "front-faces" ? 0 : 1', "1"),
+    "no culling": ("eye", 'told.culling !== "front-faces"', "true"),
     "farthest first": ("eye", "(b.distance - b.radius) - (a.distance - a.radius)", "(a.distance - a.radius) - (b.distance - b.radius)"),
     "silent about what is too far": ("eye", "if (farthest > GREATEST_DEPTH) notes.push(", "if (false) notes.push("),
     "text with a space more": ("explain", "}, told.text)", '}, told.text + " ")'),
@@ -35,7 +35,7 @@ MUTANTS = {
     "picture upside down": ("use", "pictureRow(row, camera)] } }", "row] } }"),
     "arrow keys upside down": ("use", 'camera.rows === "top-first" ? -up : up', "up"),
     "figure's clicks mirrored": ("use", "x0 + (x / width) * (x1 - x0)", "x1 + (x / width) * (x0 - x1)"),
-    "findings without a place": ("use", "selection: { pixel: finding.pixel,", "selection: { pixel: [0, 0],"),
+    "findings without a place": ("use", "selection: { pixel, ray, sphere } }", "selection: { pixel: [0, 0], ray, sphere } }"),
     "starts anywhere": ("use", "selection: { ...document.scenes[first].start }", "selection: { pixel: [0, 0], ray: null, sphere: 0 }"),
     "every method always": ("use", "methodShown === null || method.name === methodShown)", "true)"),
     "divider does not move": ("use", "inset(0 0 0 ${percent}%)", "inset(0 0 0 50%)"),
@@ -80,7 +80,7 @@ def run_as_program(name, arguments):
 def main(program, *names):
     alive = []
     for name in names or MUTANTS:
-        result = subprocess.run([sys.executable, TESTS / f"{MUTANTS[name][0]}_test.py", __file__], text=True, capture_output=True,
+        result = subprocess.run([sys.executable, TESTS / f"{MUTANTS[name][0]}_test.py", __file__, "--failfast"], text=True, capture_output=True,
                                 env={**os.environ, "RAYCHECK_UNBROKEN": str(pathlib.Path(program).resolve()), "RAYCHECK_MUTANT": name})
         reasons = [line for line in result.stderr.splitlines() if re.match(r"\w*(Error|Exception)\b", line)]
         print(f"{'ALIVE' if result.returncode == 0 else 'caught'}  {name}: {reasons[0][:150] if reasons else result.returncode}", flush=True)
