@@ -174,10 +174,17 @@ class Use(PageTest):
             label = self.run_script("return document.querySelector('#microscope svg').getAttribute('aria-label')")
             told = float(label.split("within ")[1].split(" ulp")[0])
             self.assertAlmostEqual(told / half, 1, delta=0.05)
-            inside = self.run_script("""const { marks, zooms } = raycheckPage.store.panel().microscope;
-              return marks.filter((mark) => Math.abs(mark.x) <= zooms[arguments[0]].half && mark.kind === "s").length;""", k)
-            drawn = self.run_script("return document.querySelectorAll('#microscope svg g:not(.hollow) > .glyph').length")
-            self.assertEqual(drawn, inside)
+            expected, drawn = self.run_script("""const svg = document.querySelector("#microscope svg");
+              const [, , width, height] = svg.getAttribute("viewBox").split(" ").map(Number);
+              const scale = width / 2 / arguments[0];
+              const places = raycheckPage.store.panel().microscope.marks
+                .map((mark) => [width / 2 + Number(mark.x) * scale, height / 2 - Number(mark.y) * scale])
+                .filter(([x, y]) => x >= 0 && x <= width && y > 8 && y < height - 8);
+              return [places, [...svg.querySelectorAll("g > .glyph")].map((one) => one.getAttribute("transform").match(/-?[0-9.]+/g).slice(0, 2).map(Number))];""", half)
+            self.assertEqual(len(drawn), len(expected))
+            for (x, y), (told_x, told_y) in zip(expected, drawn):
+                self.assertAlmostEqual(x, told_x, delta=0.1)
+                self.assertAlmostEqual(y, told_y, delta=0.1)
 
     def test_the_dial_steps_and_everything_with_it(self):
         self.open(page_of("--family", "distance", "--method", "quadratic,cross"))

@@ -92,9 +92,15 @@ class Browser:
 
     def requests(self):
         """The addresses outside the page that it has asked for since it was opened, itself first."""
+        return self.addresses("Network.requestWillBeSent", "request")
+
+    def answered(self):
+        """Those of them that the page's policy let through. Either of these forgets what both know."""
+        return self.addresses("Network.responseReceived", "response")
+
+    def addresses(self, event, what):
         messages = [json.loads(entry["message"])["message"] for entry in self.log("performance")]
-        urls = [message["params"]["request"]["url"] for message in messages
-                if message["method"] == "Network.requestWillBeSent"]
+        urls = [message["params"][what]["url"] for message in messages if message["method"] == event]
         return [url for url in urls if not url.startswith(("data:", "blob:"))]
 
     def find(self, selector):

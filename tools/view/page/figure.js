@@ -6,7 +6,7 @@ import { flatPanes, paintFlat } from "./flat.js";
 import { writeNames } from "./names.js";
 import { followPointers, pickedAt } from "./pointer.js";
 import { crossProduct, distanceToFit, dotProduct, eyeViewer, homogeneous, letterboxed, orbitViewer, pixelsOf } from "./projection.js";
-import { lengthOf, minus, plus, times } from "./projection.js";
+import { lengthOf, minus, plus, times, unitOf } from "./projection.js";
 import { placeText, walkByKeys } from "./store.js";
 import { eyePicture, webglPainter } from "./webgl.js";
 

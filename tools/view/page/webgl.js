@@ -94,6 +94,7 @@ function packSpheres({ spheres }, { viewer, width, height }, ratio) {
   const [across, along] = [Math.round(width * ratio), Math.round(height * ratio)];
   const rays = [x0, y0, (x1 - x0) / across, (y1 - y0) / along];
   const [seen, small] = [[], []];
+  let farthest = 0;
   for (const sphere of spheres) {
     const centre = inView(viewer, sphere.centre);
     const around = sphereWindow(centre, sphere.radius);
@@ -102,18 +103,18 @@ function packSpheres({ spheres }, { viewer, width, height }, ratio) {
     const radius = Math.max(wide, high) / 2; // on the screen
     const distance = lengthOf(centre);
     if (radius < LEAST_SEEN * ratio) small.push(sphere);
-    if (radius < LEAST_DRAWN || distance + sphere.radius > GREATEST_DEPTH * viewer.nearest) continue;
+    if (radius < LEAST_DRAWN) continue;
     const x = pixelRange(around[0], around[1], rays[0], rays[2], across);
     const y = pixelRange(around[2], around[3], rays[1], rays[3], along);
-    if (x[0] < x[1] && y[0] < y[1]) seen.push({ ...sphere, centre, distance, x, y });
+    if (!(x[0] < x[1] && y[0] < y[1])) continue;
+    const depth = (distance + sphere.radius) / viewer.nearest;
+    farthest = Math.max(farthest, depth);
+    if (depth <= GREATEST_DEPTH) seen.push({ ...sphere, centre, distance, x, y });
   }
   seen.sort((a, b) => (b.distance - b.radius) - (a.distance - a.radius));
   const data = new Float32Array(27 * seen.length);
   seen.forEach((sphere, k) => data.set(sphereData(sphere, viewer, rays, across, along), 27 * k));
-  return {
-    data, rays, small, unresolved: seen.filter(({ radius, distance }) => radius < LEAST_RESOLVED * distance).length,
-    farthest: seen.reduce((most, { radius, distance }) => Math.max(most, (distance + radius) / viewer.nearest), 0),
-  };
+  return { data, rays, small, farthest, unresolved: seen.filter(({ radius, distance }) => radius < LEAST_RESOLVED * distance).length };
 }
 
 /// The pixels between two tangents, and one more on either side.

@@ -1,0 +1,118 @@
+"""Text that would act if it were more than text: names of files, what candidates say, what a scene holds."""
+import shutil
+import subprocess
+
+import pages
+from pages import PageTest, ROOT, Shared, temporary
+
+ALERT = "<img src=x onerror=alert(1)>"
+NAME = f"</script>{ALERT}.toml"  # a folder "<", and in it a file
+BIDI = "\u202e\u2066\u200f"
+SPOKEN = f"""</script></title></style>-->{ALERT}"'`&lt;\\u003c{BIDI}"""
+LONG = "<b>" * 34_000  # over 10^5 characters
+# Every element of a page that it does not have by itself, and its scripts.
+FOREIGN = """const own = new Set(document.querySelectorAll("svg, svg *, math, math *"));
+  const made = [...document.querySelectorAll("*")].filter((one) => !own.has(one));
+  return [made.filter((one) => /^(img|b|iframe|object|embed|base|form|link|meta)$/.test(one.localName)
+      && !one.closest("head") && !one.closest("#picture-view")).length,
+    document.scripts.length, document.querySelectorAll("[onerror], [onclick], [onload], [style*=expression]").length,
+    document.querySelectorAll("head > *").length];"""
+CANDIDATE = """
+import sys
+sys.path.insert(0, {adapters!r})
+import raycheck_candidate as rc
+
+def intersect(ray, sphere, asked):
+    raise ValueError({spoken!r})
+
+rc.run({name!r}, intersect=intersect)
+"""
+
+
+class HostileText(PageTest):
+    def page(self, *arguments):
+        """A page made in the folder of this run, whose paths are then as short as they are told."""
+        out = temporary("hostile.html")
+        made = subprocess.run([Shared.program, "view", *arguments, "--out", out], cwd=Shared.folder, text=True, capture_output=True)
+        self.assertEqual(made.returncode, 0, made.stderr)
+        return out
+
+    def scene_named(self, name):
+        path = Shared.folder / name
+        path.parent.mkdir(parents=True, exist_ok=True)
+        shutil.copy(ROOT / "scene/examples/first-camera.toml", path)
+        return name
+
+    def check_plain(self, plain):
+        """No element is made of what is told, nor has any been in a page of plain text."""
+        self.assertEqual(self.run_script(FOREIGN), plain)
+        self.assertFalse(self.run_script("return 'alerted' in window"))
+
+    def everything_seen(self):
+        """All details open, every layer and ray of the figure drawn."""
+        self.run_script("""for (const one of document.querySelectorAll("details")) one.open = true;
+          raycheckPage.store.set({ layers: { rays: "all", names: true } });
+          for (const button of document.querySelectorAll("#panel .copy button")) button.click();""")
+
+    def setUp(self):
+        self.browser.command("Page.addScriptToEvaluateOnNewDocument", source="window.alert = () => { window.alerted = true; };")
+        self.open(self.page(self.scene_named("plain.toml")))
+        self.everything_seen()
+        self.plain = self.run_script(FOREIGN)
+        self.assertEqual(self.plain[0], 0)
+
+    def test_the_name_of_a_file_is_text(self):
+        for name in (NAME, f"{BIDI}\u0627'\"&amp;.toml", "@SCRIPT@ @DOCUMENT@ $& .toml", "</title><b>.toml", "<!--<script>.toml"):
+            with self.subTest(name):
+                self.open(self.page(self.scene_named(name)))
+                self.everything_seen()
+                self.check_plain(self.plain)
+                shown = self.text("#title")
+                self.assertEqual(self.run_script("return document.title"), " ".join(shown.split()))
+                self.assertEqual([mark for mark in BIDI if mark in shown], [])
+                if not any(mark in name for mark in BIDI):
+                    self.assertEqual(shown, name.rsplit("/", 1)[-1])
+
+    def test_what_a_candidate_says_is_text(self):
+        path = temporary(f"<b>&amp;{BIDI}.py", CANDIDATE.format(adapters=str(ROOT / "tools/external/adapters"), name=SPOKEN.replace(" ", ""), spoken=SPOKEN))
+        self.check_candidate(f'command:python3 {path.name} "{NAME}"', "<b>", ALERT)
+
+    def test_what_a_candidate_says_at_length_is_text(self):
+        path = temporary("long.py", CANDIDATE.format(adapters=str(ROOT / "tools/external/adapters"), name="long", spoken=LONG))
+        self.check_candidate(f'command:python3 {path.name} "{LONG}"', "<b><b>", LONG)
+
+    def check_candidate(self, candidate, in_short, at_length):
+        self.open(self.page(self.scene_named("plain.toml"), "--candidate", candidate))
+        self.everything_seen()
+        self.check_plain(self.plain)
+        self.assertIn(in_short, self.text("#verdicts"))
+        self.assertIn(at_length, self.text("#explain-text"))
+        self.assertEqual(self.run_script("return document.documentElement.scrollWidth - document.documentElement.clientWidth"), 0)
+
+    def test_nothing_but_the_page_itself_runs(self):
+        """The policy holds: what is put into a page afterwards neither runs nor loads."""
+        page = self.page(self.scene_named("plain.toml"))
+        text = page.read_text()
+        attack = f"""<script>window.alerted = 1;</script><img src=x onerror="window.alerted = 2"><img src="file:///etc/hostname">
+          <iframe srcdoc="<script>parent.alerted = 3</script>"></iframe><link rel="stylesheet" href="x.css">
+          <style>header {{ display: none; }}</style><p style="color: red" id="styled">x</p><base href="http://localhost/">"""
+        attacked = temporary("attacked.html", text.replace("<main>", attack + "<main>", 1))
+        self.assertGreater(attacked.stat().st_size, page.stat().st_size)
+        self.check_page()
+        self.browser.open(attacked)
+        self.browser.run(pages.READY)
+        self.run_script("""const script = document.createElement("script");
+          script.textContent = "window.alerted = 4";
+          document.body.append(script);
+          setTimeout("window.alerted = 5");
+          return new Promise((done) => fetch("file:///etc/hostname").then(done, () => done()));""")
+        self.assertFalse(self.run_script("return 'alerted' in window"))
+        self.assertEqual(self.run_script("return getComputedStyle(document.querySelector('header')).display"), "flex")
+        self.assertNotEqual(self.run_script("return getComputedStyle(document.querySelector('#styled')).color"), "rgb(255, 0, 0)")
+        self.assertEqual(self.run_script("return document.baseURI.slice(0, 5)"), "file:")
+        self.assertGreater(len(self.browser.problems()), 5)
+        self.assertEqual(self.browser.answered(), [f"file://{attacked}"])
+
+
+if __name__ == "__main__":
+    pages.main()

@@ -1,0 +1,53 @@
+"""The page's JavaScript: how much of it there is, and what ESLint says of it, which runs in the browser."""
+import json
+import re
+import unittest
+
+import pages
+from pages import NPM, PageTest, ROOT, page_of, temporary
+
+MODULES = sorted((ROOT / "tools/view/page").glob("*.js"))
+MOST_LINES = 1500
+ESLINT = NPM / "eslint-linter-browserify/linter.min.js"
+BROKEN = "let a = 1;\nvar b = a;\nif (b == undeclared) document.body.innerHTML = b;\n"
+
+
+class Size(unittest.TestCase):
+    def test_it_is_small(self):
+        lines = {module.name: len(module.read_text().splitlines()) for module in MODULES}
+        self.assertGreater(len(lines), 5)
+        self.assertLessEqual(sum(lines.values()), MOST_LINES, lines)
+
+
+@unittest.skipUnless(ESLINT.exists(), "there is no ESLint here: ./run packages ci")
+class Lint(PageTest):
+    def complaints(self, text, source_type):
+        config = json.loads((ROOT / "tests/browser/lint.json").read_text())
+        config["languageOptions"]["sourceType"] = source_type
+        found = self.run_script(f"{ESLINT.read_text()};\nreturn new eslint.Linter().verify(arguments[0], arguments[1]);", text, config)
+        return [f"{one['line']}:{one['column']} {one['ruleId']}: {one['message']}" for one in found]
+
+    def setUp(self):
+        self.browser.open(temporary("blank.html", "<!doctype html><title>blank</title>"))
+
+    def test_what_is_broken_is_found(self):
+        found = " ".join(self.complaints(BROKEN, "module"))
+        for rule in ("prefer-const", "no-var", "eqeqeq", "no-undef", "no-restricted-syntax"):
+            self.assertIn(rule, found)
+
+    def test_every_module(self):
+        for module in MODULES:
+            with self.subTest(module.name):
+                self.assertEqual(self.complaints(module.read_text(), "module"), [])
+
+    def test_the_modules_together(self):
+        """As they are in a page: no name is missing, none is there for nobody."""
+        page = page_of(ROOT / "scene/examples/first-camera.toml").read_text()
+        script = re.findall(r"<script>(.*?)</script>", page, re.DOTALL)[-1]
+        self.assertGreater(len(script), 10_000)
+        script = re.sub(r"/\* global (.*), SHADERS \*/", r"/* global \1 */", script)  # here it is declared
+        self.assertEqual(self.complaints(script, "script"), [])
+
+
+if __name__ == "__main__":
+    pages.main()
