@@ -48,8 +48,8 @@ struct StressOptions {
 
 /// Judges candidates on the same random cases of a source at one severity (which a source without a
 /// dial ignores), rounded to the format of each, every error weighed by its condition number.
-/// Cameras' rays, where the stage is given rays, are made by the first candidate of a format, or the
-/// first of all where that makes none. The same options give the same result.
+/// Cameras' rays, where the stage is given rays, are made by the first candidate of a format, or
+/// the first of all where that makes none. The same options give the same result.
 std::vector<StressResult> stress(const CaseSource& source, int severity, Stage stage,
                                  std::span<const Candidate> candidates,
                                  const StressOptions& options, const RunControl& control = {});

@@ -77,14 +77,14 @@ double changed(double x, scene::Precision precision, Random& random) {
   const double sign = random.sign();
   const int most = scene::format_of(precision).digits - 2;
   const double ulps = std::ldexp(sign, static_cast<int>(random.integer(0, most)));
-  const double ulp = scene::next_after(precision, std::abs(x),
-                                       std::numeric_limits<double>::infinity()) -
-                     std::abs(x);
+  const double ulp =
+      scene::next_after(precision, std::abs(x), std::numeric_limits<double>::infinity()) -
+      std::abs(x);
   return x + ulps * ulp;
 }
 
-/// A case with one or two of its numbers changed; empty where it leaves the format's range, or is no
-/// problem any more.
+/// A case with one or two of its numbers changed; empty where it leaves the format's range, or is
+/// no problem any more.
 std::optional<Case> neighbour(const Case& the_case, scene::Precision precision, Random& random) {
   Case result = the_case;
   std::int64_t count = 0;

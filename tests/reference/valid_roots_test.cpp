@@ -187,8 +187,8 @@ TEST(ValidRoots, AreTheSameByEveryRungBesideTheEnds) {
 }
 
 Nearby nearby(const std::optional<double>& answer, const scene::ValidRoots& valid) {
-  return right_nearby(kAlongX, kFromTwoToFour,
-                      {.relative_change = 16 * 0x1p-53, .valid = valid}, answer)
+  return right_nearby(kAlongX, kFromTwoToFour, {.relative_change = 16 * 0x1p-53, .valid = valid},
+                      answer)
       .found;
 }
 

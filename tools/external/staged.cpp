@@ -13,10 +13,10 @@ std::vector<StagedMethod> staged(const External& external) {
   }
   const Layers& layers = external.program.layers;
   const bool is_kept = layers.own_user || layers.seccomp || layers.landlock || layers.bubblewrap;
-  const auto other = std::make_shared<const OtherMethod>(OtherMethod{
-      external.name, external.program.layers.text(), candidate_of(external.bounds).name,
-      [external] { return external_candidate(external); }, external.precision,
-      is_kept ? "" : external.library.string(), is_kept});
+  const auto other = std::make_shared<const OtherMethod>(
+      OtherMethod{external.name, external.program.layers.text(), candidate_of(external.bounds).name,
+                  [external] { return external_candidate(external); }, external.precision,
+                  is_kept ? "" : external.library.string(), is_kept});
   const auto offers = [&](const char* function) {
     return external.introduction.functions.contains(function);
   };

@@ -143,6 +143,12 @@ std::string_view precision_words(scene::Precision precision) {
   return precision == scene::Precision::kDouble ? "" : ", in single precision";
 }
 
+std::string rounded_numbers_text(std::size_t count) {
+  if (count == 0) return "";
+  return fmt::format("{} of the scene {}: asked and judged on the scene rounded to floats",
+                     count_text(count, "number"), count == 1 ? "is no float" : "are no floats");
+}
+
 std::string change_text(double relative_change, scene::Precision precision) {
   const double in_roundoffs = relative_change / scene::unit_roundoff(precision);
   const auto unit = unit_name(properties::Quantity::kHitPoint, precision);

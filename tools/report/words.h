@@ -47,6 +47,10 @@ std::string conventions_text(const scene::Conventions& conventions);
 /// Behind what is judged in floats: ", in single precision"; nothing of doubles.
 std::string_view precision_words(scene::Precision precision);
 
+/// "4 numbers of the scene are no floats: asked and judged on the scene rounded to floats", or
+/// nothing.
+std::string rounded_numbers_text(std::size_t count);
+
 /// A relative change in units of u, or as it is where those would be many: "16 u", "1e-06".
 std::string change_text(double relative_change,
                         scene::Precision precision = scene::Precision::kDouble);

@@ -35,11 +35,11 @@ std::string stress_json(const StressReport& report, const ViewOptions& /*options
       method["max_ratio"] =
           error_json(curve.worst_ratio() < 0 ? std::nullopt : std::optional(curve.worst_ratio()));
       for (std::size_t k = 0; k < curve.results.size(); ++k) {
-        method["severities"].push_back({{"severity", curve.severities[k]},
-                                        {"left_out", curve.results[k].left_out},
-                                        {"inside", tallies_json(curve.results[k].inside, precision)},
-                                        {"outside",
-                                         tallies_json(curve.results[k].outside, precision)}});
+        method["severities"].push_back(
+            {{"severity", curve.severities[k]},
+             {"left_out", curve.results[k].left_out},
+             {"inside", tallies_json(curve.results[k].inside, precision)},
+             {"outside", tallies_json(curve.results[k].outside, precision)}});
       }
       entry["methods"].push_back(std::move(method));
     }

@@ -18,10 +18,9 @@ Plot plot_of(const FamilyReport& family, Stage stage, scene::Precision precision
   plot.title = fmt::format("{}: 99.9% error against severity ({}{})", family.family->name,
                            name(stage), precision_words(precision));
   plot.x_label = fmt::format("severity: {}", family.family->dial->meaning);
-  plot.y_label = fmt::format("{}, in {} (infinite: {:g})",
-                             stage == Stage::kRays ? "angle of D" : "error of s",
-                             unit_name(properties::main_quantity(stage), precision),
-                             kLargestPlotted);
+  plot.y_label =
+      fmt::format("{}, in {} (infinite: {:g})", stage == Stage::kRays ? "angle of D" : "error of s",
+                  unit_name(properties::main_quantity(stage), precision), kLargestPlotted);
   PlotSeries floor;
   floor.name = "99.9% kappa: what the problem itself magnifies";
   floor.style = PlotSeries::Style::kDashes;

@@ -162,12 +162,12 @@ Table summary_table(const StressReport& report) {
           classes == all.tallies().end() ? 0 : classes->second.count(Outcome::kWrongDecision);
       const double ratio = curve.worst_ratio();
       const std::optional<double> slope = curve.slope(family.family->dial->base);
-      table.add(
-          {std::string(family.family->name), std::string(curve.method.name()), failing_text(curve),
-           slope ? fmt::format("{:.2f}", *slope) : "-",
-           error_text(ratio < 0 ? std::nullopt : std::optional(ratio)), std::to_string(missed),
-           std::to_string(false_hits), std::to_string(defects - class_defects),
-           error_text(largest(all, curve.quantity())), std::string(curve.unit())});
+      table.add({std::string(family.family->name), std::string(curve.method.name()),
+                 failing_text(curve), slope ? fmt::format("{:.2f}", *slope) : "-",
+                 error_text(ratio < 0 ? std::nullopt : std::optional(ratio)),
+                 std::to_string(missed), std::to_string(false_hits),
+                 std::to_string(defects - class_defects),
+                 error_text(largest(all, curve.quantity())), std::string(curve.unit())});
     }
   }
   return table;

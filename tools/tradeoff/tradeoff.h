@@ -50,15 +50,15 @@ struct MethodCost {
   std::string_view unit() const { return unit_name(quantity(), promises.precision); }
   const properties::Tally* main() const;
   /// Errors by which methods are ranked: decisions wrong without an excuse per decision, then the
-  /// 99.9% error, of whatever format in u or ulp of doubles. Empty where nothing was judged in the stated domain.
+  /// 99.9% error, of whatever format in u or ulp of doubles. Empty where nothing was judged in the
+  /// stated domain.
   std::optional<std::pair<double, double>> badness() const;
 };
 
 /// Whether any method is judged in a format.
 inline bool has_any(const std::vector<MethodCost>& costs, scene::Precision precision) {
-  return std::any_of(costs.begin(), costs.end(), [=](const MethodCost& cost) {
-    return cost.promises.precision == precision;
-  });
+  return std::any_of(costs.begin(), costs.end(),
+                     [=](const MethodCost& cost) { return cost.promises.precision == precision; });
 }
 
 /// What a pixel costs end to end: a ray method and an intersection method.

@@ -34,12 +34,13 @@ Plot plot_of(const std::vector<MethodCost>& costs, Stage stage, scene::Precision
   Plot plot;
   const std::size_t sources =
       static_cast<std::size_t>(std::count(subject.begin(), subject.end(), ',')) + 1;
-  plot.title = fmt::format("{}{}: error against time on {}", name(stage), precision_words(precision),
-                           sources > 3 ? fmt::format("{} families", sources) : subject);
+  plot.title =
+      fmt::format("{}{}: error against time on {}", name(stage), precision_words(precision),
+                  sources > 3 ? fmt::format("{} families", sources) : subject);
   plot.x_label = "ns per item in a batch";
-  plot.y_label = fmt::format(
-      "99.9% {}, in {}", stage == Stage::kRays ? "angle of the direction" : "error of s",
-      unit_name(properties::main_quantity(stage), precision));
+  plot.y_label = fmt::format("99.9% {}, in {}",
+                             stage == Stage::kRays ? "angle of the direction" : "error of s",
+                             unit_name(properties::main_quantity(stage), precision));
   plot.log_x = true;
   PlotSeries front;
   front.name = "Pareto front, no defects";

@@ -1,7 +1,5 @@
 #include <fmt/core.h>
 
-#include <tuple>
-
 #include "tools/methods/others_text.h"
 #include "tools/report/table.h"
 #include "tools/report/words.h"
@@ -126,19 +124,20 @@ Table intersection_table(const std::vector<MethodCost>& costs, scene::Precision 
 }
 
 Table ray_table(const std::vector<MethodCost>& costs, scene::Precision precision) {
-  Table table({{"  method"},
-               {"ns a call", kRight},
-               {"ns in a batch", kRight},
-               {"ratio", kRight},
-               {fmt::format("median {} of D", unit_name(Quantity::kDirection, precision)), kRight},
-               {"99.9%", kRight},
-               {"max", kRight},
-               {"audited", kRight},
-               {"bound", kRight},
-               {fmt::format("audited {} of P", unit_name(Quantity::kPixelPoint, precision)), kRight},
-               {"bound", kRight},
-               {"max rho", kRight},
-               {"stable on"}});
+  Table table(
+      {{"  method"},
+       {"ns a call", kRight},
+       {"ns in a batch", kRight},
+       {"ratio", kRight},
+       {fmt::format("median {} of D", unit_name(Quantity::kDirection, precision)), kRight},
+       {"99.9%", kRight},
+       {"max", kRight},
+       {"audited", kRight},
+       {"bound", kRight},
+       {fmt::format("audited {} of P", unit_name(Quantity::kPixelPoint, precision)), kRight},
+       {"bound", kRight},
+       {"max rho", kRight},
+       {"stable on"}});
   const double base = baseline(costs);
   for (const MethodCost& cost : costs) {
     if (cost.promises.precision != precision) continue;
@@ -151,8 +150,7 @@ Table ray_table(const std::vector<MethodCost>& costs, scene::Precision precision
                max_text(inside, Quantity::kDirection), audited_text(inside, Quantity::kDirection),
                bound_text(cost, Quantity::kDirection), audited_text(inside, Quantity::kPixelPoint),
                method.pixel_points ? bound_text(cost, Quantity::kPixelPoint) : "-",
-               ratio_text(inside),
-               stability_text(cost)});
+               ratio_text(inside), stability_text(cost)});
   }
   return table;
 }
@@ -185,13 +183,14 @@ struct Section {
 
 std::vector<Section> sections_of(const TradeoffReport& report) {
   std::vector<Section> sections;
-  for (const auto& [stage, costs, table] :
-       {std::tuple("rays", &report.rays, ray_table),
-        std::tuple("intersections", &report.intersections, intersection_table)}) {
-    for (const auto precision : {scene::Precision::kDouble, scene::Precision::kSingle}) {
-      if (!has_any(*costs, precision)) continue;
-      sections.push_back(
-          {fmt::format("{}{}", stage, precision_words(precision)), table(*costs, precision)});
+  for (const auto precision : {scene::Precision::kDouble, scene::Precision::kSingle}) {
+    const std::string_view words = precision_words(precision);
+    if (has_any(report.rays, precision)) {
+      sections.push_back({fmt::format("rays{}", words), ray_table(report.rays, precision)});
+    }
+    if (has_any(report.intersections, precision)) {
+      sections.push_back({fmt::format("intersections{}", words),
+                          intersection_table(report.intersections, precision)});
     }
   }
   if (!report.pixels.empty()) {
@@ -305,18 +304,17 @@ std::string tradeoff_csv(const TradeoffReport& report, const ViewOptions& /*opti
       for (const std::string& name : cost.unstable_on) {
         unstable += (unstable.empty() ? "" : " ") + name;
       }
-      table.add(
-          {std::string(name(cost.method.stage)), std::string(cost.method.name()),
-           cost.pareto ? "yes" : "no", cost.scalar ? number(cost.scalar->median) : "",
-           cost.batch ? number(cost.batch->median) : "", cost.batch ? number(cost.batch->low) : "",
-           cost.batch ? number(cost.batch->high) : "", std::string(cost.unit()),
-           quantile_text(inside, cost.quantity(), 0.5),
-           quantile_text(inside, cost.quantity(), 0.999), max_text(inside, cost.quantity()),
-           audited_text(inside, cost.quantity()),
-           bound_text(cost, cost.quantity()),
-           per_million(inside, Wrong::kMissed), per_million(inside, Wrong::kFalseHit),
-           std::to_string(properties::defects(inside)), max_text(inside, Quantity::kBackwardError),
-           ratio_text(inside), unstable});
+      table.add({std::string(name(cost.method.stage)), std::string(cost.method.name()),
+                 cost.pareto ? "yes" : "no", cost.scalar ? number(cost.scalar->median) : "",
+                 cost.batch ? number(cost.batch->median) : "",
+                 cost.batch ? number(cost.batch->low) : "",
+                 cost.batch ? number(cost.batch->high) : "", std::string(cost.unit()),
+                 quantile_text(inside, cost.quantity(), 0.5),
+                 quantile_text(inside, cost.quantity(), 0.999), max_text(inside, cost.quantity()),
+                 audited_text(inside, cost.quantity()), bound_text(cost, cost.quantity()),
+                 per_million(inside, Wrong::kMissed), per_million(inside, Wrong::kFalseHit),
+                 std::to_string(properties::defects(inside)),
+                 max_text(inside, Quantity::kBackwardError), ratio_text(inside), unstable});
     }
   }
   return table.csv();

@@ -128,15 +128,6 @@ scene::Ray placed_at(const Pair& pair, const scene::Sphere& sphere) {
           pair.ray.direction};
 }
 
-/// A ray of a format.
-scene::Ray rounded(scene::Ray ray, scene::Precision precision) {
-  for (double* x : {&ray.origin.x, &ray.origin.y, &ray.origin.z, &ray.direction.x,
-                    &ray.direction.y, &ray.direction.z}) {
-    *x = scene::rounded_to(precision, *x);
-  }
-  return ray;
-}
-
 /// The pairs in batches of one sphere each: the spheres of the first pairs, met by the rays of all,
 /// whose numbers are of a format.
 std::vector<Batch> batches_of(const std::vector<Pair>& pairs, scene::Precision precision) {
@@ -146,7 +137,7 @@ std::vector<Batch> batches_of(const std::vector<Pair>& pairs, scene::Precision p
   }
   for (std::size_t k = 0; k < pairs.size(); ++k) {
     Batch& batch = batches[k % batches.size()];
-    append(batch.rays, rounded(placed_at(pairs[k], batch.sphere), precision));
+    append(batch.rays, properties::rounded_ray(placed_at(pairs[k], batch.sphere), precision));
   }
   return batches;
 }
