@@ -50,8 +50,9 @@ std::vector<NearestHitError> nearest_hit_errors(Trial& trial, std::span<const st
       const HitAnswer* const hit = find_hit(trial.hits(*got), ray);
       if (hit == nullptr) throw std::runtime_error("candidate misses the sphere it sees");
       const reference::ExactRay& exact = trial.exact_ray(ray);
-      error.ulp = reference::parameter_error(
-          exact, sphere, exact.intersect(sphere, trial.conventions()), hit->parameter);
+      error.ulp =
+          reference::parameter_error(exact, sphere, exact.intersect(sphere, trial.conventions()),
+                                     hit->parameter, trial.precision());
     }
   }
   return errors;

@@ -22,7 +22,7 @@ struct NearestHitError {
 /// `parameter` do, ray by ray.
 /// Shape:  `seen`, the exact nearest sphere of each ray of the trial's case
 ///         (reference/visibility/visibility.h) -> one answer a ray.
-/// Units:  ulp of the exact s.
+/// Units:  ulp of the exact s, in the format that the trial judges in.
 /// Domain: a candidate that makes rays from the trial's origin and ranks spheres.
 /// Error:  an upper bound, from an enclosure of s.
 std::vector<NearestHitError> nearest_hit_errors(Trial& trial, std::span<const std::int32_t> seen);

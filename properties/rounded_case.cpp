@@ -43,6 +43,14 @@ RoundedCase rounded_case(Case the_case, Precision precision) {
   return result;
 }
 
+scene::Ray rounded_ray(scene::Ray ray, Precision precision) {
+  for (double* x : {&ray.origin.x, &ray.origin.y, &ray.origin.z, &ray.direction.x, &ray.direction.y,
+                    &ray.direction.z}) {
+    *x = scene::rounded_to(precision, *x);
+  }
+  return ray;
+}
+
 bool is_of_format(const scene::Scene& scene, Precision precision) {
   if (precision == Precision::kDouble) return true;
   bool all = true;

@@ -23,6 +23,9 @@ struct RoundedCase {
 /// defect then.
 RoundedCase rounded_case(Case the_case, scene::Precision precision);
 
+/// A ray whose numbers are of the format.
+scene::Ray rounded_ray(scene::Ray ray, scene::Precision precision);
+
 /// Whether every number of the scene is one of the format.
 bool is_of_format(const scene::Scene& scene, scene::Precision precision);
 

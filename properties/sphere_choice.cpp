@@ -3,7 +3,6 @@
 #include <algorithm>
 
 #include "reference/nearby_choice.h"
-#include "reference/nearby_valid.h"
 
 namespace raycheck::properties {
 
@@ -27,11 +26,6 @@ Excuse excuse(Trial& trial, std::size_t ray, Index got, double change) {
                        : got == kSomeSphere ? FirstMet::What::kSomething
                                             : FirstMet::What::kSphere,
                        got.value_or(0)};
-  if (!trial.conventions().valid.is_usual()) {
-    return trial.excuse_of(refuted_nearby(trial.exact_ray(ray), trial.scene().spheres,
-                                          trial.conventions(), change, claim),
-                           change);
-  }
   return trial.excuse_of(
       right_nearby(trial.exact_ray(ray), trial.scene().spheres, trial.neighbourhood(change), claim),
       change);

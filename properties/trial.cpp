@@ -45,11 +45,13 @@ struct ValidRays {
 };
 
 /// Whether the class or the root of an answer is not the exact one.
-bool is_wrong(const RayAnswer& answer, const scene::Conventions& conventions) {
+bool is_wrong(const RayAnswer& answer, const scene::Conventions& conventions,
+              scene::Precision precision) {
   const reference::Intersection at = answer.ray.intersect(answer.sphere, conventions);
   const bool is_hit = reference::counts_as_hit(at.hit_class, conventions.tangent);
   if (is_hit != answer.s.has_value()) return true;
-  return is_hit && reference::is_at_other_root(answer.ray, answer.sphere, at, *answer.s);
+  return is_hit && (reference::is_at_other_root(answer.ray, answer.sphere, at, *answer.s) ||
+                    is_excluded(answer, at, conventions, precision));
 }
 
 void require_in_order(const SphereHits& hits, std::size_t rays) {
@@ -61,6 +63,14 @@ void require_in_order(const SphereHits& hits, std::size_t rays) {
 }
 
 }  // namespace
+
+bool is_excluded(const RayAnswer& answer, const reference::Intersection& at,
+                 const scene::Conventions& conventions, scene::Precision precision) {
+  if (conventions.valid.is_usual() || !answer.s || !std::isfinite(*answer.s)) return false;
+  if (!reference::is_outside(conventions.valid, answer.sphere.radius, *answer.s)) return false;
+  return !reference::counts_as_hit(at.hit_class, conventions.tangent) ||
+         *answer.s != answer.ray.rounded_parameter(answer.sphere, at, precision);
+}
 
 Trial::Trial(const Case& the_case, const Candidate& candidate, TrialOptions options)
     : case_(the_case),
@@ -296,7 +306,8 @@ void Trial::examine(Verdict& verdict, Quantity quantity, const Place& place, dou
 }
 
 reference::Neighbourhood Trial::neighbourhood(double relative_change) const {
-  return {conventions_.root, conventions_.tangent, relative_change, undecided_ < kMostLongSearches};
+  return {conventions_.root, conventions_.tangent, relative_change, undecided_ < kMostLongSearches,
+          conventions_.valid};
 }
 
 Excuse Trial::excuse_of(reference::NearbyAnswer nearby, double relative_change) const {
@@ -316,11 +327,8 @@ Excuse Trial::excuse(std::initializer_list<RayAnswer> answers) const {
   std::optional<Excuse> weakest;
   for (const RayAnswer& answer : answers) {
     scene::poll();
-    if (!is_wrong(answer, conventions_)) continue;
-    Excuse one = excuse_of(conventions_.valid.is_usual()
-                               ? right_nearby(answer.ray, answer.sphere, around, answer.s)
-                               : reference::refuted_nearby(answer.ray, answer.sphere, conventions_,
-                                                           around.relative_change, answer.s),
+    if (!is_wrong(answer, conventions_, precision())) continue;
+    Excuse one = excuse_of(right_nearby(answer.ray, answer.sphere, around, answer.s),
                            around.relative_change);
     if (!weakest || one.standing() < weakest->standing()) weakest = std::move(one);
     if (weakest->standing() == Standing::kDefect) break;

@@ -71,6 +71,13 @@ inline RayAnswer answer_of(const reference::ExactRay& ray, const scene::Sphere& 
   return {ray, sphere, hit == nullptr ? std::nullopt : std::optional(hit->parameter)};
 }
 
+/// Whether a hit is answered where the interval that it is judged by excludes it, which is a
+/// comparison of doubles (reference::is_outside) that no change of inputs excuses. The exact root
+/// `at`, correctly rounded, may lie on an open end, and is not excluded.
+/// Domain: `at` is what the ray and the sphere of the answer have under the conventions.
+bool is_excluded(const RayAnswer& answer, const reference::Intersection& at,
+                 const scene::Conventions& conventions, scene::Precision precision);
+
 /// A case, the truth about it and a candidate's answers to it, each worked out when a law first
 /// asks and kept for the next law. The truth never sees the candidate. What a candidate throws
 /// passes through.

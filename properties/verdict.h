@@ -59,6 +59,8 @@ struct Discrepancy {
   Wrong wrong = Wrong::kNot;
   std::optional<double> condition;  ///< The condition number, where it was asked for.
   Excuse excuse;
+  /// The interval, where the answered s lies outside of that which it is judged by.
+  std::optional<scene::ValidRoots> excluded_by;
   FailedQuestions failed;  ///< Where it failed.
 };
 

@@ -136,18 +136,26 @@ Intersection ExactRay::intersect(const scene::Sphere& sphere, const scene::Conve
   });
   if (line_class < 0) return {};
   const HitClass hit = line_class == 0 ? HitClass::kTangent : HitClass::kHit;
-  const auto counts = [&](const Intersection& at) {
-    const int above = compare_parameter(sphere, at, valid.t_min, valid.unit, engine, highest);
-    if (above < 0 || (above == 0 && !valid.includes_min())) return false;
-    if (std::isinf(valid.t_max)) return true;
-    const int beyond = compare_parameter(sphere, at, valid.t_max, valid.unit, engine, highest);
-    return beyond < 0 || (beyond == 0 && valid.includes_max());
-  };
-  const Intersection smaller{hit, WhichRoot::kSmaller}, larger{hit, WhichRoot::kLarger};
-  if (valid.culling != scene::Culling::kFrontFaces && counts(smaller)) return smaller;
-  const bool larger_may_count =
-      conventions.root == scene::Root::kNearest && valid.culling != scene::Culling::kBackFaces;
-  return larger_may_count && counts(larger) ? larger : Intersection{};
+  for (const WhichRoot root : {WhichRoot::kSmaller, WhichRoot::kLarger}) {
+    const Intersection at{hit, root};
+    if (counts(sphere, at, valid, engine, highest) == RootCounts::kYes) return at;
+    if (conventions.root == scene::Root::kSmaller) break;
+  }
+  return {};
+}
+
+RootCounts ExactRay::counts(const scene::Sphere& sphere, const Intersection& at,
+                            const scene::ValidRoots& valid, Engine engine, Rung* highest) const {
+  const auto culled =
+      at.root == WhichRoot::kSmaller ? scene::Culling::kFrontFaces : scene::Culling::kBackFaces;
+  if (valid.culling == culled) return RootCounts::kCulled;
+  const int above = compare_parameter(sphere, at, valid.t_min, valid.unit, engine, highest);
+  if (above < 0) return RootCounts::kBeforeMin;
+  if (above == 0 && !valid.includes_min()) return RootCounts::kOnOpenMin;
+  if (std::isinf(valid.t_max)) return RootCounts::kYes;
+  const int beyond = compare_parameter(sphere, at, valid.t_max, valid.unit, engine, highest);
+  if (beyond > 0) return RootCounts::kBeyondMax;
+  return beyond == 0 && !valid.includes_max() ? RootCounts::kOnOpenMax : RootCounts::kYes;
 }
 
 namespace {

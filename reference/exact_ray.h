@@ -25,6 +25,10 @@ constexpr std::string_view name(HitClass hit_class) {
   return kHitClassNames[static_cast<std::size_t>(hit_class)];
 }
 enum class WhichRoot { kSmaller, kLarger };  ///< v - d, v + d
+inline constexpr std::array<std::string_view, 2> kWhichRootNames = {"smaller", "larger"};
+constexpr std::string_view name(WhichRoot value) {
+  return kWhichRootNames[static_cast<std::size_t>(value)];
+}
 
 /// How a ray meets a sphere; `root` speaks only of hits and tangents.
 struct Intersection {
@@ -72,6 +76,16 @@ class EnclosedRay {
   std::shared_ptr<const Impl> impl_;
 };
 
+/// Whether a root counts among those that valid roots are made of (scene::ValidRoots), and if not,
+/// why.
+enum class RootCounts { kYes, kCulled, kBeforeMin, kOnOpenMin, kOnOpenMax, kBeyondMax };
+
+inline constexpr std::array<std::string_view, 6> kRootCountsNames = {
+    "yes", "culled", "before t_min", "on an open t_min", "on an open t_max", "beyond t_max"};
+constexpr std::string_view name(RootCounts value) {
+  return kRootCountsNames[static_cast<std::size_t>(value)];
+}
+
 /// One ray, known exactly: through a camera's pixel, or given by doubles.
 /// Units:  scene lengths; the parameter s of a camera's ray is a length (its direction is unit), of
 ///         a given ray it counts multiples of the given direction.
@@ -110,6 +124,10 @@ class ExactRay {
   /// The same under all that conventions say of roots: which count, and which of these is taken.
   Intersection intersect(const scene::Sphere& sphere, const scene::Conventions& conventions,
                          Engine engine = Engine::kFiltered, Rung* highest = nullptr) const;
+  /// Whether a root of a hit or a tangent counts.
+  RootCounts counts(const scene::Sphere& sphere, const Intersection& at,
+                    const scene::ValidRoots& valid, Engine engine = Engine::kFiltered,
+                    Rung* highest = nullptr) const;
   /// The sign of s - t of a hit or a tangent, t in a unit: with radii of the sphere, t r exactly.
   /// Domain: t is finite.
   int compare_parameter(const scene::Sphere& sphere, const Intersection& at, double t,

@@ -9,6 +9,7 @@
 #include "reference/internal/box_optimum.h"
 #include "reference/internal/fate.h"
 #include "reference/internal/inequalities.h"
+#include "reference/nearby_valid.h"
 #include "scene/validate.h"
 
 namespace raycheck::reference {
@@ -247,6 +248,7 @@ class Search {
 NearbyAnswer right_nearby(const ExactRay& ray, const scene::Sphere& sphere,
                           const Neighbourhood& around, const std::optional<double>& answer) {
   scene::require_valid(sphere);
+  if (!around.valid.is_usual()) return refuted_nearby(ray, sphere, around, answer);
   if (is_far_from_right(ray, sphere, around, answer)) return {Nearby::kRefuted, {}};
   const NearestGuard guard;
   return search(ray, sphere, around, answer);

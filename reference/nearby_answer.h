@@ -32,6 +32,7 @@ struct Neighbourhood {
   /// Whether to go on, by steps and in parts, where the deciders are not nearly linear: it takes up
   /// to a hundred times as long.
   bool at_length = true;
+  scene::ValidRoots valid = {};  ///< Which roots count: no inputs, and taken exactly.
 };
 
 /// Whether a ray and a sphere of the neighbourhood meet as an answer says: not at all (empty), or
@@ -48,7 +49,7 @@ struct Neighbourhood {
 ///         inputs, which over a small neighbourhood it nearly is; over wide ones by lengths of
 ///         vectors, witnesses also by projections and along lines. Undecided is the rest: roots
 ///         about as far from right as the neighbourhood is wide, and what only an exact tangent
-///         would make right.
+///         would make right. Where not every root >= 0 counts, see reference/nearby_valid.h.
 /// Source: mixed forward-backward error (N. J. Higham, Accuracy and Stability of Numerical
 ///         Algorithms, 1.5); mean-value forms (R. E. Moore, Interval Analysis); linear programs of
 ///         one equation over a box, by the breakpoints of their dual (G. B. Dantzig's fractional

@@ -11,6 +11,7 @@
 #include "reference/internal/choice_judgement.h"
 #include "reference/internal/contenders.h"
 #include "reference/internal/inequalities.h"
+#include "reference/nearby_valid.h"
 #include "scene/validate.h"
 
 namespace raycheck::reference {
@@ -284,6 +285,7 @@ NearbyAnswer right_nearby(const ExactRay& ray, std::span<const scene::Sphere> sp
   if (claim.what == FirstMet::What::kSphere && claim.sphere >= spheres.size()) {
     throw std::invalid_argument("the scene has no such sphere");
   }
+  if (!around.valid.is_usual()) return refuted_nearby(ray, spheres, around, claim);
   const NearestGuard guard;
   return search(ray, spheres, around, claim);
 }

@@ -23,21 +23,19 @@ struct Everywhere {
 /// A neighbourhood of a ray and spheres, in balls.
 class Box {
  public:
-  Box(const ExactRay& ray, const scene::Conventions& conventions, double relative_change)
-      : ray_(ray.enclose(kBits, relative_change)),
-        conventions_(conventions),
-        change_(relative_change) {}
+  Box(const ExactRay& ray, const Neighbourhood& around)
+      : ray_(ray.enclose(kBits, around.relative_change)), around_(around) {}
 
   Everywhere meets(const scene::Sphere& sphere) const {
     const auto under_root = ray_.half_chord_sq(sphere).certain_sign();
     if (under_root == -1) return {Everywhere::Meets::kNowhere, {}, {}, {}};
     if (under_root != 1) return {};
-    const scene::Culling culling = conventions_.valid.culling;
+    const scene::Culling culling = around_.valid.culling;
     for (const WhichRoot root : {WhichRoot::kSmaller, WhichRoot::kLarger}) {
       const bool is_smaller = root == WhichRoot::kSmaller;
       const bool is_culled = is_smaller ? culling == scene::Culling::kFrontFaces
                                         : culling == scene::Culling::kBackFaces ||
-                                              conventions_.root == scene::Root::kSmaller;
+                                              around_.root == scene::Root::kSmaller;
       if (is_culled) continue;
       Enclosure s = ray_.parameter(sphere, {HitClass::kHit, root});
       const std::optional<bool> counts = is_valid(s, sphere);
@@ -53,11 +51,11 @@ class Box {
  private:
   /// Whether a root lies between t_min and t_max; empty where that is not the same everywhere.
   std::optional<bool> is_valid(const Enclosure& s, const scene::Sphere& sphere) const {
-    const scene::ValidRoots& valid = conventions_.valid;
+    const scene::ValidRoots& valid = around_.valid;
     const auto above = [&](double t) {
       Enclosure end(t, kBits);
       if (valid.unit == scene::TUnit::kRadius) {
-        end *= Enclosure::within(sphere.radius, change_, kBits);
+        end *= Enclosure::within(sphere.radius, around_.relative_change, kBits);
       }
       const auto sign = (s - end).certain_sign();
       return sign == 0 ? std::nullopt : sign;
@@ -72,8 +70,7 @@ class Box {
   }
 
   EnclosedRay ray_;
-  const scene::Conventions& conventions_;
-  double change_;
+  const Neighbourhood& around_;
 };
 
 using Meets = Everywhere::Meets;
@@ -89,9 +86,11 @@ bool is_certainly_less(const Enclosure& a, const Enclosure& b) {
 }  // namespace
 
 NearbyAnswer refuted_nearby(const ExactRay& ray, const scene::Sphere& sphere,
-                            const scene::Conventions& conventions, double relative_change,
-                            const std::optional<double>& answer) {
-  const Everywhere here = Box(ray, conventions, relative_change).meets(sphere);
+                            const Neighbourhood& around, const std::optional<double>& answer) {
+  if (answer && std::isfinite(*answer) && is_outside(around.valid, sphere.radius, *answer)) {
+    return refuted_if(true);
+  }
+  const Everywhere here = Box(ray, around).meets(sphere);
   if (here.meets == Meets::kUnknown) return {};
   if (!answer) return refuted_if(here.meets == Meets::kAtOneRoot);
   if (here.meets == Meets::kNowhere || !std::isfinite(*answer)) return refuted_if(true);
@@ -102,9 +101,8 @@ NearbyAnswer refuted_nearby(const ExactRay& ray, const scene::Sphere& sphere,
 }
 
 NearbyAnswer refuted_nearby(const ExactRay& ray, std::span<const scene::Sphere> spheres,
-                            const scene::Conventions& conventions, double relative_change,
-                            const FirstMet& claim) {
-  const Box box(ray, conventions, relative_change);
+                            const Neighbourhood& around, const FirstMet& claim) {
+  const Box box(ray, around);
   std::vector<Everywhere> all;
   for (const scene::Sphere& sphere : spheres) all.push_back(box.meets(sphere));
   const auto some_are = [&](Meets meets) {
@@ -124,6 +122,21 @@ NearbyAnswer refuted_nearby(const ExactRay& ray, std::span<const scene::Sphere> 
   return refuted_if(std::any_of(all.begin(), all.end(), [&](const Everywhere& one) {
     return one.meets == Meets::kAtOneRoot && is_certainly_less(one.s, claimed.s);
   }));
+}
+
+bool is_outside(const scene::ValidRoots& valid, double radius, double s) {
+  // The product of two doubles has no more than 106 bits, so that a ball of kBits has no width.
+  const auto above = [&](double t) {
+    if (valid.unit == scene::TUnit::kAbsolute) return s < t ? -1 : s > t ? 1 : 0;
+    return (Enclosure(s, kBits) - Enclosure(t, kBits) * Enclosure(radius, kBits))
+        .certain_sign()
+        .value();
+  };
+  const int above_min = above(valid.t_min);
+  if (above_min < 0 || (above_min == 0 && !valid.includes_min())) return true;
+  if (std::isinf(valid.t_max)) return false;
+  const int above_max = above(valid.t_max);
+  return above_max > 0 || (above_max == 0 && !valid.includes_max());
 }
 
 }  // namespace raycheck::reference

@@ -58,6 +58,15 @@ bool is_at_other_root(Trial& trial, const Encounter& both) {
          s != ray.rounded_parameter(sphere, *both.exact, trial.precision());
 }
 
+/// Whether a hit is answered where the candidate's own interval excludes it.
+bool is_excluded(Trial& trial, const Encounter& at) {
+  if (at.answer == nullptr) return false;
+  const scene::Sphere& sphere = trial.scene().spheres[at.sphere];
+  return is_excluded(answer_of(trial.exact_ray(at.ray), sphere, at.answer),
+                     at.exact != nullptr ? *at.exact : Intersection{}, trial.conventions(),
+                     trial.precision());
+}
+
 /// Calls visit(encounter) where both the candidate and the truth have a hit, at one root.
 template <class Visit>
 void for_each_common_hit(Trial& trial, Visit visit) {
@@ -73,6 +82,7 @@ Excuse excuse(Trial& trial, const Encounter& at) {
 
 void describe_parameters(Trial& trial, const Encounter& at, Discrepancy& d) {
   if (at.answer != nullptr) d.got = {at.answer->parameter};
+  if (is_excluded(trial, at)) d.excluded_by = trial.conventions().valid;
   if (at.exact != nullptr) {
     d.exact = {trial.exact_ray(at.ray).rounded_parameter(trial.scene().spheres[at.sphere],
                                                          *at.exact, trial.precision())};
@@ -125,7 +135,7 @@ void judge_root(Trial& trial, Verdict& verdict) {
     if (at.answer == nullptr || at.exact == nullptr) return;
     trial.judge(
         verdict, Quantity::kRoot, root_asked(*at.exact), trial.place(at.ray, at.sphere),
-        is_at_other_root(trial, at) ? Wrong::kWrongRoot : Wrong::kNot,
+        is_at_other_root(trial, at) || is_excluded(trial, at) ? Wrong::kWrongRoot : Wrong::kNot,
         [&] { return excuse(trial, at); },
         [&](Discrepancy& d) { describe_parameters(trial, at, d); });
   });

@@ -123,13 +123,6 @@ std::uint64_t count_different(const Comparison& comparison, const Answers& expec
   return count;
 }
 
-void round_ray(scene::Precision precision, scene::Ray& ray) {
-  for (double* x : {&ray.origin.x, &ray.origin.y, &ray.origin.z, &ray.direction.x, &ray.direction.y,
-                    &ray.direction.z}) {
-    *x = scene::rounded_to(precision, *x);
-  }
-}
-
 /// The methods of fast/ beside direct/cross, but for those that are less precise than a candidate.
 std::vector<Candidate> other_right_candidates(const Candidate& candidate) {
   std::vector<Candidate> others;
@@ -161,7 +154,7 @@ Examination::Examination(std::span<const Case> cases, const Candidate& candidate
     scene::Conventions& conventions = question.the_case.scene.conventions;
     conventions = candidate.declared.over(conventions);
     question.rays = Trial(question.the_case, right_).rays();
-    for (scene::Ray& ray : question.rays) round_ray(candidate.precision, ray);
+    for (scene::Ray& ray : question.rays) ray = rounded_ray(ray, candidate.precision);
   }
 }
 

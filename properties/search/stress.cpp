@@ -49,29 +49,62 @@ std::optional<Case> alone(const Case& the_case, Stage stage, const Candidate& ra
   return result.scene.rays.empty() ? std::nullopt : std::optional(std::move(result));
 }
 
+RoundedCase alone(const Case& the_case, Stage stage, const Candidate& rays,
+                  scene::Precision precision) {
+  RoundedCase rounded = rounded_case(the_case, precision);
+  if (!rounded.the_case) return rounded;
+  std::optional<Case> asked = alone(*rounded.the_case, stage, rays);
+  return asked ? rounded_case(*std::move(asked), precision) : RoundedCase{};
+}
+
 void StressResult::merge(StressResult other) {
   inside.merge(std::move(other.inside));
   outside.merge(std::move(other.outside));
   std::move(other.found.begin(), other.found.end(), std::back_inserter(found));
+  left_out += other.left_out;
 }
 
+namespace {
+
+/// The candidates of one format among all.
 void stress(const Case& the_case, Stage stage, std::span<const Candidate> candidates,
-            std::vector<StressResult>& results) {
-  if (candidates.empty()) return;
-  const std::optional<Case> asked = alone(the_case, stage, candidates.front());
-  if (!asked) return;
-  SharedTruths truths(*asked);
+            scene::Precision precision, std::vector<StressResult>& results) {
+  const auto first =
+      std::find_if(candidates.begin(), candidates.end(),
+                   [=](const Candidate& candidate) { return candidate.precision == precision; });
+  if (first == candidates.end()) return;
+  const bool makes_rays = first->pixel_rays || first->focal_rays;
+  const Candidate& rays = makes_rays ? *first : candidates.front();
+  const auto [asked, reason, changed] = alone(the_case, stage, rays, precision);
+  if (!asked && reason.empty()) return;
+  std::optional<SharedTruths> truths;
+  if (asked) truths.emplace(*asked);
   const std::vector<const Law*> laws = laws_of(stage);
   for (std::size_t k = 0; k < candidates.size(); ++k) {
     const Candidate& candidate = candidates[k];
+    if (candidate.precision != precision) continue;
+    if (!asked) {
+      ++results[k].left_out;
+      continue;
+    }
+    if (!is_problem(*asked, candidate.declared)) continue;
     const auto conventions = candidate.declared.over(asked->scene.conventions);
-    Trial trial(*asked, candidate, {.conditioning = true, .truth = truths.under(conventions)});
+    Trial trial(*asked, candidate, {.conditioning = true, .truth = truths->under(conventions)});
     for (const Law* law : laws) {
       if (!what_is_missing(law->needs, trial).empty()) continue;
       Verdict verdict = apply(*law, trial);
       if (verdict.discrepancies() > 0) keep_first_of_each(results[k], *asked, verdict);
       (trial.inside_domain() ? results[k].inside : results[k].outside).merge(std::move(verdict));
     }
+  }
+}
+
+}  // namespace
+
+void stress(const Case& the_case, Stage stage, std::span<const Candidate> candidates,
+            std::vector<StressResult>& results) {
+  for (const auto precision : {scene::Precision::kDouble, scene::Precision::kSingle}) {
+    stress(the_case, stage, candidates, precision, results);
   }
 }
 

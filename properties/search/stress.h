@@ -8,6 +8,7 @@
 
 #include "properties/cases/case_source.h"
 #include "properties/laws/law.h"
+#include "properties/rounded_case.h"
 #include "properties/run_control.h"
 #include "properties/stage.h"
 
@@ -19,6 +20,10 @@ std::vector<const Law*> laws_of(Stage stage);
 /// The case that asks a stage alone: for intersections the rays that `rays` makes of the case's
 /// camera, taken exactly, in place of the camera. Empty where there is nothing to ask.
 std::optional<Case> alone(const Case& the_case, Stage stage, const Candidate& rays);
+/// The same in a format: of the case rounded to it, and where `rays` made numbers that are none of
+/// it, those rounded, too.
+RoundedCase alone(const Case& the_case, Stage stage, const Candidate& rays,
+                  scene::Precision precision);
 
 /// A discrepancy and the case that shows it.
 struct Example {
@@ -31,6 +36,7 @@ struct StressResult {
   Verdict inside;
   Verdict outside;
   std::vector<Example> found;  ///< The first of each law and kind of error.
+  std::uint64_t left_out = 0;  ///< Cases that its format cannot hold (properties/rounded_case.h).
 
   void merge(StressResult other);
 };
@@ -41,8 +47,9 @@ struct StressOptions {
 };
 
 /// Judges candidates on the same random cases of a source at one severity (which a source without a
-/// dial ignores), every error weighed by its condition number. Cameras' rays, where the stage is
-/// given rays, are made by the first candidate. The same options give the same result.
+/// dial ignores), rounded to the format of each, every error weighed by its condition number.
+/// Cameras' rays, where the stage is given rays, are made by the first candidate of a format, or
+/// the first of all where that makes none. The same options give the same result.
 std::vector<StressResult> stress(const CaseSource& source, int severity, Stage stage,
                                  std::span<const Candidate> candidates,
                                  const StressOptions& options, const RunControl& control = {});

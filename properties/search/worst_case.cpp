@@ -27,6 +27,7 @@ class Climber {
   /// Empty where the case measures nothing in the candidate's domain, or no number, or where it is
   /// interrupted.
   std::optional<WorstCase> look(const Case& the_case) const try {
+    if (!is_problem(the_case, candidate_.declared)) return std::nullopt;
     // A bound of 0 makes every error a discrepancy, so that its place and numbers are kept.
     Trial trial(the_case, candidate_, {.max_error = 0, .conditioning = true});
     if (!trial.inside_domain()) return std::nullopt;
@@ -67,21 +68,24 @@ class Climber {
   const SearchOptions& options_;
 };
 
-/// x with another significand, exponent or sign.
-double changed(double x, Random& random) {
+/// x with another significand, exponent or sign, in a format.
+double changed(double x, scene::Precision precision, Random& random) {
   const auto kind = random.integer(0, 9);
   if (kind == 0) return -x;
   if (kind <= 3) return std::ldexp(x, static_cast<int>(random.integer(-3, 3)));
   if (x == 0) return random.signed_power_of_ten(-3, 3);
   const double sign = random.sign();
-  const double ulps = std::ldexp(sign, static_cast<int>(random.integer(0, 51)));
+  const int most = scene::format_of(precision).digits - 2;
+  const double ulps = std::ldexp(sign, static_cast<int>(random.integer(0, most)));
   const double ulp =
-      std::nextafter(std::abs(x), std::numeric_limits<double>::infinity()) - std::abs(x);
+      scene::next_after(precision, std::abs(x), std::numeric_limits<double>::infinity()) -
+      std::abs(x);
   return x + ulps * ulp;
 }
 
-/// A case with one or two of its numbers changed.
-Case neighbour(const Case& the_case, Random& random) {
+/// A case with one or two of its numbers changed; empty where it leaves the format's range, or is
+/// no problem any more.
+std::optional<Case> neighbour(const Case& the_case, scene::Precision precision, Random& random) {
   Case result = the_case;
   std::int64_t count = 0;
   for_each_number(result.scene, [&](double&) { ++count; });
@@ -89,10 +93,11 @@ Case neighbour(const Case& the_case, Random& random) {
     const std::int64_t target = random.integer(0, count - 1);
     std::int64_t at = 0;
     for_each_number(result.scene, [&](double& x) {
-      if (at++ == target) x = changed(x, random);
+      if (at++ == target) x = changed(x, precision, random);
     });
   }
-  return result;
+  if (!scene::defects(result.scene).empty()) return std::nullopt;
+  return rounded_case(std::move(result), precision).the_case;
 }
 
 /// One ray and one sphere: the error, kappa and the outcome are then of one answer.
@@ -108,7 +113,8 @@ std::vector<WorstCase> random_phase(const Climber& climber, Stage stage, const C
                                     Random& random) {
   std::vector<WorstCase> best;
   for (int k = 0; k < options.cases && !control.interrupted(); ++k) {
-    std::optional<Case> asked = alone(options.source.make(random.bits()), stage, candidate);
+    std::optional<Case> asked =
+        alone(options.source.make(random.bits()), stage, candidate, candidate.precision).the_case;
     if (!asked) continue;
     keep_first(*asked);
     std::optional<WorstCase> seen = climber.look(*asked);
@@ -121,20 +127,21 @@ std::vector<WorstCase> random_phase(const Climber& climber, Stage stage, const C
   return best;
 }
 
-void climb(WorstCase& at, const Climber& climber, int steps, const RunControl& control,
-           Random& random) {
+void climb(WorstCase& at, const Climber& climber, scene::Precision precision, int steps,
+           const RunControl& control, Random& random) {
   for (int step = 0; step < steps && !control.interrupted(); ++step) {
-    const Case next = neighbour(at.the_case, random);
-    if (!scene::defects(next.scene).empty()) continue;
-    std::optional<WorstCase> seen = climber.look(next);
+    const std::optional<Case> next = neighbour(at.the_case, precision, random);
+    if (!next) continue;
+    std::optional<WorstCase> seen = climber.look(*next);
     if (seen && seen->height > at.height) at = std::move(*seen);
   }
 }
 
-void shrink(WorstCase& at, const Climber& climber, const RunControl& control) {
+void shrink(WorstCase& at, const Climber& climber, scene::Precision precision,
+            const RunControl& control) {
   const double least = at.height / 2;
   smallest(at.the_case, std::numeric_limits<int>::max(), [&](const Case& next) {
-    if (control.interrupted()) return false;
+    if (control.interrupted() || !is_of_format(next.scene, precision)) return false;
     std::optional<WorstCase> seen = climber.look(next);
     if (!seen || seen->height < least || seen->stability.outcome != at.stability.outcome) {
       return false;
@@ -162,13 +169,14 @@ std::optional<WorstCase> find_worst_case(const Candidate& candidate, Stage stage
   if (starts.empty()) return std::nullopt;
   const double height_random = starts.front().height;
   for (WorstCase& start : starts) {
-    climb(start, climber, options.steps / static_cast<int>(starts.size()), control, random);
+    climb(start, climber, candidate.precision, options.steps / static_cast<int>(starts.size()),
+          control, random);
   }
   WorstCase worst =
       *std::max_element(starts.begin(), starts.end(),
                         [](const WorstCase& a, const WorstCase& b) { return a.height < b.height; });
   const double height_climbed = worst.height;
-  shrink(worst, climber, control);
+  shrink(worst, climber, candidate.precision, control);
   worst.height_climbed = height_climbed;
   worst.height_random = height_random;
   return worst;

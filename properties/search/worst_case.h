@@ -37,8 +37,9 @@ struct WorstCase {
 };
 
 /// Searches for the input on which a stage's certified error is worst, within the candidate's
-/// stated domain: random cases, then hill-climbing by changes of one significand, exponent or sign
-/// at a time. Empty when nothing was measured. The same options give the same result.
+/// stated domain and in its format: random cases, then hill-climbing by changes of one significand,
+/// exponent or sign at a time. Empty when nothing was measured. The same options give the same
+/// result.
 std::optional<WorstCase> find_worst_case(const Candidate& candidate, Stage stage,
                                          const SearchOptions& options,
                                          const RunControl& control = {});

@@ -87,8 +87,9 @@ Visibility::Impl::Impl(const scene::Scene& its_scene, scene::ScenePlan its_plan)
     const bool answers_fit = fits(std::sqrt(seen.distance_sq.high) + seen.radius.high, lengths);
     spheres.push_back(filtered(plan.spheres[k], k, sizes));
     rectangles.push_back(plan.spheres[k].pixels);
-    spheres.back().exact =
-        spheres.back().exact || !scales_fit || !answers_fit || !plan.items.filter;
+    spheres.back().exact = spheres.back().exact || !scales_fit || !answers_fit ||
+                           !plan.items.filter ||
+                           !plan.conventions.valid.is_usual();  // the filter knows every root >= 0
     positions[k] = spheres.size() - 1;
   }
   std::uint64_t parts = 0;

@@ -36,7 +36,7 @@ void classes_of_band(const Visibility::Impl& impl, const RowsInTiles& rows, std:
         const ExactRay ray(impl.camera, {rows.first_column(tile) + column, j + row});
         Rung highest = Rung::kIntervals;
         to[column] = ray.intersect(impl.scene.spheres[static_cast<std::size_t>(sphere.index)],
-                                   impl.plan.conventions.root, Engine::kFiltered, &highest)
+                                   impl.plan.conventions, Engine::kFiltered, &highest)
                          .hit_class;
         ++decided_by.rungs[static_cast<std::size_t>(highest)];
       }

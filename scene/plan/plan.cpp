@@ -238,7 +238,10 @@ ScenePlan plan_scene(const Scene& scene, const Conventions& conventions, Wanted 
                    poll();
                    return planner.plan(sphere);
                  });
-  if (items.hidden && wanted == Wanted::kNearest) leave_out_hidden(scene.spheres, spheres);
+  // A sphere whose near root does not count hides nothing.
+  const bool all_count = conventions.valid.is_usual();
+  if (items.hidden && wanted == Wanted::kNearest && all_count)
+    leave_out_hidden(scene.spheres, spheres);
   plan.spheres = std::move(spheres);
   return plan;
 }

@@ -187,7 +187,9 @@ TEST(ValidRoots, AreTheSameByEveryRungBesideTheEnds) {
 }
 
 Nearby nearby(const std::optional<double>& answer, const scene::ValidRoots& valid) {
-  return refuted_nearby(kAlongX, kFromTwoToFour, conventions_of(valid), 16 * 0x1p-53, answer).found;
+  return right_nearby(kAlongX, kFromTwoToFour, {.relative_change = 16 * 0x1p-53, .valid = valid},
+                      answer)
+      .found;
 }
 
 TEST(RefutedNearby, IsWhatNoInputsCloseByMakeRight) {
@@ -201,18 +203,48 @@ TEST(RefutedNearby, IsWhatNoInputsCloseByMakeRight) {
 TEST(RefutedNearby, LeavesUndecidedWhatLiesAtAnEnd) {
   for (const double t : {nudged(2, -2), 2.0, nudged(2, 2)}) {
     EXPECT_EQ(nearby({}, {t, kNoEnd, {}, {}, {}}), Nearby::kUndecided) << t;
-    EXPECT_EQ(nearby(2, {t, kNoEnd, {}, {}, {}}), Nearby::kUndecided) << t;
+    EXPECT_EQ(nearby(nudged(2, 2), {t, kNoEnd, {}, {}, {}}), Nearby::kUndecided) << t;
     EXPECT_EQ(nearby({}, {0, t, {}, {}, {}}), Nearby::kUndecided) << t;
   }
   EXPECT_EQ(nearby(2, {2 + 0x1p-40, kNoEnd, {}, {}, {}}), Nearby::kRefuted);
 }
 
+TEST(RefutedNearby, IsAnAnswerThatTheIntervalExcludesHoweverCloseToItsEnd) {
+  for (const double t : {2.0, nudged(2, 1)}) {
+    EXPECT_EQ(nearby(2, {t, kNoEnd, Ends::kOpen, {}, {}}), Nearby::kRefuted) << t;
+    EXPECT_EQ(nearby(nudged(2, 2), {t, kNoEnd, Ends::kOpen, {}, {}}), Nearby::kUndecided) << t;
+  }
+  EXPECT_EQ(nearby(2, {2, kNoEnd, Ends::kClosed, {}, {}}), Nearby::kUndecided);
+  EXPECT_EQ(nearby(2, {0, 2, Ends::kOpenMax, {}, {}}), Nearby::kRefuted);
+  EXPECT_EQ(nearby(2, {0, 2, Ends::kOpenMin, {}, {}}), Nearby::kUndecided);
+}
+
+/// The product of t and the radius is taken exactly: 0.1 * 3 is no double.
+TEST(RefutedNearby, ComparesRadiiByTheirExactProduct) {
+  const double rounded = 0.1 * 3;  // above the product
+  ASSERT_GT(std::fma(-0.1, 3, rounded), 0);
+  for (const Ends ends : {Ends::kClosed, Ends::kOpen}) {
+    const scene::ValidRoots from{0.1, kNoEnd, ends, TUnit::kRadius, {}};
+    const scene::ValidRoots to{0, 0.1, ends, TUnit::kRadius, {}};
+    EXPECT_FALSE(is_outside(from, 3, rounded));
+    EXPECT_TRUE(is_outside(from, 3, nudged(rounded, -1)));
+    EXPECT_TRUE(is_outside(to, 3, rounded));
+    EXPECT_FALSE(is_outside(to, 3, nudged(rounded, -1)));
+    // Where it is a double, the end decides.
+    const scene::ValidRoots half{0.5, kNoEnd, ends, TUnit::kRadius, {}};
+    EXPECT_EQ(is_outside(half, 3, 1.5), ends == Ends::kOpen);
+  }
+  const scene::ValidRoots wide{0, 0x1p1000, Ends::kClosed, TUnit::kRadius, {}};
+  EXPECT_FALSE(is_outside(wide, 0x1p1000, 0x1p1023));
+  EXPECT_TRUE(is_outside({0x1p-1000, 1, Ends::kClosed, TUnit::kRadius, {}}, 0x1p-60, 0));
+}
+
 TEST(RefutedNearby, TellsWhichSphereIsMetFirst) {
   const std::vector<scene::Sphere> spheres = {kFromTwoToFour, {{13, 0, 0}, 1}};
   const auto claim = [&](FirstMet::What what, std::size_t sphere, double t_min) {
-    return refuted_nearby(kAlongX, spheres, conventions_of({t_min, kNoEnd, {}, {}, {}}),
-                          16 * 0x1p-53, FirstMet{what, sphere})
-        .found;
+    const Neighbourhood around{.relative_change = 16 * 0x1p-53,
+                               .valid = {t_min, kNoEnd, {}, {}, {}}};
+    return right_nearby(kAlongX, spheres, around, FirstMet{what, sphere}).found;
   };
   EXPECT_EQ(claim(FirstMet::What::kSphere, 1, 1), Nearby::kRefuted);
   EXPECT_EQ(claim(FirstMet::What::kSphere, 0, 5), Nearby::kRefuted);

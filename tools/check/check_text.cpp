@@ -112,9 +112,7 @@ std::string precision_text(const CandidateReport& candidate) {
   if (candidate.precision == scene::Precision::kDouble) return "";
   std::string text = "  judged in single precision: u = 2^-24, ulp of float\n";
   if (candidate.rounded_numbers > 0) {
-    text += fmt::format("  {} of the scene {}: asked and judged on the scene rounded to floats\n",
-                        count_text(candidate.rounded_numbers, "number"),
-                        candidate.rounded_numbers == 1 ? "is no float" : "are no floats");
+    text += fmt::format("  {}\n", rounded_numbers_text(candidate.rounded_numbers));
   }
   return text;
 }

@@ -5,8 +5,10 @@
 #include <algorithm>
 #include <functional>
 #include <stdexcept>
+#include <utility>
 
 #include "properties/candidates/fast_candidate.h"
+#include "properties/rounded_case.h"
 #include "scene/interruption.h"
 #include "scene/validate.h"
 #include "tools/explain/explain_methods.h"
@@ -124,11 +126,37 @@ void derive_sphere(const Subject& subject, const scene::Sphere& sphere, const Sp
                    report.closed_form_point, report.point});
 }
 
+/// The roots >= 0 that do not count, before the one that does, `taken`.
+std::vector<RootLeftOut> roots_left_out(const ExactRay& ray, const scene::Sphere& sphere,
+                                        const reference::Intersection& taken,
+                                        const scene::Conventions& conventions) {
+  using reference::HitClass;
+  std::vector<RootLeftOut> left_out;
+  const auto usual = ray.intersect(sphere, scene::Root::kNearest);
+  if (conventions.valid.is_usual() || usual.hit_class == HitClass::kMiss ||
+      taken.hit_class == HitClass::kTangent) {
+    return left_out;
+  }
+  for (const auto root : {reference::WhichRoot::kSmaller, reference::WhichRoot::kLarger}) {
+    const reference::Intersection at{usual.hit_class, root};
+    const reference::RootCounts why = ray.counts(sphere, at, conventions.valid);
+    if (why == reference::RootCounts::kYes) break;
+    if (ray.compare_parameter(sphere, at, 0, scene::TUnit::kAbsolute) >= 0) {
+      left_out.push_back({root, ray.rounded_parameter(sphere, at), why});
+    }
+    const bool is_only_root =
+        conventions.root == scene::Root::kSmaller || at.hit_class == HitClass::kTangent;
+    if (is_only_root) break;
+  }
+  return left_out;
+}
+
 SphereReport report_sphere(const Subject& subject, const scene::Sphere& sphere,
                            const scene::Conventions& conventions) {
   SphereReport report;
   report.intersection = subject.exact.intersect(sphere, conventions);
   report.is_hit = reference::counts_as_hit(report.intersection.hit_class, conventions.tangent);
+  report.left_out = roots_left_out(subject.exact, sphere, report.intersection, conventions);
   if (report.intersection.hit_class == reference::HitClass::kMiss) return report;
   report.parameter = subject.exact.rounded_parameter(sphere, report.intersection);
   report.point = numbers(subject.exact.rounded_point(sphere, report.intersection));
@@ -153,6 +181,7 @@ bool ExplainReport::has_discrepancy() const {
 }
 
 ExplainReport explain(const ExplainOptions& options) {
+  ExplainReport report;
   scene::Scene scene = options.scene;
   scene::require_valid(scene);
   // As check does: rays that a method makes from the eye only are judged from the eye.
@@ -161,9 +190,12 @@ ExplainReport explain(const ExplainOptions& options) {
   if (options.other) {
     other = options.other->candidate();
     scene.conventions = other->declared.over(scene.conventions);
+    auto [rounded, reason, changed] = properties::rounded_case({scene, {}}, other->precision);
+    if (!rounded) throw std::invalid_argument(other->name + ": " + reason);
+    scene = std::move(rounded->scene);
+    report.rounded_numbers = changed;
   }
   const scene::Conventions& conventions = scene.conventions;
-  ExplainReport report;
   report.other = options.other;
   report.scene = scene;
   report.pixel = options.pixel;
@@ -216,10 +248,13 @@ ExplainReport explain(const ExplainOptions& options) {
   scene::poll();
   derive_sphere(*subject, sphere, exact, report.steps);
   add_sphere_conditions(*subject, sphere, exact.intersection, report.steps);
+  const scene::Conventions own =
+      candidate_of(kDefaultMethods).declared.over(conventions);  // those of each of them
+  if (own != conventions) report.by_every_root = report_sphere(*subject, sphere, own);
   for (const auto* method : fast::intersect_methods()) {
     scene::poll();
-    report.methods.push_back(
-        judge_intersection(*method, report.ray, sphere, conventions, *subject, exact));
+    report.methods.push_back(judge_intersection(*method, report.ray, sphere, own, *subject,
+                                                report.by_every_root.value_or(exact)));
   }
   if (other && other->intersect) {
     report.methods.push_back(

@@ -5,6 +5,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "properties/excuse.h"
@@ -40,7 +41,7 @@ struct MethodStep {
   std::string symbol;
   std::vector<double> value;    ///< Empty: it has none (a miss).
   std::optional<double> error;  ///< From the exact value; empty where that or the value is a miss.
-  std::string unit;
+  std::string_view unit;        ///< Of its errors.
   bool wrong = false;  ///< Off by more than may be expected of one step (see explain_methods.cpp).
   /// The error of this step alone, fed with the method's own values of the steps before, taken
   /// exactly; empty where it has none.
@@ -53,17 +54,27 @@ struct MethodReport {
   bool intersects = false;          ///< An intersection method; the next four speak of those only.
   std::optional<double> parameter;  ///< Empty: a miss.
   std::optional<double> ulp_error;  ///< Empty unless both hit.
+  scene::Precision precision = scene::Precision::kDouble;  ///< What that is an ulp of.
   bool class_error = false;
+  bool is_excluded = false;  ///< It answers s where its own interval excludes it.
   /// Of a class or a root that is wrong: whether inputs close by make it right.
   properties::Standing standing = properties::Standing::kDefect;
   std::string goes_wrong_at;  ///< The first wrong step's symbol; empty: none.
   std::string failure;        ///< How it gave no answer, after these steps; empty: it did.
 };
 
+/// A root >= 0 that does not count, and why.
+struct RootLeftOut {
+  reference::WhichRoot root = reference::WhichRoot::kSmaller;
+  double s = 0;  ///< Correctly rounded.
+  reference::RootCounts why = reference::RootCounts::kYes;
+};
+
 /// The exact answer about one sphere.
 struct SphereReport {
   reference::Intersection intersection;
-  bool is_hit = false;  ///< Under the scene's tangent convention.
+  bool is_hit = false;                ///< Under the conventions, which say what counts.
+  std::vector<RootLeftOut> left_out;  ///< Before the one that counts, if any.
   std::optional<double> parameter;
   std::vector<double> point;
   std::optional<reference::ClosedForm> closed_form_parameter;
@@ -71,7 +82,8 @@ struct SphereReport {
 };
 
 struct ExplainReport {
-  scene::Scene scene;
+  scene::Scene scene;               ///< In the format of `other`.
+  std::size_t rounded_numbers = 0;  ///< That were none of it.
   std::optional<scene::Pixel> pixel;
   scene::Ray ray;  ///< Where it is given.
   std::string rays_method;
@@ -80,6 +92,9 @@ struct ExplainReport {
   std::shared_ptr<const OtherMethod> other;
   std::optional<std::size_t> sphere;  ///< The one derived and intersected by the methods.
   std::vector<SphereReport> spheres;
+  /// Of that sphere, where the conventions say otherwise: raycheck's own methods count every root
+  /// >= 0, and are judged so.
+  std::optional<SphereReport> by_every_root;
   std::optional<std::size_t> nearest;
 
   const Step* find(const std::string& symbol) const;

@@ -1,5 +1,6 @@
 #include <nlohmann/json.hpp>
 
+#include "scene/number.h"
 #include "tools/explain/explain_views.h"
 #include "tools/report/json.h"
 
@@ -10,14 +11,22 @@ Json text_or_null(const std::optional<reference::ClosedForm>& form) {
   return form ? Json(form->text()) : Json(nullptr);
 }
 
+Json left_out_json(const std::vector<RootLeftOut>& roots) {
+  Json json = Json::array();
+  for (const RootLeftOut& root : roots) {
+    json.push_back(
+        {{"root", name(root.root)}, {"s", scene::hexfloat(root.s)}, {"why", name(root.why)}});
+  }
+  return json;
+}
+
 Json sphere_json(const SphereReport& sphere) {
   const bool miss = !sphere.parameter;
   Json json;
   json["class"] = name(sphere.intersection.hit_class);
-  json["root"] = miss ? Json(nullptr)
-                      : Json(sphere.intersection.root == reference::WhichRoot::kSmaller ? "smaller"
-                                                                                        : "larger");
+  json["root"] = miss ? Json(nullptr) : Json(name(sphere.intersection.root));
   json["s"] = hexfloat_or_null(sphere.parameter);
+  json["left_out"] = left_out_json(sphere.left_out);
   json["point"] = miss ? Json(nullptr) : hexfloats(sphere.point);
   json["closed_form"] = {
       {"s", text_or_null(sphere.closed_form_parameter)},
@@ -40,6 +49,8 @@ Json method_json(const MethodReport& method) {
   json["hit"] = method.parameter.has_value();
   json["s"] = hexfloat_or_null(method.parameter);
   json["ulp_error"] = error_json(method.ulp_error);
+  json["unit"] = unit_name(properties::Quantity::kParameter, method.precision);
+  json["excluded_by_own_interval"] = method.is_excluded;
   json["class_error"] = method.class_error;
   json["standing"] = method.goes_wrong_at.empty() ? Json(nullptr) : Json(name(method.standing));
   return json;
@@ -83,6 +94,7 @@ Json exact_ray_json(const ExplainReport& report) {
   Json json;
   json["class"] = name(sphere.intersection.hit_class);
   json["s"] = hexfloat_or_null(sphere.parameter);
+  json["left_out"] = left_out_json(sphere.left_out);
   json["closed_form"] = text_or_null(sphere.closed_form_parameter);
   json["point"] = sphere.parameter ? hexfloats(sphere.point) : Json(nullptr);
   json["closed_form_point"] =
@@ -97,9 +109,12 @@ std::string explain_json(const ExplainReport& report, const ViewOptions& /*optio
   json["conventions"] = conventions_json(report.scene.conventions);
   json["isolated_by"] = report.other ? Json(report.other->isolated_by) : Json(nullptr);
   json["bounds_of"] = report.other ? Json(report.other->bounds_of) : Json(nullptr);
+  json["rounded_numbers"] = report.rounded_numbers;
   if (report.pixel) json["pixel"] = {report.pixel->i, report.pixel->j};
   json["sphere"] = report.sphere ? Json(*report.sphere) : Json(nullptr);
   json["exact"] = report.pixel ? exact_pixel_json(report) : exact_ray_json(report);
+  json["exact"]["by_every_root"] =
+      report.by_every_root ? sphere_json(*report.by_every_root) : Json(nullptr);
   json["exact"]["steps"] = Json::array();
   for (const Step& step : report.steps) json["exact"]["steps"].push_back(step_json(step));
   json["methods"] = Json::array();

@@ -8,6 +8,7 @@
 
 #include "fast/camera_frame.h"
 #include "properties/quantity.h"
+#include "properties/trial.h"
 #include "reference/condition.h"
 #include "reference/error_measure.h"
 #include "reference/nearby_answer.h"
@@ -16,14 +17,15 @@
 
 namespace raycheck::tools {
 
+using properties::Quantity;
 using reference::Enclosure;
 using reference::Enclosure3;
 using reference::ExactRay;
 using reference::Intersection;
 
 MethodStep step(const char* symbol, std::vector<double> value, std::optional<double> error,
-                const char* unit, double bound) {
-  return {symbol, std::move(value), error, unit, error && *error > bound};
+                double bound, Quantity quantity, scene::Precision precision) {
+  return {symbol, std::move(value), error, unit_name(quantity, precision), error && *error > bound};
 }
 
 std::string first_wrong(const MethodReport& report) {
@@ -53,7 +55,7 @@ Enclosure3 scaled(const Enclosure& factor, const Enclosure3& v) {
 
 /// The root and the point alone: from the method's own v and d^2, and from its own s.
 void judge_alone(const scene::Ray& ray, const Intersection& at, const fast::Roots* roots,
-                 MethodStep& s, MethodStep& point) {
+                 double u_of_doubles, MethodStep& s, MethodStep& point) {
   const Enclosure3 direction = reference::enclose_exactly(ray.direction);
   if (roots != nullptr && std::isfinite(roots->axial_distance) && roots->half_chord_sq >= 0 &&
       std::isfinite(roots->half_chord_sq)) {
@@ -65,8 +67,9 @@ void judge_alone(const scene::Ray& ray, const Intersection& at, const fast::Root
   }
   if (!std::isfinite(s.value[0])) return;
   const scene::Point3 got = {point.value[0], point.value[1], point.value[2]};
-  point.error_alone = reference::relative_error(
-      got, reference::enclose_exactly(ray.origin) - scaled(-Enclosure(s.value[0], 256), direction));
+  point.error_alone = u_of_doubles * reference::relative_error(
+                                         got, reference::enclose_exactly(ray.origin) -
+                                                  scaled(-Enclosure(s.value[0], 256), direction));
 }
 
 }  // namespace
@@ -84,8 +87,8 @@ MethodReport judge_rays(const fast::PixelRayMethod& method, const scene::Convent
       fast::kFrameMaxUlp * properties::bound_growth(reference::condition_of_frame(exact_camera));
   const auto add_axis = [&](const char* symbol, const scene::UnitVector3& got,
                             const Enclosure3& truth) {
-    report.steps.push_back(
-        step(symbol, numbers(got), reference::relative_error(got, truth), "u", frame_bound));
+    report.steps.push_back(step(symbol, numbers(got), reference::relative_error(got, truth),
+                                frame_bound, Quantity::kFrame));
   };
   add_axis("W", frame.W, exact_frame.W);
   add_axis("U", frame.U, exact_frame.U);
@@ -97,19 +100,19 @@ MethodReport judge_rays(const fast::PixelRayMethod& method, const scene::Convent
   const Enclosure3 exact_position = exact_camera.plane_position(pixel);
   const Enclosure3 own_along = along_own_axes(frame, exact_position);
   report.steps.push_back(step("alpha", {position.alpha},
-                              reference::ulp_error(position.alpha, exact_position.x), "ulp",
-                              kNoBound));
+                              reference::ulp_error(position.alpha, exact_position.x), kNoBound,
+                              Quantity::kParameter));
   report.steps.push_back(step("beta", {position.beta},
-                              reference::ulp_error(position.beta, exact_position.y), "ulp",
-                              kNoBound));
+                              reference::ulp_error(position.beta, exact_position.y), kNoBound,
+                              Quantity::kParameter));
   if (has_points) {
     fast::Vectors points;
     method.pixel_points(camera, conventions, pixels, points);
     const scene::Point3 got = {points.x[0], points.y[0], points.z[0]};
-    report.steps.push_back(
-        step("P", numbers(got), reference::relative_error(got, exact.pixel_point()), "u",
-             method.max_point_ulp *
-                 properties::bound_growth(reference::condition_of_pixel_point(exact))));
+    report.steps.push_back(step(
+        "P", numbers(got), reference::relative_error(got, exact.pixel_point()),
+        method.max_point_ulp * properties::bound_growth(reference::condition_of_pixel_point(exact)),
+        Quantity::kPixelPoint));
     const Enclosure3 minus_along = scaled(Enclosure(-1), own_along);
     report.steps.back().error_alone =
         reference::relative_error(got, reference::enclose_exactly(camera.eye) - minus_along);
@@ -117,10 +120,10 @@ MethodReport judge_rays(const fast::PixelRayMethod& method, const scene::Convent
   fast::Rays rays;
   method.focal_rays(camera, conventions, pixels, rays);
   const scene::UnitVector3 got = {rays.direction.x[0], rays.direction.y[0], rays.direction.z[0]};
-  report.steps.push_back(
-      step("D", numbers(got), reference::angle_error(got, exact.direction()), "u",
-           method.max_direction_ulp *
-               properties::bound_growth(reference::condition_of_direction(exact))));
+  report.steps.push_back(step(
+      "D", numbers(got), reference::angle_error(got, exact.direction()),
+      method.max_direction_ulp * properties::bound_growth(reference::condition_of_direction(exact)),
+      Quantity::kDirection));
   report.steps.back().error_alone = reference::angle_error(got, own_along);
   const bool any_wrong = std::any_of(report.steps.begin(), report.steps.end(),
                                      [](const MethodStep& one) { return one.wrong; });
@@ -162,8 +165,11 @@ MethodReport judge_answer(const RayAnswered& answer, const scene::Ray& ray,
   const bool hit = answer.hit.has_value();
   if (hit) report.parameter = answer.hit->parameter;
 
+  const scene::Precision precision = answer.precision;
+  report.precision = precision;
+  const double u_of_doubles = properties::kDoubleRoundoff / scene::unit_roundoff(precision);
   const ExactRay own(ray);
-  const Intersection own_at = own.intersect(sphere, conventions.root);
+  const Intersection own_at = own.intersect(sphere, conventions);
   const bool own_hit = reference::counts_as_hit(own_at.hit_class, conventions.tangent);
   if (!answer.tells_roots_alone) {
     const scene::Vector3 to_centre = sphere.centre - ray.origin;
@@ -172,41 +178,48 @@ MethodReport judge_answer(const RayAnswered& answer, const scene::Ray& ray,
         reference::relative_error(
             scene::UnitVector3{to_centre.x, to_centre.y, to_centre.z},
             reference::enclose_exactly(sphere.centre) - reference::enclose_exactly(ray.origin)),
-        "u", properties::kDefaultMaxError));
+        properties::kDefaultMaxError, Quantity::kHitPoint));
   }
   if (answer.roots) {
     const fast::Roots& roots = *answer.roots;
     const auto enclosed = own.enclose(1024);
     report.steps.push_back(
         step("v", {roots.axial_distance},
-             reference::ulp_error(roots.axial_distance, enclosed.axial_distance(sphere)), "ulp",
-             properties::kDefaultMaxError));
+             reference::ulp_error(roots.axial_distance, enclosed.axial_distance(sphere)),
+             properties::kDefaultMaxError, Quantity::kParameter));
     const Enclosure half_chord_sq = own_at.hit_class == reference::HitClass::kTangent
                                         ? Enclosure(0)
                                         : enclosed.half_chord_sq(sphere);
     report.steps.push_back(step("d^2", {roots.half_chord_sq},
-                                reference::ulp_error(roots.half_chord_sq, half_chord_sq), "ulp",
-                                properties::kDefaultMaxError));
+                                reference::ulp_error(roots.half_chord_sq, half_chord_sq),
+                                properties::kDefaultMaxError, Quantity::kParameter));
   }
-  MethodStep s{"s", {}, std::nullopt, "ulp", hit != own_hit};
-  MethodStep point{"Q", {}, std::nullopt, "u", hit != own_hit};
+  // As the laws have it: of the exact ray, whatever ray the method was given.
+  report.is_excluded = is_excluded(properties::RayAnswer{subject.exact, sphere, report.parameter},
+                                   exact.intersection, conventions, precision);
+  MethodStep s = step("s", {}, std::nullopt, 0, Quantity::kParameter, precision);
+  MethodStep point = step("Q", {}, std::nullopt, 0, Quantity::kHitPoint, precision);
   if (hit) {
     s.value = {answer.hit->parameter};
     point.value = numbers(answer.hit->point);
   }
   if (hit && own_hit) {
-    s = step("s", s.value, reference::ulp_error(s.value[0], own.parameter(sphere, own_at)), "ulp",
+    s = step("s", s.value,
+             reference::ulp_error(s.value[0], own.parameter(sphere, own_at), precision),
              answer.max_ulp *
-                 properties::bound_growth(reference::condition_of_parameter(own, sphere, own_at)));
-    point = step(
-        "Q", point.value,
-        reference::relative_error(scene::Point3{point.value[0], point.value[1], point.value[2]},
-                                  own.point(sphere, own_at)),
-        "u",
-        answer.max_point_ulp *
-            properties::bound_growth(reference::condition_of_point(own, sphere, own_at)));
+                 properties::bound_growth(reference::condition_of_parameter(own, sphere, own_at)),
+             Quantity::kParameter, precision);
+    point = step("Q", point.value,
+                 u_of_doubles * reference::relative_error(
+                                    scene::Point3{point.value[0], point.value[1], point.value[2]},
+                                    own.point(sphere, own_at)),
+                 answer.max_point_ulp *
+                     properties::bound_growth(reference::condition_of_point(own, sphere, own_at)),
+                 Quantity::kHitPoint, precision);
+    judge_alone(ray, own_at, answer.roots ? &*answer.roots : nullptr, u_of_doubles, s, point);
   }
-  if (hit && own_hit) judge_alone(ray, own_at, answer.roots ? &*answer.roots : nullptr, s, point);
+  if (hit != own_hit) s.wrong = point.wrong = true;
+  if (report.is_excluded) s.wrong = true;
   report.steps.push_back(s);
   report.steps.push_back(point);
 
@@ -214,11 +227,11 @@ MethodReport judge_answer(const RayAnswered& answer, const scene::Ray& ray,
                       conventions.tangent != scene::Tangent::kEither;
   report.class_error = judged && hit != exact.is_hit;
   if (hit && exact.is_hit) {
-    report.ulp_error = reference::ulp_error(answer.hit->parameter,
-                                            subject.exact.parameter(sphere, exact.intersection));
+    report.ulp_error = reference::ulp_error(
+        answer.hit->parameter, subject.exact.parameter(sphere, exact.intersection), precision);
   }
   const bool wrong =
-      report.class_error || point.wrong ||
+      report.class_error || report.is_excluded || point.wrong ||
       (report.ulp_error &&
        *report.ulp_error > (answer.max_ulp + subject.inherited_bound) *
                                properties::bound_growth(reference::condition_of_parameter(
@@ -226,10 +239,12 @@ MethodReport judge_answer(const RayAnswered& answer, const scene::Ray& ray,
   const bool is_other_root =
       hit && exact.is_hit &&
       is_at_other_root(subject.exact, sphere, exact.intersection, *report.parameter);
-  if (report.class_error || is_other_root) {
-    // As the laws have it.
-    const reference::Neighbourhood around{conventions.root, conventions.tangent,
-                                          properties::excused_change(answer.unit_roundoff)};
+  if (report.class_error || is_other_root || report.is_excluded) {
+    const reference::Neighbourhood around{
+        .root = conventions.root,
+        .tangent = conventions.tangent,
+        .relative_change = properties::excused_change(answer.unit_roundoff),
+        .valid = conventions.valid};
     report.standing = properties::standing_of(
         right_nearby(subject.exact, sphere, around, report.parameter).found);
   }

@@ -48,9 +48,11 @@ MethodReport judge_others_intersection(const properties::Candidate& candidate,
                                        const scene::Conventions& conventions,
                                        const Subject& subject, const SphereReport& exact);
 
-/// A step of a method, wrong where its error is above the bound.
+/// A step of a method, wrong where its error is above the bound. Both count the unit of a quantity
+/// in the format that the method is judged in.
 MethodStep step(const char* symbol, std::vector<double> value, std::optional<double> error,
-                const char* unit, double bound);
+                double bound, properties::Quantity quantity,
+                scene::Precision precision = scene::Precision::kDouble);
 /// The first step off by more than its bound, in a method whose answer is wrong; where none alone
 /// is, the last one, to which small errors add up.
 std::string first_wrong(const MethodReport& report);
@@ -67,9 +69,11 @@ struct RayAnswered {
   std::optional<fast::Roots> roots = {};
   double max_ulp, max_point_ulp, unit_roundoff;
   bool tells_roots_alone = false;  ///< Nothing of how it came to them, not even T.
+  scene::Precision precision = scene::Precision::kDouble;  ///< What its errors and bounds count.
 };
 
-/// The answer's steps and verdict, as judge_intersection has them.
+/// The answer's steps and verdict, as judge_intersection has them, under conventions that are its
+/// own: `exact` is what these make of the sphere.
 /// Domain: a valid ray.
 MethodReport judge_answer(const RayAnswered& answer, const scene::Ray& ray,
                           const scene::Sphere& sphere, const scene::Conventions& conventions,

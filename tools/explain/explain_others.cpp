@@ -1,7 +1,9 @@
-#include <limits>
 #include <stdexcept>
+#include <utility>
+#include <vector>
 
 #include "properties/quantity.h"
+#include "properties/rounded_case.h"
 #include "reference/condition.h"
 #include "reference/error_measure.h"
 #include "scene/validate.h"
@@ -34,27 +36,33 @@ MethodReport judge_others_rays(const properties::Candidate& candidate,
   report.name = candidate.name;
   const reference::ExactCamera exact_camera(camera, conventions);
   const reference::ExactRay exact(exact_camera, pixel);
+  const double u_of_doubles =
+      properties::kDoubleRoundoff / scene::unit_roundoff(candidate.precision);
+  const auto add = [&](const char* symbol, std::vector<double> value, double error,
+                       Quantity quantity, double condition) {
+    report.steps.push_back(step(symbol, std::move(value), error * u_of_doubles,
+                                bound_of(candidate, quantity, condition), quantity,
+                                candidate.precision));
+  };
   try {
     if (candidate.frame) {
       const properties::FrameAnswer got = candidate.frame(camera);
       const auto truth = exact_camera.frame();
-      const double bound =
-          bound_of(candidate, Quantity::kFrame, reference::condition_of_frame(exact_camera));
-      const auto add = [&](const char* symbol, const scene::UnitVector3& axis,
-                           const reference::Enclosure3& exactly) {
-        report.steps.push_back(
-            step(symbol, numbers(axis), reference::relative_error(axis, exactly), "u", bound));
+      const double condition = reference::condition_of_frame(exact_camera);
+      const auto add_axis = [&](const char* symbol, const scene::UnitVector3& axis,
+                                const reference::Enclosure3& exactly) {
+        add(symbol, numbers(axis), reference::relative_error(axis, exactly), Quantity::kFrame,
+            condition);
       };
-      add("W", got.W, truth.W);
-      add("U", got.U, truth.U);
-      add("V", got.V, truth.V);
+      add_axis("W", got.W, truth.W);
+      add_axis("U", got.U, truth.U);
+      add_axis("V", got.V, truth.V);
     }
     if (candidate.pixel_points) {
       const auto points = candidate.pixel_points(camera, conventions, {&pixel, 1});
       const scene::Point3& got = only(points);
-      report.steps.push_back(step(
-          "P", numbers(got), reference::relative_error(got, exact.pixel_point()), "u",
-          bound_of(candidate, Quantity::kPixelPoint, reference::condition_of_pixel_point(exact))));
+      add("P", numbers(got), reference::relative_error(got, exact.pixel_point()),
+          Quantity::kPixelPoint, reference::condition_of_pixel_point(exact));
     }
     const bool from_pixel = candidate.pixel_rays &&
                             (conventions.origin == scene::Origin::kPixel || !candidate.focal_rays);
@@ -63,9 +71,8 @@ MethodReport judge_others_rays(const properties::Candidate& candidate,
       const auto rays = make(camera, conventions, {&pixel, 1});
       const scene::Vector3& d = only(rays).direction;
       const scene::UnitVector3 got = {d.x, d.y, d.z};
-      report.steps.push_back(step(
-          "D", numbers(got), reference::angle_error(got, exact.direction()), "u",
-          bound_of(candidate, Quantity::kDirection, reference::condition_of_direction(exact))));
+      add("D", numbers(got), reference::angle_error(got, exact.direction()), Quantity::kDirection,
+          reference::condition_of_direction(exact));
     }
   } catch (const std::runtime_error& error) {
     report.failure = error.what();
@@ -89,10 +96,12 @@ MethodReport judge_others_intersection(const properties::Candidate& candidate,
                      bound_of(candidate, Quantity::kParameter, 0),
                      bound_of(candidate, Quantity::kHitPoint, 0),
                      candidate.unit_roundoff,
-                     true};
+                     true,
+                     candidate.precision};
+  const scene::Ray given = properties::rounded_ray(ray, candidate.precision);
   try {
-    if (scene::defects(ray).empty()) {
-      const auto hits = candidate.intersect({&ray, 1}, {&sphere, 1}, conventions);
+    if (scene::defects(given).empty()) {
+      const auto hits = candidate.intersect({&given, 1}, {&sphere, 1}, conventions);
       const properties::SphereHits& of_sphere = only(hits);
       if (!of_sphere.empty()) {
         const properties::HitAnswer& hit = of_sphere.front().hit;
@@ -106,7 +115,7 @@ MethodReport judge_others_intersection(const properties::Candidate& candidate,
     report.failure = error.what();
     return report;
   }
-  return judge_answer(answer, ray, sphere, conventions, subject, exact);
+  return judge_answer(answer, given, sphere, conventions, subject, exact);
 }
 
 }  // namespace raycheck::tools

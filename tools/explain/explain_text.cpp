@@ -35,6 +35,39 @@ std::string decimals(const std::vector<double>& values) {
   return listed(parts);
 }
 
+/// "s = 0.001 lies before t_min = 0.01"
+std::string left_out_text(const RootLeftOut& root, const scene::ValidRoots& valid) {
+  using reference::RootCounts;
+  const std::string s = fmt::format("s = {}", scene::shortest(root.s));
+  const auto end = [&](const char* name, double t) {
+    return fmt::format("{} = {}{}", name, scene::shortest(t),
+                       valid.unit == scene::TUnit::kRadius ? " radii" : "");
+  };
+  switch (root.why) {
+    case RootCounts::kCulled:
+      return fmt::format("{} lies on a {} face, which is culled", s,
+                         root.root == reference::WhichRoot::kSmaller ? "front" : "back");
+    case RootCounts::kBeforeMin:
+      return fmt::format("{} lies before {}", s, end("t_min", valid.t_min));
+    case RootCounts::kOnOpenMin:
+      return fmt::format("{} lies on {}, which does not belong to {}", s, end("t_min", valid.t_min),
+                         interval_text(valid));
+    case RootCounts::kOnOpenMax:
+      return fmt::format("{} lies on {}, which does not belong to {}", s, end("t_max", valid.t_max),
+                         interval_text(valid));
+    default:
+      return fmt::format("{} lies beyond {}", s, end("t_max", valid.t_max));
+  }
+}
+
+std::string answer_of(const SphereReport& sphere) {
+  std::string text(name(sphere.intersection.hit_class));
+  if (sphere.parameter) {
+    text += fmt::format(", s = {}", scene::digits_and_hexfloat(*sphere.parameter));
+  }
+  return text;
+}
+
 void append_steps(const ExplainReport& report, std::string& text) {
   std::size_t width = 0;
   for (const Step& step : report.steps) width = std::max(width, step.symbol.size());
@@ -71,8 +104,15 @@ std::string verdict_of(const MethodReport& method, const ExplainReport& report, 
   if (method.intersects) {
     text = method.parameter ? fmt::format("s = {}", scene::digits_and_hexfloat(*method.parameter))
                             : "miss";
-    if (method.ulp_error) text += fmt::format(", off by {} ulp", error_text(method.ulp_error));
+    if (method.ulp_error) {
+      text += fmt::format(", off by {} {}", error_text(method.ulp_error),
+                          unit_name(properties::Quantity::kParameter, method.precision));
+    }
     if (method.class_error) text += method.parameter ? ", a false hit" : ", missed";
+    if (method.is_excluded) {
+      text += fmt::format(", which its own interval {} excludes",
+                          interval_text(report.scene.conventions.valid));
+    }
     if (method.standing != properties::Standing::kDefect) {
       text += fmt::format(" ({})", name(method.standing));
     }
@@ -101,12 +141,19 @@ std::string explain_text(const ExplainReport& report, const ViewOptions& options
                         conventions_text(report.scene.conventions));
   } else {
     text += "a given ray; s counts multiples of its direction\n";
+    if (!report.scene.conventions.valid.is_usual()) {
+      text += conventions_text(report.scene.conventions) + "\n";
+    }
   }
+  if (report.rounded_numbers > 0) text += rounded_numbers_text(report.rounded_numbers) + "\n";
   text +=
       "exact value of each step, in closed form and correctly rounded; below it each method's\n";
   if (report.sphere && report.pixel) {
     text += fmt::format("(v, d^2, s, Q: for the ray that `{}` makes, each held against that ray)\n",
                         report.rays_method);
+    if (report.other && report.other->precision != scene::Precision::kDouble) {
+      text += fmt::format("({} is given that ray rounded to floats)\n", report.other->name);
+    }
   }
   if (report.sphere) {
     const scene::Sphere& sphere = report.scene.spheres[*report.sphere];
@@ -119,15 +166,20 @@ std::string explain_text(const ExplainReport& report, const ViewOptions& options
   if (!report.spheres.empty()) text += "\nexact:\n";
   for (std::size_t k = 0; k < report.spheres.size(); ++k) {
     const SphereReport& sphere = report.spheres[k];
-    text += fmt::format("  sphere {}: {}", k, name(sphere.intersection.hit_class));
-    if (sphere.parameter) {
-      text += fmt::format(", s = {}", scene::digits_and_hexfloat(*sphere.parameter));
-    }
+    text += fmt::format("  sphere {}: {}", k, answer_of(sphere));
     text += report.nearest == k ? ", the nearest\n" : "\n";
+    for (const RootLeftOut& root : sphere.left_out) {
+      text += fmt::format("    does not count: {}\n",
+                          left_out_text(root, report.scene.conventions.valid));
+    }
   }
   text += "\nmethods:\n";
   if (report.other) {
     text += indented(others_text({{.other = report.other}}), "  ");
+  }
+  if (report.by_every_root) {
+    text += fmt::format("  raycheck's own count every root >= 0, and are judged so: exact {}\n",
+                        answer_of(*report.by_every_root));
   }
   for (const MethodReport& method : report.methods) {
     text += fmt::format("  {:<17} {}\n", method.name, verdict_of(method, report, options.colours));

@@ -11,23 +11,17 @@ std::vector<StagedMethod> staged(const External& external) {
     throw CandidateError("it draws pictures; what is asked here is single answers", {},
                          external.name);
   }
-  // Where raycheck's own methods in floats are judged on doubles, so are others'.
-  External on_doubles = external;
-  on_doubles.precision = scene::Precision::kDouble;
-  if (external.precision == scene::Precision::kSingle && external.bounds == kDefaultMethods) {
-    on_doubles.bounds = kSingleMethods;
-  }
   const Layers& layers = external.program.layers;
   const bool is_kept = layers.own_user || layers.seccomp || layers.landlock || layers.bubblewrap;
-  const auto other = std::make_shared<const OtherMethod>(OtherMethod{
-      external.name, external.program.layers.text(), candidate_of(on_doubles.bounds).name,
-      [on_doubles] { return external_candidate(on_doubles); },
-      is_kept ? "" : external.library.string(), is_kept});
+  const auto other = std::make_shared<const OtherMethod>(
+      OtherMethod{external.name, external.program.layers.text(), candidate_of(external.bounds).name,
+                  [external] { return external_candidate(external); }, external.precision,
+                  is_kept ? "" : external.library.string(), is_kept});
   const auto offers = [&](const char* function) {
     return external.introduction.functions.contains(function);
   };
   std::vector<StagedMethod> methods;
-  const auto& [rays, intersect] = on_doubles.bounds;
+  const auto& [rays, intersect] = external.bounds;
   if (offers("frame") || offers("pixel_point") || offers("pixel_ray") || offers("focal_ray")) {
     methods.push_back({properties::Stage::kRays, rays, intersect, other});
   }

@@ -8,10 +8,8 @@
 namespace raycheck::tools {
 
 /// Someone else's implementation as a method of each stage that it offers something of: rays, then
-/// intersections. What computes in floats is given doubles, as raycheck's own methods in floats are
-/// where methods are compared, and unless others are asked for held to the bounds of
-/// kSingleMethods. Errors: CandidateError where it is of no stage: a renderer, or what makes no
-/// rays and intersects
+/// intersections.
+/// Errors: CandidateError where it is of no stage: a renderer, or what makes no rays and intersects
 ///         nothing.
 std::vector<StagedMethod> staged(const External& external);
 

@@ -10,6 +10,7 @@
 #include <tuple>
 #include <utility>
 
+#include "properties/rounded_case.h"
 #include "scene/validate.h"
 #include "tools/image/image_paint.h"
 #include "tools/run/in_order.h"
@@ -160,6 +161,19 @@ std::vector<std::optional<std::size_t>> nearest_of(const std::vector<properties:
   return nearest;
 }
 
+using MakeRays = decltype(properties::Functions::pixel_rays);
+
+/// Rays of a format.
+MakeRays rounded(const MakeRays& make, scene::Precision precision) {
+  if (!make || precision == scene::Precision::kDouble) return make;
+  return [make, precision](const scene::Camera& camera, const scene::Conventions& conventions,
+                           properties::Functions::Pixels pixels) {
+    std::vector<scene::Ray> rays = make(camera, conventions, pixels);
+    for (scene::Ray& ray : rays) ray = properties::rounded_ray(ray, precision);
+    return rays;
+  };
+}
+
 /// Someone else's, and what it does not offer: rays are made by raycheck's method, and the nearest
 /// sphere is that of its own hits.
 properties::Candidate completed(const OtherMethod& other, const MethodPair& methods) {
@@ -169,8 +183,8 @@ properties::Candidate completed(const OtherMethod& other, const MethodPair& meth
   }
   const properties::Candidate own = candidate_of(methods);
   if (!candidate.pixel_rays && !candidate.focal_rays) {
-    candidate.pixel_rays = own.pixel_rays;
-    candidate.focal_rays = own.focal_rays;
+    candidate.pixel_rays = rounded(own.pixel_rays, candidate.precision);
+    candidate.focal_rays = rounded(own.focal_rays, candidate.precision);
   }
   // One that makes rays of one origin is asked for those.
   if (!candidate.pixel_rays) candidate.declared.origin = scene::Origin::kFocal;
@@ -215,6 +229,15 @@ void resize(const scene::Pixel& size, scene::Scene& scene) {
   }
 }
 
+/// The scene in the format of whose error is shown; returns how many numbers that changed.
+std::size_t round_for(const ImageOptions& options, scene::Scene& scene) {
+  if (options.what != Picture::kError || !options.other) return 0;
+  auto [rounded, reason, changed] = properties::rounded_case({scene, {}}, options.other->precision);
+  if (!rounded) throw std::invalid_argument(options.path + ": " + reason);
+  scene = std::move(rounded->scene);
+  return changed;
+}
+
 void require_picture(const std::string& path, const scene::Camera& camera) {
   for (const auto& [side, pixels] :
        {std::pair("width", camera.width), std::pair("height", camera.height)}) {
@@ -251,6 +274,7 @@ ImageReport report_on(const ImageOptions& options, const scene::LoadedScene& loa
     report.error.emplace();
     report.error->candidate = candidate.name;
     report.error->other = options.other;
+    report.error->precision = candidate.precision;
     report.error->pixels.resize(kErrorSteps.size());
   }
   return report;
@@ -269,8 +293,10 @@ ImageReport make_image(const ImageOptions& options, PictureFile& file,
   const auto start = std::chrono::steady_clock::now();
   scene::LoadedScene loaded = scene::load_scene(options.path, options.dialect);
   if (options.size && loaded.scene.camera) resize(*options.size, loaded.scene);
+  const std::size_t changed = round_for(options, loaded.scene);
   const scene::Scene& scene = loaded.scene;
   ImageReport report = report_on(options, loaded, file);
+  if (report.error) report.error->rounded_numbers = changed;
   report.threads = control.threads;
   require_picture(options.path, *scene.camera);
   file.start(report.width, report.height);

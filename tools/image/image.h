@@ -43,7 +43,9 @@ struct DepthRange {
 /// A picture of errors in numbers: pixels by how far s is off.
 struct ErrorCounts {
   std::string candidate;
-  std::shared_ptr<const OtherMethod> other;  ///< Null: it is raycheck's.
+  std::shared_ptr<const OtherMethod> other;                ///< Null: it is raycheck's.
+  scene::Precision precision = scene::Precision::kDouble;  ///< What errors count ulp of.
+  std::size_t rounded_numbers = 0;  ///< Of the scene, that were none of that format.
   /// Pixels without an answer, which are defects; of each 512 that were asked at once, at most
   /// kMostFailuresSought are sought, and the others that were asked with them count, too.
   std::uint64_t failed = 0;

@@ -32,7 +32,10 @@ struct ImageArguments {
 
 /// The colours of the picture of errors, for --help.
 std::string legend() {
-  std::string text = "error colours, on a log scale (rrggbb), by how many ulp s is off:";
+  std::string text =
+      "error colours, on a log scale (rrggbb), by how many ulp s is off (of float, for who is "
+      "judged "
+      "in single precision):";
   for (const ErrorStep& step : kErrorSteps) {
     const bool last = &step == &kErrorSteps.back();
     text += fmt::format("\n  {} {}", hex(step.colour),

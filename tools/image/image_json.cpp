@@ -13,6 +13,9 @@ Json error_counts_json(const ErrorCounts& error) {
   json["isolated_by"] = error.other ? Json(error.other->isolated_by) : Json(nullptr);
   json["bounds_of"] = error.other ? Json(error.other->bounds_of) : Json(nullptr);
   json["failed"] = {{"pixels", error.failed}, {"first", error.first_failure}};
+  json["precision"] = name(error.precision);
+  json["rounded_numbers"] = error.rounded_numbers;
+  json["unit"] = unit_name(properties::Quantity::kParameter, error.precision);
   json["steps"] = Json::array();
   for (std::size_t k = 0; k < kErrorSteps.size(); ++k) {
     json["steps"].push_back({{"at_most_ulp", error_json(kErrorSteps[k].at_most)},

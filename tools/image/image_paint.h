@@ -26,7 +26,8 @@ inline constexpr std::array<Colour, properties::kStandingCount> kWrongColours = 
     {128, 128, 128},
 }};
 
-/// Errors of s of at most `at_most` ulp, and of more than the step before, have this colour.
+/// Errors of s of at most `at_most` ulp (of the format judged in), and of more than the step
+/// before, have this colour.
 struct ErrorStep {
   double at_most;
   Colour colour;

@@ -10,10 +10,11 @@ namespace raycheck::tools {
 namespace {
 
 std::string error_table(const ErrorCounts& error) {
+  const std::string_view unit = unit_name(properties::Quantity::kParameter, error.precision);
   Table table({{"error of s"}, {"colour"}, {"pixels", Table::Align::kRight}});
   for (std::size_t k = 0; k < kErrorSteps.size(); ++k) {
     const auto& [at_most, colour] = kErrorSteps[k];
-    table.add({k + 1 < kErrorSteps.size() ? fmt::format("up to {} ulp", at_most) : "more",
+    table.add({k + 1 < kErrorSteps.size() ? fmt::format("up to {} {}", at_most, unit) : "more",
                hex(colour), std::to_string(error.pixels[k])});
   }
   for (std::size_t k = 0; k < kWrongColours.size(); ++k) {
@@ -25,6 +26,7 @@ std::string error_table(const ErrorCounts& error) {
   std::string text = fmt::format("\n{} against the exact s of each pixel's nearest sphere\n{}",
                                  error.candidate, table.text());
   if (error.other) text += others_text({{.other = error.other}});
+  if (error.rounded_numbers > 0) text += rounded_numbers_text(error.rounded_numbers) + "\n";
   if (error.failed > 0) {
     text += fmt::format("failed on {}, first: {}\n", count_text(error.failed, "pixel"),
                         error.first_failure);

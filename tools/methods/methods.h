@@ -23,9 +23,6 @@ struct MethodPair {
 /// What is judged when nothing is asked for: stable and plain.
 inline constexpr MethodPair kDefaultMethods = {&fast::kDirectRays, &fast::kCross};
 
-/// The plain ones in floats.
-inline constexpr MethodPair kSingleMethods = {&fast::kSingleRays, &fast::kSingleLecture};
-
 /// The method of that name; throws std::invalid_argument naming the field and the known names.
 const fast::PixelRayMethod& find_rays(const std::string& name);
 const fast::IntersectMethod& find_intersect(const std::string& name);
@@ -40,6 +37,7 @@ struct OtherMethod {
   std::string bounds_of;    ///< The methods whose bounds it is held to.
   /// Of its own for each call.
   std::function<properties::Candidate()> candidate;
+  scene::Precision precision = scene::Precision::kDouble;  ///< That it is asked and judged in.
   /// The shared library that may be called in raycheck's own process; empty: there is none, or it
   /// is to be kept.
   std::string library = {};
@@ -55,6 +53,11 @@ struct StagedMethod {
   /// Null: it is raycheck's own.
   std::shared_ptr<const OtherMethod> other = nullptr;
 
+  /// That it is asked and judged in. raycheck's own methods in floats take doubles, and round them:
+  /// they are judged as what they are for their callers.
+  scene::Precision precision() const {
+    return other ? other->precision : scene::Precision::kDouble;
+  }
   std::string_view name() const {
     if (other) return other->name;
     return stage == properties::Stage::kRays ? rays->name : intersect->name;

@@ -123,6 +123,7 @@ Json discrepancy_json(const Discrepancy& d) {
   json["condition"] = error_json(d.condition);
   json["standing"] = name(d.excuse.standing());
   json["excuse"] = excuse_json(d);
+  json["excluded_by"] = d.excluded_by ? Json(interval_text(*d.excluded_by)) : Json(nullptr);
   json["failed"] = nullptr;
   if (d.wrong == properties::Wrong::kFailed) {
     json["failed"] = {

@@ -117,10 +117,14 @@ std::string explanations_text(const std::vector<properties::Explanation>& explan
   return text;
 }
 
+std::string interval_text(const scene::ValidRoots& valid) {
+  return fmt::format("{}{}, {}{}{}", valid.includes_min() ? '[' : '(', valid.t_min, valid.t_max,
+                     valid.includes_max() ? ']' : ')',
+                     valid.unit == scene::TUnit::kRadius ? " radii" : "");
+}
+
 std::string valid_roots_text(const scene::ValidRoots& valid) {
-  std::string text = fmt::format("t in {}{}, {}{}", valid.includes_min() ? '[' : '(', valid.t_min,
-                                 valid.t_max, valid.includes_max() ? ']' : ')');
-  if (valid.unit == scene::TUnit::kRadius) text += " radii";
+  std::string text = "t in " + interval_text(valid);
   if (valid.culling != scene::Culling::kNone) {
     text += fmt::format(", culling {}", name(valid.culling));
   }
@@ -133,6 +137,16 @@ std::string conventions_text(const scene::Conventions& conventions) {
                   name(conventions.samples), name(conventions.origin), name(conventions.root),
                   name(conventions.tangent));
   return conventions.valid.is_usual() ? text : text + ", " + valid_roots_text(conventions.valid);
+}
+
+std::string_view precision_words(scene::Precision precision) {
+  return precision == scene::Precision::kDouble ? "" : ", in single precision";
+}
+
+std::string rounded_numbers_text(std::size_t count) {
+  if (count == 0) return "";
+  return fmt::format("{} of the scene {}: asked and judged on the scene rounded to floats",
+                     count_text(count, "number"), count == 1 ? "is no float" : "are no floats");
 }
 
 std::string change_text(double relative_change, scene::Precision precision) {
@@ -237,6 +251,10 @@ std::string discrepancy_text(const Discrepancy& d, bool colours) {
     if (!d.exact.empty() || d.wrong != properties::Wrong::kNot) {
       text += fmt::format("  exact {}\n", exact_text(d));
     }
+  }
+  if (d.excluded_by) {
+    text += fmt::format("  answers s = {}, which its own interval {} excludes\n",
+                        scene::shortest(d.got.front()), interval_text(*d.excluded_by));
   }
   if (d.condition) text += fmt::format("  condition number about {}\n", error_text(d.condition));
   if (d.excuse.standing() != Standing::kDefect) {

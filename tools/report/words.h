@@ -37,10 +37,19 @@ std::string scene_file_text(std::string_view path, std::optional<scene::Dialect>
 /// "not needed here: ambient, 2 lights", a line, or nothing.
 std::string not_needed_text(const std::vector<std::string>& not_needed);
 
+/// "[0.001, inf] radii"
+std::string interval_text(const scene::ValidRoots& valid);
 /// "t in [0.001, inf] radii, culling back-faces"
 std::string valid_roots_text(const scene::ValidRoots& valid);
 /// "rows bottom-first, samples edges, ..."; which roots count, where that is not every one >= 0.
 std::string conventions_text(const scene::Conventions& conventions);
+
+/// Behind what is judged in floats: ", in single precision"; nothing of doubles.
+std::string_view precision_words(scene::Precision precision);
+
+/// "4 numbers of the scene are no floats: asked and judged on the scene rounded to floats", or
+/// nothing.
+std::string rounded_numbers_text(std::size_t count);
 
 /// A relative change in units of u, or as it is where those would be many: "16 u", "1e-06".
 std::string change_text(double relative_change,

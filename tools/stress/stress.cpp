@@ -125,6 +125,12 @@ double StressCurve::worst_ratio() const {
   return worst;
 }
 
+std::uint64_t StressCurve::left_out() const {
+  std::uint64_t sum = 0;
+  for (const StressResult& result : results) sum += result.left_out;
+  return sum;
+}
+
 std::optional<double> StressCurve::slope(int base) const {
   std::vector<double> errors;
   for (std::size_t k = 0; k < results.size(); ++k) {

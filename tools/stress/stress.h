@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "properties/run_control.h"
@@ -29,6 +30,8 @@ struct StressCurve {
   std::vector<properties::StressResult> results;  ///< One a severity.
 
   properties::Quantity quantity() const { return properties::main_quantity(method.stage); }
+  /// Of that quantity's errors: "ulp", "u of float".
+  std::string_view unit() const { return unit_name(quantity(), method.precision()); }
   /// The tally of the main quantity within the stated domain at the k-th severity; null where
   /// nothing was measured.
   const properties::Tally* tally(std::size_t k) const;
@@ -37,6 +40,7 @@ struct StressCurve {
   /// Empty while nothing was judged within the stated domain.
   bool is_judged() const;
   double worst_ratio() const;
+  std::uint64_t left_out() const;
   std::optional<double> slope(int base) const;
 };
 

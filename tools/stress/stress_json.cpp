@@ -19,11 +19,13 @@ std::string stress_json(const StressReport& report, const ViewOptions& /*options
     entry["methods"] = Json::array();
     for (const StressCurve& curve : family.curves) {
       Json method;
+      const scene::Precision precision = curve.method.precision();
       method["name"] = curve.method.name();
       method["isolated_by"] =
           curve.method.other ? Json(curve.method.other->isolated_by) : Json(nullptr);
       method["bounds_of"] =
           curve.method.other ? Json(curve.method.other->bounds_of) : Json(nullptr);
+      method["precision"] = name(precision);
       method["stage"] = name(curve.method.stage);
       method["judged"] = curve.is_judged();
       const std::optional<int> failing = curve.first_failing();
@@ -33,9 +35,11 @@ std::string stress_json(const StressReport& report, const ViewOptions& /*options
       method["max_ratio"] =
           error_json(curve.worst_ratio() < 0 ? std::nullopt : std::optional(curve.worst_ratio()));
       for (std::size_t k = 0; k < curve.results.size(); ++k) {
-        method["severities"].push_back({{"severity", curve.severities[k]},
-                                        {"inside", tallies_json(curve.results[k].inside)},
-                                        {"outside", tallies_json(curve.results[k].outside)}});
+        method["severities"].push_back(
+            {{"severity", curve.severities[k]},
+             {"left_out", curve.results[k].left_out},
+             {"inside", tallies_json(curve.results[k].inside, precision)},
+             {"outside", tallies_json(curve.results[k].outside, precision)}});
       }
       entry["methods"].push_back(std::move(method));
     }

@@ -106,7 +106,7 @@ std::vector<std::string> detail_row(const FamilyReport& family, const StressCurv
           std::to_string(undecided),
           std::to_string(excused),
           std::to_string(main.cases),
-          std::string(info(curve.quantity()).unit),
+          std::string(curve.unit()),
           error_text(main.median()),
           error_text(main.quantile(0.999)),
           error_text(main.max()),
@@ -162,12 +162,12 @@ Table summary_table(const StressReport& report) {
           classes == all.tallies().end() ? 0 : classes->second.count(Outcome::kWrongDecision);
       const double ratio = curve.worst_ratio();
       const std::optional<double> slope = curve.slope(family.family->dial->base);
-      table.add(
-          {std::string(family.family->name), std::string(curve.method.name()), failing_text(curve),
-           slope ? fmt::format("{:.2f}", *slope) : "-",
-           error_text(ratio < 0 ? std::nullopt : std::optional(ratio)), std::to_string(missed),
-           std::to_string(false_hits), std::to_string(defects - class_defects),
-           error_text(largest(all, curve.quantity())), std::string(info(curve.quantity()).unit)});
+      table.add({std::string(family.family->name), std::string(curve.method.name()),
+                 failing_text(curve), slope ? fmt::format("{:.2f}", *slope) : "-",
+                 error_text(ratio < 0 ? std::nullopt : std::optional(ratio)),
+                 std::to_string(missed), std::to_string(false_hits),
+                 std::to_string(defects - class_defects),
+                 error_text(largest(all, curve.quantity())), std::string(curve.unit())});
     }
   }
   return table;
@@ -215,6 +215,14 @@ std::string rendered(const StressReport& report, Render render, std::string_view
     text += fmt::format("\n{}by severity\n\n{}", heading, render(detail_table(report)));
   }
   text += "\n";
+  for (const FamilyReport& family : report.families) {
+    for (const StressCurve& curve : family.curves) {
+      if (curve.left_out() == 0) continue;
+      text += fmt::format("{}{} on {} ({}): {} left out, whose numbers floats cannot hold\n",
+                          heading.empty() ? "" : "- ", curve.method.name(), family.family->name,
+                          name(curve.method.stage), count_text(curve.left_out(), "case"));
+    }
+  }
   for (const FamilyReport& family : report.families) {
     text += fmt::format("{}{}: severity is {}\n", heading.empty() ? "" : "- ", family.family->name,
                         family.family->dial->meaning);

@@ -23,7 +23,7 @@ inline constexpr View<StressReport> kStressViews[] = {
 
 /// Certificates of the first discrepancy of each kind at each severity: a line each.
 std::string stress_certificates(const StressReport& report);
-/// Error against severity, a plot for each family and stage.
+/// Error against severity, a plot for each family, stage and format.
 std::vector<Plot> stress_plots(const StressReport& report);
 
 }  // namespace raycheck::tools

@@ -91,6 +91,7 @@ std::vector<MethodCost> costs_of(const std::vector<StagedMethod>& methods, Stage
     if (method.stage != stage) continue;
     costs.emplace_back();
     costs.back().method = method;
+    costs.back().promises = candidate_of(method);
   }
   return costs;
 }
@@ -323,7 +324,11 @@ const properties::Tally* MethodCost::main() const {
 }
 
 std::optional<std::pair<double, double>> MethodCost::badness() const {
-  return badness_of(accuracy.inside, quantity());
+  auto badness = badness_of(accuracy.inside, quantity());
+  if (badness) {
+    badness->second *= scene::unit_roundoff(promises.precision) / properties::kDoubleRoundoff;
+  }
+  return badness;
 }
 
 std::uint64_t TradeoffReport::compared() const {

@@ -1,9 +1,11 @@
 #ifndef RAYCHECK_TOOLS_TRADEOFF_TRADEOFF_H_
 #define RAYCHECK_TOOLS_TRADEOFF_TRADEOFF_H_
 
+#include <algorithm>
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "properties/run_control.h"
@@ -35,6 +37,7 @@ struct Duration {
 /// What one method costs and how far it is off.
 struct MethodCost {
   StagedMethod method;
+  properties::Promises promises;  ///< What its errors are held to.
   properties::StressResult accuracy;
   std::optional<Duration> scalar;  ///< One call an item; empty: not timed, see `not_timed`.
   std::optional<Duration> batch;
@@ -44,11 +47,19 @@ struct MethodCost {
   bool is_called_here = false;  ///< Someone else's that was timed in raycheck's own process.
 
   properties::Quantity quantity() const { return properties::main_quantity(method.stage); }
+  std::string_view unit() const { return unit_name(quantity(), promises.precision); }
   const properties::Tally* main() const;
   /// Errors by which methods are ranked: decisions wrong without an excuse per decision, then the
-  /// 99.9% error. Empty where nothing was judged in the stated domain.
+  /// 99.9% error, of whatever format in u or ulp of doubles. Empty where nothing was judged in the
+  /// stated domain.
   std::optional<std::pair<double, double>> badness() const;
 };
+
+/// Whether any method is judged in a format.
+inline bool has_any(const std::vector<MethodCost>& costs, scene::Precision precision) {
+  return std::any_of(costs.begin(), costs.end(),
+                     [=](const MethodCost& cost) { return cost.promises.precision == precision; });
+}
 
 /// What a pixel costs end to end: a ray method and an intersection method.
 struct PixelCost {

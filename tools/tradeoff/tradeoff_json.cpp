@@ -25,8 +25,11 @@ Json cost_json(const MethodCost& cost) {
   json["batch"] = duration_json(cost.batch);
   json["note"] = cost.not_timed;
   json["unstable_on"] = cost.unstable_on;
-  json["inside"] = tallies_json(cost.accuracy.inside);
-  json["outside"] = tallies_json(cost.accuracy.outside);
+  const scene::Precision precision = cost.promises.precision;
+  json["precision"] = name(precision);
+  json["left_out"] = cost.accuracy.left_out;
+  json["inside"] = tallies_json(cost.accuracy.inside, precision);
+  json["outside"] = tallies_json(cost.accuracy.outside, precision);
   return json;
 }
 

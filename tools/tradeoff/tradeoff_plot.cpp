@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
+#include "tools/report/words.h"
 #include "tools/tradeoff/tradeoff_views.h"
 
 namespace raycheck::tools {
@@ -26,15 +28,19 @@ int mark_of(const MethodCost& cost) {
   return kFilledCircle;
 }
 
-Plot plot_of(const std::vector<MethodCost>& costs, Stage stage, const std::string& subject) {
+/// The methods that are judged in one format: their errors have one unit.
+Plot plot_of(const std::vector<MethodCost>& costs, Stage stage, scene::Precision precision,
+             const std::string& subject) {
   Plot plot;
   const std::size_t sources =
       static_cast<std::size_t>(std::count(subject.begin(), subject.end(), ',')) + 1;
-  plot.title = fmt::format("{}: error against time on {}", name(stage),
-                           sources > 3 ? fmt::format("{} families", sources) : subject);
+  plot.title =
+      fmt::format("{}{}: error against time on {}", name(stage), precision_words(precision),
+                  sources > 3 ? fmt::format("{} families", sources) : subject);
   plot.x_label = "ns per item in a batch";
-  plot.y_label =
-      stage == Stage::kRays ? "99.9% angle of the direction, in u" : "99.9% error of s, in ulp";
+  plot.y_label = fmt::format("99.9% {}, in {}",
+                             stage == Stage::kRays ? "angle of the direction" : "error of s",
+                             unit_name(properties::main_quantity(stage), precision));
   plot.log_x = true;
   PlotSeries front;
   front.name = "Pareto front, no defects";
@@ -42,6 +48,7 @@ Plot plot_of(const std::vector<MethodCost>& costs, Stage stage, const std::strin
   front.colour = "#888888";
   std::vector<PlotSeries> methods;
   for (const MethodCost& cost : costs) {
+    if (cost.promises.precision != precision) continue;
     const Tally* const tally = cost.main();
     const auto& time = cost.batch ? cost.batch : cost.scalar;
     if (tally == nullptr || tally->errors.empty() || !time) continue;
@@ -84,9 +91,13 @@ Plot plot_of(const std::vector<MethodCost>& costs, Stage stage, const std::strin
 
 std::vector<Plot> tradeoff_plots(const TradeoffReport& report) {
   std::vector<Plot> plots;
-  if (!report.rays.empty()) plots.push_back(plot_of(report.rays, Stage::kRays, report.subject));
-  if (!report.intersections.empty()) {
-    plots.push_back(plot_of(report.intersections, Stage::kIntersection, report.subject));
+  for (const auto& [stage, costs] : {std::pair(Stage::kRays, &report.rays),
+                                     std::pair(Stage::kIntersection, &report.intersections)}) {
+    for (const auto precision : {scene::Precision::kDouble, scene::Precision::kSingle}) {
+      if (has_any(*costs, precision)) {
+        plots.push_back(plot_of(*costs, stage, precision, report.subject));
+      }
+    }
   }
   return plots;
 }

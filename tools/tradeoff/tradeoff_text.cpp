@@ -60,6 +60,11 @@ std::string ratio_text(const Verdict& verdict) {
   return error_text(ratio < 0 ? std::nullopt : std::optional(ratio));
 }
 
+/// What an error on given rays is held to.
+std::string bound_text(const MethodCost& cost, Quantity quantity) {
+  return error_text(documented_bound(cost.promises, quantity, false));
+}
+
 std::string stability_text(const MethodCost& cost) {
   if (cost.accuracy.inside.compared() == 0) return "-";
   std::string text;
@@ -79,12 +84,13 @@ double baseline(const std::vector<MethodCost>& costs) {
   return 1;
 }
 
-Table intersection_table(const std::vector<MethodCost>& costs) {
+/// Of the methods that are judged in one format: their errors have one unit.
+Table intersection_table(const std::vector<MethodCost>& costs, scene::Precision precision) {
   Table table({{"  method"},
                {"ns a call", kRight},
                {"ns in a batch", kRight},
                {"ratio", kRight},
-               {"median ulp", kRight},
+               {fmt::format("median {}", unit_name(Quantity::kParameter, precision)), kRight},
                {"99.9%", kRight},
                {"max", kRight},
                {"audited", kRight},
@@ -92,7 +98,7 @@ Table intersection_table(const std::vector<MethodCost>& costs) {
                {"missed/M", kRight},
                {"false/M", kRight},
                {"defects", kRight},
-               {"backward u", kRight},
+               {fmt::format("backward {}", unit_name(Quantity::kBackwardError, precision)), kRight},
                {"max rho", kRight},
                {"outside: max", kRight},
                {"missed/M", kRight},
@@ -100,6 +106,7 @@ Table intersection_table(const std::vector<MethodCost>& costs) {
                {"stable on"}});
   const double base = baseline(costs);
   for (const MethodCost& cost : costs) {
+    if (cost.promises.precision != precision) continue;
     const Verdict& inside = cost.accuracy.inside;
     const Verdict& outside = cost.accuracy.outside;
     table.add({name_text(cost), duration_text(cost.scalar), spread_text(cost.batch),
@@ -107,7 +114,7 @@ Table intersection_table(const std::vector<MethodCost>& costs) {
                quantile_text(inside, Quantity::kParameter, 0.5),
                quantile_text(inside, Quantity::kParameter, 0.999),
                max_text(inside, Quantity::kParameter), audited_text(inside, Quantity::kParameter),
-               error_text(cost.method.intersect->max_ulp), per_million(inside, Wrong::kMissed),
+               bound_text(cost, Quantity::kParameter), per_million(inside, Wrong::kMissed),
                per_million(inside, Wrong::kFalseHit), std::to_string(properties::defects(inside)),
                max_text(inside, Quantity::kBackwardError), ratio_text(inside),
                max_text(outside, Quantity::kParameter), per_million(outside, Wrong::kMissed),
@@ -116,22 +123,24 @@ Table intersection_table(const std::vector<MethodCost>& costs) {
   return table;
 }
 
-Table ray_table(const std::vector<MethodCost>& costs) {
-  Table table({{"  method"},
-               {"ns a call", kRight},
-               {"ns in a batch", kRight},
-               {"ratio", kRight},
-               {"median u of D", kRight},
-               {"99.9%", kRight},
-               {"max", kRight},
-               {"audited", kRight},
-               {"bound", kRight},
-               {"audited u of P", kRight},
-               {"bound", kRight},
-               {"max rho", kRight},
-               {"stable on"}});
+Table ray_table(const std::vector<MethodCost>& costs, scene::Precision precision) {
+  Table table(
+      {{"  method"},
+       {"ns a call", kRight},
+       {"ns in a batch", kRight},
+       {"ratio", kRight},
+       {fmt::format("median {} of D", unit_name(Quantity::kDirection, precision)), kRight},
+       {"99.9%", kRight},
+       {"max", kRight},
+       {"audited", kRight},
+       {"bound", kRight},
+       {fmt::format("audited {} of P", unit_name(Quantity::kPixelPoint, precision)), kRight},
+       {"bound", kRight},
+       {"max rho", kRight},
+       {"stable on"}});
   const double base = baseline(costs);
   for (const MethodCost& cost : costs) {
+    if (cost.promises.precision != precision) continue;
     const Verdict& inside = cost.accuracy.inside;
     const fast::PixelRayMethod& method = *cost.method.rays;
     table.add({name_text(cost), duration_text(cost.scalar), spread_text(cost.batch),
@@ -139,9 +148,9 @@ Table ray_table(const std::vector<MethodCost>& costs) {
                quantile_text(inside, Quantity::kDirection, 0.5),
                quantile_text(inside, Quantity::kDirection, 0.999),
                max_text(inside, Quantity::kDirection), audited_text(inside, Quantity::kDirection),
-               error_text(method.max_direction_ulp), audited_text(inside, Quantity::kPixelPoint),
-               method.pixel_points ? error_text(method.max_point_ulp) : "-", ratio_text(inside),
-               stability_text(cost)});
+               bound_text(cost, Quantity::kDirection), audited_text(inside, Quantity::kPixelPoint),
+               method.pixel_points ? bound_text(cost, Quantity::kPixelPoint) : "-",
+               ratio_text(inside), stability_text(cost)});
   }
   return table;
 }
@@ -174,9 +183,15 @@ struct Section {
 
 std::vector<Section> sections_of(const TradeoffReport& report) {
   std::vector<Section> sections;
-  if (!report.rays.empty()) sections.push_back({"rays", ray_table(report.rays)});
-  if (!report.intersections.empty()) {
-    sections.push_back({"intersections", intersection_table(report.intersections)});
+  for (const auto precision : {scene::Precision::kDouble, scene::Precision::kSingle}) {
+    const std::string_view words = precision_words(precision);
+    if (has_any(report.rays, precision)) {
+      sections.push_back({fmt::format("rays{}", words), ray_table(report.rays, precision)});
+    }
+    if (has_any(report.intersections, precision)) {
+      sections.push_back({fmt::format("intersections{}", words),
+                          intersection_table(report.intersections, precision)});
+    }
   }
   if (!report.pixels.empty()) {
     sections.push_back({"pixels, end to end", pixel_table(report.pixels)});
@@ -208,6 +223,13 @@ std::string rendered(const TradeoffReport& report, Render render, std::string_vi
       "method's stated domain\n",
       item, properties::kExcusedChange / properties::kDoubleRoundoff,
       properties::kModerateCondition, properties::kStableRatio);
+  if (has_any(report.rays, scene::Precision::kSingle) ||
+      has_any(report.intersections, scene::Precision::kSingle)) {
+    text += fmt::format(
+        "{}in single precision: u and ulp are those of float, 2^29 times those of double, as which "
+        "* compares them\n",
+        item);
+  }
   std::vector<StagedMethod> methods;
   std::string called_here;
   for (const auto* costs : {&report.rays, &report.intersections}) {
@@ -225,6 +247,11 @@ std::string rendered(const TradeoffReport& report, Render render, std::string_vi
   std::vector<std::string> notes = report.left_out;
   for (const auto* costs : {&report.rays, &report.intersections}) {
     for (const MethodCost& cost : *costs) {
+      if (cost.accuracy.left_out > 0) {
+        notes.push_back(fmt::format("{} ({}): {}, whose numbers floats cannot hold",
+                                    cost.method.name(), name(cost.method.stage),
+                                    count_text(cost.accuracy.left_out, "case")));
+      }
       if (!cost.not_timed.empty()) {
         const std::string stage =
             cost.method.other ? fmt::format(" ({})", name(cost.method.stage)) : "";
@@ -273,24 +300,21 @@ std::string tradeoff_csv(const TradeoffReport& report, const ViewOptions& /*opti
   for (const auto* costs : {&report.rays, &report.intersections}) {
     for (const MethodCost& cost : *costs) {
       const Verdict& inside = cost.accuracy.inside;
-      const bool makes_rays = cost.method.stage == Stage::kRays;
       std::string unstable;
       for (const std::string& name : cost.unstable_on) {
         unstable += (unstable.empty() ? "" : " ") + name;
       }
-      table.add(
-          {std::string(name(cost.method.stage)), std::string(cost.method.name()),
-           cost.pareto ? "yes" : "no", cost.scalar ? number(cost.scalar->median) : "",
-           cost.batch ? number(cost.batch->median) : "", cost.batch ? number(cost.batch->low) : "",
-           cost.batch ? number(cost.batch->high) : "", std::string(info(cost.quantity()).unit),
-           quantile_text(inside, cost.quantity(), 0.5),
-           quantile_text(inside, cost.quantity(), 0.999), max_text(inside, cost.quantity()),
-           audited_text(inside, cost.quantity()),
-           error_text(makes_rays ? cost.method.rays->max_direction_ulp
-                                 : cost.method.intersect->max_ulp),
-           per_million(inside, Wrong::kMissed), per_million(inside, Wrong::kFalseHit),
-           std::to_string(properties::defects(inside)), max_text(inside, Quantity::kBackwardError),
-           ratio_text(inside), unstable});
+      table.add({std::string(name(cost.method.stage)), std::string(cost.method.name()),
+                 cost.pareto ? "yes" : "no", cost.scalar ? number(cost.scalar->median) : "",
+                 cost.batch ? number(cost.batch->median) : "",
+                 cost.batch ? number(cost.batch->low) : "",
+                 cost.batch ? number(cost.batch->high) : "", std::string(cost.unit()),
+                 quantile_text(inside, cost.quantity(), 0.5),
+                 quantile_text(inside, cost.quantity(), 0.999), max_text(inside, cost.quantity()),
+                 audited_text(inside, cost.quantity()), bound_text(cost, cost.quantity()),
+                 per_million(inside, Wrong::kMissed), per_million(inside, Wrong::kFalseHit),
+                 std::to_string(properties::defects(inside)),
+                 max_text(inside, Quantity::kBackwardError), ratio_text(inside), unstable});
     }
   }
   return table.csv();

@@ -3,12 +3,14 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <array>
 #include <chrono>
 #include <cstdint>
 #include <limits>
 
 #include "fast/batch.h"
 #include "properties/cases/random.h"
+#include "properties/rounded_case.h"
 #include "scene/interruption.h"
 #include "tools/tradeoff/tradeoff_items.h"
 #include "tools/tradeoff/tradeoff_others.h"
@@ -83,6 +85,18 @@ bool is_inside(const Pair& pair, const properties::Candidate& candidate) {
   return properties::is_inside_domain(candidate, scene);
 }
 
+/// The cases in the format that a candidate is asked in; those that it cannot hold are left out.
+std::vector<Case> in_format_of(const properties::Candidate& candidate,
+                               const std::vector<Case>& cases) {
+  if (candidate.precision == scene::Precision::kDouble) return cases;
+  std::vector<Case> rounded;
+  for (const Case& one : cases) {
+    auto found = properties::rounded_case(one, candidate.precision).the_case;
+    if (found) rounded.push_back(*std::move(found));
+  }
+  return rounded;
+}
+
 std::vector<Pair> pairs_of(const std::vector<Case>& cases) {
   std::vector<Pair> pairs;
   for (const Case& one : cases) {
@@ -114,15 +128,16 @@ scene::Ray placed_at(const Pair& pair, const scene::Sphere& sphere) {
           pair.ray.direction};
 }
 
-/// The pairs in batches of one sphere each: the spheres of the first pairs, met by the rays of all.
-std::vector<Batch> batches_of(const std::vector<Pair>& pairs) {
+/// The pairs in batches of one sphere each: the spheres of the first pairs, met by the rays of all,
+/// whose numbers are of a format.
+std::vector<Batch> batches_of(const std::vector<Pair>& pairs, scene::Precision precision) {
   std::vector<Batch> batches;
   for (std::size_t k = 0; k < std::min(kBatches, pairs.size()); ++k) {
     batches.push_back({{}, pairs[k].sphere, pairs[k].root, pairs[k].tangent});
   }
   for (std::size_t k = 0; k < pairs.size(); ++k) {
     Batch& batch = batches[k % batches.size()];
-    append(batch.rays, placed_at(pairs[k], batch.sphere));
+    append(batch.rays, properties::rounded_ray(placed_at(pairs[k], batch.sphere), precision));
   }
   return batches;
 }
@@ -249,7 +264,7 @@ void add_others(OthersTimed timed, std::vector<Timed>& scalars, std::vector<Time
 }  // namespace
 
 void time_intersections(const std::vector<Case>& cases, std::vector<MethodCost>& costs) {
-  const std::vector<Pair> all = pairs_of(cases);
+  std::array<std::vector<Pair>, scene::kFormats.size()> by_format = {pairs_of(cases), {}};
   std::vector<std::vector<Pair>> pairs(costs.size());
   std::vector<std::vector<Batch>> batches(costs.size());
   std::vector<Timed> scalars;
@@ -257,11 +272,13 @@ void time_intersections(const std::vector<Case>& cases, std::vector<MethodCost>&
   for (std::size_t k = 0; k < costs.size(); ++k) {
     const fast::IntersectMethod& method = *costs[k].method.intersect;
     const properties::Candidate candidate = candidate_of(costs[k].method);
+    std::vector<Pair>& all = by_format[static_cast<std::size_t>(candidate.precision)];
+    if (all.empty()) all = pairs_of(in_format_of(candidate, cases));
     for (const Pair& pair : all) {
       if (is_inside(pair, candidate)) pairs[k].push_back(pair);
     }
     costs[k].not_timed = only_part(pairs[k].size(), all.size());
-    batches[k] = batches_of(pairs[k]);
+    batches[k] = batches_of(pairs[k], candidate.precision);
     if (costs[k].method.other) {
       add_others(others_intersections(*costs[k].method.other, candidate, pairs[k], batches[k]),
                  scalars, whole, costs[k]);
@@ -287,7 +304,7 @@ void time_rays(const std::vector<Case>& cases, std::vector<MethodCost>& costs) {
     const fast::PixelRayMethod& method = *costs[k].method.rays;
     const properties::Candidate candidate = candidate_of(costs[k].method);
     std::vector<Case> inside;
-    for (const Case& one : cases) {
+    for (const Case& one : in_format_of(candidate, cases)) {
       if (properties::is_inside_domain(candidate, one.scene)) inside.push_back(one);
       if (inside.size() == kItems) break;
     }

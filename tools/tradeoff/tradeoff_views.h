@@ -21,7 +21,7 @@ inline constexpr View<TradeoffReport> kTradeoffViews[] = {
     {"markdown", tradeoff_markdown},
 };
 
-/// Error against time, a plot for each stage.
+/// Error against time, a plot for each stage and format.
 std::vector<Plot> tradeoff_plots(const TradeoffReport& report);
 
 }  // namespace raycheck::tools

@@ -31,7 +31,8 @@ std::string worst_json(const WorstReport& report, const ViewOptions& /*options*/
   json["family"] = search.source.name();
   json["seed"] = search.seed;
   json["climbed_on"] = properties::kClimbNames[static_cast<std::size_t>(search.climb)];
-  json["unit"] = info(search.quantity).unit;
+  json["precision"] = name(report.method.precision());
+  json["unit"] = unit_name(search.quantity, report.method.precision());
   json["measured"] = report.worst.has_value();
   json["failures"] = {{"count", report.failures}, {"first", report.first_failure}};
   json["interrupted"] = report.interrupted;

@@ -15,8 +15,9 @@ std::string headline(const WorstReport& report) {
   return fmt::format("{} {} on {}: off by {} {}, condition number {}, rho {}: {}",
                      report.method.name(), info(report.search.quantity).name,
                      report.search.source.name(), error_text(worst.error),
-                     info(report.search.quantity).unit, error_text(worst.stability.condition),
-                     error_text(worst.stability.ratio), name(worst.stability.outcome));
+                     unit_name(report.search.quantity, report.method.precision()),
+                     error_text(worst.stability.condition), error_text(worst.stability.ratio),
+                     name(worst.stability.outcome));
 }
 
 std::string failures_text(const WorstReport& report) {

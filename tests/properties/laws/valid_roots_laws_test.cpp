@@ -6,6 +6,7 @@
 #include <cmath>
 #include <functional>
 #include <limits>
+#include <string>
 
 #include "properties/laws/law.h"
 #include "properties/search/campaign.h"
@@ -104,6 +105,50 @@ TEST(ValidRootsLaws, CallDefectsWhatLiesFarFromTheEnds) {
   EXPECT_EQ(defects({2, 7, scene::Ends::kClosed, {}, {}},
                     [](auto& c) { c.valid.ends = scene::Ends::kOpenMin; }),
             0u);
+}
+
+/// Of the law that counts it, "" where it is not told.
+std::string told_as_defect(const scene::ValidRoots& valid, const Change& mistake) {
+  for (const char* law : {"class", "nearest-root"}) {
+    const Verdict found = verdict(law, follower(mistake), valid);
+    if (found.count(Standing::kDefect) == 0) continue;
+    const Discrepancy worst = found.worst(1).front();
+    EXPECT_TRUE(worst.excluded_by == valid) << law;
+    return law;
+  }
+  return "";
+}
+
+/// Whose answer its own interval excludes needs no proof: >= for > is a defect at the very end.
+TEST(ValidRootsLaws, CallDefectsWhatTheirOwnIntervalExcludes) {
+  const auto closed = [](scene::Conventions& c) { c.valid.ends = scene::Ends::kClosed; };
+  // The near root of the first ray is 2, the far one 4; 7 and 11 of the second sphere.
+  EXPECT_EQ(told_as_defect({2, 7, scene::Ends::kOpenMin, {}, {}}, closed), "nearest-root");
+  EXPECT_EQ(told_as_defect({5, 7, scene::Ends::kOpenMax, {}, {}}, closed), "class");
+  // 3.5 radii of the second sphere.
+  EXPECT_EQ(told_as_defect({3, 3.5, scene::Ends::kOpenMax, scene::TUnit::kRadius, {}}, closed),
+            "class");
+  EXPECT_EQ(told_as_defect({2, 7, scene::Ends::kOpen, {}, {}}, [](auto&) {}), "");
+}
+
+/// s is 1/3, above the double nearest to it, which is the best answer.
+TEST(ValidRootsLaws, LetTheExactRootBeRoundedToAnOpenEnd) {
+  Case one;
+  one.scene.rays = {{{0, 0, 0}, {3, 0, 0}}};
+  one.scene.spheres = {{{2, 0, 0}, 1}};
+  one.scene.conventions.valid = {1.0 / 3, kNoEnd, scene::Ends::kOpen, {}, {}};
+  const auto defects = [&](double s) {
+    Candidate candidate = follower();
+    candidate.intersect = [s](auto, auto, const auto&) {
+      return std::vector<SphereHits>{{{0, {s, {3 * s, 0, 0}}}}};
+    };
+    Trial trial(one, candidate);
+    EXPECT_EQ(apply(*find_law("class"), trial).discrepancies(), 0u);
+    return apply(*find_law("nearest-root"), trial).count(Standing::kDefect);
+  };
+  EXPECT_EQ(defects(1.0 / 3), 0u);
+  EXPECT_EQ(defects(std::nextafter(1.0 / 3, 0)), 1u);
+  EXPECT_EQ(defects(std::nextafter(1.0 / 3, 1)), 0u);
 }
 
 TEST(ValidRootsLaws, ScaleAbsoluteEndsWithTheScene) {

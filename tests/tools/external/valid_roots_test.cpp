@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <nlohmann/json.hpp>
 #include <string>
+#include <tuple>
 
 #include "tests/tools/external/judged.h"
 #include "tools/external/protocol/protocol.h"
@@ -126,13 +127,16 @@ TEST(ValidRoots, of_a_scene_are_told_to_who_follows_them) {
   EXPECT_EQ(report["discrepancies"], 0) << report.dump(2);
   EXPECT_EQ(report["conventions"]["t_unit"], "radius");
   EXPECT_EQ(report["swallowed"]["moved"], 1);
-  // < for <= at either end is another answer.
-  for (const char* wrong : {"unit * roots.t_min <= s <= unit * roots.t_max",
-                            "unit * roots.t_min < s < unit * roots.t_max"}) {
-    const std::string off = tracer("off.py", wrong, "'as-asked'");
-    expect_off_at_the_ends(scene, "command:python3 " + off);
-    std::filesystem::remove(off);
-  }
+  // < for <= misses what inputs close by may miss.
+  const std::string off =
+      tracer("off.py", "unit * roots.t_min < s < unit * roots.t_max", "'as-asked'");
+  expect_off_at_the_ends(scene, "command:python3 " + off);
+  // <= for < answers what the interval excludes.
+  const std::string beyond =
+      tracer("beyond.py", "unit * roots.t_min <= s <= unit * roots.t_max", "'as-asked'");
+  EXPECT_EQ(check(scene, "command:python3 " + beyond).exit_code, 1);
+  std::filesystem::remove(off);
+  std::filesystem::remove(beyond);
   std::filesystem::remove(right);
   std::filesystem::remove(scene);
 }
@@ -159,6 +163,144 @@ TEST(ValidRoots, are_followed_in_cpp) {
   expect_off_at_the_ends(scene, "source:" + wrong);
   std::filesystem::remove(right);
   std::filesystem::remove(wrong);
+  std::filesystem::remove(scene);
+}
+
+/// >= for > at an end: a defect that no witness excuses, in doubles as in floats.
+TEST(ValidRoots, that_a_candidate_excludes_by_its_own_word_are_defects) {
+  const std::string scene = temporary_file("ends.toml", kThreeRays);
+  const std::string mutant = "command:python3 " + tracer("at_end.py", "s >= 2",
+                                                         "rc.Roots('()', 2, float('inf'), "
+                                                         "'absolute', 'none')");
+  const Outcome outcome = run("check " + scene + " --candidate '" + mutant + "'");
+  EXPECT_EQ(outcome.exit_code, 1) << outcome.out << outcome.err;
+  EXPECT_NE(outcome.out.find("root, ray 0, sphere 0: wrong root\n"), std::string::npos)
+      << outcome.out;
+  EXPECT_NE(outcome.out.find("answers s = 2, which its own interval (2, inf) excludes"),
+            std::string::npos)
+      << outcome.out;
+  EXPECT_EQ(check(scene, mutant).exit_code, 1);
+
+  // 0.1f, which is twice its half: the near root is the end itself.
+  const std::string floats = temporary_file("floats.toml",
+                                            "[[ray]]\norigin = [0, 0, 0]\ndirection = [1, 0, 0]\n"
+                                            "[[ray]]\norigin = [-1, 0, 0]\ndirection = [1, 0, 0]\n"
+                                            "[[sphere]]\ncentre = [0.2, 0, 0]\nradius = 0.1\n");
+  for (const auto& [comparison, unit, exit_code] :
+       {std::tuple(">=", "absolute", 1), std::tuple(">", "absolute", 0),
+        std::tuple(">=", "radius", 1), std::tuple(">", "radius", 0)}) {
+    const bool is_radius = unit == std::string("radius");
+    const std::string source = temporary_file(
+        "end_in_floats.cpp",
+        std::string("#include <raycheck/candidate.hpp>\nusing namespace raycheck;\n") +
+            "std::optional<Hit> intersect(const Ray& ray, const Sphere& s, const Conventions&) {\n"
+            "  const float x = float(s.centre.x) - float(ray.origin.x), r = float(s.radius);\n"
+            "  const float end = " +
+            (is_radius ? "1 * r" : "0.1f") +
+            ";\n"
+            "  for (const float at : {x - r, x + r}) {\n"
+            "    if (at " +
+            comparison +
+            " end) return Hit{at, {float(ray.origin.x) + at, 0, 0}};\n"
+            "  }\n  return {};\n}\n"
+            "RAYCHECK_CANDIDATE(.intersect = intersect, .precision = Precision::single,\n"
+            "    .roots = Roots::declared, .valid = {.t_min = " +
+            (is_radius ? "1" : "0.1") + ", .ends = Ends::open, .unit = TUnit::" + unit + "})\n");
+    const Outcome found = check(floats, "source:" + source);
+    EXPECT_EQ(found.exit_code, exit_code) << comparison << unit << found.out << found.err;
+    std::filesystem::remove(source);
+  }
+  std::filesystem::remove(floats);
+  std::filesystem::remove(scene);
+}
+
+/// What `explain` says under the interval that a candidate declares.
+TEST(ValidRoots, are_explained_as_check_judges_them) {
+  const std::string kInterval = "rc.Roots('()', 0.5, float('inf'), 'absolute', 'none')";
+  const std::string right = tracer("eps.py", "s > 0.5", kInterval);
+  const std::string wrong = tracer("none.py", "s >= 0", kInterval);
+  const std::string ray = "explain --ray 3.75,0,0,1,0,0 --sphere 3,0,0,1 --candidate ";
+  const auto explained = [&](const std::string& candidate, int exit_code) {
+    const Outcome outcome = run(ray + "'command:python3 " + candidate + "' --format json");
+    EXPECT_EQ(outcome.exit_code, exit_code) << outcome.out << outcome.err;
+    return json::parse(outcome.out);
+  };
+  const json report = explained(right, 0);
+  EXPECT_EQ(report["exact"]["class"], "miss");
+  EXPECT_EQ(report["exact"]["left_out"][0]["why"], "before t_min");
+  EXPECT_EQ(report["exact"]["left_out"][0]["s"], "0x1p-2");
+  const json& miss = report["methods"].back();
+  EXPECT_EQ(miss["hit"], false);
+  EXPECT_EQ(miss["class_error"], false);
+  EXPECT_EQ(miss["goes_wrong_at"], nullptr);
+  // raycheck's own count every root >= 0, and are judged so.
+  EXPECT_EQ(report["exact"]["by_every_root"]["s"], "0x1p-2");
+  for (const json& method : report["methods"]) {
+    EXPECT_EQ(method["class_error"], false) << method["name"];
+    EXPECT_EQ(method["goes_wrong_at"], nullptr) << method["name"];
+  }
+  const json& false_hit = explained(wrong, 1)["methods"].back();
+  EXPECT_EQ(false_hit["class_error"], true);
+  EXPECT_EQ(false_hit["standing"], "defect");
+  EXPECT_EQ(false_hit["goes_wrong_at"], "s");
+  const Outcome words = run(ray + "'command:python3 " + wrong + "'");
+  for (const char* part :
+       {"does not count: s = 0.25 lies before t_min = 0.5\n",
+        "a false hit, which its own interval (0.5, inf) excludes; goes wrong at s"}) {
+    EXPECT_NE(words.out.find(part), std::string::npos) << part << "\n" << words.out;
+  }
+  std::filesystem::remove(right);
+  std::filesystem::remove(wrong);
+}
+
+/// The reasons that a root has not to count, each under a scene's own conventions.
+TEST(ValidRoots, that_do_not_count_are_explained) {
+  const auto says = [](const std::string& conventions, const std::string& part) {
+    const std::string scene = temporary_file(
+        "explained.toml", "[conventions]\n" + conventions +
+                              "\n[camera]\neye = [0, 0, 10]\nlook_at = [0, 0, 0]\nup = [0, 1, 0]\n"
+                              "near = -1\nleft = -1\nright = 1\nbottom = -1\ntop = 1\nwidth = 3\n"
+                              "height = 3\n[[sphere]]\ncentre = [0, 0, 5]\nradius = 2\n");
+    const Outcome outcome = run("explain " + scene + " --pixel 1,1");
+    EXPECT_EQ(outcome.exit_code, 0) << outcome.out << outcome.err;
+    EXPECT_NE(outcome.out.find(part), std::string::npos) << part << "\n" << outcome.out;
+    std::filesystem::remove(scene);
+  };
+  // From the pixel at z = 9 the roots are 2 and 6.
+  says("t_min = 2.5", "s = 2 lies before t_min = 2.5");
+  says("t_min = 2\ninterval = \"(t_min, t_max)\"",
+       "s = 2 lies on t_min = 2, which does not belong to (2, inf)");
+  says("t_max = 2\ninterval = \"[t_min, t_max)\"",
+       "s = 2 lies on t_max = 2, which does not belong to [0, 2)");
+  says("t_max = 0.5\nt_unit = \"radius\"", "s = 6 lies beyond t_max = 0.5 radii");
+  says("culling = \"front-faces\"", "s = 2 lies on a front face, which is culled");
+  says("culling = \"back-faces\"\nt_min = 3", "s = 6 lies on a back face, which is culled");
+}
+
+/// What is seen under an interval, where the nearest sphere of those that count is another.
+TEST(ValidRoots, make_the_picture_that_errors_are_held_against) {
+  const std::string scene = temporary_file(
+      "seen.toml",
+      "[camera]\neye = [0, 0, 10]\nlook_at = [0, 0, 0]\nup = [0, 1, 0]\nnear = -1\n"
+      "left = -0.25\nright = 0.25\nbottom = -0.25\ntop = 0.25\nwidth = 9\nheight = 9\n"
+      "[[sphere]]\ncentre = [0, 0, 8]\nradius = 0.5\n"
+      "[[sphere]]\ncentre = [0, 0, 0]\nradius = 1.5\n");
+  const std::string picture = temporary_file("seen.png", "");
+  const std::string interval = "rc.Roots('()', 3, float('inf'), 'absolute', 'none')";
+  const auto shown = [&](const std::string& condition, int exit_code) {
+    const std::string candidate = tracer("seen.py", condition, interval);
+    const Outcome outcome = run("image " + scene + " --what error --out " + picture +
+                                " --format json --candidate 'command:python3 " + candidate + "'");
+    EXPECT_EQ(outcome.exit_code, exit_code) << outcome.out << outcome.err;
+    std::filesystem::remove(candidate);
+    return json::parse(outcome.out);
+  };
+  const json right = shown("s > 3", 0);
+  EXPECT_EQ(right["error"]["wrong"]["defect"]["pixels"], 0) << right.dump(2);
+  EXPECT_EQ(right["spheres_seen"], 1);  // only the far one
+  EXPECT_GT(right["pixels_that_see"], 20);
+  EXPECT_GT(shown("s >= 0", 1)["error"]["wrong"]["defect"]["pixels"], 20);
+  std::filesystem::remove(picture);
   std::filesystem::remove(scene);
 }
 

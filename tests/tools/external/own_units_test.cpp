@@ -1,0 +1,245 @@
+// Candidates in single precision where methods are compared: their errors count ulp and u of float,
+// and what they are asked are floats.
+
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <filesystem>
+#include <nlohmann/json.hpp>
+#include <string>
+
+#include "properties/rounded_case.h"
+#include "scene/files/scene_file.h"
+#include "tests/tools/program.h"
+#include "tools/stress/stress_views.h"
+#include "tools/tradeoff/tradeoff_views.h"
+
+namespace raycheck::tests {
+namespace {
+
+using nlohmann::json;
+
+const std::string kTracer = "source:tests/candidates/float_tracer.cpp";
+const std::string kTextbook = "source:tests/candidates/float_quadratic.cpp";
+
+json report_of(const std::string& arguments, const std::string& candidate, int exit_code) {
+  const Outcome outcome = run(arguments + " --format json --candidate " + candidate);
+  EXPECT_EQ(outcome.exit_code, exit_code) << arguments << "\n" << outcome.out << outcome.err;
+  return json::accept(outcome.out) ? json::parse(outcome.out) : json();
+}
+
+json quantity_of(const json& quantities, const std::string& name) {
+  for (const json& one : quantities) {
+    if (one["name"] == name) return one;
+  }
+  return json();
+}
+
+bool contains(const std::string& text, const std::string& part) {
+  return text.find(part) != std::string::npos;
+}
+
+/// The scene of a report is one of floats.
+void expect_floats(const std::string& toml) {
+  const std::string path = temporary_file("found.toml", toml);
+  const scene::Scene scene = scene::load_scene(path).scene;
+  EXPECT_TRUE(properties::is_of_format(scene, scene::Precision::kSingle)) << toml;
+  std::filesystem::remove(path);
+}
+
+TEST(OwnUnits, AreThoseOfStress) {
+  const std::string distance = "stress --family distance --severity 0..2 --cases 40";
+  const json good = report_of(distance, kTracer, 0)["families"][0]["methods"][0];
+  EXPECT_EQ(good["precision"], "single");
+  EXPECT_EQ(good["bounds_of"], "direct/cross");
+  EXPECT_EQ(good["first_failing"], nullptr);
+  for (const json& severity : good["severities"]) {
+    const json s = quantity_of(severity["inside"], "parameter");
+    EXPECT_EQ(s["unit"], "ulp of float");
+    EXPECT_GT(s["max"], 0.1);
+    EXPECT_LT(s["max"], 16);
+    EXPECT_EQ(quantity_of(severity["inside"], "backward error")["unit"], "u of float");
+  }
+  const json bad = report_of("stress --family distance --severity 0..4 --cases 40", kTextbook,
+                             1)["families"][0]["methods"][0];
+  EXPECT_GT(bad["max_ratio"], 16);
+  const json s = quantity_of(bad["severities"].back()["inside"], "parameter");
+  EXPECT_EQ(s["unit"], "ulp of float");
+  EXPECT_GT(s["max"], 88);
+  EXPECT_LT(s["max"], 1e8);  // there are no more than 2^24 of them in s
+  // Its rays, too, of cameras rounded to floats.
+  const json rays = report_of("stress --family far-camera --severity 0..1 --cases 20", kTracer,
+                              0)["families"][0]["methods"];
+  ASSERT_EQ(rays.size(), 2u);
+  for (const json& stage : rays) {
+    const bool makes_rays = stage["stage"] == "rays";
+    const json main =
+        quantity_of(stage["severities"][0]["inside"], makes_rays ? "direction" : "parameter");
+    EXPECT_EQ(main["unit"], makes_rays ? "u of float" : "ulp of float");
+    EXPECT_LT(main["max"], 64);
+  }
+}
+
+TEST(OwnUnits, OfDoublesDoNotChangeBesideFloats) {
+  const std::string stress = "stress --family distance --severity 1 --cases 20 --method cross";
+  const Outcome alone = run(stress + " --format json");
+  const json beside = report_of(stress, kTracer, 0)["families"][0]["methods"];
+  EXPECT_EQ(json::parse(alone.out)["families"][0]["methods"][0], beside[0]);
+  EXPECT_EQ(beside[0]["precision"], "double");
+  EXPECT_EQ(beside[1]["precision"], "single");
+  const Outcome words = run(stress + " --candidate " + kTracer);
+  EXPECT_TRUE(contains(words.out, "judged in single precision: u = 2^-24, ulp of float"))
+      << words.out;
+  EXPECT_TRUE(contains(words.out, "ulp of float\n")) << words.out;
+}
+
+TEST(OwnUnits, LeaveOutWhatFloatsCannotHoldAndCountIt) {
+  const std::string scale = "stress --family scale --cases 10";
+  const json method = report_of(scale, kTracer, 0)["families"][0]["methods"].back();
+  EXPECT_GT(method["severities"].back()["left_out"], 0);
+  EXPECT_EQ(method["severities"][0]["left_out"], 0);
+  const Outcome words = run(scale + " --candidate " + kTracer);
+  EXPECT_TRUE(contains(words.out, "left out, whose numbers floats cannot hold")) << words.out;
+}
+
+TEST(OwnUnits, AreThoseOfWorst) {
+  const std::string few = "worst --cases 60 --steps 200 --family ";
+  const json good = report_of(few + "distance", kTracer, 0);
+  EXPECT_EQ(good["unit"], "ulp of float");
+  EXPECT_EQ(good["precision"], "single");
+  EXPECT_GT(good["error"], 0.5);
+  EXPECT_LT(good["error"], 88);
+  expect_floats(good["scene"]);
+  EXPECT_EQ(good["discrepancy"]["unit"], "ulp of float");
+  EXPECT_EQ(report_of(few + "cameras --quantity direction", kTracer, 0)["unit"], "u of float");
+  const json bad = report_of(few + "distance@4", kTextbook, 1);
+  EXPECT_EQ(bad["unit"], "ulp of float");
+  EXPECT_GT(bad["error"], 88);
+  EXPECT_EQ(bad["outcome"], "unstable");
+  expect_floats(bad["scene"]);
+  EXPECT_TRUE(
+      contains(run(few + "distance --candidate " + kTracer).out, " ulp of float, condition"));
+}
+
+TEST(OwnUnits, AreThoseOfTradeoff) {
+  const std::string arguments = "tradeoff --family distance@4 --cases 60 --method cross";
+  const json report = report_of(arguments, kTextbook, 0);
+  const json& mine = report["intersections"][1];
+  EXPECT_EQ(mine["precision"], "single");
+  EXPECT_EQ(quantity_of(mine["inside"], "parameter")["unit"], "ulp of float");
+  EXPECT_EQ(mine["unstable_on"], json::array({"distance@4"}));
+  EXPECT_EQ(report["intersections"][0]["precision"], "double");
+  const json good = report_of(arguments, kTracer, 0)["intersections"][1];
+  EXPECT_EQ(good["unstable_on"], json::array());
+  EXPECT_LT(quantity_of(good["inside"], "parameter")["max"], 16);
+  const Outcome words = run(arguments + " --candidate " + kTracer);
+  for (const char* part :
+       {"\nintersections\n", "\nintersections, in single precision\n", "median ulp of float",
+        "backward u of float", "u and ulp are those of float, 2^29 times those of double"}) {
+    EXPECT_TRUE(contains(words.out, part)) << part << "\n" << words.out;
+  }
+}
+
+/// In raycheck's own process it is asked floats, too, and answers as it was judged.
+TEST(OwnUnits, AreTimedOnFloats) {
+  const std::string unkept = std::string(" --sandbox none") + (geteuid() == 0 ? " --i-know" : "");
+  const json mine =
+      report_of("tradeoff --cases 40 --method cross" + unkept, kTracer, 0)["intersections"][1];
+  EXPECT_EQ(mine["called_in_process"], true) << mine["note"];
+  EXPECT_GT(mine["batch"]["median_ns"], 0);
+}
+
+TEST(OwnUnits, AreThoseOfExplain) {
+  const std::string far = "explain --ray 0,0.1,0,1,0,0 --sphere 3000,0.1,0.3,0.7";
+  const json good = report_of(far, kTracer, 0);
+  EXPECT_EQ(good["rounded_numbers"], 4);
+  const json& mine = good["methods"].back();
+  EXPECT_EQ(mine["unit"], "ulp of float");
+  EXPECT_LT(mine["ulp_error"], 4);
+  EXPECT_EQ(mine["goes_wrong_at"], nullptr);
+  EXPECT_EQ(mine["steps"][0]["unit"], "ulp of float");
+  EXPECT_EQ(mine["steps"][1]["unit"], "u of float");
+  EXPECT_EQ(good["methods"][0]["unit"], "ulp");
+  const json bad = report_of(far, kTextbook, 1)["methods"].back();
+  EXPECT_EQ(bad["goes_wrong_at"], "s");
+  EXPECT_GT(bad["ulp_error"], 88);
+  EXPECT_LT(bad["ulp_error"], 1e8);
+  const Outcome words = run(far + " --candidate " + kTracer);
+  EXPECT_TRUE(contains(words.out, "4 numbers of the scene are no floats")) << words.out;
+  EXPECT_TRUE(contains(words.out, " ulp of float\n")) << words.out;
+  // Of a camera: every step that it offers.
+  const json pixel =
+      report_of("explain scene/examples/ten-spheres.toml --pixel 11,7 --sphere 2", kTracer, 0);
+  for (const json& step : pixel["ray_methods"].back()["steps"]) {
+    EXPECT_EQ(step["unit"], "u of float");
+    EXPECT_LT(step["error"], 16) << step;
+  }
+}
+
+TEST(OwnUnits, AreThoseOfPicturesOfErrors) {
+  const std::string picture = temporary_file("floats.png", "");
+  const std::string scene = "scene/examples/ten-spheres.toml";
+  const std::string image = "image " + scene + " --what error --out " + picture;
+  const json good = report_of(image, kTracer, 0)["error"];
+  EXPECT_EQ(good["unit"], "ulp of float");
+  EXPECT_EQ(good["precision"], "single");
+  const json& steps = good["steps"];
+  EXPECT_EQ(steps.back()["pixels"], 0);
+  EXPECT_EQ(steps[steps.size() - 2]["pixels"], 0);  // up to 65536
+  EXPECT_GT(steps[0]["pixels"].get<int>() + steps[1]["pixels"].get<int>(), 0);
+  const Outcome words = run(image + " --candidate " + kTracer);
+  EXPECT_TRUE(contains(words.out, "up to 0.5 ulp of float")) << words.out;
+  // Who makes no rays is given raycheck's, rounded to floats.
+  const json textbook = report_of(image, kTextbook, 0)["error"];
+  EXPECT_EQ(textbook["failed"]["pixels"], 0);
+  EXPECT_EQ(textbook["steps"].back()["pixels"], 0);
+  std::filesystem::remove(picture);
+}
+
+/// A plot has one unit: floats have one of their own.
+TEST(OwnUnits, HaveAPlotOfTheirOwn) {
+  const auto labels = [](const std::vector<tools::Plot>& plots) {
+    std::string text;
+    for (const tools::Plot& plot : plots) text += plot.title + "; " + plot.y_label + "\n";
+    return text;
+  };
+  const auto in_floats = std::make_shared<const tools::OtherMethod>(tools::OtherMethod{
+      .name = "floats",
+      .isolated_by = "",
+      .bounds_of = "",
+      .candidate =
+          [] {
+            properties::Candidate mine = tools::candidate_of(tools::kDefaultMethods);
+            mine.name = "floats";
+            return judged_in(scene::Precision::kSingle, std::move(mine));
+          },
+      .precision = scene::Precision::kSingle});
+  tools::StressOptions options;
+  options.families = {"distance"};
+  options.methods = {"cross"};
+  options.others = {{.stage = properties::Stage::kIntersection, .other = in_floats}};
+  options.cases = 5;
+  options.severities = {{0, 1}};
+  const std::string of_stress = labels(stress_plots(run_stress(options)));
+  EXPECT_EQ(of_stress,
+            "distance: 99.9% error against severity (intersections); error of s, in ulp (infinite: "
+            "1e+20)\n"
+            "distance: 99.9% error against severity (intersections, in single precision); error of "
+            "s, in ulp of float (infinite: 1e+20)\n");
+  tools::TradeoffOptions tradeoff;
+  tradeoff.sources = {"distance"};
+  tradeoff.methods = options.methods;
+  tradeoff.others = options.others;
+  tradeoff.cases = 10;
+  const tools::TradeoffReport report = run_tradeoff(tradeoff);
+  const std::string of_tradeoff = labels(tradeoff_plots(report));
+  EXPECT_TRUE(contains(of_tradeoff, "99.9% error of s, in ulp\n")) << of_tradeoff;
+  EXPECT_TRUE(contains(of_tradeoff, "99.9% error of s, in ulp of float\n")) << of_tradeoff;
+  // Ranked in one unit: an ulp of float is 2^29 of double.
+  const auto& costs = report.intersections;
+  ASSERT_EQ(costs.size(), 2u);
+  EXPECT_EQ(costs[1].badness()->second, *costs[1].main()->quantile(0.999) * 0x1p29);
+}
+
+}  // namespace
+}  // namespace raycheck::tests
