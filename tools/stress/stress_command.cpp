@@ -8,6 +8,7 @@
 #include "tools/command_line.h"
 #include "tools/commands.h"
 #include "tools/report/output_file.h"
+#include "tools/stress/stress_page.h"
 #include "tools/stress/stress_views.h"
 #include "tools/terminal.h"
 
@@ -18,6 +19,7 @@ struct StressArguments {
   StressOptions options;
   std::string severity;
   std::string plot;
+  std::string view;
   std::optional<std::string> certificates;
   std::string format;
   ExternalArguments external;

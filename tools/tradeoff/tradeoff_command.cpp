@@ -5,6 +5,7 @@
 #include "tools/commands.h"
 #include "tools/report/output_file.h"
 #include "tools/terminal.h"
+#include "tools/tradeoff/tradeoff_page.h"
 #include "tools/tradeoff/tradeoff_views.h"
 
 namespace raycheck::tools {
@@ -14,6 +15,7 @@ struct TradeoffArguments {
   TradeoffOptions options;
   std::string dialect;
   std::string plot;
+  std::string view;
   std::string format;
   ExternalArguments external;
 };

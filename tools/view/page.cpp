@@ -74,7 +74,7 @@ std::string page(const ViewDocument& document) {
       {"@TITLE@", html_text(document.title)},
       {"@STYLE@", std::string(kPageStyle)},
       {"@SCRIPT@", std::string(kPageScript)},
-      {"@THREE@", deflated(kThree)},
+      {"@THREE@", document.scenes.empty() ? "" : deflated(kThree)},
       {"@DOCUMENT@", deflated(document_line(document))},
   };
   // What is put in is not looked into again.
