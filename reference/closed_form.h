@@ -25,9 +25,8 @@ struct ClosedForm {
     bool is_one() const { return digits == "1"; }
     bool is_short_product() const { return twos != 0; }
   };
-  /// numerator/denominator, in lowest terms, times all `sums`, times the square roots of all
-  /// `radicands`; less than 0 where it is `negative`, since no other factor of a term is written
-  /// with a sign. (A sum itself may be negative.)
+  /// numerator/denominator in lowest terms, negated where it is `negative`, times all `sums`, times
+  /// the square roots of all `radicands`.
   struct Term {
     bool negative = false;
     Natural numerator = {}, denominator = {};

@@ -72,8 +72,15 @@ const std::map<std::string, Rooms> kSees = {
       "tools/external", "tools/grade/rubric", "tools/grade/results"}}};
 
 /// Rooms of commands that may see another command's.
-const std::map<std::string, Rooms> kCommandsThatSee = {{"tools/exchange", {"tools/check"}},
-                                                       {"tools/try", {"tools/grade"}}};
+const std::map<std::string, Rooms> kCommandsThatSee = {
+    {"tools/check", {"tools/view"}},
+    {"tools/exchange", {"tools/check"}},
+    {"tools/properties", {"tools/view"}},
+    {"tools/stress", {"tools/view"}},
+    {"tools/tradeoff", {"tools/view"}},
+    {"tools/try", {"tools/grade"}},
+    {"tools/view", {"tools/explain", "tools/image"}},
+    {"tools/worst", {"tools/view"}}};
 
 /// Folders that are part of the room around them: `internal` ones are for that room's .cpp files
 /// and for each other; of `reference` one room more may look inside.

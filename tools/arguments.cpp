@@ -20,6 +20,7 @@
 #include "tools/command_line.h"
 #include "tools/external/staged.h"
 #include "tools/grade/intake/dry_run.h"
+#include "tools/report/words.h"
 
 namespace raycheck::tools {
 
@@ -260,6 +261,19 @@ void add_format(CLI::App& command, std::string& format, const std::vector<std::s
   command.add_option("--format", format, meaning)
       ->check(CLI::IsMember(formats))
       ->capture_default_str();
+}
+
+void add_view(CLI::App& command, std::optional<std::string>& path, std::string_view what) {
+  command.add_option("--view", path,
+                     fmt::format("write a page for a browser, which shows {}", what));
+}
+
+std::string candidate_words(const ExternalArguments& arguments) {
+  std::string text;
+  for (const std::string& candidate : arguments.candidates) {
+    text += " --candidate " + shell_word(candidate);
+  }
+  return text;
 }
 
 void add_certificates(CLI::App& command, std::optional<std::string>& path) {

@@ -7,11 +7,13 @@
 #include <vector>
 
 #include "tools/arguments.h"
+#include "tools/check/check_page.h"
 #include "tools/check/check_views.h"
 #include "tools/commands.h"
 #include "tools/gate_arguments.h"
 #include "tools/report/output_file.h"
 #include "tools/terminal.h"
+#include "tools/view/page.h"
 
 namespace raycheck::tools {
 namespace {
@@ -28,6 +30,7 @@ struct CheckArguments {
   std::optional<double> max_ulp;
   bool strict = false;
   std::optional<std::string> certificates;
+  std::optional<std::string> view;
   int threads = tbb::info::default_concurrency();
   std::string format;
   GateArguments gate;
@@ -71,6 +74,11 @@ int run_check(const CheckArguments& arguments) {
   options.strict = arguments.strict;
   std::optional<OutputFile> certificates;
   if (arguments.certificates) certificates.emplace("--certificates", *arguments.certificates);
+  std::optional<OutputFile> view;
+  if (arguments.view) {
+    require_no_input("--view", *arguments.view, files_read(arguments));
+    view.emplace("--view", *arguments.view);
+  }
   GateFiles files(arguments.gate, files_read(arguments));
   CheckReport report = check(options, run_control(options.path, arguments.threads));
   report.ratchet = files.ratchet(findings_of(report), report.interrupted);
@@ -78,6 +86,10 @@ int run_check(const CheckArguments& arguments) {
   print_view(kCheckViews, arguments.format, report, arguments.gate.picture_link);
   files.write(kCheckViews, report);
   if (certificates) certificates->write(check_certificates(report));
+  if (view) {
+    view->write(page(check_document(report, {{}, candidate_words(arguments.external)},
+                                    run_control("page", arguments.threads))));
+  }
   const bool fails = report.ratchet ? report.ratchet->fails() : !report.holds();
   return exit_code(report.interrupted, fails, report.is_enough_judged());
 }
@@ -112,6 +124,7 @@ Command add_check(CLI::App& program) {
   add_strict(command, arguments.strict);
   add_threads(command, arguments.threads, "the report");
   add_certificates(command, arguments.certificates);
+  add_view(command, arguments.view, "the scene and its worst discrepancies");
   add_format(command, arguments.format, kCheckViews);
   add_gate(command, arguments.gate, kCheckViews);
   return {&command, [given] { return run_check(*given); }};

@@ -10,6 +10,7 @@
 #include "tools/external/staged.h"
 #include "tools/report/words.h"
 #include "tools/view/scene_view.h"
+#include "tools/view/selection.h"
 
 namespace raycheck::tools {
 namespace {
@@ -18,19 +19,6 @@ using properties::Quantity;
 
 /// Findings of one candidate: its worst discrepancies, and where it has none its largest errors.
 constexpr std::size_t kMostFindings = 16;
-
-Selection selection_of(const properties::Place& place, const scene::Scene& scene) {
-  Selection selection;
-  if (scene.camera) {
-    selection.pixel = place.pixel;
-  } else {
-    selection.ray = place.ray;
-  }
-  selection.sphere = place.sphere;
-  return selection;
-}
-
-bool is_shown(const Selection& selection) { return selection.pixel || selection.ray; }
 
 std::string method_of(const CandidateReport& candidate, Quantity quantity) {
   const MethodPair* const pair = methods_of(candidate.contestant);
@@ -44,7 +32,7 @@ std::vector<FindingView> findings_of(const CandidateReport& candidate, const sce
   std::vector<FindingView> findings;
   for (const auto& one : candidate.verdict.worst(kMostFindings)) {
     const Selection selection = selection_of(one.place, scene);
-    if (!is_shown(selection) || !has_place(one.quantity)) continue;
+    if (!is_of_ray(selection) || !has_place(one.quantity)) continue;
     findings.push_back({discrepancy_head(one), candidate.name, method_of(candidate, one.quantity),
                         one.excuse.standing(), scene_index, selection});
   }
@@ -54,7 +42,7 @@ std::vector<FindingView> findings_of(const CandidateReport& candidate, const sce
     const auto tally = candidate.verdict.tallies().find(quantity);
     if (tally == candidate.verdict.tallies().end() || !tally->second.max()) continue;
     const Selection selection = selection_of(tally->second.worst_place, scene);
-    if (!is_shown(selection)) continue;
+    if (!is_of_ray(selection)) continue;
     findings.push_back(
         {fmt::format("largest error of {}: {} {}, {}", info(quantity).name,
                      error_text(tally->second.max()), unit_name(quantity, candidate.precision),

@@ -5,8 +5,11 @@
 #include "tools/arguments.h"
 #include "tools/commands.h"
 #include "tools/gate_arguments.h"
+#include "tools/properties/properties_page.h"
 #include "tools/properties/properties_views.h"
+#include "tools/report/output_file.h"
 #include "tools/terminal.h"
+#include "tools/view/page.h"
 
 namespace raycheck::tools {
 namespace {
@@ -25,6 +28,7 @@ struct PropertiesArguments {
   std::optional<double> max_ulp;
   bool frontier = false;
   bool strict = false;
+  std::optional<std::string> view;
   std::string format;
   GateArguments gate;
 };
@@ -59,11 +63,17 @@ int run_properties_command(const PropertiesArguments& arguments) {
     const auto pairs = contestants(chosen_methods(arguments.rays, arguments.intersect));
     options.contestants.insert(options.contestants.begin(), pairs.begin(), pairs.end());
   }
+  std::optional<OutputFile> view;
+  if (arguments.view) view.emplace("--view", *arguments.view);
   GateFiles files(arguments.gate, {});
   PropertiesReport report = run_properties(options, run_control("laws"));
   report.ratchet = files.ratchet(findings_of(report), report.interrupted);
   print_view(kPropertiesViews, arguments.format, report);
   files.write(kPropertiesViews, report);
+  if (view) {
+    view->write(page(
+        properties_document(report, candidate_words(arguments.external), run_control("page"))));
+  }
   const bool fails = report.ratchet ? report.ratchet->fails() : report.failures() > 0;
   return exit_code(report.interrupted, fails, report.is_conclusive());
 }
@@ -105,6 +115,7 @@ Command add_properties(CLI::App& program) {
   command.add_flag("--frontier", arguments.frontier,
                    "show beside direct/cross how far beyond the level each law holds; breaks none");
   add_strict(command, arguments.strict);
+  add_view(command, arguments.view, "the shrunk case of every broken law");
   command
       .add_option("--max-ulp", arguments.max_ulp,
                   "the bound on every error (default: the method's documented bounds)")

@@ -310,8 +310,7 @@ void run_on_scene(const TradeoffOptions& options, TradeoffReport& report) {
   const SceneChunks chunks(cases);
   TimedCases timed(1);
   const auto chunk = [&](std::uint64_t k) { return std::pair(0, chunks[k]); };
-  report.cases =
-      chunks.rays(judge(chunks.count(), chunk, {.name = options.scene}, report, timed));
+  report.cases = chunks.rays(judge(chunks.count(), chunk, {.name = options.scene}, report, timed));
   finish(timed.cases(), report);
   if (!report.rays.empty() && !report.intersections.empty()) {
     judge_pixels(chunks, report);

@@ -42,9 +42,11 @@ void mark_front(ChartFacet& facet, PointOf point_of) {
 }
 
 void mark_fronts(ChartFacet& facet) {
-  mark_front(facet, [](ChartSeries& one) -> auto& { return one.whole; });
+  mark_front(
+      facet, [](ChartSeries & one) -> auto& { return one.whole; });
   for (std::size_t k = 0; k < facet.severities.size(); ++k) {
-    mark_front(facet, [k](ChartSeries& one) -> auto& { return one.points[k]; });
+    mark_front(
+        facet, [k](ChartSeries & one) -> auto& { return one.points[k]; });
   }
 }
 
@@ -89,8 +91,7 @@ ChartFacet empty_facet(const Part& part, std::string subject) {
 }
 
 ChartFacet facet_of_all(const Part& part) {
-  ChartFacet facet =
-      empty_facet(part, fmt::format("all {} together", part.report.sources.size()));
+  ChartFacet facet = empty_facet(part, fmt::format("all {} together", part.report.sources.size()));
   add_series(part, facet, [&](const MethodCost& cost, ChartSeries& series) {
     series.whole = chart_point(cost.accuracy.inside.tallies(), facet.quantities);
   });

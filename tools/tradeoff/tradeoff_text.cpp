@@ -108,8 +108,7 @@ Table intersection_table(const std::vector<MethodCost>& costs, scene::Precision 
     const Verdict& inside = cost.accuracy.inside;
     const Verdict& outside = cost.accuracy.outside;
     table.add({name_text(cost), duration_text(cost.scalar), spread_text(cost.batch),
-               time_ratio_text(cost, base),
-               quantile_text(inside, Quantity::kParameter, 0.5),
+               time_ratio_text(cost, base), quantile_text(inside, Quantity::kParameter, 0.5),
                quantile_text(inside, Quantity::kParameter, 0.999),
                max_text(inside, Quantity::kParameter), audited_text(inside, Quantity::kParameter),
                bound_text(cost, Quantity::kParameter), per_million(inside, Wrong::kMissed),
@@ -142,8 +141,7 @@ Table ray_table(const std::vector<MethodCost>& costs, scene::Precision precision
     const Verdict& inside = cost.accuracy.inside;
     const fast::PixelRayMethod& method = *cost.method.rays;
     table.add({name_text(cost), duration_text(cost.scalar), spread_text(cost.batch),
-               time_ratio_text(cost, base),
-               quantile_text(inside, Quantity::kDirection, 0.5),
+               time_ratio_text(cost, base), quantile_text(inside, Quantity::kDirection, 0.5),
                quantile_text(inside, Quantity::kDirection, 0.999),
                max_text(inside, Quantity::kDirection), audited_text(inside, Quantity::kDirection),
                bound_text(cost, Quantity::kDirection), audited_text(inside, Quantity::kPixelPoint),

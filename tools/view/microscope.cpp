@@ -32,7 +32,7 @@ constexpr double kLargestHalfWidth = 0x1p60;
 constexpr int kCurveSteps = 8;  ///< Of half a curve.
 /// What bends less than this share of a window is drawn straight.
 constexpr double kStraight = 0x1p-10;
-constexpr int kGridSteps = 8;    ///< Doubles to each side of s.
+constexpr int kGridSteps = 8;  ///< Doubles to each side of s.
 
 double middle(const Enclosure& value) {
   const double low = value.lower(), high = value.upper();

@@ -2,7 +2,6 @@
 #include <tbb/info.h>
 
 #include <memory>
-#include <sstream>
 #include <stdexcept>
 
 #include "scene/interruption.h"
@@ -10,7 +9,7 @@
 #include "tools/check/check_page.h"
 #include "tools/commands.h"
 #include "tools/report/output_file.h"
-#include "tools/report/words.h"
+#include "tools/stress/dial_page.h"
 #include "tools/terminal.h"
 #include "tools/view/document_json.h"
 #include "tools/view/page.h"
@@ -21,6 +20,9 @@ namespace {
 
 struct ViewArguments {
   std::string scene;
+  std::string family;
+  int cases = 100;
+  std::uint64_t seed = 1;
   std::string dialect;
   std::string out;
   std::string format;
@@ -82,29 +84,43 @@ CheckOptions check_options(const ViewArguments& arguments) {
   return options;
 }
 
-/// " --candidate ...", as it was given.
-std::string candidate_arguments(const ViewArguments& arguments) {
-  std::string text;
-  for (const std::string& candidate : arguments.external.candidates) {
-    text += " --candidate " + shell_word(candidate);
-  }
-  return text;
+ViewDocument of_scene(const ViewArguments& arguments, const properties::RunControl& control) {
+  const CheckPageOptions options = {wanted(arguments), candidate_words(arguments.external)};
+  const CheckReport report = check(check_options(arguments), control);
+  print_warnings(report.warnings);
+  return check_document(report, options, control);
+}
+
+ViewDocument of_family(const ViewArguments& arguments, const properties::RunControl& control) {
+  StressOptions options;
+  options.families = {arguments.family};
+  options.methods = arguments.methods;
+  options.others = find_others(arguments.external);
+  options.cases = arguments.cases;
+  options.seed = arguments.seed;
+  return dial_document(options, control);
 }
 
 int run_view(const ViewArguments& arguments) {
+  if (arguments.scene.empty() == arguments.family.empty()) {
+    throw std::invalid_argument("view: give a scene, or --family for a family's dial");
+  }
+  if (!arguments.family.empty() && !(arguments.dialect.empty() && arguments.rays.empty() &&
+                                     arguments.pixels.empty() && arguments.sphere.empty())) {
+    throw std::invalid_argument(
+        "--family: shows cases of its own; leave out --dialect, --rays, --pixel, --sphere");
+  }
   if (arguments.out.empty() && arguments.format != "json") {
     throw std::invalid_argument("view: give --out FILE.html, or --format json");
   }
   std::optional<OutputFile> out;
   if (!arguments.out.empty()) {
-    require_no_input("--out", arguments.out, {arguments.scene});
+    if (!arguments.scene.empty()) require_no_input("--out", arguments.out, {arguments.scene});
     out.emplace("--out", arguments.out);
   }
-  const CheckPageOptions page_options = {wanted(arguments), candidate_arguments(arguments)};
-  const auto control = run_control(arguments.scene, arguments.threads);
-  const CheckReport report = check(check_options(arguments), control);
-  print_warnings(report.warnings);
-  const ViewDocument document = check_document(report, page_options, control);
+  const auto control = run_control("view", arguments.threads);
+  const ViewDocument document =
+      arguments.family.empty() ? of_scene(arguments, control) : of_family(arguments, control);
   if (control.interrupted()) throw scene::Interrupted();
   if (out) {
     const std::string text = page(document);
@@ -124,8 +140,13 @@ Command add_view(CLI::App& program) {
   ViewArguments& arguments = *given;
   CLI::App& command = *program.add_subcommand(
       "view", "Show a scene, its rays and where methods go wrong, in a page for a browser");
-  command.add_option("SCENE", arguments.scene, "a TOML scene, or a driver file of the course")
-      ->required();
+  command.add_option("SCENE", arguments.scene, "a TOML scene, or a driver file of the course");
+  command.add_option("--family", arguments.family,
+                     "a stress family in place of a scene: its dial, a scene at each severity");
+  command.add_option("--cases", arguments.cases, "cases at each severity of a family")
+      ->check(whole_number(1, kMostCases))
+      ->capture_default_str();
+  add_seed(command, arguments.seed);
   command.add_option("--out", arguments.out, "the page: one HTML file, which needs no other");
   command.add_option("--dialect", arguments.dialect,
                      "of a driver file: A, B or C, or a year, 2017 to 2020");

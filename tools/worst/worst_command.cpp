@@ -6,6 +6,8 @@
 #include "tools/commands.h"
 #include "tools/report/output_file.h"
 #include "tools/terminal.h"
+#include "tools/view/page.h"
+#include "tools/worst/worst_page.h"
 #include "tools/worst/worst_views.h"
 
 namespace raycheck::tools {
@@ -14,6 +16,7 @@ namespace {
 struct WorstArguments {
   WorstOptions options;
   std::optional<std::string> save;
+  std::optional<std::string> view;
   std::string format;
   ExternalArguments external;
 };
@@ -28,9 +31,15 @@ int run_worst(WorstArguments& arguments) {
   arguments.options.others = find_others(arguments.external);
   std::optional<OutputFile> scene;
   if (arguments.save) scene.emplace("--save", *arguments.save);
+  std::optional<OutputFile> view;
+  if (arguments.view) view.emplace("--view", *arguments.view);
   const WorstReport report = find_worst(arguments.options, run_control("worst"));
   print_view(kWorstViews, arguments.format, report);
   if (scene && report.worst) scene->write(worst_scene(report));
+  if (view && report.worst) {
+    view->write(
+        page(worst_document(report, candidate_words(arguments.external), run_control("page"))));
+  }
   return exit_code(report.interrupted, report.is_unstable() || report.failures > 0,
                    report.worst.has_value());
 }
@@ -66,6 +75,7 @@ Command add_worst(CLI::App& program) {
       ->capture_default_str();
   add_seed(command, options.seed);
   command.add_option("--save", given->save, "write the input to a TOML scene");
+  add_view(command, given->view, "the input");
   add_external(command, given->external);
   command.get_option("--candidate")->excludes(method);
   add_format(command, given->format, kWorstViews);

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
@@ -88,6 +89,10 @@ TEST(Typeset, gives_a_single_form_by_itself_and_refuses_none) {
   EXPECT_THROW(mathml(std::vector<ClosedForm>{}), std::invalid_argument);
 }
 
+/// Digits enough for closed forms of ordinary doubles, and for those of doubles of all sizes, whose
+/// squares may cancel.
+constexpr int kOrdinaryDigits = 600, kMostDigits = 5000;
+
 /// What is written, and the doubles nearest to what it stands for.
 struct Written {
   std::string text;
@@ -95,15 +100,15 @@ struct Written {
 };
 
 /// The values of what is written, by tests/tools/report/typeset_values.py.
-std::vector<std::vector<double>> values_of(const std::vector<Written>& written) {
+std::vector<std::vector<double>> values_of(const std::vector<Written>& written, int digits) {
   const std::string stem = testing::TempDir() + "raycheck_typeset_" + std::to_string(getpid());
   {
     std::ofstream out(stem + ".in");
     for (const Written& one : written) out << one.text << '\n';
   }
   const std::string command = "python3 '" RAYCHECK_SOURCE_DIR
-                              "/tests/tools/report/typeset_values.py' < '" +
-                              stem + ".in' > '" + stem + ".out'";
+                              "/tests/tools/report/typeset_values.py' " +
+                              std::to_string(digits) + " < '" + stem + ".in' > '" + stem + ".out'";
   EXPECT_EQ(std::system(command.c_str()), 0) << "python3 is needed: " << command;
   std::vector<std::vector<double>> values;
   std::ifstream in(stem + ".out");
@@ -115,6 +120,15 @@ std::vector<std::vector<double>> values_of(const std::vector<Written>& written) 
   std::filesystem::remove(stem + ".in");
   std::filesystem::remove(stem + ".out");
   return values;
+}
+
+bool has_nested_root(const ClosedForm& form) {
+  return std::any_of(form.terms.begin(), form.terms.end(), [](const ClosedForm::Term& term) {
+    return std::any_of(term.radicands.begin(), term.radicands.end(),
+                       [](const ClosedForm& radicand) {
+                         return radicand.terms.size() > 1 || !radicand.terms.front().is_rational();
+                       });
+  });
 }
 
 /// Both ways of writing numbers that are known correctly rounded.
@@ -136,12 +150,14 @@ class Both {
     add(forms.direction(), ray.rounded_direction());
     const Intersection at = ray.intersect(sphere);
     if (at.hit_class == HitClass::kMiss) return false;
+    nested_roots_ += has_nested_root(forms.parameter(sphere, at)) ? 1 : 0;
     add(forms.parameter(sphere, at), ray.rounded_parameter(sphere, at));
     add(forms.point(sphere, at), ray.rounded_point(sphere, at));
     return true;
   }
-  void expect_values() const {
-    const std::vector<std::vector<double>> values = values_of(written_);
+  int nested_roots() const { return nested_roots_; }
+  void expect_values(int digits = kOrdinaryDigits) const {
+    const std::vector<std::vector<double>> values = values_of(written_, digits);
     ASSERT_EQ(values.size(), written_.size());
     for (std::size_t k = 0; k < values.size(); ++k) {
       EXPECT_EQ(values[k], written_[k].values) << written_[k].text;
@@ -150,6 +166,7 @@ class Both {
 
  private:
   std::vector<Written> written_;
+  int nested_roots_ = 0;
 };
 
 TEST(Typeset, of_random_cameras_has_the_rounded_value) {
@@ -159,16 +176,17 @@ TEST(Typeset, of_random_cameras_has_the_rounded_value) {
   for (int k = 0; k < 300; ++k) {
     const scene::Camera camera = random_camera(random, Sizes::kSmallIntegers);
     const scene::Conventions conventions = reference::random_conventions(random);
-    const scene::Pixel pixel = random_pixel(random, camera);
+    const scene::Pixel pixel = reference::random_pixel(random, camera);
     const scene::Sphere sphere = random_sphere(random, Sizes::kSmallIntegers);
     const reference::ExactCamera exact(camera, conventions);
-    const reference::ClosedFormFrame frame = closed_form_frame(camera);
+    const reference::ClosedFormFrame frame = reference::closed_form_frame(camera);
     both.add(frame.U, exact.rounded_frame().U);
     both.add(frame.V, exact.rounded_frame().V);
     both.add(frame.W, exact.rounded_frame().W);
     hits += both.add(ClosedFormRay(camera, conventions, pixel), {exact, pixel}, sphere) ? 1 : 0;
   }
   EXPECT_GE(hits, 40);
+  EXPECT_GE(both.nested_roots(), 20);
   both.expect_values();
 }
 
@@ -190,13 +208,13 @@ TEST(Typeset, of_rays_all_over_the_doubles_has_the_rounded_value) {
   Random random(3);
   Both both;
   int hits = 0;
-  for (int k = 0; k < 60; ++k) {
+  for (int k = 0; k < 40; ++k) {
     const scene::Ray ray = random_ray(random, Sizes::kAll);
     const scene::Sphere sphere = random_sphere(random, Sizes::kAll);
     hits += both.add(ClosedFormRay(ray), reference::ExactRay(ray), sphere) ? 1 : 0;
   }
-  EXPECT_GE(hits, 6);
-  both.expect_values();
+  EXPECT_GE(hits, 5);
+  both.expect_values(kMostDigits);
 }
 
 }  // namespace

@@ -1,4 +1,4 @@
-"""The values of typeset closed forms, for typeset_test.cpp.
+"""The values of typeset closed forms, worked out to as many digits as the argument says.
 
 Each line of standard input: MathML or LaTeX of a number or of three in parentheses. Each line of
 output: the doubles nearest to the values, as hexfloats. What is not well-formed, or holds anything
@@ -10,8 +10,7 @@ import sys
 import xml.etree.ElementTree
 from decimal import Context, Decimal, setcontext
 
-# Enough for the squares of doubles of all sizes, and what is left after they cancel.
-setcontext(Context(prec=5000, Emin=-100000, Emax=100000))
+setcontext(Context(prec=int(sys.argv[1]), Emin=-100000, Emax=100000))
 
 OPERATORS = {"\u2212": "-", "+": "+", "\u2062": "*", "\u22c5": "*", "(": "(", ")": ")", ",": ","}
 

@@ -1,7 +1,6 @@
 // Elements of HTML, SVG and MathML; all text goes in as text.
 
 const SVG = "http://www.w3.org/2000/svg";
-const MATHML = "http://www.w3.org/1998/Math/MathML";
 export const LETTER = 6.7; // pixels: a letter of a drawing's label is narrower
 const LONGEST_NAME = 60; // characters of a name that is shown whole
 const LONGEST_SENTENCE = 400;
@@ -16,10 +15,9 @@ export function svg(tag, attributes, ...children) {
   return filled(document.createElementNS(SVG, tag), attributes, children);
 }
 
-/// What the document brings as MathML: its elements and texts, no attribute but those of layout.
+/// MathML that raycheck made of its own numbers.
 export function mathematics(mathml) {
-  const parsed = new DOMParser().parseFromString(mathml, "text/html");
-  return copied(parsed.body.firstElementChild);
+  return document.adoptNode(new DOMParser().parseFromString(mathml, "text/html").body.firstElementChild);
 }
 
 /// "r^2 - v" with a raised 2, a minus, Greek letters: how formulas are told in a line.
@@ -51,14 +49,11 @@ export function alike(items, keyOf) {
 
 /// A table that scrolls sideways where it is too wide; the first cell of a row is its heading.
 export function table(caption, columns, rows) {
-  const cells = (row) => row.map((cell, k) =>
-    (k === 0 ? element("th", { scope: "row" }, cell) : element("td", {}, cell)));
-  return element("div", { class: "wide", tabindex: "0", role: "region", "aria-label": caption },
-    element("table", {},
-      element("caption", {}, caption),
-      element("thead", {},
-        element("tr", {}, columns.map((column) => element("th", { scope: "col" }, column)))),
-      element("tbody", {}, rows.map((row) => element("tr", {}, cells(row))))));
+  const cells = (row) => row.map((cell, k) => (k === 0 ? element("th", { scope: "row" }, cell) : element("td", {}, cell)));
+  return element("div", { class: "wide", tabindex: "0", role: "region", "aria-label": caption }, element("table", {},
+    element("caption", {}, caption),
+    element("thead", {}, element("tr", {}, columns.map((column) => element("th", { scope: "col" }, column)))),
+    element("tbody", {}, rows.map((row) => element("tr", {}, cells(row))))));
 }
 
 export function disclosure(summary, ...children) {
@@ -68,9 +63,8 @@ export function disclosure(summary, ...children) {
 /// A labelled choice among [value, text] pairs.
 export function choice(id, label, options, chosen, onChoice) {
   return element("label", { for: id, class: "field" }, element("span", {}, label),
-    element("select", { id, change: (event) => onChoice(event.target.value) },
-      options.map(([value, text]) =>
-        element("option", { value, selected: String(value) === String(chosen) }, brief(text)))));
+    element("select", { id, change: (event) => onChoice(event.target.value) }, options.map(([value, text]) =>
+      element("option", { value, selected: String(value) === String(chosen) }, brief(String(text))))));
 }
 
 /// A labelled range of 0 to `last` that tells its value; input.show(k) sets it.
@@ -116,18 +110,10 @@ export function atEachWidth(target, draw) {
 
 /// The mark of method number k: eight shapes and seven colours, so that 56 differ.
 export function glyph(k, x, y, size = 5) {
-  const shapes = [
-    "M1 0A1 1 0 1 1 -1 0A1 1 0 1 1 1 0Z",
-    "M-.9 -.9H.9V.9H-.9Z",
-    "M0 -1.2L1.1 .8H-1.1Z",
-    "M0 -1.3L1.1 0L0 1.3L-1.1 0Z",
-    "M-.4 -1.2H.4V-.4H1.2V.4H.4V1.2H-.4V.4H-1.2V-.4H-.4Z",
-    "M0 1.2L1.1 -.8H-1.1Z",
-    "M0 -1.4L.4 -.4L1.4 0L.4 .4L0 1.4L-.4 .4L-1.4 0L-.4 -.4Z",
-    "M-.6 -1.1H.6L1.2 0L.6 1.1H-.6L-1.2 0Z",
-  ];
-  const place = `translate(${x} ${y}) scale(${size})`;
-  return svg("path", { d: shapes[k % 8], class: `glyph series-${k % 7}`, transform: place });
+  const shapes = ["M1 0A1 1 0 1 1 -1 0A1 1 0 1 1 1 0Z", "M-.9 -.9H.9V.9H-.9Z", "M0 -1.2L1.1 .8H-1.1Z", "M0 -1.3L1.1 0L0 1.3L-1.1 0Z",
+    "M-.4 -1.2H.4V-.4H1.2V.4H.4V1.2H-.4V.4H-1.2V-.4H-.4Z", "M0 1.2L1.1 -.8H-1.1Z",
+    "M0 -1.4L.4 -.4L1.4 0L.4 .4L0 1.4L-.4 .4L-1.4 0L-.4 -.4Z", "M-.6 -1.1H.6L1.2 0L.6 1.1H-.6L-1.2 0Z"];
+  return svg("path", { d: shapes[k % 8], class: `glyph series-${k % 7}`, transform: `translate(${x} ${y}) scale(${size})` });
 }
 
 function filled(node, attributes, children) {
@@ -138,15 +124,4 @@ function filled(node, attributes, children) {
   }
   node.append(...children.flat(Infinity).filter((child) => child !== null && child !== undefined));
   return node;
-}
-
-function copied(node) {
-  if (node === null) return document.createTextNode("");
-  if (node.namespaceURI !== MATHML) return document.createTextNode(node.textContent);
-  const copy = document.createElementNS(MATHML, node.localName);
-  for (const name of ["display", "stretchy", "form", "lspace", "rspace", "columnalign"]) {
-    if (node.hasAttribute(name)) copy.setAttribute(name, node.getAttribute(name));
-  }
-  copy.append(...Array.from(node.childNodes, copied));
-  return copy;
 }

@@ -79,6 +79,7 @@ function addCamera(list) {
 }
 
 function addAxis(list, tip, text, colour, style = { isThick: true }) {
+  list.whole.push(tip);
   addLine(list, [0, 0, 0], tip, colour, { hasArrow: true, ...style });
   addName(list, tip, text, colour);
 }
@@ -183,7 +184,7 @@ function raysShown(list) {
 function addRay(list, { origin, direction, colour, select, index }) {
   const { centre, radius } = list.scene.figure.spheres;
   const met = sphereSeen(list.scene, index);
-  const s = met in centre ? drawnRoot(origin, direction, centre[met], radius[met]) : null;
+  const s = centre[met] ? drawnRoot(origin, direction, centre[met], radius[met]) : null;
   const end = plus(origin, times(direction, s ?? list.reach));
   addLine(list, origin, end, colour, { hasArrow: true });
   if (!list.camera) addPoint(list, origin, colour, "disc", 8, select);

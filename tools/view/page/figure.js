@@ -5,7 +5,7 @@ import { figureTable } from "./figure_table.js";
 import { flatPanes, paintFlat } from "./flat.js";
 import { writeNames } from "./names.js";
 import { followPointers, pickedAt } from "./pointer.js";
-import { distanceToFit, eyeViewer, lengthOf, letterboxed, minus, orbitViewer, pixelsOf, plus, times } from "./projection.js";
+import { distanceToFit, eyeViewer, homogeneous, lengthOf, letterboxed, minus, orbitViewer, pixelsOf, plus, times } from "./projection.js";
 import { placeText, walkByKeys } from "./store.js";
 import { eyePicture, webglPainter } from "./webgl.js";
 
@@ -96,7 +96,12 @@ function showView(figure, view) {
   const target = [0, 1, 2].map((k) => middle(whole.map((place) => place[k])));
   const radius = Math.max(...whole.map((place) => lengthOf(minus(place, target)))) || size;
   const { azimuth, elevation } = { ...VIEWS.corner, ...VIEWS[view] };
-  Object.assign(figure, { view, zoom: 1, gone: "", orbit: { target, axes, azimuth, elevation, distance: distanceToFit(radius) } });
+  const orbit = { target, axes, azimuth, elevation, distance: distanceToFit(radius) };
+  // Then as much nearer as what is seen leaves room, and a little less.
+  const viewer = orbitViewer(orbit, figure.stage.clientWidth / figure.stage.clientHeight || 1);
+  const share = Math.max(...whole.map((place) => homogeneous(viewer, place)).map(([x, y, w]) => Math.max(Math.abs(x), Math.abs(y)) / w));
+  orbit.distance *= share + 0.12;
+  Object.assign(figure, { view, zoom: 1, gone: "", orbit });
   fillControls(figure);
   redrawFigure(figure);
 }
@@ -148,12 +153,13 @@ function drawFigure(figure) {
   figure.panes = isFlat ? flatPanes(list, width, height) : [{ x: 0, y: 0, width, height, viewer: viewerOf(figure, width / height) }];
   const painted = isFlat ? { small: [], notes: paintFlat(figure.flat, list, figure.panes) } : painter.paint(list, figure.panes[0]);
   const small = new Set(painted.small.map(({ index }) => index));
-  const names = list.names.map((name) => (small.has(name.sphere) ? { ...name, text: `${name.text}, too small to see here` } : name));
+  const shown = list.layers.names ? list.names : [];
+  const names = shown.map((name) => (small.has(name.sphere) ? { ...name, text: `${name.text}, too small to see here` } : name));
   const missing = writeNames(figure.names, names, figure.panes);
   if (figure.panes[0].viewer.isEye) figure.names.prepend(besidePicture(list.camera, figure.panes[0]));
   figure.notes.replaceChildren([
     figure.lost, figure.gone, ...list.notes, ...painted.notes,
-    small.size > 0 ? `Rings are around spheres too small to see here (${small.size}).` : "", missing > 0 ? `${missing} names have no room here.` : "",
+    small.size > 0 ? `Spheres too small to see here, each in a ring: ${small.size}.` : "", missing > 0 ? `Names without room here: ${missing}.` : "",
   ].join(" ").trim());
   const { camera, rays, spheres } = store.scene().figure;
   stage.setAttribute("aria-label", `Figure ${VIEWS[isFlat ? "flat" : view].name}: ${camera ? `camera, ${camera.width} x ${camera.height} pixels` : `${rays.length} rays`}`

@@ -6,7 +6,12 @@ import { placeText } from "./store.js";
 export function figureTable(store, listNow) {
   const body = element("div", {});
   const folded = disclosure("The figure as a table", body);
-  const fill = () => folded.open && body.replaceChildren(namesTable(store, listNow()), ...rootsTable(store), spheresTable(store));
+  let spheres = { scene: null, table: null }; // as long as they are the same: there may be many
+  const fill = () => {
+    if (!folded.open) return;
+    if (spheres.scene !== store.scene()) spheres = { scene: store.scene(), table: spheresTable(store) };
+    body.replaceChildren(namesTable(store, listNow()), ...rootsTable(store), spheres.table);
+  };
   folded.addEventListener("toggle", fill);
   store.subscribe(fill);
   return folded;

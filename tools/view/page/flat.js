@@ -13,7 +13,7 @@ const MARKS = {
 /// Two panes beside or above each other, for a figure of that size.
 export function flatPanes(list, width, height) {
   const [side, up, back] = list.axes;
-  const isWide = width > 1.3 * height;
+  const isWide = width > 2.2 * height; // a frustum is long
   const size = isWide ? { width: width / 2, height } : { width, height: height / 2 };
   const [fromSide, fromAbove] = [[times(back, -1), up, side], [times(back, -1), times(side, -1), up]];
   return [

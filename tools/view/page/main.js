@@ -31,10 +31,8 @@ function showFrame(store) {
   const show = () => byId("conventions").replaceChildren(briefSentence(store.scene().conventions_text));
   store.subscribe(show);
   show();
-  byId("footer").append(
-    ...store.document.left_out.map((sentence) => element("p", { dir: "auto" }, briefSentence(sentence))),
-    element("p", {}, `Made by raycheck ${store.document.version}. `
-      + "Every number is computed exactly by raycheck and rounded once; this page only draws."));
+  byId("footer").append(...store.document.left_out.map((sentence) => element("p", { dir: "auto" }, briefSentence(sentence))),
+    element("p", {}, `Made by raycheck ${store.document.version}. Every number is computed exactly and then rounded; this page only draws.`));
 }
 
 async function start() {

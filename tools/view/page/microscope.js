@@ -32,8 +32,9 @@ export function mountMicroscope(root, store) {
             zoom = k;
             draw();
           });
-        root.replaceChildren(heading, element("p", {}, now.hit ? "Around the exact hit point, " : "Around the ray's point nearest to the centre, ",
-          element("i", { class: "symbol" }, "s"), ` = ${now.s}; 1 ulp = ${now.ulp}`), drawing, field, ...tellings(now, store.panel()));
+        const where = now.hit ? "Around the exact hit point, " : "Around the ray's point nearest to the centre, ";
+        root.replaceChildren(heading, element("p", {}, where, element("i", { class: "symbol" }, "s"), ` = ${now.s}; 1 ulp = ${now.ulp}`),
+          drawing, field, ...tellings(now, store.panel()));
         input.show(zoom);
       }
     }
@@ -52,11 +53,11 @@ function firstZoom({ zooms, marks }, told) {
 
 function tellings({ marks }, { verdicts }) {
   const rows = marks.map((mark) => [brief(mark.name), mark.x, mark.y, brief(mark.text)]);
-  const absent = verdicts.filter((one) => one.intersects && !marks.some((mark) => mark.name === one.name))
-    .map((one) => `${brief(one.name)} (${brief(one.text)})`).join(", ");
+  const absent = alike(verdicts.filter((one) => one.intersects && !marks.some((mark) => mark.name === one.name)), (one) => one.text)
+    .map((same) => `${same.map((one) => brief(one.name)).join(", ")} (${brief(same[0].text)})`).join("; ");
   return [element("p", { class: "quiet" }, "The plane through the ray and the sphere's centre. Filled marks: s along the ray; "
     + "hollow ones: the point Q that a method gives. Lines: the neighbouring doubles of s."),
-    absent === "" ? "" : element("p", { dir: "auto" }, `Nothing to draw of ${absent}`),
+    absent === "" ? "" : element("p", { class: "quiet", dir: "auto" }, `Nothing to draw of ${absent}.`),
     disclosure("All answers as a table", table("Answers around the exact point, in ulp",
       ["method", "along the ray", "towards the centre", "answer"], rows))];
 }
@@ -86,7 +87,7 @@ function magnifiedView({ hit, zooms, marks, region, grid }, zoom, width, store) 
     inside.map((mark) => svg("g", { class: [store.methodShown === null || store.methodShown === mark.name ? "" : "faded",
       mark.kind === "Q" ? "hollow" : ""].join(" ") },
     glyph(store.methodNumber(mark.name), x(mark.x).toFixed(2), y(mark.y).toFixed(2), mark.kind === "Q" ? 7 : 5))),
-    markLabels(marksTogether(inside, x, y), width, height, free),
+    markLabels(marksTogether(inside, hit ? "exact" : "nearest to the centre", x, y), width, height, free),
     curveNames(curve, x, y, width, height, free)));
 }
 
@@ -119,8 +120,8 @@ function edgeArrows(marks, half, width, height, free) {
   });
 }
 
-/// Marks that lie together share one label; the exact point has its own.
-function marksTogether(marks, x, y) {
+/// Marks that lie together share one label; the point in the middle has its own.
+function marksTogether(marks, middle, x, y) {
   const found = [];
   for (const mark of [...marks].sort((a, b) => Number(b.wrong) - Number(a.wrong))) {
     const at = { x: x(mark.x), y: y(mark.y) };
@@ -128,7 +129,7 @@ function marksTogether(marks, x, y) {
     if (near) near.marks.push(mark);
     else found.push({ ...at, marks: [mark] });
   }
-  const exact = { x: x(0), y: y(0), text: "exact", wrong: false };
+  const exact = { x: x(0), y: y(0), text: middle, wrong: false };
   return [exact, ...found.map((group) => (
     { ...group, text: marksText(group.marks), wrong: group.marks.every((mark) => mark.wrong) }))];
 }

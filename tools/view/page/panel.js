@@ -56,13 +56,10 @@ function headlineOf(store, told) {
   const verdict = ofName.find((one) => one.wrong) ?? ofName.at(-1);
   if (!verdict) return ["No method goes wrong here. Exactly: ", exactly, "."];
   const subject = element("strong", { dir: "auto" }, brief(name));
-  const wrong = verdict.goes_wrong_at === "" ? ""
-    : ["; ", element("strong", { class: "wrong" }, "goes wrong at ", symbolOf(verdict.goes_wrong_at))];
-  const step = told.steps.find(({ symbol }) => symbol === "s");
-  const answer = verdict.intersects && step?.methods.find((method) => method.name === name);
-  if (!answer || answer.error === null) return [subject, ": ", briefSentence(verdict.text), "; exactly ", exactly, "."];
-  return [subject, " answers ", symbolOf("s"), " = ", markedDigits(answer, 0), "; exactly ",
-    element("span", { class: "number" }, step.rounded[0]), `; off by ${answer.error} ${answer.unit}`, wrong, "."];
+  if (!verdict.error || !told.exact?.s) return [subject, ": ", briefSentence(verdict.text), "; exactly ", exactly, "."];
+  return [subject, " answers ", symbolOf("s"), " = ", markedDigits(verdict, 0), "; exactly ",
+    element("span", { class: "number" }, told.exact.s), `; off by ${verdict.error} ${verdict.unit}`, verdict.goes_wrong_at === "" ? ""
+      : ["; ", element("strong", { class: "wrong" }, "goes wrong at ", symbolOf(verdict.goes_wrong_at))], "."];
 }
 
 function chooserFields(store) {
@@ -102,7 +99,7 @@ function numberField(id, label, value, count, onChange) {
 function howToAsk(store) {
   const { pixel, sphere } = store.selection;
   if (pixel === null) return [element("p", { id: "no-panel" }, "This page has no panel for this choice.")];
-  const command = `${store.scene().command} --pixel ${pixel.join()}${sphere === null ? "" : ` --sphere ${sphere}`} --out page.html`;
+  const command = `${store.scene().command ?? "raycheck view SCENE"} --pixel ${pixel.join()}${sphere === null ? "" : ` --sphere ${sphere}`} --out page.html`;
   return [element("p", { id: "no-panel" }, "This page has no panel for this choice. One that has it is made by ",
     element("code", { dir: "auto" }, briefSentence(command)), " ", copyButton("copy-view", "Copy", command))];
 }

@@ -45,7 +45,7 @@ void main() {
   // Neighbours in the list differ by a pattern, too; from inside there are hatches.
   float kind = mod(vTint.w, 3.0);
   float band = kind < 0.5 ? 0.0 : step(0.0, sin(dot(normal, upward) * (kind < 1.5 ? 12.0 : 30.0)));
-  float hatch = isNear ? 0.0 : 0.3 + 0.2 * step(0.5, fract((gl_FragCoord.x + gl_FragCoord.y) / 8.0));
+  float hatch = isNear ? 0.0 : 0.3 + 0.08 * step(0.5, fract((gl_FragCoord.x + gl_FragCoord.y) / 12.0));
   vec3 colour = vTint.rgb * light * (1.0 - 0.14 * band) * (1.0 - hatch);
   float rim = 1.0 - smoothstep(1.5 * edge, 2.5 * edge, 1.0 - h);
   gl_FragColor = vec4(mix(colour, colour * 0.35, rim), clamp((1.0 - h) / edge, 0.0, 1.0));

@@ -192,14 +192,14 @@ function fillBuffer(geometry, data, sizes, isInstanced) {
 /// What is before the spheres, and, shining through, what they hide.
 function passes(make) {
   const common = { transparent: true, depthWrite: false };
-  return [make({ ...common, depthFunc: THREE.LessEqualDepth }, 1), make({ ...common, depthFunc: THREE.GreaterDepth }, 0.3)];
+  return [make({ ...common, depthFunc: THREE.LessEqualDepth }, 1), make({ ...common, depthFunc: THREE.GreaterDepth }, 0.5)];
 }
 
 function lineMeshes() {
   const meshes = (linewidth) => {
     const geometry = new THREE.LineSegmentsGeometry();
     return passes((pass, opacity) => handed(new THREE.LineSegments2(geometry,
-      new THREE.LineMaterial({ ...pass, opacity, linewidth, vertexColors: THREE.VertexColors })), 1));
+      new THREE.LineMaterial({ ...pass, opacity, linewidth, color: new THREE.Color(1, 1, 1), vertexColors: THREE.VertexColors })), 1));
   };
   const [[thin, thinHidden], [thick, thickHidden]] = [meshes(1.3), meshes(2.6)];
   return { thin, thinHidden, thick, thickHidden };

@@ -1,0 +1,80 @@
+#include "tools/properties/properties_page.h"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <stdexcept>
+
+#include "tools/external/staged.h"
+#include "tools/methods/methods.h"
+#include "tools/report/words.h"
+#include "tools/view/scene_view.h"
+#include "tools/view/selection.h"
+
+namespace raycheck::tools {
+namespace {
+
+/// Cases that a page has room for, one a law and candidate.
+constexpr std::size_t kMostCasesShown = 40;
+/// Of the panels of all of them together.
+constexpr std::size_t kPanelBytes = 9 << 20;
+
+void add_candidate(const CampaignReport& campaign, SceneViewOptions& view) {
+  if (!campaign.external) {
+    view.methods = {find_pair(campaign.candidate)};
+  } else if (!campaign.external->renderer) {
+    view.other = staged(*campaign.external).front().other;
+  }
+}
+
+/// The method by whose name panels show a candidate.
+std::string method_of(const CampaignReport& campaign, const SceneViewOptions& view) {
+  if (view.methods.empty()) return campaign.candidate;
+  const bool is_of_rays = campaign.law->stage == properties::Stage::kRays;
+  const MethodPair& pair = view.methods.front();
+  return std::string(is_of_rays ? pair.rays->name : pair.intersect->name);
+}
+
+}  // namespace
+
+ViewDocument properties_document(const PropertiesReport& report, const std::string& more_arguments,
+                                 const properties::RunControl& control) {
+  ViewDocument document;
+  document.title = "broken laws";
+  const auto is_shown = [](const CampaignReport& campaign) {
+    return campaign.result.failure.has_value();
+  };
+  const auto broken = static_cast<std::size_t>(
+      std::count_if(report.campaigns.begin(), report.campaigns.end(), is_shown));
+  const std::size_t shown = std::min(broken, kMostCasesShown);
+  if (shown < broken) {
+    document.left_out.push_back(fmt::format(
+        "the cases of {} of {} broken laws; `raycheck properties --filter LAW --view` shows others",
+        broken - shown, broken));
+  }
+  for (const CampaignReport& campaign : report.campaigns) {
+    if (control.interrupted() || document.scenes.size() == shown) break;
+    if (!is_shown(campaign)) continue;
+    const properties::Failure& failure = *campaign.result.failure;
+    const auto worst = failure.verdict.worst(1);
+    SceneViewOptions view;
+    view.name = fmt::format("{}.toml", campaign.law->name);
+    view.file = view.name;
+    view.more_arguments = more_arguments;
+    view.limits.panel_bytes = kPanelBytes / shown;
+    add_candidate(campaign, view);
+    const properties::Place place = worst.empty() ? properties::Place{} : worst.front().place;
+    view.wanted = selections_of(failure.shrunk, place);
+    document.findings.push_back(
+        {fmt::format(
+             "{}: {}", campaign.law->name,
+             worst.empty() ? std::string(campaign.law->sentence) : discrepancy_head(worst.front())),
+         campaign.candidate, method_of(campaign, view),
+         worst.empty() ? properties::Standing::kDefect : worst.front().excuse.standing(),
+         document.scenes.size(), selection_of(place, failure.shrunk.scene)});
+    document.scenes.push_back(view_of(failure.shrunk.scene, view, document.left_out, control));
+  }
+  return document;
+}
+
+}  // namespace raycheck::tools

@@ -1,0 +1,17 @@
+#ifndef RAYCHECK_TOOLS_PROPERTIES_PROPERTIES_PAGE_H_
+#define RAYCHECK_TOOLS_PROPERTIES_PROPERTIES_PAGE_H_
+
+#include <string>
+
+#include "tools/properties/properties.h"
+#include "tools/view/document.h"
+
+namespace raycheck::tools {
+
+/// The shrunk case of every broken law, as a page: a scene each.
+ViewDocument properties_document(const PropertiesReport& report, const std::string& more_arguments,
+                                 const properties::RunControl& control);
+
+}  // namespace raycheck::tools
+
+#endif  // RAYCHECK_TOOLS_PROPERTIES_PROPERTIES_PAGE_H_

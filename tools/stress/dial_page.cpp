@@ -1,0 +1,137 @@
+#include "tools/stress/dial_page.h"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+#include <utility>
+
+#include "properties/cases/random.h"
+#include "tools/report/words.h"
+#include "tools/view/scene_view.h"
+#include "tools/view/selection.h"
+
+namespace raycheck::tools {
+namespace {
+
+using properties::StressResult;
+
+/// Severities that are shown as scenes, evenly spaced.
+constexpr int kMostScenes = 18;
+/// Cases at a severity, of which the scene shows the worst.
+constexpr int kCasesTried = 20;
+/// Of the panels of all scenes together.
+constexpr std::size_t kPanelBytes = 8 << 20;
+
+/// How bad an answer is: wrong decisions before errors.
+double badness(const StressResult& result, properties::Quantity quantity) {
+  const auto& tallies = result.inside.tallies();
+  const auto main = tallies.find(quantity);
+  const double error = main == tallies.end() ? -1 : main->second.max().value_or(-1);
+  return properties::defects(result.inside) > 0 ? HUGE_VAL : error;
+}
+
+/// Where the main quantity, or a decision, is worst.
+properties::Place worst_place(const StressResult& result, properties::Quantity quantity) {
+  const auto worst = result.inside.worst(1);
+  if (!worst.empty()) return worst.front().place;
+  const auto main = result.inside.tallies().find(quantity);
+  return main == result.inside.tallies().end() ? properties::Place{} : main->second.worst_place;
+}
+
+struct ShownCase {
+  properties::Case the_case;
+  properties::Place place;
+};
+
+/// Of the first cases at a severity, in the order in which they are judged, that on which a method
+/// is worst. Empty where nothing was judged.
+ShownCase worst_of_first(const properties::CaseSource& family, int severity,
+                         const StagedMethod& method, std::uint64_t seed) {
+  const std::vector<properties::Candidate> candidate = {candidate_of(method)};
+  const properties::Quantity quantity = properties::main_quantity(method.stage);
+  properties::Random seeds(seed + static_cast<std::uint64_t>(severity));
+  ShownCase shown;
+  double worst = -2;
+  for (int k = 0; k < kCasesTried; ++k) {
+    properties::Case the_case = family.make(severity, seeds.bits());
+    std::vector<StressResult> results(1);
+    properties::stress(the_case, method.stage, candidate, results);
+    const double bad = badness(results.front(), quantity);
+    if (bad <= worst) continue;
+    worst = bad;
+    properties::Place place = worst_place(results.front(), quantity);
+    // The rays that intersections are given were the camera's, one for each pixel of the case.
+    if (the_case.scene.camera && !place.pixel && place.ray < the_case.pixels.size()) {
+      place.pixel = the_case.pixels[place.ray];
+    }
+    shown = {std::move(the_case), place};
+  }
+  return shown;
+}
+
+DialCurve dial_curve(const StressCurve& curve) {
+  DialCurve dial{std::string(curve.method.name()), {}};
+  for (std::size_t k = 0; k < curve.results.size(); ++k) {
+    const properties::Tally* const tally = curve.tally(k);
+    dial.points.push_back({static_cast<double>(curve.severities[k]),
+                           tally == nullptr ? std::nullopt : tally->max(),
+                           properties::defects(curve.results[k].inside),
+                           properties::is_stable(curve.results[k].inside)});
+  }
+  return dial;
+}
+
+}  // namespace
+
+ViewDocument dial_document(const StressOptions& options, const properties::RunControl& control) {
+  if (options.families.size() != 1) {
+    throw std::invalid_argument("family: a dial is one family's; name one");
+  }
+  const StressReport report = run_stress(options, control);
+  const FamilyReport& family = report.families.front();
+  if (family.curves.empty()) {
+    throw std::invalid_argument("method: asks nothing of this family");
+  }
+  // Of both stages the one that the family is about: intersections where they are asked.
+  const properties::Stage stage = family.curves.back().method.stage;
+  ViewDocument document;
+  document.title = std::string(family.family->name);
+  DialView dial;
+  dial.family = document.title;
+  dial.sentence =
+      fmt::format("{}; severity is {}", family.family->sentence, family.family->dial->meaning);
+  dial.unit = std::string(info(properties::main_quantity(stage)).unit);
+  SceneViewOptions view;
+  const StagedMethod* first = nullptr;
+  for (const StressCurve& curve : family.curves) {
+    if (curve.method.stage != stage) continue;
+    if (first == nullptr) first = &curve.method;
+    dial.curves.push_back(dial_curve(curve));
+    if (curve.method.other) {
+      view.other = curve.method.other;
+    } else {
+      view.methods.push_back({curve.method.rays, curve.method.intersect});
+    }
+  }
+  const std::vector<int>& severities = family.curves.back().severities;
+  const auto chosen =
+      properties::some_severities(0, static_cast<int>(severities.size()) - 1, kMostScenes);
+  view.limits.panel_bytes = kPanelBytes / chosen.size();
+  for (const int k : chosen) {
+    if (control.interrupted()) break;
+    const int severity = severities[static_cast<std::size_t>(k)];
+    const ShownCase shown = worst_of_first(*family.family, severity, *first, options.seed);
+    view.name = fmt::format("{}@{}", dial.family, severity);
+    view.file = view.name + ".toml";
+    view.wanted = selections_of(shown.the_case, shown.place);
+    dial.severities.push_back(severity);
+    dial.scenes.push_back(document.scenes.size());
+    document.scenes.push_back(view_of(shown.the_case.scene, view, document.left_out, control));
+  }
+  document.dial = std::move(dial);
+  return document;
+}
+
+}  // namespace raycheck::tools

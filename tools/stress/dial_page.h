@@ -1,0 +1,16 @@
+#ifndef RAYCHECK_TOOLS_STRESS_DIAL_PAGE_H_
+#define RAYCHECK_TOOLS_STRESS_DIAL_PAGE_H_
+
+#include "tools/stress/stress.h"
+#include "tools/view/document.h"
+
+namespace raycheck::tools {
+
+/// A family's dial as a page: the error of each method at every severity, and at some of them a
+/// case as a scene, of the first ones that on which the first method is worst.
+/// Domain: options with one family; otherwise throws std::invalid_argument naming the field.
+ViewDocument dial_document(const StressOptions& options, const properties::RunControl& control);
+
+}  // namespace raycheck::tools
+
+#endif  // RAYCHECK_TOOLS_STRESS_DIAL_PAGE_H_

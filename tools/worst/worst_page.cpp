@@ -1,0 +1,31 @@
+#include "tools/worst/worst_page.h"
+
+#include <fmt/core.h>
+
+#include "tools/report/words.h"
+#include "tools/view/scene_view.h"
+#include "tools/view/selection.h"
+
+namespace raycheck::tools {
+
+ViewDocument worst_document(const WorstReport& report, const std::string& more_arguments,
+                            const properties::RunControl& control) {
+  const properties::WorstCase& worst = *report.worst;
+  ViewDocument document;
+  document.title =
+      fmt::format("the worst of {} on {}", report.method.name(), report.search.source.name());
+  SceneViewOptions view;
+  view.name = "worst.toml";
+  view.file = view.name;
+  view.more_arguments = more_arguments;
+  view.other = report.method.other;
+  if (!view.other) view.methods = {{report.method.rays, report.method.intersect}};
+  view.wanted = selections_of(worst.the_case, worst.shown.place);
+  document.scenes.push_back(view_of(worst.the_case.scene, view, document.left_out, control));
+  document.findings.push_back({discrepancy_head(worst.shown), std::string(report.method.name()),
+                               std::string(report.method.name()), worst.shown.excuse.standing(), 0,
+                               selection_of(worst.shown.place, worst.the_case.scene)});
+  return document;
+}
+
+}  // namespace raycheck::tools
