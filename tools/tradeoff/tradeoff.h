@@ -72,7 +72,7 @@ const MethodCost* baseline(const std::vector<MethodCost>& costs);
 
 /// Cases that belong together.
 struct JudgedSource {
-  std::string name;               ///< "distance", "distance@3", or the scene.
+  std::string name = {};          ///< "distance", "distance@3", or the scene.
   std::string_view meaning = {};  ///< Of its severities; empty: it has none.
   /// The first of each stretch of severities that is told of alone; one, where there are none.
   std::vector<int> severities = {0};

@@ -50,24 +50,24 @@ struct ChartTime {
 };
 
 struct ChartSeries {
-  std::string name;
+  std::string name = {};
   std::size_t number = 0;  ///< Of the method among all of the chart: what tells its mark.
-  std::optional<ChartTime> time;
-  std::string note;                               ///< Of its time, where something is to be said.
-  std::optional<ChartPoint> whole;                ///< Of all severities together.
-  std::vector<std::optional<ChartPoint>> points;  ///< One a severity.
+  std::optional<ChartTime> time = {};
+  std::string note = {};                 ///< Of its time, where something is to be said.
+  std::optional<ChartPoint> whole = {};  ///< Of all severities together.
+  std::vector<std::optional<ChartPoint>> points = {};  ///< One a severity.
 };
 
 /// Methods of one stage and format on the same inputs: their errors have the same units.
 struct ChartFacet {
-  std::string subject;                  ///< "distance", or the scene.
-  std::string stage;                    ///< "intersections", "rays, in single precision"
-  std::string meaning;                  ///< Of the severities.
-  std::vector<std::string> severities;  ///< "3", or "128..191" where several are one.
-  std::string baseline;                 ///< The method that times are over; empty: there are none.
-  std::vector<properties::Quantity> quantities;
+  std::string subject = {};                  ///< "distance", or the scene.
+  std::string stage = {};                    ///< "intersections", "rays, in single precision"
+  std::string meaning = {};                  ///< Of the severities.
+  std::vector<std::string> severities = {};  ///< "3", or "128..191" where several are one.
+  std::string baseline = {};  ///< The method that times are over; empty: there are none.
+  std::vector<properties::Quantity> quantities = {};
   scene::Precision precision = scene::Precision::kDouble;
-  std::vector<ChartSeries> series;
+  std::vector<ChartSeries> series = {};
 };
 
 struct ChartView {

@@ -25,7 +25,7 @@ export function writeNames(target, names, panes) {
 }
 
 /// The first box around a place that lies in the pane and on no other.
-function freeBox(x, y, width, pane, taken) {
+export function freeBox(x, y, width, pane, taken) {
   for (const away of [9, 24, 42, 64, 90, 120]) {
     for (const turn of [0, 0.5, 3.5, 4, 3, 1, 2.5, 1.5, 2, 5, 6, 7]) {
       const angle = (turn * Math.PI) / 4;
