@@ -37,7 +37,6 @@ ChartFacet facet_of(const FamilyReport& family, Stage stage, scene::Precision pr
 
 ViewDocument stress_document(const StressReport& report) {
   ChartView chart;
-  std::string subjects;
   for (const Stage stage : {Stage::kIntersection, Stage::kRays}) {
     for (const auto precision : {scene::Precision::kDouble, scene::Precision::kSingle}) {
       for (const FamilyReport& family : report.families) {
@@ -46,11 +45,10 @@ ViewDocument stress_document(const StressReport& report) {
       }
     }
   }
-  for (const FamilyReport& family : report.families) {
-    subjects += (subjects.empty() ? "" : ", ") + std::string(family.family->name);
-  }
   ViewDocument document;
-  document.title = fmt::format("Error against severity: {}", subjects);
+  document.title = report.families.size() == 1
+                       ? fmt::format("Error against severity: {}", report.families[0].family->name)
+                       : fmt::format("Error against severity: {} families", report.families.size());
   document.chart = std::move(chart);
   return document;
 }

@@ -28,6 +28,9 @@ const std::vector<std::string> kOrdinary = {"rays", "cameras"};
 /// Longer ranges of severities are told of in this many stretches.
 constexpr int kMostStretches = 17;
 
+/// More sources than these are not named in titles.
+constexpr std::size_t kMostNamed = 3;
+
 /// The rays judged at a time.
 constexpr std::uint64_t kChunk = 512;
 
@@ -356,6 +359,11 @@ void run_on_sources(const TradeoffOptions& options, const properties::RunControl
 std::size_t JudgedSource::stretch_of(int severity) const {
   const auto next = std::upper_bound(severities.begin(), severities.end(), severity);
   return static_cast<std::size_t>(next - severities.begin()) - 1;
+}
+
+std::string subject_text(const TradeoffReport& report) {
+  const std::size_t count = report.sources.size();
+  return count > kMostNamed ? fmt::format("{} families", count) : report.subject;
 }
 
 const MethodCost* baseline(const std::vector<MethodCost>& costs) {

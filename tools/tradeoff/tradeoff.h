@@ -105,6 +105,9 @@ struct TradeoffReport {
   std::uint64_t compared() const;
 };
 
+/// The subject in a title: many sources are only counted.
+std::string subject_text(const TradeoffReport& report);
+
 /// Judges and times methods on the same inputs. Throws std::invalid_argument naming the field, and
 /// what the reader of scenes throws.
 TradeoffReport run_tradeoff(const TradeoffOptions& options,

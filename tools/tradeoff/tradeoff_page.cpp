@@ -91,7 +91,7 @@ ChartFacet empty_facet(const Part& part, std::string subject) {
 }
 
 ChartFacet facet_of_all(const Part& part) {
-  ChartFacet facet = empty_facet(part, fmt::format("all {} together", part.report.sources.size()));
+  ChartFacet facet = empty_facet(part, subject_text(part.report));
   add_series(part, facet, [&](const MethodCost& cost, ChartSeries& series) {
     series.whole = chart_point(cost.accuracy.inside.tallies(), facet.quantities);
   });
@@ -134,7 +134,7 @@ ViewDocument tradeoff_document(const TradeoffReport& report) {
     }
   }
   ViewDocument document;
-  document.title = fmt::format("Error against run time: {}", report.subject);
+  document.title = fmt::format("Error against run time: {}", subject_text(report));
   document.left_out = report.left_out;
   document.chart = std::move(chart);
   return document;

@@ -16,7 +16,8 @@ export function mountChart(root, chart) {
   const readout = element("p", { id: "chart-readout", role: "status" });
   const figures = element("div", {});
   const folded = disclosure("All figures as a table", figures);
-  const look = { root, chart, state, heading, controls, drawing, chips, multiples, readout };
+  const legend = element("p", { class: "marks quiet" });
+  const look = { root, chart, state, heading, legend, controls, drawing, chips, multiples, readout };
   const fill = () => folded.open && figures.replaceChildren(figuresTable(look));
   look.set = (partial) => {
     Object.assign(state, partial);
@@ -26,7 +27,7 @@ export function mountChart(root, chart) {
     fill();
   };
   controls.className = "fields";
-  root.append(heading, controls, drawing, readout, marksLegend(), chips, folded, multiples);
+  root.append(heading, controls, drawing, readout, legend, chips, folded, multiples);
   folded.addEventListener("toggle", fill);
   for (const part of [drawing, multiples, chips]) listenTo(part, look);
   atEachWidth(drawing, () => show(look));
@@ -38,6 +39,7 @@ const hasTimes = (facet) => facet.series.some((one) => one.time !== null && one.
 const hasCurves = (facet) => facet.severities.length > 0;
 const pointOf = (one, { severity }) => (severity === null ? one.whole : one.points[severity]);
 const errorOf = (point, { quantity, share }) => point?.errors[quantity].at[share] ?? null;
+const nameOf = ({ name }) => (name.endsWith("error") ? name : `${name} error`);
 const standingOf = (point) => (point.defects > 0 ? "defect" : point.wrong > 0 ? "excused" : "right");
 
 function told(value) {
@@ -72,12 +74,13 @@ function showControls({ chart, state, controls, set }) {
 
 /// The heading, the large chart, the methods and the small charts, as the state says.
 function show(look) {
-  const { chart, state, heading, drawing, chips, multiples } = look;
+  const { chart, state, heading, legend, drawing, chips, multiples } = look;
   const { facet } = state;
   const quantity = facet.quantities[state.quantity];
   const where = state.severity === null ? "" : ` at severity ${facet.severities[state.severity]}`;
-  const text = `${facet.stage} on ${brief(facet.subject)}${where}: ${chart.shares[state.share]} ${quantity.name} error against ${state.isTime ? "run time" : "severity"}`;
+  const text = `${facet.stage} on ${brief(facet.subject)}${where}: ${chart.shares[state.share]} ${nameOf(quantity)} against ${state.isTime ? "run time" : "severity"}`;
   heading.replaceChildren(text[0].toUpperCase() + text.slice(1));
+  legend.replaceChildren(...marksLegend(state.isTime));
   const width = Math.floor(drawing.clientWidth);
   if (width > 0) drawing.replaceChildren(picture(facet, look, width, width < NARROW_CHART ? CHART_TALL.narrow : CHART_TALL.wide, text));
   chips.replaceChildren(...facet.series.map((one) => {
@@ -123,11 +126,12 @@ function picture(facet, { state, chart }, width, tall, label, others) {
 function figuresText(one, { facet, isTime, quantity, share, ...rest }, chart) {
   const point = isTime ? pointOf(one, rest) : null;
   const time = one.time === null ? one.note : `${told(one.time.ratio)} times the run time of ${facet.baseline} (middle half ${told(one.time.low)} to ${told(one.time.high)}; ${told(one.time.ns)} ns an item)`;
-  const { name, unit } = facet.quantities[quantity];
+  const { unit } = facet.quantities[quantity];
+  const error = `${chart.shares[share]} ${nameOf(facet.quantities[quantity])}`;
   const errors = point === null
-    ? `${chart.shares[share]} ${name} error in ${unit} by severity: ${one.points.map((each, k) => `${facet.severities[k]}: ${told(errorOf(each, { quantity, share }))}`).join(", ")}`
-    : `${chart.shares[share]} ${name} error ${told(errorOf(point, { quantity, share }))} ${unit}, of ${point.errors[quantity].compared}`;
-  const decisions = point === null ? "" : `${point.wrong} of ${point.decisions} decisions wrong, ${point.defects} of them without an excuse`;
+    ? `${error} in ${unit} by severity: ${one.points.map((each, k) => `${facet.severities[k]}: ${told(errorOf(each, { quantity, share }))}`).join(", ")}`
+    : `${error} ${told(errorOf(point, { quantity, share }))} ${unit}, of ${point.errors[quantity].compared}`;
+  const decisions = point === null ? "" : `${point.wrong} of ${point.decisions} decisions wrong${point.wrong > 0 ? `, ${point.defects} of them without an excuse` : ""}`;
   return [time, errors, decisions].filter((text) => text !== "").join("; ");
 }
 
@@ -155,10 +159,10 @@ function listenTo(part, look) {
   for (const name of ["pointerleave", "focusout"]) part.addEventListener(name, () => highlight(look, look.state.pinned));
 }
 
-function marksLegend() {
+function marksLegend(isTime) {
   const entry = (standing, text) => element("span", {}, svg("svg", { class: "chip-mark", viewBox: "0 0 16 16", "aria-hidden": "true" }, methodMark(6, standing, 8, 8, 5)), text);
-  return element("p", { class: "marks quiet" }, entry("right", "every decision right"), entry("excused", "wrong ones, all within rounding of the inputs"),
-    entry("defect", "wrong without an excuse"), element("span", {}, "Line of steps: no method without such defects is as fast and as accurate"));
+  return [entry("right", "every decision right"), entry("excused", "wrong ones, all within rounding of the inputs"), entry("defect", "wrong without an excuse"),
+    element("span", {}, isTime ? "Steps: no method without such defects is as fast and as accurate" : "kappa: how much the problem itself magnifies errors of the inputs")];
 }
 
 /// Every method of the facet, every severity, every quantile of the quantity.

@@ -10,6 +10,8 @@ const LEAST_STRETCH = 0.8; // decades
 const PADDING = 0.12; // decades beyond the first and the last point
 const LABEL_LINE = 15; // pixels: from a label's line to the next
 const LONGEST_LABEL = 30; // letters
+const LEAST_APART = 9; // pixels: the marks of a curve
+const CONDITION = "kappa of the problem";
 const DASHES = ["none", "7 3", "2 2.5", "9 3 2 3", "4 2 1 2 1 2"];
 
 /// Where numbers and "infinity" lie between the pixels `from` (the least) and `to`.
@@ -40,10 +42,11 @@ export function powerAxis(values, from, to, mayCut = false) {
     return one.at + way * (log - one.low) * scale;
   };
   const place = (value) => (value === 0 ? from + way * zero / 2 : value === "infinity" ? to - way * infinite / 2 : ofLog(Math.log10(value)));
-  const rows = [[zero, 0, "0"], [infinite, "infinity", "infinite"]].filter(([size]) => size > 0)
+  const rows = [[zero, 0, "0"], [infinite, "infinity", "\u221e"]].filter(([size]) => size > 0)
     .map(([size, value, text]) => ({ at: place(value), size, text }));
   const cuts = stretches.slice(1).map((one) => one.at - way * CUT / 2);
-  return { place, rows, cuts, ticks: ticksOf(stretches, scale).map(([mantissa, power]) => ({ at: ofLog(Math.log10(mantissa) + power), mantissa, power })) };
+  const ticks = ticksOf(stretches, scale).map(([mantissa, power]) => ({ at: ofLog(Math.log10(mantissa) + power), mantissa, power }));
+  return { place, rows, cuts, ticks: ticks.filter((tick) => rows.every((row) => Math.abs(row.at - tick.at) > LABEL_LINE)) };
 }
 
 function ticksOf(stretches, scale) {
@@ -68,7 +71,8 @@ function errorAxis(axis, { left, right, top, bottom }, unit) {
     svg("text", { class: "label quiet", x: left - 8, y: at + 4, "text-anchor": "end" }, text)]),
   axis.ticks.map((tick) => [svg("path", { class: "gridline", d: `M${left} ${tick.at}H${right}` }),
     svg("text", { class: "label quiet", x: left - 8, y: tick.at + 4, "text-anchor": "end" }, tickText(tick))]),
-  axis.cuts.map((at) => svg("path", { class: "cut", d: `M${left - 6} ${at + 2}l4 -6l4 8l4 -6M${left + 8} ${at}H${right}` })),
+  axis.cuts.map((at) => [svg("path", { class: "cut-line", d: `M${left + 8} ${at}H${right}` }),
+    svg("path", { class: "cut", d: `M${left - 6} ${at + 2}l4 -6l4 8l4 -6` })]),
   svg("text", { class: "label quiet", x: 2, y: top - 10 }, unit),
   svg("path", { class: "axis", d: `M${left} ${top}V${bottom}H${right}` })];
 }
@@ -84,7 +88,8 @@ export function pointPlot({ points, times, errors, width, tall, unit, timeText, 
   const pane = { left: isSmall ? 40 : 58, right: width - 14, top: isSmall ? 8 : 28, bottom: tall - (isSmall ? 24 : 44) };
   const y = powerAxis(errors, pane.bottom, pane.top, !isSmall);
   const x = powerAxis(times, pane.left, pane.right);
-  const placed = points.map((point) => ({ ...point, x: x.place(point.time.ratio), y: y.place(point.error) }));
+  const placed = points.map((point) => ({ ...point, y: y.place(point.error),
+    x: x.place(point.time.ratio), low: x.place(point.time.low), high: x.place(point.time.high) }));
   const front = placed.filter((point) => point.isFront).sort((a, b) => a.x - b.x);
   const size = isSmall ? 3.2 : 5.5;
   return svg("svg", { viewBox: `0 0 ${width} ${tall}`, class: "instrument", role: "img", "aria-label": label }, svg("g", { "aria-hidden": "true" },
@@ -95,7 +100,7 @@ export function pointPlot({ points, times, errors, width, tall, unit, timeText, 
     front.length === 0 ? null : svg("path", { class: "front", d: `M${front[0].x} ${pane.top}${front.map((point) => `V${point.y}H${point.x}V${point.y}`).join("")
       .replace(/^V[^H]*H[^V]*/, "")}H${pane.right}` }),
     placed.map((point) => svg("g", { "data-method": point.number },
-      isSmall ? null : svg("path", { class: `spread line-${point.number % 7}`, d: `M${x.place(point.time.low)} ${point.y}H${x.place(point.time.high)}` }),
+      isSmall ? null : svg("path", { class: `spread line-${point.number % 7}`, d: `M${point.low} ${point.y}H${point.high}` }),
       methodMark(point.number, point.standing, point.x, point.y, size),
       svg("circle", { class: "touch", cx: point.x, cy: point.y, r: isSmall ? 7 : 11 }))),
     isSmall ? null : pointNames(placed, pane)));
@@ -103,8 +108,8 @@ export function pointPlot({ points, times, errors, width, tall, unit, timeText, 
 
 /// Those on the front first; a name that finds no room is left to the list of methods.
 function pointNames(placed, { left, right, top, bottom }) {
-  const pane = { x: left + 2, y: top - 18, width: right - left + 10, height: bottom - top + 16 };
-  const taken = placed.map(({ x, y }) => ({ x: x - 6, y: y - LABEL_LINE / 2, width: 12 }));
+  const pane = { x: left + 2, y: top - 6, width: right - left + 10, height: bottom - top + 4 };
+  const taken = placed.map(({ x, y, low, high }) => ({ x: Math.min(x - 6, low), y: y - LABEL_LINE / 2, width: Math.max(12, high - low + 6) }));
   return [...placed].sort((a, b) => b.isFront - a.isFront).map(({ name, number, x, y, isFront }) => {
     const text = brief(name, LONGEST_LABEL);
     const box = freeBox(x, y, LETTER * text.length + 6, pane, taken);
@@ -119,26 +124,29 @@ function pointNames(placed, { left, right, top, bottom }) {
 /// Curves {name, number, errors: [number, "infinity" or null], standings: [...]}, one of each at
 /// every severity; `condition` is a curve of errors alone.
 export function curvePlot({ curves, condition, severities, current, errors, width, tall, unit, severityText, isSmall, label, classOf, onSeverity }) {
-  const groups = alike(curves, (curve) => JSON.stringify([curve.errors, curve.standings])).map((same) => ({ ...same[0], same, text: namesText(same) }));
-  const room = isSmall ? 10 : 26 + Math.max(0, ...groups.map((group) => group.text.length)) * LETTER;
+  const groups = alike(curves, (curve) => JSON.stringify([curve.errors, curve.standings])).map((same) => ({ ...same[0], text: namesText(same),
+    attributes: { "data-method": same.map(({ number }) => number).join(" "), class: classOf?.(same) } }));
+  const named = condition === null ? groups : [...groups, { text: CONDITION, errors: condition, attributes: {} }];
+  const room = isSmall ? 10 : 26 + Math.max(0, ...named.map(({ text }) => text.length)) * LETTER;
   const pane = { left: isSmall ? 40 : 58, right: width - room, top: isSmall ? 8 : 28, bottom: tall - (isSmall ? 24 : 44) };
   const y = powerAxis(errors, pane.bottom, pane.top);
   const step = (pane.right - pane.left) / Math.max(1, severities.length - 1);
   const x = (k) => pane.left + k * step;
   const every = Math.ceil((Math.max(...severities.map((text) => String(text).length)) * LETTER + 8) / step);
-  const line = (list) => list.map((error, k) => [error, k]).filter(([error]) => error !== null).map(([error, k]) => `${x(k).toFixed(1)},${y.place(error).toFixed(1)}`).join(" ");
+  const line = (list) => list.map((error, k) => (error === null ? "" : `${k === 0 || list[k - 1] === null ? "M" : "L"}${x(k).toFixed(1)} ${y.place(error).toFixed(1)}`)).join("");
+  const marked = Math.ceil(LEAST_APART / step);
   return svg("svg", { viewBox: `0 0 ${width} ${tall}`, class: "instrument", role: "img", "aria-label": label }, svg("g", { "aria-hidden": "true" },
     errorAxis(y, pane, unit),
     severities.map((severity, k) => (k % every > 0 ? null
       : svg("text", { class: "label quiet", x: x(k), y: pane.bottom + 16, "text-anchor": "middle" }, severity))),
     svg("text", { class: "label quiet", x: pane.left, y: tall - 6 }, severityText),
     current === undefined ? null : svg("path", { class: "current", d: `M${x(current)} ${pane.top - 8}V${pane.bottom}` }),
-    condition === null ? null : svg("polyline", { class: "condition", points: line(condition) }),
-    groups.map((group) => svg("g", { "data-method": group.same.map(({ number }) => number).join(" "), class: classOf?.(group.same) },
-      svg("polyline", { class: `curve line-${group.number % 7}`, "stroke-dasharray": DASHES[group.number % DASHES.length], points: line(group.errors) }),
-      svg("polyline", { class: "curve touch-line", points: line(group.errors) }),
-      group.errors.map((error, k) => (error === null ? null : methodMark(group.number, group.standings[k], x(k), y.place(error), isSmall ? 2 : 3.5))))),
-    isSmall ? null : endNames(groups, pane, y, classOf),
+    condition === null ? null : svg("path", { class: "condition", d: line(condition) }),
+    groups.map((group) => svg("g", group.attributes,
+      svg("path", { class: `curve line-${group.number % 7}`, "stroke-dasharray": DASHES[group.number % DASHES.length], d: line(group.errors) }),
+      svg("path", { class: "curve touch-line", d: line(group.errors) }),
+      group.errors.map((error, k) => (error === null || k % marked > 0 ? null : methodMark(group.number, group.standings[k], x(k), y.place(error), isSmall ? 2 : 3.5))))),
+    isSmall ? null : endNames(named, pane, x, y),
     onSeverity === undefined ? null : severities.map((_, k) => svg("rect", { class: "touch", x: x(k) - step / 2, y: 0, width: step, height: tall, click: () => onSeverity(k) }))));
 }
 
@@ -149,16 +157,18 @@ function namesText(same) {
 }
 
 /// Names beside the curves' ends, pushed apart: first downwards, then up from the axis.
-function endNames(groups, { right, top, bottom }, y, classOf) {
+function endNames(groups, { right, top, bottom }, x, y) {
   const names = groups.map((group) => {
-    const last = group.errors.findLast((error) => error !== null);
-    return { group, at: last === undefined ? bottom : y.place(last) };
+    const isThere = (k) => (group.errors[k] ?? null) !== null;
+    const joined = group.errors.findLastIndex((_, k) => isThere(k) && isThere(k - 1));
+    const end = joined >= 0 ? joined : group.errors.findLastIndex((_, k) => isThere(k));
+    return { group, end: x(end) + 5, at: y.place(group.errors[end]) };
   }).sort((a, b) => a.at - b.at);
   let last = top - LABEL_LINE;
   for (const name of names) last = name.place = Math.max(name.at, last + LABEL_LINE);
   let next = bottom + LABEL_LINE;
   for (const name of names.toReversed()) next = name.place = Math.min(name.place, next - LABEL_LINE);
-  return names.map(({ group, at, place }) => svg("g", { "data-method": group.same.map(({ number }) => number).join(" "), class: classOf?.(group.same) },
-    svg("path", { class: `leader line-${group.number % 7}`, d: `M${right + 5} ${at}L${right + 16} ${place}` }),
-    svg("text", { class: "label", x: right + 20, y: place + 4 }, group.text)));
+  return names.map(({ group, end, at, place }) => svg("g", group.attributes,
+    svg("path", { class: `leader line-${group.number % 7}`, d: `M${end} ${at}H${right + 5}L${right + 16} ${place}` }),
+    svg("text", { class: group.number === undefined ? "label quiet" : "label", x: right + 20, y: place + 4 }, group.text)));
 }
