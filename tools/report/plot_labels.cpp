@@ -18,6 +18,7 @@ constexpr double kNeedsLeader = 14;  ///< Pixels.
 // What it costs, in pixels farther from the point.
 constexpr double kOnName = 4000;
 constexpr double kOnObstacle = 800;
+constexpr double kOnLine = 40;
 constexpr double kLeaderOnName = 250;
 constexpr double kLeadersCross = 120;
 constexpr double kNotBeside = 6;  ///< A name reads best at the right or the left of its point.
@@ -62,15 +63,15 @@ bool is_within(const PlotBox& box, const PlotBox& frame) {
 /// Names being placed; those without a place yet stand in nobody's way.
 struct Placing {
   const std::vector<NamedPoint>& points;
-  const std::vector<PlotBox>& obstacles;
+  const std::vector<PlotObstacle>& obstacles;
   std::vector<std::optional<PlacedName>> names;
 
   double cost(std::size_t k, const PlacedName& candidate) const {
     const Point from = {points[k].x, points[k].y};
     double sum = std::hypot(candidate.joint[0] - from[0], candidate.joint[1] - from[1]);
     if (std::abs(candidate.box.bottom + kLine / 2 - from[1]) > 1) sum += kNotBeside;
-    for (const PlotBox& box : obstacles) {
-      if (candidate.box.overlaps(box)) sum += kOnObstacle;
+    for (const PlotObstacle& one : obstacles) {
+      if (candidate.box.overlaps(one.box)) sum += one.is_line ? kOnLine : kOnObstacle;
     }
     for (std::size_t other = 0; other < names.size(); ++other) {
       if (other == k || !names[other]) continue;
@@ -146,7 +147,8 @@ std::vector<double> spread_apart(const std::vector<double>& wanted, double gap, 
 }
 
 std::vector<PlacedName> names_beside(const std::vector<NamedPoint>& points,
-                                     const std::vector<PlotBox>& obstacles, const PlotBox& frame) {
+                                     const std::vector<PlotObstacle>& obstacles,
+                                     const PlotBox& frame) {
   Placing placing{points, obstacles, std::vector<std::optional<PlacedName>>(points.size())};
   for (int round = 0; round < kRounds; ++round) {
     for (std::size_t k = 0; k < points.size(); ++k) placing.place(k, frame);

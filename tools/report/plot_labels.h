@@ -31,6 +31,12 @@ struct NamedPoint {
   std::string name;
 };
 
+/// What no name is to stand on; a line is less of a nuisance.
+struct PlotObstacle {
+  PlotBox box;
+  bool is_line = false;
+};
+
 /// Where a name stands. `joint`: the place of it that is nearest to its point.
 struct PlacedName {
   PlotBox box;
@@ -42,7 +48,8 @@ struct PlacedName {
 /// where there is such a place, leaders crossing as little as may be.
 /// Shape: one a point.
 std::vector<PlacedName> names_beside(const std::vector<NamedPoint>& points,
-                                     const std::vector<PlotBox>& obstacles, const PlotBox& frame);
+                                     const std::vector<PlotObstacle>& obstacles,
+                                     const PlotBox& frame);
 
 }  // namespace raycheck::tools
 

@@ -14,10 +14,9 @@ ChartFacet facet_of(const FamilyReport& family, Stage stage, scene::Precision pr
                    .meaning = std::string(family.family->dial->meaning),
                    .quantities = chart_quantities(stage),
                    .precision = precision};
-  std::size_t number = 0;  // of the stage's methods
   for (const StressCurve& curve : family.curves) {
     if (curve.method.stage != stage) continue;
-    ChartSeries series{.name = std::string(curve.method.name()), .number = number++};
+    ChartSeries series{.name = std::string(curve.method.name()), .number = curve.method.number};
     if (curve.method.precision() != precision || !curve.is_judged()) continue;
     if (facet.severities.empty()) {
       for (const int severity : curve.severities) {

@@ -26,12 +26,11 @@ Plot plot_of(const FamilyReport& family, Stage stage, scene::Precision precision
   PlotSeries floor;
   floor.name = "kappa of the problem";
   floor.style = PlotSeries::Style::kDashes;
-  std::size_t number = 0;  // of the stage's methods
   for (const StressCurve& curve : family.curves) {
     if (curve.method.stage != stage) continue;
     PlotSeries series;
     series.name = std::string(curve.method.name());
-    series.number = number++;
+    series.number = curve.method.number;
     if (curve.method.precision() != precision) continue;
     bool is_measured = false;
     for (std::size_t k = 0; k < curve.results.size(); ++k) {

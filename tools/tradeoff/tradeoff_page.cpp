@@ -70,11 +70,10 @@ template <class Fill>
 void add_series(const Part& part, ChartFacet& facet, Fill fill) {
   const MethodCost* const base = baseline(part.costs);
   if (base != nullptr) facet.baseline = base->method.name();
-  for (std::size_t k = 0; k < part.costs.size(); ++k) {
-    const MethodCost& cost = part.costs[k];
+  for (const MethodCost& cost : part.costs) {
     if (cost.promises.precision != part.precision) continue;
     ChartSeries series{.name = std::string(cost.method.name()),
-                       .number = k,
+                       .number = cost.method.number,
                        .time = chart_time(cost, base),
                        .note = cost.not_timed};
     fill(cost, series);

@@ -29,8 +29,7 @@ Plot plot_of(const std::vector<MethodCost>& costs, Stage stage, scene::Precision
   plot.may_cut = true;
   plot.steps_mean = "Pareto front of those without defects";
   std::vector<std::pair<double, double>> places;  // of those without defects
-  for (std::size_t k = 0; k < costs.size(); ++k) {
-    const MethodCost& cost = costs[k];
+  for (const MethodCost& cost : costs) {
     const Tally* const tally = cost.main();
     const auto& time = cost.batch ? cost.batch : cost.scalar;
     if (cost.promises.precision != precision || !time) continue;
@@ -38,7 +37,8 @@ Plot plot_of(const std::vector<MethodCost>& costs, Stage stage, scene::Precision
     const double unit = base->batch->median;
     const PlotPoint point{time->median / unit, *tally->quantile(0.999),
                           standing_of(cost.accuracy.inside), time->low / unit, time->high / unit};
-    plot.series.push_back({std::string(cost.method.name()), PlotSeries::Style::kPoint, {point}, k});
+    plot.series.push_back(
+        {std::string(cost.method.name()), PlotSeries::Style::kPoint, {point}, cost.method.number});
     if (point.standing != PlotStanding::kDefect) places.emplace_back(point.x, point.y);
   }
   if (plot.series.empty()) return plot;
