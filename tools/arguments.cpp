@@ -296,13 +296,25 @@ void add_strict(CLI::App& command, bool& strict) {
                    "fail, too, for what is excused by a witness or left undecided");
 }
 
-void add_exchanged(CLI::App& command, std::uint64_t& cases, std::uint64_t& seed) {
+void add_exchanged(CLI::App& command, std::uint64_t& cases, std::uint64_t& seed,
+                   scene::Precision& precision) {
   cases = 100;
   seed = 1;
   command.add_option("--cases", cases, "how many cases")
       ->check(whole_number(1, kMostCases))
       ->capture_default_str();
   add_seed(command, seed);
+  command
+      .add_option_function<std::string>(
+          "--precision",
+          [&precision](const std::string& text) {
+            precision = text == name(scene::Precision::kSingle) ? scene::Precision::kSingle
+                                                                : scene::Precision::kDouble;
+          },
+          "double, or single: the numbers of questions are floats, answers are read as floats")
+      ->check(CLI::IsMember(
+          std::vector<std::string>(scene::kPrecisionNames.begin(), scene::kPrecisionNames.end())))
+      ->default_str(std::string(scene::kPrecisionNames[0]));
 }
 
 void add_seed(CLI::App& command, std::uint64_t& seed) {

@@ -102,7 +102,8 @@ void add_threads(CLI::App& command, int& threads, std::string_view same);
 /// --strict
 void add_strict(CLI::App& command, bool& strict);
 /// --cases and --seed of the questions that generate prints, and verify has the answers to.
-void add_exchanged(CLI::App& command, std::uint64_t& cases, std::uint64_t& seed);
+void add_exchanged(CLI::App& command, std::uint64_t& cases, std::uint64_t& seed,
+                   scene::Precision& precision);
 /// --seed
 void add_seed(CLI::App& command, std::uint64_t& seed);
 

@@ -50,6 +50,30 @@ TEST(Judge, BreaksWhatIsDull) {
   }
 }
 
+/// >= for > at the end that a candidate declares, which the root of every case lies on.
+TEST(Judge, BreaksWhatItsOwnIntervalExcludes) {
+  Case one;
+  one.scene.rays = {{{0, 0, 0}, {1, 0, 0}}};
+  one.scene.spheres = {{{3, 0, 0}, 1}};
+  const auto judged = [&](double least, Precision precision) {
+    Candidate candidate("at-end");
+    candidate.roots = Roots::declared;
+    candidate.declares.valid = {.t_min = 2, .ends = Ends::open};
+    candidate.precision = precision;
+    candidate.intersect = [least](const Ray&, const Sphere&, const Conventions&) {
+      return std::optional<Hit>({least, {least, 0, 0}});
+    };
+    return judge_case(candidate, "nearest-root", one);
+  };
+  for (const Precision precision : {Precision::double_, Precision::single}) {
+    const Verdict wrong = judged(2, precision);
+    EXPECT_EQ(wrong.finding, Finding::broken) << wrong.text;
+    EXPECT_TRUE(contains(wrong.text, "answers s = 2, which its own interval (2, inf) excludes"))
+        << wrong.text;
+    EXPECT_NE(judged(4, precision).finding, Finding::broken);
+  }
+}
+
 TEST(Judge, SaysWhereAndWhyALawIsBroken) {
   Candidate wrong = tracer();
   wrong.name = "far";

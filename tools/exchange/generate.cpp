@@ -4,6 +4,7 @@
 
 #include <stdexcept>
 
+#include "properties/rounded_case.h"
 #include "scene/number.h"
 
 namespace raycheck::tools {
@@ -27,8 +28,16 @@ properties::ChosenSource source_of_questions(const std::string& family) {
   return source;
 }
 
-std::string questions(const properties::ChosenSource& source, std::uint64_t seed) {
-  const scene::Scene scene = source.make(seed).scene;
+std::optional<properties::Case> case_asked(const properties::ChosenSource& source,
+                                           std::uint64_t seed, scene::Precision precision) {
+  return properties::rounded_case(source.make(seed), precision).the_case;
+}
+
+std::string questions(const properties::ChosenSource& source, std::uint64_t seed,
+                      scene::Precision precision) {
+  const std::optional<properties::Case> asked = case_asked(source, seed, precision);
+  if (!asked) return "";
+  const scene::Scene& scene = asked->scene;
   std::string lines;
   for (std::size_t ray = 0; ray < scene.rays.size(); ++ray) {
     for (std::size_t sphere = 0; sphere < scene.spheres.size(); ++sphere) {

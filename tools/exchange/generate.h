@@ -2,9 +2,11 @@
 #define RAYCHECK_TOOLS_EXCHANGE_GENERATE_H_
 
 #include <cstdint>
+#include <optional>
 #include <string>
 
 #include "properties/cases/case_source.h"
+#include "scene/precision.h"
 
 namespace raycheck::tools {
 
@@ -19,9 +21,14 @@ std::string case_id(const properties::ChosenSource& source, std::uint64_t seed);
 /// Errors: std::invalid_argument naming the family where there is none, or its cases have cameras.
 properties::ChosenSource source_of_questions(const std::string& family);
 
-/// The questions of a case: every ray with every sphere.
+/// The case of a seed in a format; empty where that cannot hold it.
+std::optional<properties::Case> case_asked(const properties::ChosenSource& source,
+                                           std::uint64_t seed, scene::Precision precision);
+
+/// The questions of that case: every ray with every sphere.
 /// Domain: a source of given rays.
-std::string questions(const properties::ChosenSource& source, std::uint64_t seed);
+std::string questions(const properties::ChosenSource& source, std::uint64_t seed,
+                      scene::Precision precision);
 
 }  // namespace raycheck::tools
 

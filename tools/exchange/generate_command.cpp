@@ -16,13 +16,14 @@ struct GenerateArguments {
   std::string family;
   std::uint64_t cases = 0;
   std::uint64_t seed = 0;
+  scene::Precision precision = scene::Precision::kDouble;
 };
 
 int run_generate(const GenerateArguments& arguments) {
   const properties::ChosenSource source = source_of_questions(arguments.family);
   std::string text;
   for (std::uint64_t k = 0; k < arguments.cases && !interrupted(); ++k) {
-    text += questions(source, arguments.seed + k);
+    text += questions(source, arguments.seed + k, arguments.precision);
     if (text.size() < kPrintedAtATime) continue;
     print_report(text);
     text.clear();
@@ -39,7 +40,7 @@ Command add_generate(CLI::App& program) {
       *program.add_subcommand("generate", "Print questions, one a line, for a program to answer");
   command.add_option("--family", given->family, "where rays come from: FAMILY or FAMILY@SEVERITY")
       ->required();
-  add_exchanged(command, given->cases, given->seed);
+  add_exchanged(command, given->cases, given->seed, given->precision);
   return {&command, [given] { return run_generate(*given); }};
 }
 

@@ -55,10 +55,11 @@ Integer integer(std::string_view text, int base) {
   return value;
 }
 
-double number(std::string_view text) {
+/// A number in a format: the decimals of a float name it, not a double.
+double number(std::string_view text, scene::Precision precision) {
   const auto value = scene::parse_number(text);
   if (!value) throw std::invalid_argument(fmt::format("'{}' is not a number", text));
-  return *value;
+  return scene::rounded_to(precision, *value);
 }
 
 /// What a line says.
@@ -68,7 +69,7 @@ struct Answer {
   std::optional<HitAnswer> hit;
 };
 
-Answer parse_answer(std::string_view line) {
+Answer parse_answer(std::string_view line, scene::Precision precision) {
   const auto found = split(line, " \t\r");
   Answer answer;
   answer.id = found.front();
@@ -82,8 +83,8 @@ Answer parse_answer(std::string_view line) {
   answer.ray = id[2];
   answer.sphere = id[3];
   if (found.size() == 5) {
-    answer.hit =
-        HitAnswer{number(found[1]), {number(found[2]), number(found[3]), number(found[4])}};
+    const auto at = [&](std::size_t k) { return number(found[k], precision); };
+    answer.hit = HitAnswer{at(1), {at(2), at(3), at(4)}};
   } else if (found.size() != 2 || found[1] != "miss") {
     throw std::invalid_argument("an answer is 'ID miss' or 'ID S X Y Z'");
   }
@@ -128,7 +129,7 @@ class Lines {
 };
 
 /// A candidate that says again what was answered.
-Candidate recorded(const AnsweredCase& answered) {
+Candidate recorded(const AnsweredCase& answered, scene::Precision precision) {
   Candidate candidate = candidate_of(kDefaultMethods);  // for its bounds
   Candidate result;
   result.name = "the answers";
@@ -148,7 +149,7 @@ Candidate recorded(const AnsweredCase& answered) {
     }
     return lists;
   };
-  return result;
+  return judged_in(precision, std::move(result));
 }
 
 /// The laws of single values for each ray and sphere: what else laws ask is not in the answers.
@@ -161,10 +162,11 @@ class Verification {
     report_.top = options.top;
     report_.strict = options.strict;
     report_.cases_asked = options.cases;
+    report_.candidate.precision = options.precision;
   }
 
   void read(std::string_view line) {
-    const Answer answer = parse_answer(line);
+    const Answer answer = parse_answer(line, options_.precision);
     const std::uint64_t number = integer<std::uint64_t>(answer.seed, 16) - options_.seed;
     const std::pair place(integer<std::size_t>(answer.ray, 10),
                           integer<std::size_t>(answer.sphere, 10));
@@ -178,7 +180,11 @@ class Verification {
     }
     auto at = open_.find(number);
     if (at == open_.end()) {
-      at = open_.emplace(number, AnsweredCase(options_.source.make(seed(number)))).first;
+      auto asked = case_asked(options_.source, seed(number), options_.precision);
+      if (!asked) {
+        throw std::invalid_argument(fmt::format("there is no such question: '{}'", answer.id));
+      }
+      at = open_.emplace(number, AnsweredCase(*std::move(asked))).first;
       ++report_.cases;
     }
     AnsweredCase& of = at->second;
@@ -210,14 +216,7 @@ class Verification {
         judge(number, answered);
         name_missing(number, answered);
       }
-      for (std::uint64_t number = 0; number < options_.cases; ++number) {
-        if (report_.cases_missing.size() ==
-            std::min<std::uint64_t>(kNamedMissing, options_.cases - report_.cases)) {
-          break;
-        }
-        const bool is_judged = number < judged_.size() && judged_[number];
-        if (!is_judged && !open_.contains(number)) report_.cases_missing.push_back(id(number));
-      }
+      count_cases_missing();
     }
     for (const properties::Discrepancy& one : report_.candidate.verdict.worst(report_.top)) {
       const std::size_t ray = one.place.ray;
@@ -233,8 +232,24 @@ class Verification {
   std::uint64_t seed(std::uint64_t number) const { return options_.seed + number; }
   std::string id(std::uint64_t number) const { return case_id(options_.source, seed(number)); }
 
+  void count_cases_missing() {
+    const bool may_ask_nothing = options_.precision != scene::Precision::kDouble;
+    for (std::uint64_t number = 0; number < options_.cases; ++number) {
+      if (report_.cases + report_.cases_left_out == options_.cases) break;
+      if (!may_ask_nothing && report_.cases_missing.size() == kNamedMissing) break;
+      const bool is_judged = number < judged_.size() && judged_[number];
+      if (is_judged || open_.contains(number)) continue;
+      scene::poll();
+      if (may_ask_nothing && !case_asked(options_.source, seed(number), options_.precision)) {
+        ++report_.cases_left_out;
+      } else if (report_.cases_missing.size() < kNamedMissing) {
+        report_.cases_missing.push_back(id(number));
+      }
+    }
+  }
+
   void judge(std::uint64_t number, const AnsweredCase& answered) {
-    const Candidate candidate = recorded(answered);
+    const Candidate candidate = recorded(answered, options_.precision);
     Trial trial(answered.the_case, candidate, {.max_error = options_.max_error});
     properties::Verdict all;
     for (const Law& law : properties::laws()) {

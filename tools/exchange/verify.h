@@ -20,6 +20,7 @@ struct VerifyOptions {
   properties::ChosenSource source;
   std::uint64_t cases = 0;
   std::uint64_t seed = 0;
+  scene::Precision precision = scene::Precision::kDouble;
   std::optional<double> max_error;
   bool strict = false;  ///< What is excused or undecided fails, too.
   std::size_t top = 10;
@@ -37,6 +38,7 @@ inline constexpr std::size_t kMostLineBytes = std::size_t{1} << 16;
 struct VerifyReport {
   std::uint64_t answers = 0, cases = 0;
   std::uint64_t cases_asked = 0;
+  std::uint64_t cases_left_out = 0;          ///< That floats cannot hold: they ask nothing.
   std::vector<std::string> cases_missing;    ///< The first ones without any answer.
   std::uint64_t questions_missing = 0;       ///< Of cases with some.
   std::vector<std::string> questions_named;  ///< The first of those.
@@ -48,7 +50,10 @@ struct VerifyReport {
   bool interrupted = false;  ///< Then what was not read yet is not missing.
 
   /// Whether questions have no answer.
-  bool is_short() const { return !interrupted && (cases < cases_asked || questions_missing > 0); }
+  bool is_short() const {
+    return !interrupted && (cases_not_answered() > 0 || questions_missing > 0);
+  }
+  std::uint64_t cases_not_answered() const { return cases_asked - cases_left_out - cases; }
   bool holds() const { return candidate.verdict.holds(strict) && !is_short(); }
 };
 

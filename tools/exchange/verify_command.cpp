@@ -39,7 +39,7 @@ Command add_verify(CLI::App& program) {
       .add_option("--family", given->family,
                   "as generate was given it: its questions are what is to be answered, no others")
       ->required();
-  add_exchanged(command, options.cases, options.seed);
+  add_exchanged(command, options.cases, options.seed, options.precision);
   command.add_option("--top", options.top, "how many of the worst discrepancies are shown")
       ->check(whole_number(0, properties::kKeptDiscrepancies))
       ->capture_default_str();

@@ -24,10 +24,14 @@ std::string verify_text(const VerifyReport& report, const ViewOptions& options) 
   text += too_few_text(report.candidate);
   if (report.interrupted) {
     text += "\nINTERRUPTED: what was not read until then is not judged\n";
-  } else if (report.cases < report.cases_asked) {
-    text += fmt::format("\n{} of {} are not answered: {}\n", report.cases_asked - report.cases,
+  } else if (report.cases_not_answered() > 0) {
+    text += fmt::format("\n{} of {} are not answered: {}\n", report.cases_not_answered(),
                         count_text(report.cases_asked, "case"),
-                        named(report.cases_missing, report.cases_asked - report.cases));
+                        named(report.cases_missing, report.cases_not_answered()));
+  }
+  if (report.cases_left_out > 0) {
+    text += fmt::format("\n{} ask nothing: floats cannot hold their numbers\n",
+                        count_text(report.cases_left_out, "case"));
   }
   if (report.questions_missing > 0) {
     text += fmt::format("\n{} of the other cases not answered: {}\n",

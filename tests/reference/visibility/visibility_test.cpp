@@ -4,6 +4,7 @@
 #include <hwy/highway.h>
 
 #include <cmath>
+#include <limits>
 #include <optional>
 #include <random>
 #include <stdexcept>
@@ -266,6 +267,40 @@ TEST(Visibility, ClassesAreExact) {
     }
   }
   EXPECT_GT(compared, 50'000U);
+}
+
+/// Under intervals and culling, where the nearest sphere is often one behind others.
+TEST(Visibility, IsThatOfTheRootsThatCount) {
+  const double no_end = std::numeric_limits<double>::infinity();
+  int differing = 0;
+  for (const scene::ValidRoots& valid :
+       {scene::ValidRoots{4, no_end, {}, {}, {}},
+        scene::ValidRoots{0, 9, scene::Ends::kOpen, {}, {}},
+        scene::ValidRoots{2, 30, {}, scene::TUnit::kRadius, {}},
+        scene::ValidRoots{0, no_end, {}, {}, scene::Culling::kFrontFaces}}) {
+    for (const unsigned seed : {1U, 4U}) {
+      scene::Scene scene = random_scene(seed);
+      const std::vector<std::int32_t> usual = see(visibility_of(scene)).sphere;
+      scene.conventions.valid = valid;
+      const Seen seen = see(visibility_of(scene));
+      EXPECT_GT(expect_exact(scene, seen), 50);
+      differing += seen.sphere != usual ? 1 : 0;
+      const ExactCamera camera(*scene.camera, scene.conventions);
+      const Visibility of_all(scene,
+                              scene::plan_scene(scene, scene.conventions, scene::Wanted::kClass));
+      std::vector<HitClass> classes(pixels_of(scene));
+      for (std::size_t k = 0; k < scene.spheres.size(); k += 7) {
+        of_all.classes(k, 0, scene.camera->height, classes);
+        for (std::size_t at = 0; at < classes.size(); ++at) {
+          const auto index = static_cast<std::int64_t>(at);
+          const ExactRay ray(camera, {index % scene.camera->width, index / scene.camera->width});
+          const HitClass exact = ray.intersect(scene.spheres[k], scene.conventions).hit_class;
+          if (classes[at] != exact) FAIL() << seed << " sphere " << k << " pixel " << at;
+        }
+      }
+    }
+  }
+  EXPECT_GE(differing, 4);
 }
 
 TEST(Visibility, RefusesArraysAndRowsThatDoNotFit) {

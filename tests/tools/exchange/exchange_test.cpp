@@ -87,6 +87,42 @@ TEST(Questions, are_answered_in_any_order) {
       in_order);
 }
 
+/// Answers of nine digits, as a program in float prints them: the float that each names is judged.
+TEST(Questions, of_floats_are_judged_in_their_own_units) {
+  const std::string floats = "--family distance@2 --cases 60 --precision single";
+  const std::string in_floats =
+      kPython +
+      " | python3 -c 'import sys\nfor line in sys.stdin:\n"
+      "    id, *w = line.split()\n"
+      "    print(id, *(x if x == \"miss\" else \"%.9g\" % float(x) for x in w))'";
+  const Outcome good = piped(floats, in_floats);
+  EXPECT_EQ(good.exit_code, 0) << good.out << good.err;
+  const json report = json::parse(good.out);
+  EXPECT_EQ(report["precision"], "single");
+  for (const json& quantity : report["quantities"]) {
+    if (quantity["name"] != "parameter") continue;
+    EXPECT_EQ(quantity["unit"], "ulp of float");
+    EXPECT_LE(quantity["max"], 0.51);  // computed in doubles, rounded once
+    EXPECT_GT(quantity["max"], 0.2);
+  }
+  // The questions are of floats, and so is what is judged: told otherwise, answers are wrong.
+  const std::string doubles = "--family distance@2 --cases 60";
+  EXPECT_NE(run("generate " + floats).out, run("generate " + doubles).out);
+  EXPECT_EQ(piped_to_others(floats, in_floats, doubles).exit_code, 1);
+  const Outcome bad = piped(floats, kPython + " all-hits");
+  EXPECT_EQ(bad.exit_code, 1) << bad.out;
+}
+
+TEST(Questions, that_floats_cannot_hold_are_not_asked) {
+  const std::string wide = "--family scale@190 --cases 10 --precision single";
+  const Outcome outcome = piped(wide, kPython);
+  EXPECT_EQ(run("generate " + wide).out, "");
+  const json report = json::parse(outcome.out);
+  EXPECT_EQ(report["cases_left_out"], 10);
+  EXPECT_EQ(report["cases_missing"], json::array());
+  EXPECT_EQ(outcome.exit_code, 4) << outcome.out << outcome.err;  // nothing was judged
+}
+
 TEST(HostileAnswers, to_other_questions_do_not_pass) {
   const auto fails = [](const std::string& asked, const std::string& program,
                         const std::string& verify, int code, const std::string& why) {

@@ -239,7 +239,7 @@ TEST(ValidRoots, are_explained_as_check_judges_them) {
     EXPECT_EQ(method["class_error"], false) << method["name"];
     EXPECT_EQ(method["goes_wrong_at"], nullptr) << method["name"];
   }
-  const json& false_hit = explained(wrong, 1)["methods"].back();
+  const json false_hit = explained(wrong, 1)["methods"].back();
   EXPECT_EQ(false_hit["class_error"], true);
   EXPECT_EQ(false_hit["standing"], "defect");
   EXPECT_EQ(false_hit["goes_wrong_at"], "s");
