@@ -11,14 +11,17 @@
 #include "tools/report/words.h"
 #include "tools/view/scene_view.h"
 #include "tools/view/selection.h"
+#include "tools/view/view_words.h"
 
 namespace raycheck::tools {
 namespace {
 
 using properties::Quantity;
 
-/// Findings of one candidate: its worst discrepancies, and where it has none its largest errors.
-constexpr std::size_t kMostFindings = 16;
+/// Findings of one candidate, one for each ray and sphere: the worst discrepancies of its answers,
+/// or where it has none its largest errors.
+constexpr std::size_t kMostFindings = 8;
+constexpr std::size_t kMostDiscrepancies = 64;
 
 std::string method_of(const CandidateReport& candidate, Quantity quantity) {
   const MethodPair* const pair = methods_of(candidate.contestant);
@@ -30,11 +33,20 @@ std::string method_of(const CandidateReport& candidate, Quantity quantity) {
 std::vector<FindingView> findings_of(const CandidateReport& candidate, const scene::Scene& scene,
                                      std::size_t scene_index) {
   std::vector<FindingView> findings;
-  for (const auto& one : candidate.verdict.worst(kMostFindings)) {
+  for (const auto& one : candidate.verdict.worst(kMostDiscrepancies)) {
     const Selection selection = selection_of(one.place, scene);
     if (!is_of_ray(selection) || !has_place(one.quantity)) continue;
-    findings.push_back({discrepancy_head(one), candidate.name, method_of(candidate, one.quantity),
-                        one.excuse.standing(), scene_index, selection});
+    const std::string what = fmt::format("{} {}", info(one.quantity).name, wrongness_text(one));
+    const auto known =
+        std::find_if(findings.begin(), findings.end(),
+                     [&](const FindingView& other) { return other.selection == selection; });
+    if (known != findings.end()) {
+      known->sentence += "; " + what;
+    } else if (findings.size() < kMostFindings) {
+      findings.push_back({fmt::format("{}: {}", place_text(one.place), what), candidate.name,
+                          method_of(candidate, one.quantity), one.excuse.standing(), scene_index,
+                          selection});
+    }
   }
   if (!findings.empty()) return findings;
   for (const Quantity quantity :
@@ -82,6 +94,10 @@ ViewDocument check_document(const CheckReport& report, const CheckPageOptions& o
                             const properties::RunControl& control) {
   ViewDocument document;
   document.title = std::filesystem::path(report.path).filename();
+  if (report.rays_judged < report.rays_in_scene) {
+    document.left_out.push_back(
+        fewer_judged(document.title, {report.rays_judged, report.rays_in_scene}));
+  }
   for (const Group& group : groups_of(report)) {
     SceneViewOptions view;
     view.name = group.size() == 1 && methods_of(group.front()->contestant) == nullptr

@@ -12,7 +12,7 @@ namespace raycheck::tools {
 /// What is asked of a page besides what a report has found.
 struct CheckPageOptions {
   std::vector<Selection> wanted;  ///< Shown first.
-  std::string more_arguments;     ///< Of commands: " --candidate ...", or nothing.
+  std::string more_arguments;     ///< Of commands: the candidate, or nothing.
 };
 
 /// The scene of a report as a page, with its worst discrepancies and largest errors beside it: one

@@ -20,15 +20,6 @@ Json left_out_json(const std::vector<RootLeftOut>& roots) {
   return json;
 }
 
-Json left_out_json(const std::vector<RootLeftOut>& roots) {
-  Json json = Json::array();
-  for (const RootLeftOut& root : roots) {
-    json.push_back(
-        {{"root", name(root.root)}, {"s", scene::hexfloat(root.s)}, {"why", name(root.why)}});
-  }
-  return json;
-}
-
 Json sphere_json(const SphereReport& sphere) {
   const bool miss = !sphere.parameter;
   Json json;

@@ -10,6 +10,7 @@
 #include "tools/report/words.h"
 #include "tools/view/scene_view.h"
 #include "tools/view/selection.h"
+#include "tools/view/view_words.h"
 
 namespace raycheck::tools {
 namespace {
@@ -17,7 +18,7 @@ namespace {
 /// Cases that a page has room for, one a law and candidate.
 constexpr std::size_t kMostCasesShown = 40;
 /// Of the panels of all of them together.
-constexpr std::size_t kPanelBytes = 9 << 20;
+constexpr std::size_t kPanelBytes = 780 << 10;
 
 void add_candidate(const CampaignReport& campaign, SceneViewOptions& view) {
   if (!campaign.external) {
@@ -48,9 +49,7 @@ ViewDocument properties_document(const PropertiesReport& report, const std::stri
       std::count_if(report.campaigns.begin(), report.campaigns.end(), is_shown));
   const std::size_t shown = std::min(broken, kMostCasesShown);
   if (shown < broken) {
-    document.left_out.push_back(fmt::format(
-        "the cases of {} of {} broken laws; `raycheck properties --filter LAW --view` shows others",
-        broken - shown, broken));
+    document.left_out.push_back(fewer_laws({shown, broken}));
   }
   for (const CampaignReport& campaign : report.campaigns) {
     if (control.interrupted() || document.scenes.size() == shown) break;

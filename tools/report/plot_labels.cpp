@@ -14,6 +14,7 @@ constexpr std::array<double, 9> kAways = {9, 16, 26, 38, 52, 70, 92, 120, 155}; 
 constexpr int kTurns = 24;           ///< Directions in which a name may stand.
 constexpr int kRounds = 4;           ///< How often every name is placed anew among the others.
 constexpr double kNeedsLeader = 14;  ///< Pixels.
+constexpr double kMuchNearer = 4;    ///< Pixels by which its own point is to be the nearest.
 
 // What it costs, in pixels farther from the point.
 constexpr double kOnName = 4000;
@@ -41,6 +42,11 @@ bool crosses(const Point& a, const Point& b, const PlotBox& box) {
   return cross(a, b, corners[0], corners[1]) || cross(a, b, corners[2], corners[3]);
 }
 
+double distance_to(const PlotBox& box, const NamedPoint& point) {
+  return std::hypot(point.x - std::clamp(point.x, box.left, box.left + box.width),
+                    point.y - std::clamp(point.y, box.bottom, box.bottom + box.height));
+}
+
 PlacedName placed_at(const NamedPoint& point, double away, double angle) {
   const double width = kLetter * static_cast<double>(point.name.size());
   PlacedName placed;
@@ -49,8 +55,7 @@ PlacedName placed_at(const NamedPoint& point, double away, double angle) {
   const PlotBox& box = placed.box;
   placed.joint = {std::clamp(point.x, box.left, box.left + box.width),
                   std::clamp(point.y, box.bottom, box.bottom + box.height)};
-  const double distance = std::hypot(placed.joint[0] - point.x, placed.joint[1] - point.y);
-  placed.needs_leader = distance > kNeedsLeader;
+  placed.needs_leader = distance_to(box, point) > kNeedsLeader;
   return placed;
 }
 
@@ -154,7 +159,14 @@ std::vector<PlacedName> names_beside(const std::vector<NamedPoint>& points,
     for (std::size_t k = 0; k < points.size(); ++k) placing.place(k, frame);
   }
   std::vector<PlacedName> names;
-  for (const auto& name : placing.names) names.push_back(*name);
+  for (std::size_t k = 0; k < points.size(); ++k) {
+    names.push_back(*placing.names[k]);
+    const PlotBox& box = names.back().box;
+    for (const NamedPoint& other : points) {
+      const bool is_nearer = distance_to(box, other) < distance_to(box, points[k]) + kMuchNearer;
+      if (&other != &points[k] && is_nearer) names.back().needs_leader = true;
+    }
+  }
   return names;
 }
 

@@ -10,7 +10,7 @@ namespace raycheck::tools {
 /// A line of text in a plot, in pixels.
 inline constexpr double kLine = 16;
 /// A letter is narrower on average.
-inline constexpr double kLetter = 7.4;
+inline constexpr double kLetter = 7.8;
 
 /// From (left, bottom), y upwards.
 struct PlotBox {
@@ -41,7 +41,7 @@ struct PlotObstacle {
 struct PlacedName {
   PlotBox box;
   std::array<double, 2> joint = {};
-  bool needs_leader = false;  ///< It is not right beside its point.
+  bool needs_leader = false;  ///< It is not right beside its point, or nearer to another.
 };
 
 /// A place for each name, beside its point, within the frame, over no other name and no obstacle

@@ -227,18 +227,17 @@ std::string failed_place_text(const Discrepancy& d) {
 
 }  // namespace
 
+std::string wrongness_text(const Discrepancy& d) {
+  if (d.wrong != properties::Wrong::kNot) return std::string(name(d.wrong));
+  return fmt::format("off by {} {}", error_text(d.error), unit_name(d.quantity, d.precision));
+}
+
 std::string discrepancy_head(const Discrepancy& d) {
-  const properties::QuantityInfo& quantity = info(d.quantity);
-  std::string head(quantity.name);
+  std::string head(info(d.quantity).name);
   if (has_place(d.quantity)) head += ", " + place_text(d.place);
   head += failed_place_text(d);
   if (!d.what.empty()) head += fmt::format(", {}", d.what);
-  if (d.wrong != properties::Wrong::kNot) {
-    head += fmt::format(": {}", name(d.wrong));
-  } else {
-    head += fmt::format(": off by {} {}", error_text(d.error), unit_name(d.quantity, d.precision));
-  }
-  return head;
+  return head + ": " + wrongness_text(d);
 }
 
 std::string discrepancy_text(const Discrepancy& d, bool colours) {

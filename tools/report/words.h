@@ -68,6 +68,8 @@ std::string standings_text(
 std::string explanations_text(const std::vector<properties::Explanation>& explanations,
                               std::string_view answers);
 
+/// How a discrepancy is wrong: "false hit", "off by 6.7e+07 ulp".
+std::string wrongness_text(const properties::Discrepancy& discrepancy);
 /// What a discrepancy is, in a line: "parameter, pixel (9, 8), sphere 0: off by 6.7e+07 ulp".
 std::string discrepancy_head(const properties::Discrepancy& discrepancy);
 /// What a discrepancy is, got, should have been, by how much and with what excuse, in lines.

@@ -147,6 +147,7 @@ struct SeenRun {
 
 struct SceneView {
   std::string name;
+  std::string command;  ///< What makes a page of it; pixels and spheres are added.
   scene::Scene scene;
   Figure figure;
   std::vector<ScenePicture> pictures;

@@ -28,7 +28,8 @@ Json drawn(const Drawn& point) { return {drawn(point[0]), drawn(point[1]), drawn
 /// A number that is told: six digits, which are right.
 std::string told(double value) { return fmt::format("{:.6g}", value); }
 
-std::string digits(double value) { return fmt::format("{:.17g}", value); }
+constexpr int kDigits = 17;
+std::string digits(double value) { return fmt::format("{:.{}g}", value, kDigits); }
 
 Json selection_json(const Selection& selection) {
   Json json;
@@ -98,13 +99,27 @@ Json picture_json(const ScenePicture& picture) {
   return json;
 }
 
-/// How many characters of a value are those of the exact one, correctly rounded; all where the two
-/// are the same number.
-std::size_t right_characters(const std::string& value, const std::string& exact) {
-  if (value == exact) return value.size();
-  const auto [differs, other] =
-      std::mismatch(value.begin(), value.end(), exact.begin(), exact.end());
-  return static_cast<std::size_t>(differs - value.begin());
+/// How many characters of a value's decimals are right: all of them within an ulp of the exact one,
+/// correctly rounded, and otherwise up to the last digit to which both round alike.
+std::size_t right_characters(double value, double exact) {
+  const std::string text = digits(value);
+  const bool is_next = value == std::nextafter(exact, value);
+  if (value == exact || is_next) return text.size();
+  if (!std::isfinite(value) || !std::isfinite(exact) || exact == 0) return 0;
+  int right = kDigits;
+  while (right > 0 &&
+         fmt::format("{:.{}e}", value, right - 1) != fmt::format("{:.{}e}", exact, right - 1)) {
+    --right;
+  }
+  if (right == 0) return 0;
+  std::size_t at = 0;
+  bool is_leading = true;
+  for (; at < text.size() && text[at] != 'e'; ++at) {
+    if (text[at] == '-' || text[at] == '.' || (is_leading && text[at] == '0')) continue;
+    is_leading = false;
+    if (right-- == 0) break;
+  }
+  return at;
 }
 
 Json method_json(const MethodReport& method, const MethodStep& mine, const Step& step) {
@@ -113,10 +128,9 @@ Json method_json(const MethodReport& method, const MethodStep& mine, const Step&
   json["value"] = Json::array();
   json["right_digits"] = Json::array();
   for (std::size_t k = 0; k < mine.value.size(); ++k) {
-    const std::string value = digits(mine.value[k]);
-    json["value"].push_back(value);
+    json["value"].push_back(digits(mine.value[k]));
     json["right_digits"].push_back(
-        k < step.rounded.size() ? right_characters(value, digits(step.rounded[k])) : 0);
+        k < step.rounded.size() ? right_characters(mine.value[k], step.rounded[k]) : 0);
   }
   json["error"] = mine.error ? Json(error_text(mine.error)) : Json(nullptr);
   json["unit"] = mine.unit;
@@ -191,6 +205,26 @@ Json microscope_json(const Microscope& microscope) {
   return json;
 }
 
+/// What a method comes to, held against the exact answer.
+Json verdict_json(const MethodReport& method, const ExplainReport& report) {
+  Json json;
+  json["name"] = method.name;
+  json["text"] = method_verdict(method, report);
+  json["intersects"] = method.intersects;
+  json["wrong"] = !method.goes_wrong_at.empty() || !method.failure.empty();
+  json["goes_wrong_at"] = method.goes_wrong_at;
+  json["value"] = Json::array();
+  json["right_digits"] = Json::array();
+  if (method.intersects && method.parameter) {
+    const std::optional<double>& exact = report.spheres[*report.sphere].parameter;
+    json["value"].push_back(digits(*method.parameter));
+    json["right_digits"].push_back(exact ? right_characters(*method.parameter, *exact) : 0);
+  }
+  json["error"] = method.ulp_error ? Json(error_text(method.ulp_error)) : Json(nullptr);
+  json["unit"] = unit_name(properties::Quantity::kParameter, method.precision);
+  return json;
+}
+
 Json panel_json(const Panel& panel) {
   const ExplainReport& report = panel.report;
   Json json = selection_json(panel.selection);
@@ -200,11 +234,7 @@ Json panel_json(const Panel& panel) {
   for (const Step& step : report.steps) json["steps"].push_back(step_json(step, report));
   json["verdicts"] = Json::array();
   for (const MethodReport& method : report.methods) {
-    json["verdicts"].push_back({{"name", method.name},
-                                {"text", method_verdict(method, report)},
-                                {"intersects", method.intersects},
-                                {"wrong", !method.goes_wrong_at.empty() || !method.failure.empty()},
-                                {"goes_wrong_at", method.goes_wrong_at}});
+    json["verdicts"].push_back(verdict_json(method, report));
   }
   if (report.sphere) {
     const SphereReport& exact = report.spheres[*report.sphere];
@@ -223,6 +253,7 @@ Json panel_json(const Panel& panel) {
 Json scene_json(const SceneView& view) {
   Json json;
   json["name"] = view.name;
+  json["command"] = view.command;
   json["toml"] = scene::write_toml(view.scene);
   json["conventions"] = conventions_json(view.scene.conventions);
   json["conventions_text"] = conventions_text(view.scene.conventions);
@@ -287,6 +318,6 @@ Json whole(const ViewDocument& document) {
 std::string document_json(const ViewDocument& document) { return json_text(whole(document)); }
 std::string document_line(const ViewDocument& document) { return json_line(whole(document)); }
 
-std::size_t panel_bytes(const Panel& panel) { return json_line(panel_json(panel)).size(); }
+std::string panel_line(const Panel& panel) { return json_line(panel_json(panel)); }
 
 }  // namespace raycheck::tools

@@ -1,7 +1,6 @@
 #ifndef RAYCHECK_TOOLS_VIEW_DOCUMENT_JSON_H_
 #define RAYCHECK_TOOLS_VIEW_DOCUMENT_JSON_H_
 
-#include <cstddef>
 #include <string>
 
 #include "tools/view/document.h"
@@ -12,8 +11,8 @@ namespace raycheck::tools {
 std::string document_json(const ViewDocument& document);
 std::string document_line(const ViewDocument& document);
 
-/// How long a panel is in the document.
-std::size_t panel_bytes(const Panel& panel);
+/// A panel as the document has it.
+std::string panel_line(const Panel& panel);
 
 }  // namespace raycheck::tools
 

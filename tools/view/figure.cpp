@@ -68,15 +68,12 @@ DrawnCamera drawn_camera(const scene::Scene& scene, const DrawnFrame& frame) {
   return drawn;
 }
 
-/// Whether one of the two roots counts under conventions.
-bool counts(const reference::ExactRay& ray, const scene::Sphere& sphere,
-            scene::Conventions conventions, bool smaller) {
-  scene::Culling& culling = conventions.valid.culling;
-  const auto others = smaller ? scene::Culling::kBackFaces : scene::Culling::kFrontFaces;
-  if (culling != scene::Culling::kNone && culling != others) return false;
-  if (!smaller && conventions.root == scene::Root::kSmaller) return false;
-  culling = others;
-  return ray.intersect(sphere, conventions).hit_class != reference::HitClass::kMiss;
+/// Whether one of the two roots may be the answer under conventions.
+bool may_count(const reference::ExactRay& ray, const scene::Sphere& sphere,
+               const reference::Intersection& at, const scene::Conventions& conventions) {
+  const bool is_asked =
+      conventions.root == scene::Root::kNearest || at.root == reference::WhichRoot::kSmaller;
+  return is_asked && ray.counts(sphere, at, conventions.valid) == reference::RootCounts::kYes;
 }
 
 /// How the whole line meets a sphere, behind the ray's origin too.
@@ -190,7 +187,7 @@ PanelDrawing drawing_of(const DrawnFrame& frame, const reference::ExactRay& ray,
     root.smaller = smaller;
     root.parameter = ray.rounded_parameter(*sphere, at);
     root.point = frame.point([&](int bits) { return ray.enclose(bits).point(*sphere, at); });
-    root.counts = counts(ray, *sphere, conventions, smaller);
+    root.counts = may_count(ray, *sphere, at, conventions);
     root.is_chosen = chosen.hit_class != reference::HitClass::kMiss &&
                      (chosen.root == which || line == reference::HitClass::kTangent);
     drawing.roots.push_back(root);

@@ -2,7 +2,6 @@
 
 #include <fmt/core.h>
 #include <openssl/evp.h>
-#include <zlib.h>
 
 #include <array>
 #include <stdexcept>
@@ -11,23 +10,11 @@
 
 #include "tools/report/data_address.h"
 #include "tools/view/assets.h"
+#include "tools/view/deflate.h"
 #include "tools/view/document_json.h"
 
 namespace raycheck::tools {
 namespace {
-
-/// Compressed as zlib does (RFC 1950), in base64.
-std::string deflated(std::string_view text) {
-  uLongf size = compressBound(text.size());
-  std::string bytes(size, '\0');
-  const auto* const source = reinterpret_cast<const Bytef*>(text.data());
-  if (compress2(reinterpret_cast<Bytef*>(bytes.data()), &size, source, text.size(),
-                Z_BEST_COMPRESSION) != Z_OK) {
-    throw std::runtime_error("zlib: the page cannot be compressed");
-  }
-  bytes.resize(size);
-  return base64(bytes);
-}
 
 /// How a content security policy names a script or a style of the page (CSP level 3, 2.3.1).
 std::string hash_source(std::string_view text) {
@@ -74,8 +61,8 @@ std::string page(const ViewDocument& document) {
       {"@TITLE@", html_text(document.title)},
       {"@STYLE@", std::string(kPageStyle)},
       {"@SCRIPT@", std::string(kPageScript)},
-      {"@THREE@", document.scenes.empty() ? "" : deflated(kThree)},
-      {"@DOCUMENT@", deflated(document_line(document))},
+      {"@THREE@", document.scenes.empty() ? "" : base64(deflated(kThree))},
+      {"@DOCUMENT@", base64(deflated(document_line(document)))},
   };
   // What is put in is not looked into again.
   std::string text;

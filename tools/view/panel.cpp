@@ -6,11 +6,11 @@
 #include <string_view>
 #include <utility>
 
-#include "scene/number.h"
 #include "tools/explain/explain_views.h"
 #include "tools/report/typeset.h"
 #include "tools/view/microscope.h"
 #include "tools/view/sage.h"
+#include "tools/view/view_words.h"
 
 namespace raycheck::tools {
 namespace {
@@ -22,28 +22,6 @@ scene::Scene alone(const scene::Scene& scene, const Selection& selection) {
   result.rays = {scene.rays.at(selection.ray.value_or(0))};
   if (!scene.spheres.empty()) result.spheres = {scene.spheres.at(selection.sphere.value_or(0))};
   return result;
-}
-
-std::string listed(const auto& triple) {
-  return fmt::format("{},{},{}", scene::shortest(triple.x), scene::shortest(triple.y),
-                     scene::shortest(triple.z));
-}
-
-/// What explains the same at a desk.
-std::string command_of(const ExplainReport& report, const Selection& asked,
-                       const PanelOptions& options) {
-  if (!report.pixel) {
-    const scene::Sphere& sphere = report.scene.spheres[*report.sphere];
-    return fmt::format("raycheck explain --ray={},{} --sphere={},{}{}", listed(report.ray.origin),
-                       listed(report.ray.direction), listed(sphere.centre),
-                       scene::shortest(sphere.radius), options.more_arguments);
-  }
-  std::string command = fmt::format("raycheck explain {} --pixel {},{}", options.scene_argument,
-                                    report.pixel->i, report.pixel->j);
-  if (asked.sphere) command += fmt::format(" --sphere {}", *asked.sphere);
-  if (options.rays != kDefaultMethods.rays)
-    command += fmt::format(" --rays {}", options.rays->name);
-  return command + options.more_arguments;
 }
 
 std::string symbol_latex(const std::string& symbol) {
@@ -108,7 +86,8 @@ Panel panel_of(const scene::Scene& scene, const DrawnFrame& frame, const Selecti
     panel.selection.sphere = selection.sphere.value_or(0);
   }
   panel.text = explain_text(report, {});
-  panel.command = report.sphere || report.pixel ? command_of(report, selection, options) : "";
+  panel.command = explain_command(report, selection, *options.rays, options.scene_argument,
+                                  options.more_arguments);
   panel.sage = sage_input(report);
   panel.latex = latex_of(report);
   const scene::Sphere* const sphere =

@@ -11,7 +11,7 @@ struct PanelOptions {
   const fast::PixelRayMethod* rays = kDefaultMethods.rays;
   std::shared_ptr<const OtherMethod> other = nullptr;
   std::string scene_argument;  ///< The scene as a word of a command; of given rays it is not used.
-  std::string more_arguments;  ///< " --candidate ...", or nothing.
+  std::string more_arguments;  ///< Of commands: the candidate, or nothing.
 };
 
 /// All that is said about one ray and a sphere; without one about that which the ray meets first,

@@ -7,22 +7,32 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "properties/rounded_case.h"
 #include "scene/validate.h"
 #include "tools/image/image_paint.h"
 #include "tools/run/in_order.h"
+#include "tools/view/deflate.h"
 #include "tools/view/document_json.h"
 #include "tools/view/figure.h"
 #include "tools/view/panel.h"
 #include "tools/view/pictures.h"
+#include "tools/view/view_words.h"
 
 namespace raycheck::tools {
 namespace {
 
-/// The scene as it is shown: under the conventions of someone else's implementation, and from the
-/// eye where rays are made from there only, as explain does.
+/// The scene as it is shown: in the format and under the conventions of someone else's
+/// implementation, and from the eye where rays are made from there only, as explain does.
 scene::Scene shown_scene(const scene::Scene& scene, const SceneViewOptions& options) {
+  scene::require_valid(scene);
   scene::Scene shown = scene;
-  scene::require_valid(shown);
+  if (options.other) {
+    auto rounded = properties::rounded_case({scene, {}}, options.other->precision);
+    if (!rounded.the_case) {
+      throw std::invalid_argument(options.other->name + ": " + rounded.reason);
+    }
+    shown = std::move(rounded.the_case->scene);
+  }
   if (!options.methods.empty() && options.methods.front().rays->pixel_rays == nullptr) {
     shown.conventions.origin = scene::Origin::kFocal;
   }
@@ -63,9 +73,8 @@ void add_pictures(const scene::Scene& scene, const SceneViewOptions& options, Sc
   const scene::Scene small = smaller(scene, options.limits.picture_pixels);
   const scene::Camera& camera = *small.camera;
   if (camera.width != scene.camera->width || camera.height != scene.camera->height) {
-    left_out.push_back(fmt::format(
-        "{}: the pictures show {} x {} of {} x {} pixels; `raycheck image` makes them whole",
-        options.name, camera.width, camera.height, scene.camera->width, scene.camera->height));
+    left_out.push_back(smaller_pictures(options.name, {camera.width, camera.height},
+                                        {scene.camera->width, scene.camera->height}));
   }
   const double pairs = static_cast<double>(camera.width) * static_cast<double>(camera.height) *
                        static_cast<double>(scene.spheres.size());
@@ -73,10 +82,7 @@ void add_pictures(const scene::Scene& scene, const SceneViewOptions& options, Sc
   const auto most = static_cast<double>(options.limits.answered_pairs);
   const auto affordable = static_cast<std::size_t>(most / std::max(pairs, 1.0));
   if (candidates.size() > affordable) {
-    left_out.push_back(fmt::format(
-        "{}: pictures of the answers of {} of {} candidates; `raycheck image --what error` makes "
-        "the others",
-        options.name, affordable, candidates.size()));
+    left_out.push_back(fewer_pictures(options.name, {affordable, candidates.size()}));
     candidates.resize(affordable);
   }
   SceneImages images = images_of(small, candidates, control);
@@ -130,17 +136,18 @@ void add_panels(const scene::Scene& scene, const SceneViewOptions& options, Scen
   const std::vector<Selection> list = candidates_for_panels(scene, options);
   struct Made {
     Panel panel;
-    std::size_t bytes = 0;
+    std::string line;
   };
   std::size_t bytes = 0;
+  std::string before;
   std::atomic<bool> is_full = false;
   properties::RunControl until_full = control;
   until_full.interrupted = [&] { return is_full || control.interrupted(); };
   in_order<Made>(
       static_cast<std::int64_t>(list.size()), until_full,
       [&](std::int64_t k) {
-        Made made{panel_of(scene, frame, list[static_cast<std::size_t>(k)], panels)};
-        made.bytes = panel_bytes(made.panel);
+        Made made{panel_of(scene, frame, list[static_cast<std::size_t>(k)], panels), {}};
+        made.line = panel_line(made.panel);
         return made;
       },
       [&](const Made& made) {
@@ -148,7 +155,8 @@ void add_panels(const scene::Scene& scene, const SceneViewOptions& options, Scen
             view.panels.begin(), view.panels.end(),
             [&](const Panel& other) { return other.selection == made.panel.selection; });
         if (is_full || is_there) return;
-        bytes += made.bytes;
+        bytes += deflated_behind(before, made.line);
+        before = made.line;
         if (bytes > options.limits.panel_bytes && !view.panels.empty()) {
           is_full = true;
           return;
@@ -162,9 +170,8 @@ void add_panels(const scene::Scene& scene, const SceneViewOptions& options, Scen
                                          static_cast<double>(scene.camera->height)
                                    : static_cast<double>(scene.rays.size());
   if (is_full || static_cast<double>(view.panels.size()) < rays) {
-    left_out.push_back(fmt::format(
-        "{}: steps are shown of {} of {:.0f} rays; `raycheck view --pixel I,J` asks for others",
-        options.name, view.panels.size(), rays));
+    left_out.push_back(
+        fewer_panels(options.name, {view.panels.size(), static_cast<std::uint64_t>(rays)}));
   }
 }
 
@@ -174,11 +181,12 @@ SceneView view_of(const scene::Scene& scene, const SceneViewOptions& options,
                   std::vector<std::string>& left_out, const properties::RunControl& control) {
   SceneView view;
   view.name = options.name;
+  view.command = fmt::format("raycheck view {}{}", options.file, options.more_arguments);
   view.scene = shown_scene(scene, options);
   view.figure = figure_of(view.scene, options.limits.spheres);
   if (view.figure.spheres_left_out > 0) {
-    left_out.push_back(fmt::format("{}: the first {} of {} spheres are drawn", options.name,
-                                   view.figure.spheres.size(), scene.spheres.size()));
+    left_out.push_back(
+        fewer_spheres(options.name, {view.figure.spheres.size(), scene.spheres.size()}));
   }
   if (view.scene.camera) add_pictures(view.scene, options, view, left_out, control);
   if (!control.interrupted()) add_panels(view.scene, options, view, left_out, control);

@@ -12,14 +12,14 @@ struct PageLimits {
   std::size_t spheres = 10'000;           ///< Drawn in the figure.
   std::int64_t picture_pixels = 1 << 20;  ///< Of a picture; larger images are shown smaller.
   std::size_t panels = 4000;
-  std::size_t panel_bytes = 9 << 20;       ///< Of all panels as text, which is then deflated.
+  std::size_t panel_bytes = 780 << 10;     ///< Of all panels, deflated.
   std::uint64_t answered_pairs = 1 << 24;  ///< Rays times spheres that are asked for pictures.
 };
 
 struct SceneViewOptions {
   std::string name;  ///< As commands and titles call it.
   std::string file;  ///< The scene as commands name it: a word, quoted where it has to be.
-  std::string more_arguments;       ///< Of commands: " --candidate ...", or nothing.
+  std::string more_arguments;       ///< Of commands: the candidate, or nothing.
   std::vector<MethodPair> methods;  ///< Whose pictures are shown; the rays are the first's.
   /// Someone else's, by whose conventions all is shown; null: there is none.
   std::shared_ptr<const OtherMethod> other = nullptr;

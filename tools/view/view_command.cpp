@@ -1,6 +1,8 @@
 #include <fmt/core.h>
 #include <tbb/info.h>
 
+#include <algorithm>
+#include <cstdint>
 #include <memory>
 #include <stdexcept>
 
@@ -34,24 +36,31 @@ struct ViewArguments {
   int threads = tbb::info::default_concurrency();
 };
 
-/// Rays times spheres times methods up to which all of fast/'s are judged where none is asked for.
+/// Rays times spheres up to which every ray is judged, times methods up to which all of fast/'s are
+/// where none is asked for.
 constexpr double kMostJudged = 1 << 22;
 
-/// Where nobody is asked for: every intersection method of a scene that is small enough, or cross.
-std::vector<MethodPair> default_methods(const ViewArguments& arguments) {
+struct Size {
+  double rays = 0, spheres = 0;
+};
+
+Size size_of(const ViewArguments& arguments) {
   const auto loaded = scene::load_scene(arguments.scene, parse_dialect(arguments.dialect));
   const auto& camera = loaded.scene.camera;
   const double rays = camera
                           ? static_cast<double>(camera->width) * static_cast<double>(camera->height)
                           : static_cast<double>(loaded.scene.rays.size());
+  return {rays, static_cast<double>(loaded.scene.spheres.size())};
+}
+
+/// Where nobody is asked for: every intersection method of a scene that is small enough, or cross.
+std::vector<MethodPair> default_methods(const Size& size) {
   const auto all = fast::intersect_methods();
-  const double judged =
-      rays * static_cast<double>(loaded.scene.spheres.size()) * static_cast<double>(all.size());
-  if (judged > kMostJudged) return {kDefaultMethods};
-  std::vector<MethodPair> pairs;
-  for (const fast::IntersectMethod* method : all) {
-    pairs.push_back({kDefaultMethods.rays, method});
+  if (size.rays * size.spheres * static_cast<double>(all.size()) > kMostJudged) {
+    return {kDefaultMethods};
   }
+  std::vector<MethodPair> pairs;
+  for (const fast::IntersectMethod* method : all) pairs.push_back({kDefaultMethods.rays, method});
   return pairs;
 }
 
@@ -75,10 +84,14 @@ CheckOptions check_options(const ViewArguments& arguments) {
   options.path = arguments.scene;
   if (const auto dialect = parse_dialect(arguments.dialect)) options.driver = {.dialect = *dialect};
   options.contestants = find_contestants(arguments.external);
+  const Size size = size_of(arguments);
+  if (size.rays * size.spheres > kMostJudged) {
+    options.pixels = static_cast<std::int64_t>(std::max(kMostJudged / size.spheres, 256.0));
+  }
   const bool methods_asked = !arguments.methods.empty() || !arguments.rays.empty();
   if (options.contestants.empty() || methods_asked) {
     const auto pairs = contestants(methods_asked ? chosen_methods(arguments.rays, arguments.methods)
-                                                 : default_methods(arguments));
+                                                 : default_methods(size));
     options.contestants.insert(options.contestants.begin(), pairs.begin(), pairs.end());
   }
   return options;

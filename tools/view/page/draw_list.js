@@ -3,7 +3,8 @@ import { dotProduct, drawnRoot, lengthOf, minus, pixelPointOf, plus, seenThrough
 
 /// The layers that can be switched, with their names.
 export const LAYERS = {
-  frustum: "frustum", axes: "axes", pixels: "pixels", spheres: "spheres", hits: "hit points", roots: "T, v, d, roots", names: "names",
+  frustum: "frustum", axes: "axes", pixels: "pixels", spheres: "spheres", hits: "hit points",
+  roots: "T, v, d, roots", names: "names",
 };
 const MOST_PIXELS_ACROSS = 96; // more are thinned, and the figure says so
 const MOST_RAYS_ACROSS = 24;
@@ -15,22 +16,23 @@ const MOST_NAMED_SPHERES = 24;
 export function drawList(scene, selection, panel, layers, palette) {
   const { camera, rays } = scene.figure;
   const list = {
-    scene, selection, layers, palette, camera, axes: camera ? [camera.U, camera.V, camera.W] : [[1, 0, 0], [0, 1, 0], [0, 0, 1]],
-    size: sizeOf(scene.figure), segments: [], points: [], spheres: [], names: [], notes: [], isOutOfScale: false,
-    whole: camera ? [] : rays.map((ray) => ray.origin),
+    scene, selection, layers, palette, camera, size: sizeOf(scene.figure), isOutOfScale: false,
+    axes: camera ? [camera.U, camera.V, camera.W] : [[1, 0, 0], [0, 1, 0], [0, 0, 1]],
+    whole: camera ? [] : rays.map((ray) => ray.origin), segments: [], points: [], spheres: [], names: [], notes: [],
   };
   if (camera) addCamera(list);
   addSpheres(list);
   list.reach = Math.max(...list.whole.map(lengthOf)) || list.size;
   if (camera && layers.pixels) addPixels(list);
   for (const ray of raysShown(list)) addRay(list, ray);
-  if (layers.roots && panel) addDrawing(list, panel.drawing);
+  if (layers.roots && panel) addDrawing(list, panel.drawing, scene.figure.spheres.centre[panel.sphere]);
   return withoutInfinities(list);
 }
 
 function sizeOf({ camera, rays, spheres }) {
   if (camera) return Math.max(...cornersAt(camera, camera.far ?? camera.near).map(lengthOf));
-  return Math.max(...[...rays.map((ray) => ray.origin), ...spheres.centre.slice(0, 1)].map(lengthOf), ...spheres.radius.slice(0, 1)) || 1;
+  const places = [...rays.map((ray) => ray.origin), ...spheres.centre.slice(0, 1)];
+  return Math.max(...places.map(lengthOf), ...spheres.radius.slice(0, 1)) || 1;
 }
 
 /// The frustum's corners at a depth, enlarged about its middle.
@@ -114,13 +116,17 @@ function addSpheres(list) {
     const [radius, isChosen] = [spheres.radius[index], list.selection.sphere === index];
     const surroundsEye = lengthOf(centre) < radius;
     if (!isOrdinary(list, centre, radius)) beyond += 1;
-    else if (!surroundsEye) list.whole.push(...list.axes.flatMap((axis) => [plus(centre, times(axis, radius)), minus(centre, times(axis, radius))]));
+    else if (!surroundsEye) {
+      list.whole.push(...list.axes.flatMap((axis) => [1, -1].map((sign) => plus(centre, times(axis, sign * radius)))));
+    }
     if (!list.layers.spheres) return;
     list.spheres.push({ index, centre, radius, colour: rgbOf(spheres.colour[index]), surroundsEye });
     if (count <= MOST_NAMED_SPHERES || isChosen) addName(list, centre, `sphere ${index}`, list.palette.ink, index);
     if (surroundsEye) list.notes.push(`Sphere ${index} surrounds the eye; from outside only its far half is drawn.`);
   });
-  if (beyond > 0) list.notes.push(`${beyond} of ${count} spheres reach so far that no view holds everything to scale; go to one of them.`);
+  if (beyond > 0) {
+    list.notes.push(`${beyond} of ${count} spheres reach so far that no view holds all to scale; go to one of them.`);
+  }
   if (leftOut > 0) list.notes.push(`${leftOut} more spheres are not in this page.`);
   list.isOutOfScale ||= beyond > 0 && beyond === count;
 }
@@ -161,7 +167,8 @@ function addPixels(list) {
 
 function pixelOf(camera, i, j) {
   const index = j * camera.width + i;
-  return { index, at: pixelPointOf(camera, i, j), colour: rainbow(index, camera.width * camera.height), select: { pixel: [i, j] } };
+  const colour = rainbow(index, camera.width * camera.height);
+  return { index, at: pixelPointOf(camera, i, j), colour, select: { pixel: [i, j] } };
 }
 
 /// The rays to draw: {origin, direction, colour, select, index}.
@@ -169,8 +176,8 @@ function raysShown(list) {
   const { camera, selection, layers, scene } = list;
   if (layers.rays === "none") return [];
   if (!camera) {
-    return scene.figure.rays
-      .map((ray, index) => ({ ...ray, index, colour: rainbow(index, scene.figure.rays.length), select: { ray: index } }))
+    const { rays } = scene.figure;
+    return rays.map((ray, index) => ({ ...ray, index, colour: rainbow(index, rays.length), select: { ray: index } }))
       .filter(({ index }) => layers.rays === "all" || index === selection.ray);
   }
   const [chosenI, chosenJ] = selection.pixel ?? [0, 0];
@@ -180,25 +187,34 @@ function raysShown(list) {
     ({ ...pixel, origin: camera.origin === "pixel" ? pixel.at : [0, 0, 0], direction: unitOf(pixel.at) }));
 }
 
-/// An arrow to the sphere that the document says is seen, or out of the figure.
+/// An arrow to where the document says that the ray meets a sphere, or out of the figure.
 function addRay(list, { origin, direction, colour, select, index }) {
-  const { centre, radius } = list.scene.figure.spheres;
-  const met = sphereSeen(list.scene, index);
-  const s = centre[met] ? drawnRoot(origin, direction, centre[met], radius[met]) : null;
-  const end = plus(origin, times(direction, s ?? list.reach));
+  const hit = list.camera ? hitOfPixel(list, origin, direction, index) : hitOfGiven(list, origin, direction, index);
+  const end = hit ?? plus(origin, times(direction, list.reach));
   addLine(list, origin, end, colour, { hasArrow: true });
   if (!list.camera) addPoint(list, origin, colour, "disc", 8, select);
-  if (s !== null && list.layers.hits) addPoint(list, end, colour, "diamond", 10, select);
+  if (hit && list.layers.hits) addPoint(list, hit, colour, "diamond", 10, select);
 }
 
-/// The sphere that ray number k meets, -1 for none; undefined where the document does not say.
-function sphereSeen(scene, k) {
+/// Where a pixel's ray meets the sphere that the pixel sees; null where it sees none, or this is not told.
+function hitOfPixel({ scene }, origin, direction, index) {
   let until = 0;
-  return scene.seen?.find(([run]) => (until += run) > k)?.[1];
+  const seen = scene.seen?.find(([run]) => (until += run) > index)?.[1];
+  const { centre, radius } = scene.figure.spheres;
+  const s = centre[seen] ? drawnRoot(origin, direction, centre[seen], radius[seen]) : null;
+  return s === null ? null : plus(origin, times(direction, s));
 }
 
-/// T, v, d and the roots of the panel's ray and sphere.
-function addDrawing(list, { L, P, D, C, foot, roots }) {
+/// The nearest of the hit points in a given ray's panels; null: none.
+function hitOfGiven({ scene }, origin, direction, index) {
+  const along = (point) => dotProduct(minus(point, origin), direction);
+  return scene.panels.filter((panel) => panel.ray === index)
+    .flatMap((panel) => panel.drawing.roots.filter((root) => root.chosen).map((root) => root.Q))
+    .reduce((nearest, Q) => (nearest && along(nearest) <= along(Q) ? nearest : Q), null);
+}
+
+/// T, v, d and the roots of the panel's ray and its sphere, C, if any.
+function addDrawing(list, { L, P, D, foot, roots }, C) {
   const { palette } = list;
   const middle = (a, b) => times(plus(a, b), 0.5);
   const along = (point) => dotProduct(minus(point, L), D);
@@ -208,7 +224,8 @@ function addDrawing(list, { L, P, D, C, foot, roots }) {
     addLine(list, L, places[0], palette.ink, { isThick: true, isDashed: true });
     addName(list, places[0], "behind the origin");
   }
-  addLine(list, L, plus(places[places.length - 1], times(D, 0.2 * list.reach)), palette.ink, { isThick: true, hasArrow: true });
+  const last = places[places.length - 1];
+  addLine(list, L, plus(last, times(D, 0.2 * list.reach)), palette.ink, { isThick: true, hasArrow: true });
   addPoint(list, L, palette.ink, "square", 9);
   addName(list, L, "L, the ray's origin");
   if (!C || !foot) return;
@@ -228,15 +245,15 @@ function addDrawing(list, { L, P, D, C, foot, roots }) {
     addLine(list, foot, Q, palette.gold, { isThick: true });
     if (isNear && roots.length > 1) addName(list, middle(foot, Q), "d", palette.gold);
     addPoint(list, Q, colour, isNear ? "diamond" : "square", chosen ? 15 : 10);
-    addName(list, Q, `${name}, s = ${s}${counts ? "" : ", does not count"}`, colour);
+    addName(list, Q, `${name}, s = ${Number(Number(s).toPrecision(6))}${counts ? "" : ", does not count"}`, colour);
   }
 }
 
 function withoutInfinities(list) {
-  const isFinite = (item) => [item.at, item.from, item.to, item.centre, [item.radius ?? 0]].every((place) => !place || place.every(Number.isFinite));
+  const numbers = ({ at, from, to, centre, radius }) => [at, from, to, centre, radius].flat().filter((x) => x !== undefined);
   let dropped = 0;
   for (const kind of ["segments", "points", "names", "spheres"]) {
-    const kept = list[kind].filter(isFinite);
+    const kept = list[kind].filter((item) => numbers(item).every(Number.isFinite));
     dropped += list[kind].length - kept.length;
     list[kind] = kept;
   }

@@ -5,7 +5,8 @@ import { figureTable } from "./figure_table.js";
 import { flatPanes, paintFlat } from "./flat.js";
 import { writeNames } from "./names.js";
 import { followPointers, pickedAt } from "./pointer.js";
-import { distanceToFit, eyeViewer, homogeneous, lengthOf, letterboxed, minus, orbitViewer, pixelsOf, plus, times } from "./projection.js";
+import { distanceToFit, eyeViewer, homogeneous, letterboxed, orbitViewer, pixelsOf } from "./projection.js";
+import { lengthOf, minus, plus, times } from "./projection.js";
 import { placeText, walkByKeys } from "./store.js";
 import { eyePicture, webglPainter } from "./webgl.js";
 
@@ -18,13 +19,16 @@ const VIEWS = {
   flat: { name: "flat, side and above" },
 };
 const RAYS = { none: "none", pixel: "the chosen one", row: "a row", all: "all" };
-const HINT = "Arrow keys go to the next pixel. Drag, or w a s d: turn. Wheel, two fingers, or + -: nearer, farther. 0: all of it. Click: choose.";
+const HINT = "Arrow keys go to the next pixel. Drag, or w a s d: turn. Shift and drag: move. "
+  + "Wheel, two fingers, or + -: nearer, farther. 0: all of it. Click: choose.";
 const COLOURS = ["ink", "faint", "rim", "blue", "orange", "green", "purple", "gold"]; // --figure-... of the style
 
 export function mountFigure(root, store) {
   const figure = {
     store, view: "corner", zoom: 1, orbit: null, list: null, panes: [], lost: "", gone: "", isDue: false,
-    canvas: element("canvas", {}), flat: svg("svg", { class: "figure-flat" }), names: svg("svg", { class: "figure-names" }),
+    canvas: element("canvas", {}),
+    flat: svg("svg", { class: "figure-flat" }),
+    names: svg("svg", { class: "figure-names" }),
     controls: element("div", { class: "figure-controls", role: "group", "aria-label": "what the figure shows" }),
     notes: element("p", { class: "quiet", role: "status" }),
   };
@@ -37,7 +41,8 @@ export function mountFigure(root, store) {
   startView(figure);
   root.append(figureTable(store, () => figure.list));
   listen(figure);
-  window.raycheckPage = Object.assign(window.raycheckPage ?? {}, { eyePicture: (width, height) => eyePicture(store, width, height) });
+  const tried = { eyePicture: (width, height) => eyePicture(store, width, height) };
+  window.raycheckPage = Object.assign(window.raycheckPage ?? {}, tried);
 }
 
 function listen(figure) {
@@ -79,7 +84,8 @@ function layersOf({ store }) {
 function rebuildFigure(figure) {
   const { store } = figure;
   const style = getComputedStyle(figure.stage);
-  const palette = Object.fromEntries(COLOURS.map((name) => [name, rgbOf(style.getPropertyValue(`--figure-${name}`).trim())]));
+  const colour = (name) => rgbOf(style.getPropertyValue(`--figure-${name}`).trim());
+  const palette = Object.fromEntries(COLOURS.map((name) => [name, colour(name)]));
   figure.list = drawList(store.scene(), store.selection, store.panel(), layersOf(figure), palette);
   redrawFigure(figure);
 }
@@ -99,7 +105,8 @@ function showView(figure, view) {
   const orbit = { target, axes, azimuth, elevation, distance: distanceToFit(radius) };
   // Then as much nearer as what is seen leaves room, and a little less.
   const viewer = orbitViewer(orbit, figure.stage.clientWidth / figure.stage.clientHeight || 1);
-  const share = Math.max(...whole.map((place) => homogeneous(viewer, place)).map(([x, y, w]) => Math.max(Math.abs(x), Math.abs(y)) / w));
+  const seen = whole.map((place) => homogeneous(viewer, place));
+  const share = Math.max(...seen.map(([x, y, w]) => Math.max(Math.abs(x), Math.abs(y)) / w));
   orbit.distance *= share + 0.12;
   Object.assign(figure, { view, zoom: 1, gone: "", orbit });
   fillControls(figure);
@@ -123,12 +130,15 @@ function fillControls(figure) {
   const layers = layersOf(figure);
   const views = Object.entries(VIEWS).filter(([key]) => (painter ? key !== "eye" || list.camera : key === "flat"));
   const last = store.scene().figure.spheres.centre.length - 1;
-  const number = element("input", { type: "number", min: 0, max: last, value: store.selection.sphere ?? 0, "aria-label": "number of a sphere" });
+  const number = element("input", {
+    type: "number", min: 0, max: last, value: store.selection.sphere ?? 0, "aria-label": "number of a sphere",
+  });
   const go = () => goToSphere(figure, Math.min(Math.max(Math.trunc(number.valueAsNumber) || 0, 0), last));
   figure.controls.replaceChildren(
     choice("figure-look", "View", views.map(([key, { name }]) => [key, name]), figure.view, (view) => showView(figure, view)),
     choice("figure-rays", "Rays", Object.entries(RAYS), layers.rays, (rays) => store.set({ layers: { rays } })),
-    element("span", { hidden: last < 0 || !painter }, number, " ", element("button", { type: "button", click: go }, "Go to sphere")),
+    element("span", { hidden: last < 0 || !painter }, number, " ",
+      element("button", { type: "button", click: go }, "Go to sphere")),
     ...Object.entries(LAYERS).map(([key, name]) => element("label", {}, element("input", {
       type: "checkbox", checked: layers[key], change: (event) => store.set({ layers: { [key]: event.target.checked } }),
     }), ` ${name}`)),
@@ -150,20 +160,27 @@ function drawFigure(figure) {
   const isFlat = !painter || view === "flat";
   figure.canvas.hidden = isFlat;
   figure.flat.classList.toggle("absent", !isFlat);
-  figure.panes = isFlat ? flatPanes(list, width, height) : [{ x: 0, y: 0, width, height, viewer: viewerOf(figure, width / height) }];
-  const painted = isFlat ? { small: [], notes: paintFlat(figure.flat, list, figure.panes) } : painter.paint(list, figure.panes[0]);
+  figure.panes = isFlat
+    ? flatPanes(list, width, height)
+    : [{ x: 0, y: 0, width, height, viewer: viewerOf(figure, width / height) }];
+  const painted = isFlat
+    ? { small: [], notes: paintFlat(figure.flat, list, figure.panes) }
+    : painter.paint(list, figure.panes[0]);
   const small = new Set(painted.small.map(({ index }) => index));
   const shown = list.layers.names ? list.names : [];
-  const names = shown.map((name) => (small.has(name.sphere) ? { ...name, text: `${name.text}, too small to see here` } : name));
+  const names = shown.map((name) =>
+    (small.has(name.sphere) ? { ...name, text: `${name.text}, too small to see here` } : name));
   const missing = writeNames(figure.names, names, figure.panes);
   if (figure.panes[0].viewer.isEye) figure.names.prepend(besidePicture(list.camera, figure.panes[0]));
   figure.notes.replaceChildren([
     figure.lost, figure.gone, ...list.notes, ...painted.notes,
-    small.size > 0 ? `Spheres too small to see here, each in a ring: ${small.size}.` : "", missing > 0 ? `Names without room here: ${missing}.` : "",
+    small.size > 0 ? `Spheres too small to see here, each in a ring: ${small.size}.` : "",
+    missing > 0 ? `Names without room here: ${missing}.` : "",
   ].join(" ").trim());
   const { camera, rays, spheres } = store.scene().figure;
-  stage.setAttribute("aria-label", `Figure ${VIEWS[isFlat ? "flat" : view].name}: ${camera ? `camera, ${camera.width} x ${camera.height} pixels` : `${rays.length} rays`}`
-    + `, ${spheres.centre.length} spheres; chosen: ${placeText(store.selection) || "nothing"}`);
+  const what = camera ? `camera, ${camera.width} x ${camera.height} pixels` : `${rays.length} rays`;
+  stage.setAttribute("aria-label", `Figure ${VIEWS[isFlat ? "flat" : view].name}: ${what}, spheres: `
+    + `${spheres.centre.length}; chosen: ${placeText(store.selection) || "nothing"}`);
 }
 
 function viewerOf({ view, list, orbit, zoom: enlarged }, aspect) {
@@ -174,9 +191,11 @@ function viewerOf({ view, list, orbit, zoom: enlarged }, aspect) {
 function besidePicture(camera, pane) {
   const [x0, x1, y0, y1] = eyeViewer(camera).window;
   const [left, right, bottom, top] = pane.viewer.window;
-  const onScreen = (x, y) => pixelsOf([(2 * x - left - right) / (right - left), (2 * y - bottom - top) / (top - bottom), 1], pane);
+  const onScreen = (x, y) =>
+    pixelsOf([(2 * x - left - right) / (right - left), (2 * y - bottom - top) / (top - bottom), 1], pane);
   const [[fromX, fromY], [toX, toY]] = [onScreen(x0, y1), onScreen(x1, y0)];
-  return svg("path", { class: "figure-beside", d: `M0 0H${pane.width}V${pane.height}H0ZM${fromX} ${fromY}V${toY}H${toX}V${fromY}Z` });
+  const d = `M0 0H${pane.width}V${pane.height}H0ZM${fromX} ${fromY}V${toY}H${toX}V${fromY}Z`;
+  return svg("path", { class: "figure-beside", d });
 }
 
 function turnFigure(figure, x, y) {
@@ -205,8 +224,10 @@ function zoomFigure(figure, by) {
 function actByKey(figure, event) {
   if (event.altKey || event.ctrlKey || event.metaKey) return;
   const act = {
-    a: () => turnFigure(figure, -0.1, 0), d: () => turnFigure(figure, 0.1, 0), w: () => turnFigure(figure, 0, 0.1), s: () => turnFigure(figure, 0, -0.1),
-    "+": () => zoomFigure(figure, 0.8), "=": () => zoomFigure(figure, 0.8), "-": () => zoomFigure(figure, 1.25), 0: () => showView(figure, figure.view),
+    a: () => turnFigure(figure, -0.1, 0), d: () => turnFigure(figure, 0.1, 0),
+    w: () => turnFigure(figure, 0, 0.1), s: () => turnFigure(figure, 0, -0.1),
+    "+": () => zoomFigure(figure, 0.8), "=": () => zoomFigure(figure, 0.8), "-": () => zoomFigure(figure, 1.25),
+    0: () => showView(figure, figure.view),
   }[event.key];
   if (!act) return;
   event.preventDefault();

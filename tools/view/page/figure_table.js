@@ -20,7 +20,8 @@ export function figureTable(store, listNow) {
 function namesTable(store, { names }) {
   const { origin_text: origin, scale_exponent: exponent } = store.scene().figure;
   const inScene = (x) => Number((x * 2 ** -exponent).toPrecision(6)).toString();
-  return table(`What is drawn, relative to ${origin}, to six digits`, ["name", "x", "y", "z"], names.map(({ text, at }) => [text, ...at.map(inScene)]));
+  return table(`What is drawn, relative to ${origin}, to six digits`, ["name", "x", "y", "z"],
+    names.map(({ text, at }) => [text, ...at.map(inScene)]));
 }
 
 function rootsTable(store) {
@@ -31,7 +32,8 @@ function rootsTable(store) {
       `sphere ${sphere}`, roots.length === 1 ? "double" : which, s, counts ? "yes" : "no", chosen ? "yes" : "no",
     ])));
   const place = placeText({ ...store.selection, sphere: null });
-  return rows.length === 0 ? [] : [table(`Roots on the ray of ${place}`, ["sphere", "root", "s", "counts", "is the answer"], rows)];
+  if (rows.length === 0) return [];
+  return [table(`Roots on the ray of ${place}`, ["sphere", "root", "s", "counts", "is the answer"], rows)];
 }
 
 function spheresTable(store) {

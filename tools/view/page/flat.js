@@ -16,10 +16,11 @@ export function flatPanes(list, width, height) {
   const isWide = width > 2.2 * height; // a frustum is long
   const size = isWide ? { width: width / 2, height } : { width, height: height / 2 };
   const [fromSide, fromAbove] = [[times(back, -1), up, side], [times(back, -1), times(side, -1), up]];
+  const [U, V] = list.camera ? ["U", "V"] : ["x", "y"];
+  const second = isWide ? { x: size.width, y: 0 } : { x: 0, y: size.height };
   return [
-    { ...size, x: 0, y: 0, title: `from the side, along ${list.camera ? "U" : "x"}`, viewer: viewerOfAll(list, fromSide, size) },
-    { ...size, x: isWide ? size.width : 0, y: isWide ? 0 : size.height, title: `from above, along ${list.camera ? "V" : "y"}`,
-      viewer: viewerOfAll(list, fromAbove, size) },
+    { ...size, x: 0, y: 0, title: `from the side, along ${U}`, viewer: viewerOfAll(list, fromSide, size) },
+    { ...size, ...second, title: `from above, along ${V}`, viewer: viewerOfAll(list, fromAbove, size) },
   ];
 }
 
@@ -36,9 +37,13 @@ function viewerOfAll({ whole, size }, axes, { width, height }) {
 
 /// Draws a list into panes; returns what is not drawn.
 export function paintFlat(target, list, panes) {
-  target.replaceChildren(...panes.map((pane) => svg("svg", { x: pane.x, y: pane.y, width: pane.width, height: pane.height },
-    svg("text", { x: 10, y: 20 }, pane.title), list.spheres.slice(0, MOST_CIRCLES).map((sphere) => circle(sphere, pane)),
-    list.segments.map((segment) => path(segment, pane)), list.points.map((point) => mark(point, pane)))));
+  const shown = list.spheres.slice(0, MOST_CIRCLES);
+  target.replaceChildren(...panes.map((pane) => {
+    const { x, y, width, height } = pane;
+    return svg("svg", { x, y, width, height }, svg("text", { x: 10, y: 20 }, pane.title),
+      shown.map((sphere) => flatCircle(sphere, pane)), list.segments.map((segment) => flatPath(segment, pane)),
+      list.points.map((point) => flatMark(point, pane)));
+  }));
   const large = panes.some((pane) => list.spheres.some(({ radius }) => radiusOn(pane, radius) > GREATEST_RADIUS));
   return [
     ...(list.spheres.length > MOST_CIRCLES ? [`Of ${list.spheres.length} spheres ${MOST_CIRCLES} are drawn here.`] : []),
@@ -52,21 +57,24 @@ export function cssColour(colour) {
 
 const radiusOn = ({ viewer: { window }, width }, radius) => (radius / (window[1] - window[0])) * width;
 
-function circle({ centre, radius, colour }, pane) {
+function flatCircle({ centre, radius, colour }, pane) {
   const [cx, cy] = pixelsOf(homogeneous(pane.viewer, centre), pane);
   const r = radiusOn(pane, radius);
   if (Math.max(r, Math.abs(cx), Math.abs(cy)) > GREATEST_RADIUS) return null;
   return svg("circle", { cx, cy, r: Math.max(r, 2), fill: cssColour(colour), "fill-opacity": 0.35, stroke: cssColour(colour) });
 }
 
-function path(segment, pane) {
-  const strokes = strokesOf(pane, segment).map((stroke) => stroke.map((end) => pixelsOf(end, pane).join(" ")).join("L"));
+function flatPath(segment, pane) {
+  const told = (stroke) => stroke.map((end) => pixelsOf(end, pane).join(" ")).join("L");
+  const strokes = strokesOf(pane, segment).map(told);
   return strokes.length === 0 ? null : svg("path", {
     d: `M${strokes.join("M")}`, stroke: cssColour(segment.colour), "stroke-width": segment.isThick ? 2.4 : 1.2,
   });
 }
 
-function mark({ at, colour, shape, size }, pane) {
+function flatMark({ at, colour, shape, size }, pane) {
   const place = onPane(pane, at);
-  return place && svg("path", { d: MARKS[shape], transform: `translate(${place}) scale(${size / 2})`, fill: cssColour(colour), "fill-rule": "evenodd" });
+  return place && svg("path", {
+    d: MARKS[shape], transform: `translate(${place}) scale(${size / 2})`, fill: cssColour(colour), "fill-rule": "evenodd",
+  });
 }

@@ -31,8 +31,10 @@ export function freeBox(x, y, width, pane, taken) {
       const angle = (turn * Math.PI) / 4;
       const left = x + (away + width / 2) * Math.cos(angle) - width / 2;
       const top = y - (away + LINE / 2) * Math.sin(angle) - LINE / 2;
-      const isInside = left >= pane.x && top >= pane.y && left + width <= pane.x + pane.width && top + LINE <= pane.y + pane.height;
-      if (!isInside || taken.some((box) => left < box.x + box.width && box.x < left + width && Math.abs(top - box.y) < LINE)) continue;
+      const isInside = left >= pane.x && top >= pane.y
+        && left + width <= pane.x + pane.width && top + LINE <= pane.y + pane.height;
+      const meets = (box) => left < box.x + box.width && box.x < left + width && Math.abs(top - box.y) < LINE;
+      if (!isInside || taken.some(meets)) continue;
       const joint = [Math.min(Math.max(x, left), left + width), Math.min(Math.max(y, top), top + LINE)];
       return { x: left, y: top, width, from: [x, y], joint, isApart: Math.hypot(joint[0] - x, joint[1] - y) > 12 };
     }

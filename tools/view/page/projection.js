@@ -141,7 +141,8 @@ export function strokesOf(pane, segment) {
   const length = Math.hypot(bx - ax, by - ay);
   if (!(length > 0.05)) return [];
   const strokes = segment.isDashed ? dashes(a, b, Math.max(1, Math.round(length / 10))) : [clipped];
-  return segment.hasArrow && length > 9 ? [...strokes, ...arrowHead(b, (bx - ax) / length, (by - ay) / length, pane)] : strokes;
+  if (!segment.hasArrow || length < 9) return strokes;
+  return [...strokes, ...arrowHead(b, (bx - ax) / length, (by - ay) / length, pane)];
 }
 
 function dashes(a, b, count) {

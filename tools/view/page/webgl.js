@@ -1,4 +1,5 @@
 // Draws a list with three.js: lines and points in homogeneous screen coordinates, spheres by the ray of every pixel.
+/* global THREE, SHADERS */
 import { crossProduct, eyeViewer, homogeneous, inView, lengthOf, sphereWindow, strokesOf } from "./projection.js";
 
 const SHAPES = ["disc", "square", "diamond", "ring", "cross"]; // as point.frag numbers them
@@ -14,7 +15,8 @@ export function webglPainter(canvas) {
   const renderer = new THREE.WebGLRenderer({ canvas, context, alpha: true, logarithmicDepthBuffer: true });
   const camera = new THREE.PerspectiveCamera();
   camera.projectionMatrix.set(1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 0, 0, 0, 0, -1, 0); // what it is handed is projected
-  const painter = { renderer, camera, spheres: sphereMesh({}), identities: sphereMesh({ IDENTIFY: 1 }), ...lineMeshes(), ...pointMeshes() };
+  const spheres = { spheres: sphereMesh({}), identities: sphereMesh({ IDENTIFY: 1 }) };
+  const painter = { renderer, camera, ...spheres, ...lineMeshes(), ...pointMeshes() };
   return {
     paint: (list, pane) => paintWith(painter, list, pane),
     identify: (list, pane) => identifyWith(painter, list, pane),
@@ -38,12 +40,15 @@ function paintWith(painter, list, pane) {
   fillSpheres(painter.spheres, packed, list, pane);
   const size = packed.small.length > 200 ? 4 : 11;
   const rings = packed.small.map(({ centre, colour }) => ({ at: centre, colour, shape: "ring", size }));
-  const farthest = Math.max(packed.farthest, fillLines(painter, list, pane), fillPoints(painter, [...list.points, ...rings], list, pane, ratio));
+  const ofPoints = fillPoints(painter, [...list.points, ...rings], list, pane, ratio);
+  const farthest = Math.max(packed.farthest, ofPoints, fillLines(painter, list, pane));
   const { spheres, thin, thinHidden, thick, thickHidden, points, pointsHidden } = painter;
   render(painter, [spheres, thinHidden, thin, thickHidden, thick, pointsHidden, points], farthest);
   const notes = [];
   if (farthest > GREATEST_DEPTH) notes.push("What is 1e30 times as far as the nearest is not drawn.");
-  if (packed.unresolved > 1) notes.push(`${packed.unresolved} spheres are so far off for their size that where two cross, either may be in front.`);
+  if (packed.unresolved > 1) {
+    notes.push(`${packed.unresolved} spheres are so far off for their size that where two cross, either may be in front.`);
+  }
   return { small: packed.small, notes };
 }
 
@@ -53,22 +58,25 @@ function identifyWith(painter, list, pane) {
   const { width, height } = pane;
   const packed = packSpheres(list, pane, 1);
   fillSpheres(painter.identities, packed, list, pane);
-  const target = new THREE.WebGLRenderTarget(width, height, { minFilter: THREE.NearestFilter, magFilter: THREE.NearestFilter });
+  const filters = { minFilter: THREE.NearestFilter, magFilter: THREE.NearestFilter };
+  const target = new THREE.WebGLRenderTarget(width, height, filters);
   renderer.setRenderTarget(target);
   render(painter, [painter.identities], packed.farthest);
   const bytes = new Uint8Array(4 * width * height);
   renderer.readRenderTargetPixels(target, 0, 0, width, height, bytes);
   renderer.setRenderTarget(null);
   target.dispose();
-  return Int32Array.from({ length: width * height }, (_, k) => bytes[4 * k] + 256 * bytes[4 * k + 1] + 65536 * bytes[4 * k + 2] - 1);
+  const numberAt = (k) => bytes[k] + 256 * bytes[k + 1] + 65536 * bytes[k + 2];
+  return Int32Array.from({ length: width * height }, (_, k) => numberAt(4 * k) - 1);
 }
 
 /// The sphere that each of width x height pixels of the view from the eye shows, -1 for none; row j = 0 first.
 export function eyePicture(store, width, height) {
   const { figure, conventions } = store.scene();
   const { camera, spheres } = figure;
+  if (!camera) throw new Error("without a camera there is no view from the eye");
   const painter = webglPainter(document.createElement("canvas"));
-  if (!camera || !painter) throw new Error(camera ? "there is no WebGL 2 here" : "without a camera there is no view from the eye");
+  if (!painter) throw new Error("there is no WebGL 2 here");
   const pane = { viewer: eyeViewer(camera), width: width ?? camera.width, height: height ?? camera.height };
   const list = {
     scene: { figure, conventions }, axes: [camera.U, camera.V, camera.W],
@@ -90,7 +98,8 @@ function packSpheres({ spheres }, { viewer, width, height }, ratio) {
     const centre = inView(viewer, sphere.centre);
     const around = sphereWindow(centre, sphere.radius);
     if (around === null) continue;
-    const radius = Math.max((around[1] - around[0]) / Math.abs(rays[2]), (around[3] - around[2]) / Math.abs(rays[3])) / 2;
+    const [wide, high] = [(around[1] - around[0]) / Math.abs(rays[2]), (around[3] - around[2]) / Math.abs(rays[3])];
+    const radius = Math.max(wide, high) / 2; // on the screen
     const distance = lengthOf(centre);
     if (radius < LEAST_SEEN * ratio) small.push(sphere);
     if (radius < LEAST_DRAWN || distance + sphere.radius > GREATEST_DEPTH * viewer.nearest) continue;
@@ -117,8 +126,10 @@ function pixelRange(low, high, origin, step, count) {
 function sphereData({ index, centre, radius, colour, surroundsEye, distance, x, y }, viewer, rays, across, along) {
   const unit = viewer.nearest;
   const T = centre.map((coordinate) => coordinate / radius);
-  const pixelNear = (tangent, origin, step, [first, end]) => Math.min(Math.max(Math.floor((tangent - origin) / step), first), end - 1) + 0.5;
-  const [px, py] = [0, 1].map((k) => pixelNear(centre[2] > 0 ? centre[k] / centre[2] : 0, rays[k], rays[k + 2], [x, y][k]));
+  const [px, py] = [x, y].map(([first, end], k) => {
+    const tangent = centre[2] > 0 ? centre[k] / centre[2] : 0;
+    return Math.min(Math.max(Math.floor((tangent - rays[k]) / rays[k + 2]), first), end - 1) + 0.5;
+  });
   const D = [rays[0] + rays[2] * px, rays[1] + rays[3] * py, 1];
   const greater = Math.fround(distance / unit);
   const isHalf = surroundsEye && !viewer.isEye && distance > radius;
@@ -154,7 +165,8 @@ function handed(mesh, order) {
 }
 
 function fillSpheres(mesh, packed, { scene, axes }, { viewer }) {
-  fillBuffer(mesh.geometry, packed.data, { bounds: 4, turned: 4, turnedX: 4, turnedY: 4, span: 4, tint: 4, reference: 3 }, true);
+  const sizes = { bounds: 4, turned: 4, turnedX: 4, turnedY: 4, span: 4, tint: 4, reference: 3 };
+  fillBuffer(mesh.geometry, packed.data, sizes, true);
   const { rays, upward, counted, rule } = mesh.material.uniforms;
   rays.value.fromArray(packed.rays);
   upward.value.fromArray(viewer.axes.map((axis) => axis[0] * axes[1][0] + axis[1] * axes[1][1] + axis[2] * axes[1][2]));
@@ -165,7 +177,8 @@ function fillSpheres(mesh, packed, { scene, axes }, { viewer }) {
   const greatest = Number.isFinite(told.t_max) ? told.t_max * unit : Infinity;
   counted.value.set((told.t_min ?? 0) * unit, Math.min(greatest, 3e38));
   const hasLarger = told.culling !== "back-faces" && told.root !== "smaller";
-  rule.value.set(viewer.start / viewer.nearest, inRadii ? 1 : 0, told.culling === "front-faces" ? 0 : 1, hasLarger ? 1 : 0);
+  const hasSmaller = told.culling !== "front-faces";
+  rule.value.set(viewer.start / viewer.nearest, inRadii ? 1 : 0, hasSmaller ? 1 : 0, hasLarger ? 1 : 0);
 }
 
 /// Hands interleaved floats to a geometry; its buffer is kept while it is large enough.
@@ -191,15 +204,16 @@ function fillBuffer(geometry, data, sizes, isInstanced) {
 
 /// What is before the spheres, and, shining through, what they hide.
 function passes(make) {
-  const common = { transparent: true, depthWrite: false };
-  return [make({ ...common, depthFunc: THREE.LessEqualDepth }, 1), make({ ...common, depthFunc: THREE.GreaterDepth }, 0.5)];
+  const pass = (depthFunc, opacity) => make({ transparent: true, depthWrite: false, depthFunc }, opacity);
+  return [pass(THREE.LessEqualDepth, 1), pass(THREE.GreaterDepth, 0.5)];
 }
 
 function lineMeshes() {
   const meshes = (linewidth) => {
     const geometry = new THREE.LineSegmentsGeometry();
-    return passes((pass, opacity) => handed(new THREE.LineSegments2(geometry,
-      new THREE.LineMaterial({ ...pass, opacity, linewidth, color: new THREE.Color(1, 1, 1), vertexColors: THREE.VertexColors })), 1));
+    const style = { linewidth, color: new THREE.Color(1, 1, 1), vertexColors: THREE.VertexColors };
+    return passes((pass, opacity) =>
+      handed(new THREE.LineSegments2(geometry, new THREE.LineMaterial({ ...style, ...pass, opacity })), 1));
   };
   const [[thin, thinHidden], [thick, thickHidden]] = [meshes(1.3), meshes(2.6)];
   return { thin, thinHidden, thick, thickHidden };
@@ -213,12 +227,16 @@ function fillLines(painter, list, pane) {
     for (const [a, b] of strokesOf(pane, segment)) {
       farthest = Math.max(farthest, a[2], b[2]);
       if (Math.max(a[2], b[2]) > GREATEST_DEPTH) continue;
-      packed[segment.isThick ? "thick" : "thin"].push(a[0], a[1], -a[2], b[0], b[1], -b[2], ...segment.colour, ...segment.colour);
+      const ends = [a[0], a[1], -a[2], b[0], b[1], -b[2]];
+      packed[segment.isThick ? "thick" : "thin"].push(...ends, ...segment.colour, ...segment.colour);
     }
   }
   for (const [name, data] of Object.entries(packed)) {
-    fillBuffer(painter[name].geometry, data, { instanceStart: 3, instanceEnd: 3, instanceColorStart: 3, instanceColorEnd: 3 }, true);
-    for (const mesh of [painter[name], painter[`${name}Hidden`]]) mesh.material.uniforms.resolution.value.set(pane.width, pane.height);
+    const sizes = { instanceStart: 3, instanceEnd: 3, instanceColorStart: 3, instanceColorEnd: 3 };
+    fillBuffer(painter[name].geometry, data, sizes, true);
+    for (const mesh of [painter[name], painter[`${name}Hidden`]]) {
+      mesh.material.uniforms.resolution.value.set(pane.width, pane.height);
+    }
   }
   return farthest;
 }

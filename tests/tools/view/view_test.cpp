@@ -1,0 +1,229 @@
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstdlib>
+#include <nlohmann/json.hpp>
+#include <sstream>
+#include <stdexcept>
+#include <string>
+#include <utility>
+
+#include "tests/tools/program.h"
+
+namespace raycheck::tests {
+namespace {
+
+using nlohmann::json;
+
+const std::string kFarSphere = "scene/examples/far-sphere.toml";
+
+json document_of(const std::string& arguments) {
+  const Outcome result = run("view " + arguments + " --format json");
+  EXPECT_EQ(result.exit_code, 0) << result.err;
+  return json::parse(result.out);
+}
+
+double number(const json& text) { return std::strtod(text.get<std::string>().c_str(), nullptr); }
+
+const json& panel_of(const json& scene, int i, int j) {
+  for (const json& panel : scene["panels"]) {
+    if (panel["pixel"] == json{i, j}) return panel;
+  }
+  throw std::runtime_error("no such panel");
+}
+
+/// A scene with a camera 3 x 3 that looks along -z, everything times `scale`.
+std::string scene_file(double scale, const std::string& spheres) {
+  std::ostringstream text;
+  text.precision(17);
+  text << "[camera]\neye = [0, 0, 0]\nlook_at = [0, 0, " << -scale
+       << "]\nup = [0, 1, 0]\nnear = " << -scale << "\nleft = " << -scale << "\nright = " << scale
+       << "\nbottom = " << -scale << "\ntop = " << scale << "\nwidth = 3\nheight = 3\n"
+       << spheres;
+  return temporary_file("scaled.toml", text.str());
+}
+
+TEST(View, has_the_very_text_of_explain) {
+  const json scene = document_of(kFarSphere)["scenes"][0];
+  for (const auto& [i, j] : {std::pair(2, 0), std::pair(9, 8), std::pair(15, 15)}) {
+    const json& panel = panel_of(scene, i, j);
+    const std::string command = panel["command"];
+    const std::string word = "raycheck ";
+    ASSERT_EQ(command.rfind(word, 0), 0u);
+    const Outcome explained = run(command.substr(word.size()));
+    EXPECT_EQ(panel["text"], explained.out) << command;
+  }
+}
+
+TEST(View, draws_relative_to_the_eye_whatever_the_size_of_the_world) {
+  for (const double scale : {0x1p-1000, 1.0, 0x1p+531}) {
+    std::ostringstream spheres;
+    spheres.precision(17);
+    spheres << "[[sphere]]\ncentre = [" << scale << ", 0, " << -3 * scale << "]\nradius = " << scale
+            << "\n";
+    const json figure = document_of(scene_file(scale, spheres.str()))["scenes"][0]["figure"];
+    EXPECT_EQ(figure["scale_exponent"], -std::ilogb(scale));
+    EXPECT_EQ(figure["spheres"]["centre"][0], (json{1.0, 0.0, -3.0}));
+    EXPECT_EQ(figure["spheres"]["radius"][0], 1.0);
+    EXPECT_EQ(figure["camera"]["near"], -1.0);
+  }
+}
+
+TEST(View, subtracts_the_eye_exactly) {
+  const std::string file =
+      temporary_file("view.toml",
+                     "[[ray]]\norigin = [4503599627370496.5, 0, 0]\ndirection = [1, 0, 0]\n"
+                     "[[sphere]]\ncentre = [4503599627370498.5, 0, 0]\nradius = 1\n");
+  const json scene = document_of(file)["scenes"][0];
+  EXPECT_EQ(scene["figure"]["spheres"]["centre"][0][0].get<double>() *
+                std::exp2(-scene["figure"]["scale_exponent"].get<int>()),
+            2.0);
+  const json& roots = scene["panels"][0]["drawing"]["roots"];
+  ASSERT_EQ(roots.size(), 2u);
+  EXPECT_EQ(roots[0]["s"], "1");
+  EXPECT_EQ(roots[1]["s"], "3");
+  EXPECT_TRUE(roots[0]["chosen"].get<bool>());
+  EXPECT_TRUE(roots[1]["counts"].get<bool>());
+}
+
+TEST(View, shows_both_roots_of_a_line_that_meets_the_sphere_behind_its_origin) {
+  const std::string file = temporary_file("view.toml",
+                                          "[[ray]]\norigin = [0, 0, 0]\ndirection = [2, 0, 0]\n"
+                                          "[[sphere]]\ncentre = [-6, 0, 0]\nradius = 2\n");
+  const json panel = document_of(file)["scenes"][0]["panels"][0];
+  ASSERT_EQ(panel["drawing"]["roots"].size(), 2u);
+  EXPECT_EQ(panel["drawing"]["roots"][0]["s"], "-4");
+  for (const json& root : panel["drawing"]["roots"]) {
+    EXPECT_FALSE(root["counts"].get<bool>());
+    EXPECT_FALSE(root["chosen"].get<bool>());
+  }
+  EXPECT_FALSE(panel["microscope"]["hit"].get<bool>());
+}
+
+/// Each method's s in ulp from the exact one: the figures that explain prints.
+TEST(View, the_microscope_says_how_far_answers_are_off) {
+  const json scene = document_of(kFarSphere)["scenes"][0];
+  const json& panel = panel_of(scene, 9, 8);
+  int compared = 0;
+  for (const json& mark : panel["microscope"]["marks"]) {
+    if (mark["kind"] != "s") continue;
+    for (const json& verdict : panel["verdicts"]) {
+      if (verdict["name"] != mark["name"] || verdict["error"].is_null()) continue;
+      const double error = number(verdict["error"]);
+      EXPECT_NEAR(std::abs(number(mark["x"])), error, 0.006 * error + 1e-8) << mark;
+      ++compared;
+    }
+  }
+  EXPECT_GE(compared, 10);
+}
+
+TEST(View, the_microscope_s_grid_is_of_doubles) {
+  const json scene = document_of(kFarSphere)["scenes"][0];
+  const json& grid = panel_of(scene, 9, 8)["microscope"]["grid"];
+  ASSERT_EQ(grid.size(), 17u);
+  for (std::size_t k = 1; k < grid.size(); ++k) {
+    EXPECT_NEAR(number(grid[k]) - number(grid[k - 1]), 1, 1e-4);
+  }
+  EXPECT_LE(std::abs(number(grid[8])), 0.5);
+}
+
+/// A sphere of some ulp of s: the window holds all of it.
+TEST(View, the_microscope_s_curve_is_the_circle) {
+  const std::string file = temporary_file(
+      "view.toml",
+      "[[ray]]\norigin = [0, 0, 0]\ndirection = [1, 0, 0]\n"
+      "[[sphere]]\ncentre = [1, 2.220446049250313e-16, 0]\nradius = 5.551115123125783e-16\n");
+  const json microscope = document_of(file)["scenes"][0]["panels"][0]["microscope"];
+  const json& zoom = microscope["zooms"].back();
+  // s = 1 - 1.5 ulp(1) or so lies below 1, where an ulp is 2^-53: r = 5 of them, centre 2 beside.
+  const double r = 5, y = 2, x = std::sqrt(r * r - y * y);
+  ASSERT_GE(zoom["curve"].size(), 20u);
+  for (const json& point : zoom["curve"]) {
+    EXPECT_NEAR(std::hypot(number(point[0]) - x, number(point[1]) - y), r, 1e-4) << point;
+  }
+}
+
+TEST(View, begins_at_what_was_asked_for) {
+  const json scene = document_of(kFarSphere + " --pixel 3,14")["scenes"][0];
+  EXPECT_EQ(scene["start"]["pixel"], (json{3, 14}));
+}
+
+TEST(View, tells_which_digits_are_right) {
+  const json scene = document_of(kFarSphere + " --method quadratic")["scenes"][0];
+  for (const json& verdict : panel_of(scene, 9, 8)["verdicts"]) {
+    if (verdict["name"] != "quadratic") continue;
+    // 99999999 for 99999998.0015...: eight digits, of which the last is wrong.
+    EXPECT_EQ(verdict["value"][0], "99999999");
+    EXPECT_EQ(verdict["right_digits"][0], 7);
+  }
+}
+
+TEST(View, pictures_count_what_they_show) {
+  const json scene = document_of(kFarSphere + " --method quadratic")["scenes"][0];
+  const json& pictures = scene["pictures"];
+  ASSERT_EQ(pictures.size(), 3u);
+  std::uint64_t pixels = 0;
+  for (const json& entry : pictures[0]["legend"]) pixels += entry["pixels"].get<std::uint64_t>();
+  EXPECT_EQ(pixels, 256u);
+  std::uint64_t wrong = 0;
+  for (const json& entry : pictures[2]["legend"]) {
+    if (entry["text"].get<std::string>().find("wrong") == 0) wrong += entry["pixels"].get<int>();
+  }
+  EXPECT_EQ(wrong, 56u);  // 7 missed, 49 false hits: as check says
+}
+
+TEST(View, a_page_is_one_file_of_bounded_size_that_allows_nothing_else) {
+  const std::string page = temporary_file("page.html", "");
+  const Outcome result =
+      run("view " + std::string("scene/examples/ten-spheres.toml") + " --out " + page);
+  ASSERT_EQ(result.exit_code, 0) << result.err;
+  const std::string text = contents(page);
+  EXPECT_LE(text.size(), 1'500'000u);
+  EXPECT_NE(text.find("default-src 'none'; script-src 'sha256-"), std::string::npos);
+  EXPECT_EQ(text.find("src=\""), std::string::npos);
+  EXPECT_EQ(text.find("@DOCUMENT@"), std::string::npos);
+}
+
+TEST(View, names_that_are_html_are_text) {
+  const std::string scene = temporary_file(
+      "<img src=x onerror=alert(1)>.toml",
+      contents(std::string(RAYCHECK_SOURCE_DIR) + "/scene/examples/optical-axis.toml"));
+  const std::string page = temporary_file("page.html", "");
+  const Outcome result = run("view '" + scene + "' --out " + page);
+  ASSERT_EQ(result.exit_code, 0) << result.err;
+  const std::string text = contents(page);
+  EXPECT_EQ(text.find("<img src=x"), std::string::npos);
+  EXPECT_NE(text.find("&lt;img src=x onerror=alert(1)&gt;.toml"), std::string::npos);
+}
+
+TEST(View, a_dial_has_a_scene_for_each_severity) {
+  const json document = document_of("--family distance --method quadratic,cross --cases 20");
+  const json& dial = document["dial"];
+  EXPECT_EQ(dial["severities"].size(), 16u);
+  EXPECT_EQ(dial["scenes"].size(), document["scenes"].size());
+  ASSERT_EQ(dial["curves"].size(), 2u);
+  EXPECT_FALSE(dial["curves"][0]["points"].back()["stable"].get<bool>());
+  EXPECT_TRUE(dial["curves"][1]["points"].back()["stable"].get<bool>());
+}
+
+TEST(View, refuses_what_is_not_there) {
+  const std::string scene = kFarSphere;
+  const auto refused = [](const std::string& arguments, const std::string& says) {
+    const Outcome result = run("view " + arguments);
+    EXPECT_EQ(result.exit_code, 2) << arguments;
+    EXPECT_NE(result.err.find(says), std::string::npos) << arguments << "\n" << result.err;
+  };
+  refused(scene, "--out FILE.html");
+  refused("--format json", "give a scene, or --family");
+  refused(scene + " --format json --pixel 16,0", "pixel");
+  refused(scene + " --format json --pixel 1,0 --sphere 1", "sphere 1");
+  refused(scene + " --format json --sphere 0", "--sphere: goes with --pixel");
+  refused(scene + " --format json --method nothing", "nothing");
+  refused("--family nothing --format json", "nothing");
+  refused(scene + " --family distance --format json", "give a scene, or --family");
+  refused("--family distance --pixel 1,1 --format json", "--family");
+  refused(scene + " --out " + scene, "--out");
+}
+
+}  // namespace
+}  // namespace raycheck::tests

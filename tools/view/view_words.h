@@ -1,0 +1,34 @@
+#ifndef RAYCHECK_TOOLS_VIEW_VIEW_WORDS_H_
+#define RAYCHECK_TOOLS_VIEW_VIEW_WORDS_H_
+
+// What pages say of commands, and of what they have no room for; in view_words_text.cpp.
+
+#include <cstddef>
+#include <cstdint>
+#include <string>
+
+#include "tools/view/document.h"
+
+namespace raycheck::tools {
+
+/// What explains the same ray and sphere at a desk. Of a camera's pixel: in the scene called
+/// `file`, as a shell takes it; `more` is added.
+std::string explain_command(const ExplainReport& report, const Selection& asked,
+                            const fast::PixelRayMethod& rays, const std::string& file,
+                            const std::string& more);
+
+/// A part of a whole that a page keeps: "3 of 7 spheres".
+struct Kept {
+  std::uint64_t shown = 0, all = 0;
+};
+std::string smaller_pictures(const std::string& scene, const scene::Pixel& shown,
+                             const scene::Pixel& all);
+std::string fewer_pictures(const std::string& scene, const Kept& candidates);
+std::string fewer_spheres(const std::string& scene, const Kept& spheres);
+std::string fewer_panels(const std::string& scene, const Kept& rays);
+std::string fewer_judged(const std::string& scene, const Kept& rays);
+std::string fewer_laws(const Kept& laws);
+
+}  // namespace raycheck::tools
+
+#endif  // RAYCHECK_TOOLS_VIEW_VIEW_WORDS_H_
