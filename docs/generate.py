@@ -10,6 +10,10 @@
     python3 docs/generate.py --performance
                                         docs/performance.md and its plot, from a run of
                                         bench_visibility with the peers built in
+    python3 docs/generate.py --pages FOLDER [PROGRAM]
+                                        the pages that README.md, docs/lecture.md and docs/gallery/
+                                        show, into a folder, and their pictures, by a headless
+                                        Chromium (docs/pictures.py)
 
 In a template a line `{{ARGUMENTS}}` stands for what `./run ARGUMENTS` prints. In a console block
 `$ ./run ARGUMENTS` is followed by what it prints; where the block elides lines by `...`, it stays
@@ -285,8 +289,12 @@ if __name__ == "__main__":
     elif sys.argv[1:2] == ["--lists"]:
         programs = [word for word in sys.argv[2:] if word != "--check"]
         lists(programs[0] if programs else "./run", "--check" in sys.argv[2:])
+    elif sys.argv[1:2] == ["--pages"] and len(sys.argv) in (3, 4):
+        import pictures  # needs a browser, which the other documents do not
+        pictures.make([ROOT / "README.md", ROOT / "docs/lecture.md", ROOT / "docs/gallery/README.md"],
+                      *(sys.argv[2:] + ["./run"])[:2])
     elif sys.argv[1:] == ["--shown"]:
-        for path in [ROOT / "README.md", ROOT / "CONTRIBUTING.md", *sorted((ROOT / "docs").glob("*.md"))]:
+        for path in [ROOT / "README.md", ROOT / "CONTRIBUTING.md", *sorted((ROOT / "docs").rglob("*.md"))]:
             shown(path)
         for name in ("grading", "students"):
             sessions(ROOT / "docs" / f"{name}.md")

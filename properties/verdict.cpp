@@ -139,6 +139,16 @@ std::uint64_t Verdict::discrepancies() const {
   return std::accumulate(by_standing_.begin(), by_standing_.end(), std::uint64_t{0});
 }
 
+std::vector<Discrepancy> Verdict::failures(bool strictly) const {
+  std::set<std::optional<CodeLine>> lines;
+  std::vector<Discrepancy> found;
+  for (const Discrepancy& d : kept_) {
+    if (d.wrong != Wrong::kFailed || !is_held_against(d, strictly)) continue;
+    if (lines.insert(d.failed.line).second) found.push_back(d);
+  }
+  return found;
+}
+
 std::vector<DefectKind> Verdict::defects(bool strictly) const {
   std::set<DefectKind> kinds;
   for (const Discrepancy& discrepancy : kept_) {

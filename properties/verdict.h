@@ -13,6 +13,7 @@
 #include <utility>
 #include <vector>
 
+#include "properties/code_line.h"
 #include "properties/excuse.h"
 #include "properties/quantity.h"
 #include "properties/stability.h"
@@ -41,6 +42,7 @@ struct FailedQuestions {
   std::uint64_t count = 0;  ///< Of the questions to blame, from the discrepancy's place on.
   /// The one question as a scene; empty where there is none, or several.
   std::optional<scene::Scene> scene;
+  std::optional<CodeLine> line = {};  ///< Of the candidate's source, where that is known.
 };
 
 /// One answer that differs from the truth by more than it may.
@@ -140,6 +142,9 @@ class Verdict {
                                                              bool wants_hits = false) const;
   /// The kinds of those kept that break the law, each once, in order.
   std::vector<DefectKind> defects(bool strictly = false) const;
+  /// Of those kept that break the law, the failures, each line once: of the ones at no known line
+  /// the first.
+  std::vector<Discrepancy> failures(bool strictly = false) const;
   const std::string& reason_left_out() const { return left_out_; }
 
  private:

@@ -398,7 +398,9 @@ TEST(Rooms, LetTheEdgeAloneReadFlags) {
 
 /// Sources of programs that speak to raycheck through their standard output.
 bool speaks_through_its_output(const std::string& file) {
-  return file == "tools/external/sandbox/jail.cpp" || file == "tools/external/protocol/worker.cpp";
+  return file == "tools/external/sandbox/jail.cpp" ||
+         file == "tools/external/protocol/worker.cpp" ||
+         file == "tools/external/protocol/last_frames.cpp";
 }
 
 TEST(Rooms, LetTheEdgeAlonePrint) {

@@ -95,18 +95,20 @@ Judged judge_halves(const Law& law, Trial& trial) {
   return all;
 }
 
-/// What was asked at once failed: the question to blame, or the halves.
-Judged judge_apart(const Law& law, Trial& trial, const char* message) {
+/// What was asked at once failed, at that line where it is known: the question to blame, or the
+/// halves.
+Judged judge_apart(const Law& law, Trial& trial, const char* message,
+                   const std::optional<CodeLine>& line = {}) {
   FailureSearch* const search = trial.search();
   if (search == nullptr || !asks_apart(law)) {
-    return judged_failure(law, trial, Wrong::kFailed, message);
+    return judged_failure(law, trial, Wrong::kFailed, message, {Blame::kNone, 0, {}, line});
   }
   const bool by_sphere = asks_by_sphere(law, trial);
   const std::uint64_t questions = trial.count_questions(by_sphere);
   const auto failed_once = [&](Blame blame, int& count) {
     if (!trial.is_new(message)) return Judged{Verdict(law.name), true};
     ++count;
-    FailedQuestions failed{blame, questions, {}};
+    FailedQuestions failed{blame, questions, {}, line};
     if (blame == Blame::kQuestion) failed.scene = trial.question();
     return judged_failure(law, trial, Wrong::kFailed, message, failed);
   };
@@ -128,7 +130,7 @@ Judged judge_in_vain(const Law& law, Trial& trial, const char* message) {
   if (search != nullptr && !search->in_vain.insert(message).second) {
     return {Verdict(law.name), true};
   }
-  return judged_failure(law, trial, Wrong::kFailed, message, {Blame::kAnything, 0, {}});
+  return judged_failure(law, trial, Wrong::kFailed, message, {Blame::kAnything, 0, {}, {}});
 }
 
 Judged judge(const Law& law, Trial& trial) {
@@ -143,6 +145,8 @@ Judged judge(const Law& law, Trial& trial) {
     return judged_failure(law, trial, Wrong::kRefused, error.what());
   } catch (const AskedInVain& error) {
     return judge_in_vain(law, trial, error.what());
+  } catch (const FailedAtLine& error) {
+    return judge_apart(law, trial, error.what(), error.line());
   } catch (const std::exception& error) {
     return judge_apart(law, trial, error.what());
   }

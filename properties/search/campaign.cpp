@@ -129,6 +129,7 @@ Answer ask(const Law& law, const Candidate& candidate, const Asking& asking,
     if (!answer.failure) {
       part.replay = replay_text(law, candidate, from);
       part.defects = verdict.defects(asking.strict);
+      part.failures = verdict.failures(asking.strict);
     }
     answer.failure = Failure{the_case, std::move(verdict), part.replay};
     return true;

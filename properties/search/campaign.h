@@ -56,7 +56,8 @@ struct CampaignPart {
   /// Finds the case that breaks it again: "LAW:CANDIDATE:SOURCE:SEED"; a SOURCE may be
   /// SOURCE@SEVERITY. Empty where the law is not broken.
   std::string replay;
-  std::vector<DefectKind> defects;  ///< What that case shows.
+  std::vector<DefectKind> defects;    ///< What that case shows,
+  std::vector<Discrepancy> failures;  ///< and of that where it got no answer (Verdict::failures).
 
   bool is_broken() const { return !replay.empty(); }
 };

@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <fstream>
 #include <map>
+#include <nlohmann/json.hpp>
 #include <regex>
 #include <set>
 #include <string>
@@ -73,9 +74,25 @@ std::string replaced(std::string text, const std::string& what, const std::strin
   return text;
 }
 
+/// A page that a command makes.
+const std::regex kPage(R"( --(out|view) (\S+\.html)\b)");
+
+/// Runs a command that makes a page, elsewhere.
+Outcome run_page(const Shown& shown, const std::smatch& page) {
+  const std::string path = temporary_file(page[2], "");
+  Outcome result = run(std::string(page.prefix()) + " --" + page[1].str() + " '" + path + "'" +
+                       page.suffix().str());
+  result.out = replaced(result.out, path, page[2]);
+  EXPECT_TRUE(contents(path).starts_with("<!doctype html>")) << shown.where;
+  std::filesystem::remove(path);
+  return result;
+}
+
 /// Runs a command; a picture that it writes goes to a folder of its own, and is what the
 /// documentation shows.
 Outcome run_shown(const Shown& shown) {
+  std::smatch page;
+  if (std::regex_search(shown.arguments, page, kPage)) return run_page(shown, page);
   if (shown.is_python) return run_python(shown.arguments);
   if (shown.arguments.find(kNextStage) != std::string::npos) {
     return run(replaced(shown.arguments, kNextStage, "| '" RAYCHECK_BINARY "' "));
@@ -145,14 +162,19 @@ void expect_shown(const Shown& shown, const std::vector<std::string>& printed) {
   }
 }
 
-TEST(Documentation, shows_what_the_program_prints) {
+/// README.md, CONTRIBUTING.md and the documents in docs/ and its folders.
+std::vector<std::filesystem::path> documents() {
   const std::filesystem::path root = RAYCHECK_SOURCE_DIR;
-  std::vector<std::filesystem::path> pages = {root / "README.md", root / "CONTRIBUTING.md"};
-  for (const auto& entry : std::filesystem::directory_iterator(root / "docs")) {
-    if (entry.path().extension() == ".md") pages.push_back(entry.path());
+  std::vector<std::filesystem::path> paths = {root / "README.md", root / "CONTRIBUTING.md"};
+  for (const auto& entry : std::filesystem::recursive_directory_iterator(root / "docs")) {
+    if (entry.path().extension() == ".md") paths.push_back(entry.path());
   }
+  return paths;
+}
+
+TEST(Documentation, shows_what_the_program_prints) {
   int commands = 0;
-  for (const auto& page : pages) {
+  for (const auto& page : documents()) {
     for (const Shown& shown : shown_in(page)) {
       if (shown.arguments == "test" || shown.arguments.rfind("bench", 0) == 0) continue;
       const Outcome result = run_shown(shown);
@@ -163,6 +185,44 @@ TEST(Documentation, shows_what_the_program_prints) {
     }
   }
   EXPECT_GE(commands, 6);
+}
+
+constexpr std::size_t kMostPictureBytes = 100'000;  ///< Of a page; a clone has them all.
+
+/// The pictures of pages, as docs/pictures.py finds them: of pages that a command of the same
+/// document makes.
+TEST(Documentation, shows_pictures_of_pages_that_its_commands_make) {
+  static const std::regex kPicture(R"(<!-- picture (\{.*?\}) -->\s*!\[[^\]]+\]\(([^)]+)\))");
+  std::set<std::filesystem::path> shown_pictures;
+  for (const auto& document : documents()) {
+    std::set<std::string> pages;
+    for (const Shown& shown : shown_in(document)) {
+      std::smatch page;
+      if (std::regex_search(shown.arguments, page, kPage)) pages.insert(page[2]);
+    }
+    const std::string text = contents(document);
+    for (std::sregex_iterator at(text.begin(), text.end(), kPicture), end; at != end; ++at) {
+      const auto wanted = nlohmann::json::parse((*at)[1].str());
+      EXPECT_TRUE(pages.contains(wanted.at("page"))) << document << ": " << wanted;
+      const auto path = document.parent_path() / (*at)[2].str();
+      const std::string picture = contents(path);
+      EXPECT_TRUE(picture.starts_with("RIFF") && picture.substr(8, 4) == "WEBP") << path;
+      EXPECT_LE(picture.size(), kMostPictureBytes) << path;
+      shown_pictures.insert(path.lexically_normal());
+    }
+  }
+  EXPECT_GE(shown_pictures.size(), 20u);
+  const std::string gallery = contents(RAYCHECK_SOURCE_DIR "/docs/gallery/README.md");
+  for (const auto& entry :
+       std::filesystem::recursive_directory_iterator(RAYCHECK_SOURCE_DIR "/docs")) {
+    if (entry.path().extension() == ".webp") {
+      EXPECT_TRUE(shown_pictures.contains(entry.path().lexically_normal())) << entry.path();
+    }
+    if (entry.path().extension() == ".toml") {
+      EXPECT_NE(gallery.find("docs/gallery/" + entry.path().filename().string()), std::string::npos)
+          << entry.path();
+    }
+  }
 }
 
 TEST(Documentation, lists_the_laws_and_the_packages_there_are) {

@@ -60,8 +60,10 @@ int run_check(const CheckArguments& arguments) {
     throw std::invalid_argument(
         "--all: judges every method; leave out --rays, --intersect and --candidate");
   }
-  options.contestants = find_contestants(arguments.external, rule);
   const bool methods_asked = !(arguments.rays.empty() && arguments.intersect.empty());
+  require_lines_for_sarif(arguments.gate, arguments.format, arguments.external.candidates,
+                          methods_asked);
+  options.contestants = find_contestants(arguments.external, rule);
   if (arguments.all) {
     options.contestants = contestants(all_pairs());
   } else if (methods_asked || options.contestants.empty()) {
@@ -85,6 +87,9 @@ int run_check(const CheckArguments& arguments) {
   print_warnings(report.warnings);
   print_view(kCheckViews, arguments.format, report, arguments.gate.picture_link);
   files.write(kCheckViews, report);
+  if (asks_for(arguments.gate, arguments.format, kSarif)) {
+    print_warnings(sarif_warnings(check_gate(report)));
+  }
   if (certificates) certificates->write(check_certificates(report));
   if (view) {
     view->write(page(check_document(report, {{}, candidate_words(arguments.external)},

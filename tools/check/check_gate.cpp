@@ -59,6 +59,11 @@ GateCheck check_of(Quantity quantity, const Tally& tally, const CheckReport& rep
   std::set<Identity> identities;
   for (const Discrepancy& one : defects) identities.insert(identity_of(one, report, candidate));
   check.defects = {identities.begin(), identities.end()};
+  for (const Discrepancy& one : defects) {
+    if (one.wrong != properties::Wrong::kFailed) continue;
+    check.failed.push_back(
+        {identity_of(one, report, candidate), discrepancy_text(one, false), one.failed.line});
+  }
   check.outcome = outcome_of(check.defects, report.ratchet);
   if (!defects.empty()) {
     const auto& why = candidate.explanations;
@@ -140,6 +145,9 @@ std::string check_markdown(const CheckReport& report, const ViewOptions& options
 }
 std::string check_github(const CheckReport& report, const ViewOptions& /*options*/) {
   return github(check_gate(report));
+}
+std::string check_sarif(const CheckReport& report, const ViewOptions& /*options*/) {
+  return sarif(check_gate(report));
 }
 std::string check_gitlab_codequality(const CheckReport& report, const ViewOptions& /*options*/) {
   return gitlab_codequality(check_gate(report));

@@ -16,6 +16,9 @@ constexpr std::uint64_t kCompilerProcesses = 256;
 constexpr std::uint64_t kCompilerFiles = 256;
 constexpr std::uint64_t kCompilerFile = std::uint64_t{256} << 20;
 constexpr std::uintmax_t kMostBuilt = std::uintmax_t{256} << 20;
+/// Which line an address is of, and nothing else of what debuggers ask for: where a candidate dies
+/// is told by it (source_lines.h).
+constexpr const char* kLineTables = "-g1";
 constexpr const char* kEigen = "/usr/include/eigen3";
 
 std::vector<fs::path> files_in(const fs::path& folder, std::string_view extension) {
@@ -89,20 +92,26 @@ fs::path include_folder() {
                            : fs::path(kSourceFolder) / "include");
 }
 
+fs::path source_folder(const fs::path& source) {
+  return fs::is_directory(source) ? source : source.parent_path();
+}
+
 fs::path compile(const fs::path& source, const fs::path& to, const RunOptions& options) {
   const fs::path include = include_folder();
   Confined confined = compiler(options);
   confined.readable = {include};
   const bool is_folder = fs::is_directory(source);
-  const fs::path folder = is_folder ? source : source.parent_path();
+  const fs::path folder = source_folder(source);
   confined.readable.push_back(folder);
   if (source.filename() == "CMakeLists.txt" ||
       (is_folder && fs::exists(folder / "CMakeLists.txt"))) {
     confined.arguments = {"sh",
                           "-c",
-                          "cmake -S \"$1\" -B . -DCMAKE_BUILD_TYPE=Release "
-                          "-DCMAKE_POSITION_INDEPENDENT_CODE=ON \"-DCMAKE_CXX_FLAGS=-isystem $2\" "
-                          ">&2 && cmake --build . >&2",
+                          fmt::format("CFLAGS={0} cmake -S \"$1\" -B . -DCMAKE_BUILD_TYPE=Release "
+                                      "-DCMAKE_POSITION_INDEPENDENT_CODE=ON "
+                                      "\"-DCMAKE_CXX_FLAGS=-isystem $2 {0}\" >&2 && "
+                                      "cmake --build . >&2",
+                                      kLineTables),
                           "sh",
                           folder,
                           include};
@@ -114,8 +123,8 @@ fs::path compile(const fs::path& source, const fs::path& to, const RunOptions& o
     }
     return copied(libraries.front(), to);
   }
-  confined.arguments = {"g++",   "-std=c++20", "-O2",  "-fPIC", "-shared",     "-isystem",
-                        include, "-isystem",   kEigen, "-o",    "candidate.so"};
+  confined.arguments = {"g++",      "-std=c++20", "-O2",      kLineTables, "-fPIC", "-shared",
+                        "-isystem", include,      "-isystem", kEigen,      "-o",    "candidate.so"};
   if (is_folder) {
     const auto files = files_in(source, ".cpp");
     if (files.empty()) {

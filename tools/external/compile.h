@@ -12,10 +12,14 @@ namespace raycheck::tools {
 /// Where <raycheck/candidate.h> is: beside an installed program, or in the sources it was built of.
 std::filesystem::path include_folder();
 
+/// What a source that is compiled lies in, with all that it may include beside itself: the folder,
+/// or that of the file.
+std::filesystem::path source_folder(const std::filesystem::path& source);
+
 /// Compiles a C++ file, the .cpp files of a folder, or what a CMakeLists.txt describes, to a shared
-/// library in the folder `to`, kept like a candidate; the library's path. <raycheck/candidate.h>
-/// and Eigen, where it is installed, are found.
-/// Errors: CandidateError with what the compiler said.
+/// library with tables of lines in the folder `to`, kept like a candidate; the library's path.
+/// <raycheck/candidate.h> and Eigen, where it is installed, are found. Errors: CandidateError with
+/// what the compiler said.
 std::filesystem::path compile(const std::filesystem::path& source, const std::filesystem::path& to,
                               const RunOptions& options);
 

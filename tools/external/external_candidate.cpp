@@ -9,8 +9,11 @@
 #include <stdexcept>
 #include <utility>
 
+#include "properties/code_line.h"
 #include "properties/other_size.h"
+#include "scene/text.h"
 #include "tools/external/candidate_spec.h"
+#include "tools/external/protocol/frames.h"
 #include "tools/methods/methods.h"
 
 namespace raycheck::tools {
@@ -21,6 +24,7 @@ struct AnswerFailure {
   FailureKind kind = FailureKind::kBadReply;
   std::optional<properties::OtherSize> size = {};  ///< Of a picture, where it is the failure.
   bool is_in_vain = false;                         ///< It would have failed whatever it was asked.
+  std::optional<properties::CodeLine> line = {};   ///< Of its source, where that is known.
 
   [[noreturn]] void raise(const LastFailure& last) const {
     if (last) *last = kind;
@@ -28,6 +32,7 @@ struct AnswerFailure {
     if (is_in_vain || kind == FailureKind::kNotAsked || kind == FailureKind::kSystem) {
       throw properties::AskedInVain(words);
     }
+    if (line) throw properties::FailedAtLine(words, *line);
     throw std::runtime_error(words);
   }
 };
@@ -84,6 +89,12 @@ class Pictures {
 namespace {
 
 using properties::Candidate;
+using properties::CodeLine;
+
+/// " at tracer.cpp:42", as a clause; empty where no line is known.
+std::string line_text(const std::optional<CodeLine>& line) {
+  return line ? fmt::format(" at {}:{}", scene::visible_line(line->file), line->line) : "";
+}
 
 /// A conversation with a process, which is replaced when it fails.
 class Conversation {
@@ -105,29 +116,34 @@ class Conversation {
     }
     if (failed_request_ == request.body()) failure_.raise(last_);
     const double before = external_.program.spent->seconds();
+    IdentifiedReply reply;
     try {
-      const IdentifiedReply reply = reply_to(request, lines);
+      reply = reply_to(request, lines);
       return read(Reply(reply.text, reply.id));
     } catch (const ProcessFailure& failure) {
       if (failure.kind() == FailureKind::kTimeUp) {
         ++silences_;
         silent_shares_ += share_;
       }
+      const auto line = line_in(process_ ? process_->unfinished() : "");
       AnswerFailure words{
-          fmt::format("{}: it {}{}{}", function, failure.what(), last_line_text(said()),
-                      limit_text(said(), external_.program.limits)),
+          fmt::format("{}: it {}{}{}{}", function, failure.what(), line_text(line),
+                      last_line_text(said()), limit_text(said(), external_.program.limits)),
           failure.kind(),
           {},
-          !introduction_heard_};
+          !introduction_heard_,
+          line};
       if (external_.answers && is_lasting(words.kind)) {
         external_.answers->keep(request.body(), {words.words, words.kind, spent_since(before)});
       }
       fail(request, std::move(words));
     } catch (const ProtocolError& error) {
-      fail(request, {fmt::format("{}: {}", function, error.what()),
+      const auto line = line_in(reply.text);
+      fail(request, {fmt::format("{}: {}{}", function, error.what(), line_text(line)),
                      FailureKind::kBadReply,
                      {},
-                     !introduction_heard_});
+                     !introduction_heard_,
+                     line});
     }
   }
 
@@ -155,6 +171,11 @@ class Conversation {
     introduction_ = parse_introduction(text);
     introduction_heard_ = true;
     if (external_.answers) external_.answers->keep(std::string(kGreeting), {text});
+  }
+
+  /// Where in its source a worker says that it failed.
+  std::optional<CodeLine> line_in(std::string_view answer) const {
+    return external_.lines ? external_.lines->innermost(frames_in(answer)) : std::nullopt;
   }
 
   double spent_since(double before) const { return external_.program.spent->seconds() - before; }

@@ -11,6 +11,7 @@
 #include "tools/external/pictures/renderer.h"
 #include "tools/external/protocol/protocol.h"
 #include "tools/external/sandbox/process.h"
+#include "tools/external/source_lines.h"
 #include "tools/methods/methods.h"
 
 namespace raycheck::tools {
@@ -29,6 +30,10 @@ struct External {
   MethodPair bounds = kDefaultMethods;
   /// The shared library that its process loads; empty: there is none.
   std::filesystem::path library = {};
+  /// Of what was compiled here: the lines of its source; else null.
+  std::shared_ptr<const SourceLines> lines = {};
+  /// What a copy of its source lies in, where there is one.
+  std::shared_ptr<const PrivateFolder> copies = {};
   /// A renderer introduces itself by pictures alone.
   std::optional<Renderer> renderer = {};
   /// What the program lies in, where raycheck made that.
@@ -58,10 +63,10 @@ using LastFailure = std::shared_ptr<std::optional<FailureKind>>;
 /// A candidate with a process of its own, which is never sent an answer. It is to be right on
 /// ordinary cases where it states no other level. Where a process fails (ends, stays
 /// silent, or replies what is no reply) the functions throw std::runtime_error with the name of the
-/// function; the next request goes to a fresh process. A request that failed is not sent again,
-/// and none is sent after silences that together took kMostSilences times the time for a reply:
-/// then, and where no process could be started, what they throw is properties::AskedInVain. Every
-/// failure sets `last`.
+/// function, and where its line is known properties::FailedAtLine; the next request goes to a fresh
+/// process. A request that failed is not sent again, and none is sent after silences that together
+/// took kMostSilences times the time for a reply: then, and where no process could be started, what
+/// they throw is properties::AskedInVain. Every failure sets `last`.
 properties::Candidate external_candidate(const External& external,
                                          const LastFailure& last = nullptr);
 }  // namespace raycheck::tools

@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "tools/external/compile.h"
+#include "tools/external/source_lines.h"
 
 namespace raycheck::tools {
 namespace {
@@ -229,6 +230,14 @@ External renderer(const CandidateSpec& spec, const RunOptions& options) {
   return external;
 }
 
+/// A path from the working folder on, where it lies below that.
+fs::path as_shown(const fs::path& path) {
+  std::error_code error;
+  const fs::path working = fs::current_path(error);
+  const fs::path inside = error ? fs::path() : path.lexically_relative(working);
+  return inside.empty() || *inside.begin() == ".." ? path : inside;
+}
+
 External find(const CandidateSpec& spec, const RunOptions& options) {
   ReadableCopies copies(options.layers);
   switch (spec.kind) {
@@ -236,8 +245,14 @@ External find(const CandidateSpec& spec, const RunOptions& options) {
       return library(spec.text(), existing(spec.what, options), options);
     case CandidateKind::kSource: {
       const PrivateFolder built;
-      const fs::path source = copies.path_of(existing(spec.what, options));
-      return library(spec.text(), compile(source, built.path(), options), options);
+      const fs::path named = existing(spec.what, options);
+      const fs::path source = copies.path_of(named);
+      External external = library(spec.text(), compile(source, built.path(), options), options);
+      external.lines =
+          std::make_shared<SourceLines>(external.program, external.library, source_folder(source),
+                                        as_shown(source_folder(named)));
+      external.copies = copies.folder();
+      return external;
     }
     case CandidateKind::kCommand: {
       const Confined program = program_of(spec.what, options, copies);

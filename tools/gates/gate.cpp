@@ -28,13 +28,15 @@ std::uint64_t Gate::count(GateOutcome outcome) const {
                     [&](const GateCheck& check) { return check.outcome == outcome; }));
 }
 
+bool is_known(const Identity& one, const std::optional<Ratchet>& ratchet) {
+  return ratchet && std::binary_search(ratchet->known.begin(), ratchet->known.end(), one);
+}
+
 GateOutcome outcome_of(const std::vector<Identity>& defects,
                        const std::optional<Ratchet>& ratchet) {
   if (defects.empty()) return GateOutcome::kPassed;
-  const bool all_known =
-      ratchet && std::all_of(defects.begin(), defects.end(), [&](const auto& one) {
-        return std::binary_search(ratchet->known.begin(), ratchet->known.end(), one);
-      });
+  const bool all_known = std::all_of(defects.begin(), defects.end(),
+                                     [&](const auto& one) { return is_known(one, ratchet); });
   return all_known ? GateOutcome::kKnown : GateOutcome::kFailed;
 }
 

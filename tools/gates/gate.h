@@ -8,6 +8,7 @@
 #include <string_view>
 #include <vector>
 
+#include "properties/code_line.h"
 #include "tools/gates/baseline.h"
 
 namespace raycheck::tools {
@@ -27,6 +28,13 @@ constexpr std::string_view name(GateOutcome outcome) {
   return kGateOutcomeNames[static_cast<std::size_t>(outcome)];
 }
 
+/// A question that got no answer.
+struct FailedAnswer {
+  Identity identity;
+  std::string words;                         ///< How it failed, in lines.
+  std::optional<properties::CodeLine> line;  ///< Of the candidate's source, where that is known.
+};
+
 /// One check of a gate: a law on the cases of a source, or a quantity of a scene.
 struct GateCheck {
   std::string candidate;
@@ -35,6 +43,7 @@ struct GateCheck {
   std::string summary;  ///< Of what is not passed, why: one line.
   std::string text;     ///< Of what failed, all there is to say, in lines.
   std::vector<Identity> defects = {};
+  std::vector<FailedAnswer> failed = {};  ///< Of the defects, where there was no answer.
 };
 
 /// Where a candidate's own source lies.
@@ -57,6 +66,9 @@ struct Gate {
 
 /// Says what a check comes to by its defects: known where the baseline has them all.
 GateOutcome outcome_of(const std::vector<Identity>& defects, const std::optional<Ratchet>& ratchet);
+
+/// Whether the baseline has a discrepancy.
+bool is_known(const Identity& one, const std::optional<Ratchet>& ratchet);
 
 /// What every gate has beside its checks: that it came to its end, that anything was judged at all,
 /// and names that are unique.

@@ -6,6 +6,8 @@
 
 #include <cstddef>
 #include <string>
+#include <string_view>
+#include <vector>
 
 #include "tools/gates/gate.h"
 
@@ -34,6 +36,17 @@ std::string github(const Gate& gate);
 
 /// GitLab's code quality: a JSON list, an entry for each defect that is not known.
 std::string gitlab_codequality(const Gate& gate);
+
+/// What --format and --report call it: who asks for it is asked for candidates with lines.
+inline constexpr std::string_view kSarif = "sarif";
+/// GitHub refuses a run of more results than 25,000; of these it keeps the first 5,000.
+inline constexpr std::size_t kMostSarifResults = 25'000;
+/// SARIF 2.1.0, as GitHub's code scanning reads it: a result for each line of a candidate's source
+/// at which it failed, where the baseline has not all that failed there.
+std::string sarif(const Gate& gate);
+/// What is not in it, a sentence each: how many of the defects that are not known lie at no line,
+/// and why; how many lines are too many.
+std::vector<std::string> sarif_warnings(const Gate& gate);
 
 }  // namespace raycheck::tools
 

@@ -58,8 +58,11 @@ int run_properties_command(const PropertiesArguments& arguments) {
   options.max_error = arguments.max_ulp;
   options.frontier = arguments.frontier;
   options.strict = arguments.strict;
+  const bool methods_asked = !(arguments.rays.empty() && arguments.intersect.empty());
+  require_lines_for_sarif(arguments.gate, arguments.format, arguments.external.candidates,
+                          methods_asked);
   options.contestants = find_contestants(arguments.external, parse_driver(arguments.dialect));
-  if (!arguments.rays.empty() || !arguments.intersect.empty()) {
+  if (methods_asked) {
     const auto pairs = contestants(chosen_methods(arguments.rays, arguments.intersect));
     options.contestants.insert(options.contestants.begin(), pairs.begin(), pairs.end());
   }
@@ -70,6 +73,9 @@ int run_properties_command(const PropertiesArguments& arguments) {
   report.ratchet = files.ratchet(findings_of(report), report.interrupted);
   print_view(kPropertiesViews, arguments.format, report);
   files.write(kPropertiesViews, report);
+  if (asks_for(arguments.gate, arguments.format, kSarif)) {
+    print_warnings(sarif_warnings(properties_gate(report)));
+  }
   if (view) {
     view->write(page(
         properties_document(report, candidate_words(arguments.external), run_control("page"))));

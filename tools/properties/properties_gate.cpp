@@ -34,15 +34,34 @@ std::uint64_t count(Parts parts, Standing standing) {
   return count;
 }
 
+Identity identity_of(const CampaignReport& campaign, const CampaignPart& part,
+                     const properties::DefectKind& kind) {
+  return {std::string(campaign.law->name), std::string(part.source.source->name), kind_text(kind),
+          std::string(name(part.source.level())), campaign.candidate};
+}
+
 std::vector<Identity> defects_of(const CampaignReport& campaign, Parts parts) {
   std::set<Identity> found;
   for (const CampaignPart& part : parts) {
     for (const properties::DefectKind& kind : part.defects) {
-      found.insert({std::string(campaign.law->name), source_of(parts), kind_text(kind),
-                    std::string(name(part.source.level())), campaign.candidate});
+      found.insert(identity_of(campaign, part, kind));
     }
   }
   return {found.begin(), found.end()};
+}
+
+/// Where parts got no answer.
+std::vector<FailedAnswer> failed_of(const CampaignReport& campaign, Parts parts) {
+  std::vector<FailedAnswer> failed;
+  for (const CampaignPart& part : parts) {
+    for (const properties::Discrepancy& one : part.failures) {
+      failed.push_back({identity_of(campaign, part, {one.quantity, one.wrong}),
+                        fmt::format("{}replay: {}\n", discrepancy_text(one, false),
+                                    replay_text(campaign, part.replay)),
+                        one.failed.line});
+    }
+  }
+  return failed;
 }
 
 /// "the far root is taken (root: wrong root; ordinary)"
@@ -87,6 +106,7 @@ GateCheck check_of(const CampaignReport& campaign, Parts parts,
   if (!check.defects.empty()) {
     check.summary = summary_of(campaign, check.defects);
     check.text = text_of(campaign, parts);
+    check.failed = failed_of(campaign, parts);
   } else if (const std::uint64_t undecided = count(parts, Standing::kUndecided); undecided > 0) {
     check.outcome = GateOutcome::kInconclusive;
     check.summary = fmt::format("{} undecided", count_text(undecided, "answer"));
@@ -173,6 +193,9 @@ std::string properties_markdown(const PropertiesReport& report, const ViewOption
 }
 std::string properties_github(const PropertiesReport& report, const ViewOptions& /*options*/) {
   return github(properties_gate(report));
+}
+std::string properties_sarif(const PropertiesReport& report, const ViewOptions& /*options*/) {
+  return sarif(properties_gate(report));
 }
 std::string properties_gitlab_codequality(const PropertiesReport& report,
                                           const ViewOptions& /*options*/) {

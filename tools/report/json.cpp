@@ -129,7 +129,11 @@ Json discrepancy_json(const Discrepancy& d) {
     json["failed"] = {
         {"blame", name(d.failed.blame)},
         {"questions", d.failed.count},
-        {"scene", d.failed.scene ? Json(scene::write_toml(*d.failed.scene)) : Json(nullptr)}};
+        {"scene", d.failed.scene ? Json(scene::write_toml(*d.failed.scene)) : Json(nullptr)},
+        {"at", nullptr}};
+    if (const auto& at = d.failed.line) {
+      json["failed"]["at"] = {{"file", at->file}, {"line", at->line}, {"text", at->text}};
+    }
   }
   return json;
 }

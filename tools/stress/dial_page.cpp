@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <stdexcept>
 #include <utility>
 
@@ -22,7 +23,7 @@ constexpr int kMostScenes = 18;
 /// Cases at a severity, of which the scene shows the worst.
 constexpr int kCasesTried = 20;
 /// Of the panels of all scenes together.
-constexpr std::size_t kPanelBytes = 780 << 10;
+constexpr std::size_t kPanelBytes = 720 << 10;
 
 /// How bad an answer is: wrong decisions before errors.
 double badness(const StressResult& result, properties::Quantity quantity) {
@@ -43,6 +44,7 @@ properties::Place worst_place(const StressResult& result, properties::Quantity q
 struct ShownCase {
   properties::Case the_case;
   properties::Place place;
+  std::optional<properties::Discrepancy> wrong;  ///< What is held against the method there.
 };
 
 /// Of the first cases at a severity, in the order in which they are judged, that on which a method
@@ -66,7 +68,11 @@ ShownCase worst_of_first(const properties::CaseSource& family, int severity,
     if (the_case.scene.camera && !place.pixel && place.ray < the_case.pixels.size()) {
       place.pixel = the_case.pixels[place.ray];
     }
-    shown = {std::move(the_case), place};
+    shown = {std::move(the_case), place, {}};
+    const auto wrong = results.front().inside.worst(1);
+    if (!wrong.empty() && wrong.front().excuse.standing() == properties::Standing::kDefect) {
+      shown.wrong = wrong.front();
+    }
   }
   return shown;
 }
@@ -126,6 +132,13 @@ ViewDocument dial_document(const StressOptions& options, const properties::RunCo
     view.name = fmt::format("{}@{}", dial.family, severity);
     view.file = view.name + ".toml";
     view.wanted = selections_of(shown.the_case, shown.place);
+    if (shown.wrong) {
+      document.findings.push_back(
+          {fmt::format("severity {}: {} {}", severity, info(shown.wrong->quantity).name,
+                       wrongness_text(*shown.wrong)),
+           std::string(first->name()), std::string(first->name()), properties::Standing::kDefect,
+           document.scenes.size(), selection_of(shown.place, shown.the_case.scene)});
+    }
     dial.severities.push_back(severity);
     dial.scenes.push_back(document.scenes.size());
     document.scenes.push_back(view_of(shown.the_case.scene, view, document.left_out, control));

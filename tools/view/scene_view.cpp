@@ -61,7 +61,8 @@ std::vector<CandidateMaker> candidates_of(const SceneViewOptions& options) {
   for (const MethodPair& pair : options.methods) {
     makers.push_back([pair] { return candidate_of(pair); });
   }
-  if (options.other) {
+  // Who intersects nothing has no picture.
+  if (options.other && options.other->candidate().intersect) {
     makers.push_back(answering_candidate(
         options.other, options.methods.empty() ? kDefaultMethods : options.methods.front()));
   }

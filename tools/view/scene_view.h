@@ -12,7 +12,7 @@ struct PageLimits {
   std::size_t spheres = 10'000;           ///< Drawn in the figure.
   std::int64_t picture_pixels = 1 << 20;  ///< Of a picture; larger images are shown smaller.
   std::size_t panels = 4000;
-  std::size_t panel_bytes = 780 << 10;     ///< Of all panels, deflated.
+  std::size_t panel_bytes = 720 << 10;     ///< Of all panels, deflated.
   std::uint64_t answered_pairs = 1 << 24;  ///< Rays times spheres that are asked for pictures.
 };
 

@@ -260,7 +260,8 @@ TEST(OwnUnits, HaveAPlotOfTheirOwn) {
   tradeoff.methods = options.methods;
   tradeoff.others = options.others;
   tradeoff.cases = 10;
-  const tools::TradeoffReport report = run_tradeoff(tradeoff);
+  tools::TradeoffReport report = run_tradeoff(tradeoff);
+  report.intersections[1].batch = report.intersections[0].batch;  // nobody's is timed from here
   const std::string of_tradeoff = labels(tradeoff_plots(report));
   EXPECT_TRUE(contains(of_tradeoff, "99.9% error of s, in ulp\n")) << of_tradeoff;
   EXPECT_TRUE(contains(of_tradeoff, "99.9% error of s, in ulp of float\n")) << of_tradeoff;

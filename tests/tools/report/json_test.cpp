@@ -59,6 +59,9 @@ const std::vector<Reports>& all_reports() {
       {"image",
        {"image" + scene("ten-spheres") + " --what error --out OUT.png",
         "image" + scene("ten-spheres") + " --what depth --out OUT.png"}},
+      {"view",
+       {"view" + scene("optical-axis") + " --method quadratic", "view" + scene("lecture-examples"),
+        "view --family distance --method quadratic --cases 20"}},
       {"plan", {"plan" + scene("ten-spheres")}},
       {"verify",
        {"generate --family tangency@2 --cases 20 |" + kAnswers +

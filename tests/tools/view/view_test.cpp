@@ -202,6 +202,10 @@ TEST(View, a_dial_has_a_scene_for_each_severity) {
   EXPECT_EQ(dial["severities"].size(), 16u);
   EXPECT_EQ(dial["scenes"].size(), document["scenes"].size());
   ASSERT_EQ(dial["curves"].size(), 2u);
+  // It opens where the first method first goes wrong.
+  ASSERT_FALSE(document["findings"].empty());
+  EXPECT_GT(document["findings"][0]["scene"], 0);
+  EXPECT_EQ(document["findings"][0]["method"], "quadratic");
   EXPECT_FALSE(dial["curves"][0]["points"].back()["stable"].get<bool>());
   EXPECT_TRUE(dial["curves"][1]["points"].back()["stable"].get<bool>());
 }

@@ -2,8 +2,9 @@
 //
 // Speaks the protocol of docs/candidates.md for the functions of <raycheck/candidate.h>: requests
 // come on the standard input, replies go where the standard output was. What the library itself
-// prints goes to the standard error. Exits with 2, after a line about it, on a library that is
-// none.
+// prints goes to the standard error. Where it dies, or throws what becomes an error, a line before
+// that says where in its code that was (frames.h). Exits with 2, after a line about it, on a
+// library that is none.
 
 #include <dlfcn.h>
 #include <raycheck/candidate.h>
@@ -22,6 +23,8 @@
 #include <string>
 #include <string_view>
 #include <vector>
+
+#include "tools/external/protocol/last_frames.h"
 
 namespace {
 
@@ -362,6 +365,7 @@ void introduce(const raycheck_candidate& candidate, Reply& reply) {
 const raycheck_candidate& load(const char* path) {
   void* const library = dlopen(path, RTLD_NOW | RTLD_LOCAL);
   if (library == nullptr) give_up(dlerror());
+  raycheck::tools::follow(library);
   using Functions = const raycheck_candidate* (*)();
   const auto functions =
       reinterpret_cast<Functions>(dlsym(library, "raycheck_candidate_functions"));
@@ -384,6 +388,7 @@ int main(int argc, char** argv) {
   const int replies = dup(STDOUT_FILENO);
   if (replies < 0 || dup2(STDERR_FILENO, STDOUT_FILENO) < 0) give_up(std::strerror(errno));
   Reply reply(fdopen(replies, "w"));
+  raycheck::tools::report_deaths(replies);
   const raycheck_candidate& candidate = load(argv[1]);
   Words words;
   if (!words.next_line() || words.word() != "raycheck") give_up("not spoken to by raycheck");
@@ -395,6 +400,7 @@ int main(int argc, char** argv) {
       answer(candidate, request, reply);
       reply << "end " << request.id << "\n";
     } catch (const std::exception& error) {
+      reply << raycheck::tools::frames_of_throw(error);
       reply << "error " << request.id << " " << error.what() << "\n";
     }
     reply.send();

@@ -253,7 +253,7 @@ std::string Process::exchange(std::string_view request,
                               std::size_t most_bytes) {
   if (pid_ < 0) throw ProcessFailure(FailureKind::kEnded, "has ended");
   watch_->restart();
-  std::string answer;
+  answer_.clear();
   std::size_t line_begin = 0, searched = 0;
   std::array<char, 65536> buffer{};
   for (;;) {
@@ -277,17 +277,17 @@ std::string Process::exchange(std::string_view request,
     if (count == 0) fail_ended();
     if (count < 0 && !is_passing(errno)) fail(FailureKind::kSystem, std::strerror(errno));
     if (count < 0) continue;
-    answer.append(buffer.data(), static_cast<std::size_t>(count));
-    for (std::size_t end; (end = answer.find('\n', searched)) != std::string::npos;) {
-      const std::string_view line = std::string_view(answer).substr(line_begin, end - line_begin);
+    answer_.append(buffer.data(), static_cast<std::size_t>(count));
+    for (std::size_t end; (end = answer_.find('\n', searched)) != std::string::npos;) {
+      const std::string_view line = std::string_view(answer_).substr(line_begin, end - line_begin);
       line_begin = searched = end + 1;
       if (!is_last(line)) continue;
-      if (line_begin != answer.size()) fail(FailureKind::kSaidMore, "said more than it was asked");
+      if (line_begin != answer_.size()) fail(FailureKind::kSaidMore, "said more than it was asked");
       charge();
-      return answer;
+      return std::exchange(answer_, {});
     }
-    searched = answer.size();
-    if (answer.size() > most_bytes) {
+    searched = answer_.size();
+    if (answer_.size() > most_bytes) {
       fail(FailureKind::kSaidMore, fmt::format("replied with more than {} bytes", most_bytes));
     }
   }

@@ -43,6 +43,8 @@ class Process {
   std::string exchange(std::string_view request,
                        const std::function<bool(std::string_view line)>& is_last,
                        std::size_t most_bytes);
+  /// Of an answer that failed, what had come until then.
+  const std::string& unfinished() const { return answer_; }
   /// What is exchanged from now on has so many seconds.
   void allow(double seconds) { confined_.limits.seconds = seconds; }
   /// Closes its input and waits for its end; returns its exit code.
@@ -72,6 +74,7 @@ class Process {
   std::optional<Watch> watch_;
   int input_ = -1, output_ = -1, error_ = -1;
   KeptText said_, printed_;
+  std::string answer_;
 };
 
 }  // namespace raycheck::tools

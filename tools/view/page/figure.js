@@ -5,7 +5,7 @@ import { figureTable } from "./figure_table.js";
 import { flatPanes, paintFlat } from "./flat.js";
 import { writeNames } from "./names.js";
 import { followPointers, pickedAt } from "./pointer.js";
-import { distanceToFit, eyeViewer, homogeneous, letterboxed, orbitViewer, pixelsOf } from "./projection.js";
+import { crossProduct, distanceToFit, dotProduct, eyeViewer, homogeneous, letterboxed, orbitViewer, pixelsOf } from "./projection.js";
 import { lengthOf, minus, plus, times } from "./projection.js";
 import { placeText, walkByKeys } from "./store.js";
 import { eyePicture, webglPainter } from "./webgl.js";
@@ -16,6 +16,7 @@ const VIEWS = {
   side: { name: "from the side", azimuth: Math.PI / 2, elevation: 0 },
   top: { name: "from above", azimuth: Math.PI / 2, elevation: Math.PI / 2 },
   along: { name: "along W", azimuth: 0, elevation: 0 },
+  across: { name: "across the ray", azimuth: 0, elevation: 0 },
   flat: { name: "flat, side and above" },
 };
 const RAYS = { none: "none", pixel: "the chosen one", row: "a row", all: "all" };
@@ -50,6 +51,7 @@ function listen(figure) {
   store.subscribe((_, changed) => {
     rebuildFigure(figure);
     if (changed.includes("scenesIndex")) startView(figure);
+    else if (figure.view === "across" && changed.includes("selection")) showView(figure, "across");
   });
   walkByKeys(stage, store);
   stage.addEventListener("keydown", (event) => actByKey(figure, event));
@@ -97,20 +99,37 @@ function startView(figure) {
 
 /// Shows all of the figure in a view.
 function showView(figure, view) {
-  const { whole, size, axes } = figure.list;
+  const { whole, axes } = (view === "across" && acrossRay(figure)) || figure.list;
   const middle = (places) => (Math.min(...places) + Math.max(...places)) / 2;
   const target = [0, 1, 2].map((k) => middle(whole.map((place) => place[k])));
-  const radius = Math.max(...whole.map((place) => lengthOf(minus(place, target)))) || size;
+  const radius = Math.max(...whole.map((place) => lengthOf(minus(place, target)))) || figure.list.size;
   const { azimuth, elevation } = { ...VIEWS.corner, ...VIEWS[view] };
   const orbit = { target, axes, azimuth, elevation, distance: distanceToFit(radius) };
-  // Then as much nearer as what is seen leaves room, and a little less.
-  const viewer = orbitViewer(orbit, figure.stage.clientWidth / figure.stage.clientHeight || 1);
-  const seen = whole.map((place) => homogeneous(viewer, place));
-  const share = Math.max(...seen.map(([x, y, w]) => Math.max(Math.abs(x), Math.abs(y)) / w));
-  orbit.distance *= share + 0.12;
+  // Then as much nearer as what is seen leaves room, and a little less; what is near grows faster than what is far.
+  const aspect = figure.stage.clientWidth / figure.stage.clientHeight || 1;
+  for (let k = 0; k < 4; ++k) orbit.distance *= shareSeen(orbitViewer(orbit, aspect), whole) + 0.12;
   Object.assign(figure, { view, zoom: 1, gone: "", orbit });
   fillControls(figure);
   redrawFigure(figure);
+}
+
+/// The plane of the chosen ray and sphere, seen at a right angle: the ray goes to the right, the centre lies above it.
+function acrossRay({ store, list }) {
+  const panel = store.panel();
+  const { centre, radius } = store.scene().figure.spheres;
+  const [C, r] = [centre[panel?.sphere], radius[panel?.sphere]];
+  if (!C || !panel.drawing.foot) return null;
+  const { L, D, foot } = panel.drawing;
+  const square = (way) => minus(way, times(D, dotProduct(way, D)));
+  const up = [minus(C, foot), ...list.axes].map(square).find((way) => lengthOf(way) > 1e-9 * lengthOf(minus(C, L)));
+  if (!up) return null;
+  const axes = [D, unitOf(up), crossProduct(D, unitOf(up))];
+  return { axes, whole: [L, foot, ...axes.flatMap((axis) => [plus(C, times(axis, r)), minus(C, times(axis, r))])] };
+}
+
+/// How much of the screen places fill, from its middle; 1 and more where one is outside.
+function shareSeen(viewer, places) {
+  return Math.max(...places.map((place) => homogeneous(viewer, place)).map(([x, y, w]) => (w > 0 ? Math.max(Math.abs(x), Math.abs(y)) / w : 1)));
 }
 
 function goToSphere(figure, index) {

@@ -27,7 +27,7 @@ export function writeNames(target, names, panes) {
 /// The first box around a place that lies in the pane and on no other.
 export function freeBox(x, y, width, pane, taken) {
   for (const away of [9, 24, 42, 64, 90, 120]) {
-    for (const turn of [0, 0.5, 3.5, 4, 3, 1, 2.5, 1.5, 2, 5, 6, 7]) {
+    for (const turn of [0.5, 7.5, 3.5, 4.5, 1, 3, 2, 5, 6, 7, 0, 4]) {
       const angle = (turn * Math.PI) / 4;
       const left = x + (away + width / 2) * Math.cos(angle) - width / 2;
       const top = y - (away + LINE / 2) * Math.sin(angle) - LINE / 2;

@@ -54,7 +54,10 @@ function headlineOf(store, told) {
   const name = store.methodTold();
   const ofName = told.verdicts.filter((one) => one.name === name); // a ray method may share its name
   const verdict = ofName.find((one) => one.wrong) ?? ofName.at(-1);
-  if (!verdict) return ["No method goes wrong here. Exactly: ", exactly, "."];
+  if (!verdict) {
+    const found = store.findingsHere().find((one) => one.standing !== null); // of a picture, which tells no steps
+    return [found ? `${brief(found.candidate)}: ${briefSentence(found.sentence)}. Exactly: ` : "No method goes wrong here. Exactly: ", exactly, "."];
+  }
   const subject = element("strong", { dir: "auto" }, brief(name));
   if (!verdict.error || !told.exact?.s) return [subject, ": ", briefSentence(verdict.text), "; exactly ", exactly, "."];
   return [subject, " answers ", symbolOf("s"), " = ", markedDigits(verdict, 0), "; exactly ",
@@ -77,7 +80,7 @@ function chooserFields(store) {
   } else if (rays.length > 1) {
     fields.push(numberField("ray", "Ray", selection.ray, rays.length, (ray) => store.set({ selection: { ray } })));
   }
-  const spheres = store.panelsHere().filter((panel) => panel.sphere !== null).map(({ sphere }) => [sphere, sphere]);
+  const spheres = store.panelsHere().filter((panel) => panel.sphere !== null).map(({ sphere }) => [sphere, String(sphere)]);
   if (spheres.length > 1) {
     fields.push(choice("sphere", "Sphere", spheres, store.panel()?.sphere,
       (value) => store.set({ selection: { sphere: Number(value) } })));

@@ -1,0 +1,94 @@
+"""Makes the pages of `raycheck view` that the documentation shows, and pictures of them.
+
+A page is made by a shown command, `$ ./run view SCENE --out NAME.html` (or `check ... --view NAME.html`). A picture stands
+below a comment that says what it shows:
+
+    <!-- picture {"page": "NAME.html", "part": "#microscope"} -->
+    ![what it shows](lecture/NAME.webp)
+
+    page    the page
+    part    which element of it, by a CSS selector; default: the figure
+    width   of the window, in pixels; default: 700
+    scale   of the picture; default: 1
+    set     fields of the page and their values, by CSS selectors
+    store   what the page's store is to be set to (tools/view/page/store.js)
+
+Pictures are WebP, which Chromium writes by itself: half as large as PNG.
+"""
+import base64
+import json
+import pathlib
+import re
+import subprocess
+import sys
+
+ROOT = pathlib.Path(__file__).resolve().parent.parent
+sys.path.insert(0, str(ROOT / "tests/browser"))
+import webdriver  # noqa: E402
+
+PAGE = re.compile(r"^\$ \./run (.* --(?:out|view) (\S+\.html)\b.*)$", re.MULTILINE)
+PICTURE = re.compile(r"<!-- picture (\{.*?\}) -->\s*!\[[^\]]*\]\(([^)]+)\)")
+HEIGHT = 1000  # of the window
+QUALITY = 80
+
+# Resolves once the page is ready, or has drawn what was set.
+READY = """return window.raycheckPage.ready.then(() => new Promise((done) =>
+  requestAnimationFrame(() => requestAnimationFrame(done))));"""
+SET = """const [store, fields] = arguments;
+raycheckPage.store.set(store);
+for (const [selector, value] of Object.entries(fields)) {
+  const field = document.querySelector(selector);
+  field.value = value;
+  if (field.value !== String(value)) throw new Error(`${selector} does not take ${value}`);
+  for (const kind of ["input", "change"]) field.dispatchEvent(new Event(kind, { bubbles: true }));
+}"""
+PLACE = """const { x, y, width, height } = document.querySelector(arguments[0]).getBoundingClientRect();
+return { x: x + scrollX, y: y + scrollY, width, height };"""
+
+
+def made_pages(text, folder, program):
+    """Runs the commands of a document that make pages; returns the pages' names."""
+    names = set()
+    for arguments, name in PAGE.findall(text):
+        result = subprocess.run(f"{program} {arguments.replace(name, str(folder / name))}", shell=True, cwd=ROOT, text=True,
+                                stderr=subprocess.PIPE, stdout=subprocess.DEVNULL)
+        if result.returncode not in (0, 1):
+            sys.exit(f"./run {arguments}: {result.stderr}")
+        names.add(name)
+    return names
+
+
+def picture(browser, page, wanted):
+    browser.command("Emulation.setDeviceMetricsOverride", width=wanted.get("width", 700), height=HEIGHT,
+                    deviceScaleFactor=1, mobile=False)
+    browser.open(page)
+    browser.run(READY)
+    browser.run(SET, wanted.get("store", {}), wanted.get("set", {}))
+    browser.run(READY)
+    place = browser.run(PLACE, wanted.get("part", ".figure-stage"))
+    place["scale"] = wanted.get("scale", 1)
+    taken = browser.command("Page.captureScreenshot", format="webp", quality=QUALITY, clip=place, captureBeyondViewport=True)
+    return base64.b64decode(taken["data"])
+
+
+def make(documents, folder, program):
+    """Makes the pages of documents in a folder, where they stay, and the documents' pictures of them."""
+    if reason := webdriver.missing():
+        sys.exit(reason)
+    folder = pathlib.Path(folder).resolve()
+    folder.mkdir(parents=True, exist_ok=True)
+    browser = webdriver.Browser("--hide-scrollbars")
+    try:
+        for document in documents:
+            text = document.read_text()
+            names = made_pages(text, folder, program)
+            for wanted, name in PICTURE.findall(text):
+                wanted = json.loads(wanted)
+                if wanted["page"] not in names:
+                    sys.exit(f"{document.name}: no command makes {wanted['page']}, of which {name} is a picture")
+                path = document.parent / name
+                path.parent.mkdir(exist_ok=True)
+                path.write_bytes(picture(browser, folder / wanted["page"], wanted))
+                print(f"{path.relative_to(ROOT)}  {path.stat().st_size} bytes")
+    finally:
+        browser.close()

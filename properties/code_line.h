@@ -1,0 +1,34 @@
+#ifndef RAYCHECK_PROPERTIES_CODE_LINE_H_
+#define RAYCHECK_PROPERTIES_CODE_LINE_H_
+
+#include <compare>
+#include <cstdint>
+#include <stdexcept>
+#include <string>
+#include <utility>
+
+namespace raycheck::properties {
+
+/// A line of a candidate's own source.
+struct CodeLine {
+  std::string file;         ///< Relative to the working folder where it lies below that.
+  std::int64_t line = 1;    ///< From 1 on.
+  std::int64_t column = 1;  ///< Where the text begins, in characters, from 1 on.
+  std::string text;         ///< What stands there, without the space around it.
+  auto operator<=>(const CodeLine&) const = default;
+};
+
+/// What a candidate's function throws where it failed at a line that is known.
+class FailedAtLine : public std::runtime_error {
+ public:
+  FailedAtLine(const std::string& what, CodeLine line)
+      : std::runtime_error(what), line_(std::move(line)) {}
+  const CodeLine& line() const { return line_; }
+
+ private:
+  CodeLine line_;
+};
+
+}  // namespace raycheck::properties
+
+#endif  // RAYCHECK_PROPERTIES_CODE_LINE_H_

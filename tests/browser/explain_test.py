@@ -1,0 +1,193 @@
+"""What a page tells of a ray, of 39 hard ones: the text of `raycheck explain`, what can be copied, the microscope."""
+import dataclasses
+import functools
+import json
+import shlex
+from decimal import Decimal
+
+import pages
+from exact import Line, Vector, evaluated_sage, given_ray, nearest_root, pixel_ray, ulp_of
+from pages import PageTest, page_of, ran, temporary
+
+UNIT = ((0, 0, 0), 1)
+LEAST = 5e-324  # the smallest double
+BELOW_1 = 1 - 2**-53
+ABOVE_1 = 1 + 2**-52
+# Of each page: its rays, its spheres.
+GIVEN = {
+    "tangent": ([((-5, y, 0), (1, 0, 0)) for y in (1, BELOW_1, ABOVE_1, -1)], [UNIT]),
+    "surface": ([((-1, 0, 0), (1, 0, 0)), ((-1, 0, 0), (-1, 0, 0)), ((-1, 0, 0), (0, 1, 0)), ((0.6, 0.8, 0), (-3, 1, 0.5)),
+                 ((0, 0, 0), (1, 2, 3)), ((-BELOW_1, 0, 0), (-1, 0, 0)), ((2, 0, 0), (1, 0, 0))], [UNIT]),
+    "far": ([((0.5, 0.25, -1e8), (0, 0, 1)), ((0.5, 0.25, -1e15), (0, 0, 1)), ((1, 3, -1e8), (-1e-8, -3e-8, 1))], [UNIT]),
+    "grazing": ([((-1e6, 0.9999999999, 0), (1, 0, 0)), ((-1e6, 0.5, 0), (1, 5e-7, 1e-9))], [UNIT]),
+    "not-unit": ([((-5, 0.1, 0.2), (1e-5, 0, 0)), ((-5, 0.1, 0.2), (1e100, 1e98, 0)), ((-3, -4, 0.5), (3, 4, -0.1)),
+                  ((-5, 0.1, 0.2), (1 / 3, 1e-3, -1e-2))], [UNIT]),
+    "large": ([((0, 0, 0), (3, 1, 0.1)), ((-1e160, 2e160, 0), (1, 1e-3, 0)), ((1e-300, 0, 0), (1, 0.4, 0))], [((3e160, 1e160, 0), 1e160)]),
+    "small": ([((0, 0, 0), (1, 0, 0)), ((0, 0, 0), (1, 5e-301, 0)), ((1 - 1e-10, 0, 0), (1, 0, 0))], [((1, 5e-301, 0), 1e-300)]),
+    "least": ([((0, 0, 0), (1, 0, 0)), ((-1e-300, 0, 0), (1, LEAST, 0))], [((1e-310, 0, 0), LEAST)]),
+    "coincident": ([((-5, 0.3, 0.1), (1, 0, 0)), ((0.1, 0, 0), (0, 1, 1))], [UNIT, UNIT]),
+}
+CAMERAS = {  # of each: its pixels, its camera, its sphere
+    "wide": ([(0, 0), (1, 1), (2, 1)], {"eye": (0, 0, 0), "look_at": (0, 0, -1), "up": (0, 1, 0), "near": -1, "left": -1e6,
+             "right": 1e6, "bottom": -1e6, "top": 1e6, "width": 3, "height": 3}, ((1e6, 2, -1.5), 3)),
+    "tilted": ([(4, 3), (7, 0), (2, 5), (3, 3)], {"eye": (1e3, 0.1, 6), "look_at": (0.25, 0.5, 0), "up": (0.25, 1, 0.3), "near": -2,
+               "left": -0.3, "right": 0.25, "bottom": -0.2, "top": 0.3, "width": 8, "height": 6}, ((0.25, 0.5, 0), 40)),
+}
+CLOSE = Decimal("5e-6")  # relative: the microscope tells six digits
+NOTHING = Decimal(2) ** -29  # ulp: less is told as 0
+NO_SIDE = Decimal("1e-1000")  # a ray that is so near to the centre goes through it
+
+
+def triple(values):
+    return "[" + ", ".join(map(repr, values)) + "]"
+
+
+def scene_file(name, spheres, rays=(), camera=None):
+    text = "".join(f"[[sphere]]\ncentre = {triple(centre)}\nradius = {radius!r}\n" for centre, radius in spheres)
+    text += "".join(f"[[ray]]\norigin = {triple(origin)}\ndirection = {triple(direction)}\n" for origin, direction in rays)
+    if camera is not None:
+        text += "[camera]\n" + "".join(f"{key} = {triple(value) if isinstance(value, tuple) else repr(value)}\n" for key, value in camera.items())
+    return temporary(f"{name}.toml", text)
+
+
+def hard_rays():
+    """(scene's path, selection, arguments of explain, line, sphere) of every hard ray."""
+    for name, (rays, spheres) in GIVEN.items():
+        path = scene_file(name, spheres, rays)
+        for k, ray in enumerate(rays):
+            for number, (centre, radius) in enumerate(spheres):
+                arguments = (f"--ray={','.join(map(repr, (*ray[0], *ray[1])))}", f"--sphere={','.join(map(repr, (*centre, radius)))}")
+                yield path, {"pixel": None, "ray": k, "sphere": number}, arguments, given_ray(*ray), (centre, radius)
+    for name, (pixels, camera, sphere) in CAMERAS.items():
+        path = scene_file(name, [sphere], camera=camera)
+        for i, j in pixels:
+            yield path, {"pixel": [i, j], "ray": None, "sphere": None}, (path, "--pixel", f"{i},{j}"), pixel_ray(camera, i, j), sphere
+
+
+@functools.cache
+def explained(arguments):
+    return json.loads(ran("explain", *arguments, "--format", "json"))
+
+
+# Presses every button that copies, and returns what the reader is given to copy, by the button's id.
+COPY = """const buttons = [...document.querySelectorAll("#panel .copy button")];
+  for (const button of buttons) button.click();
+  const texts = () => buttons.map((button) => [button.id, button.parentElement.querySelector("textarea")?.value]);
+  return new Promise((done) => {
+    const look = () => (texts().every(([, text]) => text !== undefined) ? done(Object.fromEntries(texts())) : setTimeout(look, 10));
+    look();
+  });"""
+
+
+@dataclasses.dataclass
+class Told:
+    """What the page tells of one ray."""
+    name: str
+    arguments: tuple  # of explain
+    line: Line
+    sphere: tuple
+    text: str
+    microscope: dict
+    copied: dict
+
+
+class HardRays(PageTest):
+    @classmethod
+    def setUpClass(cls):
+        super().setUpClass()
+        cls.browser.command("Browser.setPermission", permission={"name": "clipboard-write"}, setting="denied")
+        cls.told = list(cls.look())
+        assert len(cls.told) == 39
+
+    @classmethod
+    def look(cls):
+        """Opens each page once, and chooses its rays there."""
+        opened = None
+        for path, selection, arguments, line, sphere in hard_rays():
+            if path != opened:
+                cls.open(page_of(path))
+                opened = path
+            cls.browser.run("raycheckPage.store.set({ selection: arguments[0] })", selection)
+            text, microscope = cls.browser.run(
+                "return [document.querySelector('#explain-text').textContent, raycheckPage.store.panel().microscope]")
+            yield Told(f"{path.name} {selection}", arguments, line, sphere, text, microscope, cls.browser.run(COPY))
+        cls.check_page()
+
+    def test_the_panel_has_what_explain_prints(self):
+        for told in self.told:
+            with self.subTest(told.name):
+                self.assertEqual(told.text, ran("explain", *told.arguments))
+
+    def test_the_command_prints_the_same(self):
+        for told in self.told:
+            with self.subTest(told.name):
+                program, *words = shlex.split(told.copied["copy-command"])
+                self.assertEqual(program, "raycheck")
+                self.assertEqual(told.text, ran(*words))
+
+    def test_the_scene_is_one_that_check_takes(self):
+        texts = {told.copied["copy-toml"] for told in self.told}
+        self.assertEqual(len(texts), len(GIVEN) + len(CAMERAS))
+        for text in texts:
+            with self.subTest(text):
+                ran("check", temporary("copied.toml", text))
+
+    def test_the_latex_has_every_step(self):
+        for told in self.told:
+            with self.subTest(told.name):
+                steps = explained(told.arguments)["exact"]["steps"]
+                self.assertEqual(told.copied["copy-latex"].count("\\approx"), len(steps))
+
+    def test_the_sage_input_has_the_exact_values(self):
+        for told in self.told:
+            with self.subTest(told.name):
+                self.check_sage(told.copied["copy-sage"], explained(told.arguments)["exact"], nearest_root(told.line, *told.sphere))
+
+    def check_sage(self, text, exact, root):
+        values = evaluated_sage(text)
+        steps = {step["symbol"]: list(map(float.fromhex, step["rounded"])) for step in exact["steps"]}
+        self.assertEqual("s" in steps, root is not None)
+        shown = ("D", "T", "v", "d^2", "s", "Q")[:4 if root is None else 6]
+        self.assertEqual(len(values), len(shown))
+        for name, value in zip(shown, values):
+            components = [float(x) for x in (value if isinstance(value, Vector) else [value])]
+            if name != "d^2" or steps[name] != [0]:  # of a tangent, where no digits are enough
+                self.assertEqual(components, steps[name], name)
+        if root is not None:
+            self.assertEqual([float(root)], steps["s"])
+
+    def test_the_microscope_has_every_answer_where_it_is(self):
+        marks = 0
+        for told in self.told:
+            root = nearest_root(told.line, *told.sphere)
+            if told.microscope is None or root is None:
+                continue
+            answers = {method["name"]: method for method in explained(told.arguments)["methods"]}
+            T = Vector(told.sphere[0]) - told.line.origin
+            to_centre = T - T.dot_product(told.line.direction) * told.line.direction
+            with self.subTest(told.name):
+                for mark in told.microscope["marks"]:
+                    self.check_mark(mark, answers[mark["name"]], told.line, root, to_centre)
+                    marks += 1
+        self.assertGreater(marks, 400)
+
+    def check_mark(self, mark, method, line, root, to_centre):
+        ulp = ulp_of(float(root))
+        if mark["kind"] == "s":
+            self.assert_close(mark["x"], (Decimal(float.fromhex(method["s"])) - root) / ulp)
+            self.assertEqual(mark["y"], "0")
+            return
+        point = next(step for step in method["steps"] if step["symbol"] == "Q")["value"]
+        offset = (Vector(map(float.fromhex, point)) - line.at(root)) / (ulp * line.length)
+        self.assert_close(mark["x"], offset.dot_product(line.direction))
+        if to_centre.norm() > NO_SIDE:
+            self.assert_close(mark["y"], offset.dot_product(to_centre / to_centre.norm()))
+
+    def assert_close(self, told, exact):
+        """A number of the microscope, which is a JSON number."""
+        is_close = abs(Decimal(told) - exact) <= max(NOTHING, CLOSE * abs(exact))
+        self.assertTrue(is_close, f"{told}, exactly {float(exact)}")
+
+
+if __name__ == "__main__":
+    pages.main("--disable-3d-apis")

@@ -1,0 +1,119 @@
+"""A headless Chromium, driven by chromedriver in the protocol WebDriver (W3C) over HTTP.
+
+The protocol: https://www.w3.org/TR/webdriver2/; what begins with goog: and se/log is chromedriver's.
+"""
+import http.client
+import json
+import os
+import re
+import shutil
+import subprocess
+
+ELEMENT = "element-6066-11e4-a52e-4f735466cecf"  # how WebDriver names an element (section 11)
+KEYS = {"ArrowLeft": "\ue012", "ArrowUp": "\ue013", "ArrowRight": "\ue014", "ArrowDown": "\ue015", "Shift": "\ue008"}
+SCRIPT_SECONDS = 60
+
+
+def missing():
+    """Which program is not there, as a sentence; None: all are."""
+    for names in (("chromedriver",), ("chromium", "google-chrome")):
+        if not any(map(shutil.which, names)):
+            return f"there is no {' or '.join(names)} here: apt-get install chromium chromium-driver"
+    return None
+
+
+class Browser:
+    """One window of a browser of its own. Errors of the protocol are RuntimeErrors."""
+
+    def __init__(self, *more_arguments):
+        self.driver = subprocess.Popen([shutil.which("chromedriver"), "--port=0"], text=True,
+                                       stdout=subprocess.PIPE, stderr=subprocess.DEVNULL)
+        port = None
+        for line in self.driver.stdout:
+            if port := re.search(r"started successfully on port (\d+)", line):
+                break
+        if port is None:
+            raise RuntimeError("chromedriver said no port")
+        self.connection = http.client.HTTPConnection("127.0.0.1", int(port[1]), timeout=2 * SCRIPT_SECONDS)
+        arguments = ["--headless", "--enable-unsafe-swiftshader", "--window-size=1400,900", "--disable-dev-shm-usage",
+                     "--disable-background-networking", "--no-first-run", *more_arguments]
+        if os.geteuid() == 0:
+            arguments.append("--no-sandbox")
+        self.path = "/session"
+        options = {"args": arguments, "binary": shutil.which("chromium") or shutil.which("google-chrome")}
+        try:
+            made = self.ask("POST", "", {"capabilities": {"alwaysMatch": {
+                "goog:chromeOptions": options, "goog:loggingPrefs": {"browser": "ALL", "performance": "ALL"},
+                "timeouts": {"script": 1000 * SCRIPT_SECONDS}}}})
+        except BaseException:
+            self.driver.kill()
+            raise
+        self.path += "/" + made["sessionId"]
+
+    def close(self):
+        try:
+            self.ask("DELETE", "")
+        finally:
+            self.driver.terminate()
+            self.driver.wait()
+            self.driver.stdout.close()
+            self.connection.close()
+
+    def ask(self, method, path, body=None):
+        text = json.dumps(body if body is not None else {}) if method == "POST" else None
+        self.connection.request(method, self.path + path, text, {"Content-Type": "application/json"})
+        value = json.loads(self.connection.getresponse().read())["value"]
+        if isinstance(value, dict) and "error" in value:
+            raise RuntimeError(f"{value['error']}: {value['message'].splitlines()[0]}")
+        return value
+
+    def command(self, name, **parameters):
+        """A command of Chromium's own protocol (CDP)."""
+        return self.ask("POST", "/goog/cdp/execute", {"cmd": name, "params": parameters})
+
+    def run(self, script, *arguments):
+        """What the body of a function `script` returns, or the promise that it returns brings."""
+        return self.ask("POST", "/execute/sync", {"script": script, "args": list(arguments)})
+
+    def open(self, path):
+        """Opens a file; what was logged before is forgotten."""
+        for log in ("browser", "performance"):
+            self.log(log)
+        self.ask("POST", "/url", {"url": "file://" + str(path)})
+
+    def log(self, name):
+        return self.ask("POST", "/se/log", {"type": name})
+
+    def problems(self):
+        """Errors and warnings that the console was told since the page was opened, but for those of graphics drivers
+        on how fast they are."""
+        return [entry["message"] for entry in self.log("browser")
+                if entry["level"] in ("SEVERE", "WARNING") and "GL Driver Message (OpenGL, Performance" not in entry["message"]]
+
+    def requests(self):
+        """The addresses outside the page that it has asked for since it was opened, itself first."""
+        messages = [json.loads(entry["message"])["message"] for entry in self.log("performance")]
+        urls = [message["params"]["request"]["url"] for message in messages
+                if message["method"] == "Network.requestWillBeSent"]
+        return [url for url in urls if not url.startswith(("data:", "blob:"))]
+
+    def find(self, selector):
+        return self.ask("POST", "/element", {"using": "css selector", "value": selector})
+
+    def click(self, selector):
+        self.ask("POST", f"/element/{self.find(selector)[ELEMENT]}/click")
+
+    def click_at(self, selector, x, y):
+        """A click at (x, y) of an element, in pixels from its middle, which must be in the window."""
+        origin = self.find(selector)
+        self.run("arguments[0].scrollIntoView({block: 'center'})", origin)
+        self.ask("POST", "/actions", {"actions": [{"type": "pointer", "id": "mouse", "actions": [
+            {"type": "pointerMove", "origin": origin, "x": round(x), "y": round(y)},
+            {"type": "pointerDown", "button": 0}, {"type": "pointerUp", "button": 0}]}]})
+
+    def press(self, *names, hold=None):
+        """Presses keys, one after the other, while another is held; they go to what has the focus."""
+        held = [{"type": "keyDown", "value": KEYS[hold]}] if hold else []
+        strokes = [{"type": kind, "value": KEYS.get(name, name)} for name in names for kind in ("keyDown", "keyUp")]
+        released = [{"type": "keyUp", "value": KEYS[hold]}] if hold else []
+        self.ask("POST", "/actions", {"actions": [{"type": "key", "id": "keys", "actions": held + strokes + released}]})

@@ -1,0 +1,9 @@
+// What dies.cpp dies in elsewhere.
+
+namespace elsewhere {
+
+inline void divide(volatile int& number) {
+  number = 2 / number;  // dies: in an inlined function of another file
+}
+
+}  // namespace elsewhere

@@ -1,0 +1,168 @@
+#include "tools/external/protocol/last_frames.h"
+
+#include <dlfcn.h>
+#include <link.h>
+#include <unistd.h>
+#include <unwind.h>
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <csignal>
+#include <cstddef>
+#include <cstdint>
+#include <cstdlib>
+#include <string_view>
+#include <typeinfo>
+
+#include "tools/external/protocol/frames.h"
+
+namespace raycheck::tools {
+namespace {
+
+/// Of any library: deeper ones are not looked at.
+constexpr std::size_t kMostWalked = 256;
+/// Unwinding takes some KiB.
+constexpr std::size_t kAlternateStack = std::size_t{1} << 16;
+constexpr std::array kDeadly = {SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGTRAP, SIGABRT};
+
+/// Where the library's code lies, and what its addresses begin at.
+struct Code {
+  std::uintptr_t base = 0, begin = 0, end = 0;
+};
+Code code;
+int descriptor = -1;
+/// What it dies of; 0 while it lives.
+volatile std::sig_atomic_t deadly_signal = 0;
+
+/// Frames of the library's code, the innermost first. Nothing here takes memory: it is used in
+/// signal handlers.
+struct Frames {
+  std::array<std::uintptr_t, kMostFrames> offsets;
+  std::size_t count, walked;
+
+  void walk() {
+    count = walked = 0;
+    _Unwind_Backtrace([](_Unwind_Context* context,
+                         void* frames) { return static_cast<Frames*>(frames)->add(context); },
+                      this);
+  }
+
+ private:
+  _Unwind_Reason_Code add(_Unwind_Context* context) {
+    int is_at_fault = 0;
+    std::uintptr_t address = _Unwind_GetIPInfo(context, &is_at_fault);
+    // What a frame returns to may be of the next line; it lies behind the call.
+    if (is_at_fault == 0) --address;
+    if (address >= code.begin && address < code.end) offsets[count++] = address - code.base;
+    return ++walked < kMostWalked && count < offsets.size() ? _URC_NO_REASON : _URC_END_OF_STACK;
+  }
+};
+Frames of_death;
+
+/// The line that says frames, in place: without memory, too.
+class Line {
+ public:
+  explicit Line(const Frames& frames) {
+    if (frames.count == 0) return;
+    add(kFramesWord);
+    for (std::size_t k = 0; k < frames.count; ++k) {
+      add(" ");
+      char* const at = text_.data() + size_;
+      const auto written = std::to_chars(at, text_.data() + text_.size(), frames.offsets[k], 16);
+      size_ += static_cast<std::size_t>(written.ptr - at);
+    }
+    add("\n");
+  }
+  std::string_view text() const { return {text_.data(), size_}; }
+
+ private:
+  void add(std::string_view more) {
+    std::copy(more.begin(), more.end(), text_.data() + size_);
+    size_ += more.size();
+  }
+  std::array<char, kMostFramesLine> text_;
+  std::size_t size_ = 0;
+};
+
+void on_death(int signal) {
+  // A second time where the frames themselves cannot be read: what was found until then is said.
+  if (deadly_signal == 0) {
+    deadly_signal = signal;
+    of_death.walk();
+  }
+  const Line line(of_death);
+  if (write(descriptor, line.text().data(), line.text().size()) < 0) {
+    // Nobody listens.
+  }
+  sigset_t one;
+  sigemptyset(&one);
+  sigaddset(&one, deadly_signal);
+  std::signal(deadly_signal, SIG_DFL);
+  sigprocmask(SIG_UNBLOCK, &one, nullptr);
+  raise(deadly_signal);
+}
+
+/// Where the last exception of this thread was thrown.
+struct Throw {
+  const void* object;
+  Frames frames;
+};
+thread_local Throw last_throw;
+
+}  // namespace
+
+void report_deaths(int to) {
+  descriptor = to;
+  alignas(std::max_align_t) static std::array<char, kAlternateStack> memory;
+  stack_t stack{};
+  stack.ss_sp = memory.data();
+  stack.ss_size = memory.size();
+  sigaltstack(&stack, nullptr);
+  struct sigaction action {};
+  action.sa_handler = on_death;
+  action.sa_flags = SA_ONSTACK | SA_NODEFER;
+  for (const int signal : kDeadly) sigaction(signal, &action, nullptr);
+}
+
+void follow(void* library) {
+  link_map* loaded = nullptr;
+  if (dlinfo(library, RTLD_DI_LINKMAP, static_cast<void*>(&loaded)) != 0) return;
+  Code found{loaded->l_addr, UINTPTR_MAX, 0};
+  dl_iterate_phdr(
+      [](dl_phdr_info* info, std::size_t, void* data) {
+        Code& sought = *static_cast<Code*>(data);
+        if (info->dlpi_addr != sought.base) return 0;
+        for (int k = 0; k < info->dlpi_phnum; ++k) {
+          const auto& part = info->dlpi_phdr[k];
+          if (part.p_type != PT_LOAD || (part.p_flags & PF_X) == 0) continue;
+          const std::uintptr_t begin = sought.base + part.p_vaddr;
+          sought.begin = std::min(sought.begin, begin);
+          sought.end = std::max<std::uintptr_t>(sought.end, begin + part.p_memsz);
+        }
+        return 1;
+      },
+      &found);
+  code = found;
+}
+
+std::string frames_of_throw(const std::exception& error) {
+  if (last_throw.object != dynamic_cast<const void*>(&error)) return {};
+  return std::string(Line(last_throw.frames).text());
+}
+
+}  // namespace raycheck::tools
+
+/// In place of that of the C++ library, which it calls: the frames that an exception unwinds are
+/// gone when it is caught.
+// NOLINTNEXTLINE(bugprone-reserved-identifier,cert-dcl37-c,cert-dcl51-cpp): it has that name.
+extern "C" [[noreturn, gnu::visibility("default")]] void __cxa_throw(void* object,
+                                                                     std::type_info* type,
+                                                                     void (*destroy)(void*)) {
+  using Throws = void (*)(void*, std::type_info*, void (*)(void*));
+  static const auto next = reinterpret_cast<Throws>(dlsym(RTLD_NEXT, "__cxa_throw"));
+  raycheck::tools::last_throw.object = object;
+  raycheck::tools::last_throw.frames.walk();
+  if (next != nullptr) next(object, type, destroy);
+  std::abort();
+}

@@ -1,0 +1,44 @@
+#ifndef RAYCHECK_TOOLS_EXTERNAL_SOURCE_LINES_H_
+#define RAYCHECK_TOOLS_EXTERNAL_SOURCE_LINES_H_
+
+#include <cstdint>
+#include <filesystem>
+#include <map>
+#include <mutex>
+#include <optional>
+#include <vector>
+
+#include "properties/code_line.h"
+#include "tools/external/sandbox/launch.h"
+
+namespace raycheck::tools {
+
+/// The lines of someone's own source that a library was compiled of. What its tables of lines say
+/// is theirs to write: it is read by addr2line, which is kept as the library itself is, and
+/// believed of lines alone that are there, of files in their folder.
+/// Source: addr2line, GNU binutils (sourceware.org/binutils/docs/binutils/addr2line.html).
+class SourceLines {
+ public:
+  /// `program` runs the library; `compiled` is the folder of the source when it was compiled,
+  /// `named` the same folder as lines are to show it.
+  SourceLines(const Confined& program, std::filesystem::path library,
+              std::filesystem::path compiled, std::filesystem::path named);
+
+  /// The line of the innermost of these frames, given as offsets in the library's file and
+  /// innermost first, that lies in the source: frames that lie in headers of others are passed
+  /// over, be they inlined or not. Empty where there is none, or no addr2line.
+  std::optional<properties::CodeLine> innermost(const std::vector<std::uint64_t>& frames) const;
+
+ private:
+  std::optional<properties::CodeLine> find(const std::vector<std::uint64_t>& frames) const;
+  std::optional<properties::CodeLine> own_line(std::string_view place) const;
+
+  Confined addr2line_;
+  std::filesystem::path library_, compiled_, named_;
+  mutable std::mutex mutex_;
+  mutable std::map<std::vector<std::uint64_t>, std::optional<properties::CodeLine>> found_;
+};
+
+}  // namespace raycheck::tools
+
+#endif  // RAYCHECK_TOOLS_EXTERNAL_SOURCE_LINES_H_
