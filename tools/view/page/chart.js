@@ -16,23 +16,23 @@ export function mountChart(root, chart) {
   const readout = element("p", { id: "chart-readout", role: "status" });
   const figures = element("div", {});
   const folded = disclosure("All figures as a table", figures);
-  const legend = element("p", { class: "marks quiet" });
-  const look = { root, chart, state, heading, legend, controls, drawing, chips, multiples, readout };
+  const marksKey = element("p", { class: "marks quiet" });
+  const look = { root, chart, state, heading, marksKey, controls, drawing, chips, multiples, readout };
   const fill = () => folded.open && figures.replaceChildren(figuresTable(look));
   look.set = (partial) => {
     Object.assign(state, partial);
     if ("facet" in partial) Object.assign(state, { severity: null, pinned: null, isTime: state.isTime ? hasTimes(state.facet) : !hasCurves(state.facet) });
     if ("facet" in partial || "isTime" in partial) showControls(look);
-    show(look);
+    showChosen(look);
     fill();
   };
   controls.className = "fields";
-  root.append(heading, controls, drawing, readout, legend, chips, folded, multiples);
+  root.append(heading, controls, drawing, readout, marksKey, chips, folded, multiples);
   folded.addEventListener("toggle", fill);
   for (const part of [drawing, multiples, chips]) listenTo(part, look);
-  atEachWidth(drawing, () => show(look));
+  atEachWidth(drawing, () => showChosen(look));
   showControls(look);
-  show(look);
+  showChosen(look);
 }
 
 const hasTimes = (facet) => facet.series.some((one) => one.time !== null && one.whole !== null);
@@ -42,7 +42,7 @@ const errorOf = (point, { quantity, share }) => point?.errors[quantity].at[share
 const nameOf = ({ name }) => (name.endsWith("error") ? name : `${name} error`);
 const standingOf = (point) => (point.defects > 0 ? "defect" : point.wrong > 0 ? "excused" : "right");
 
-function told(value) {
+function figureOf(value) {
   if (value === null) return "-";
   if (value === "infinity") return "infinite";
   const isPlain = value === 0 || (value >= 1e-3 && value < 1e6);
@@ -73,16 +73,16 @@ function showControls({ chart, state, controls, set }) {
 }
 
 /// The heading, the large chart, the methods and the small charts, as the state says.
-function show(look) {
-  const { chart, state, heading, legend, drawing, chips, multiples } = look;
+function showChosen(look) {
+  const { chart, state, heading, marksKey, drawing, chips, multiples } = look;
   const { facet } = state;
   const quantity = facet.quantities[state.quantity];
   const where = state.severity === null ? "" : ` at severity ${facet.severities[state.severity]}`;
   const text = `${facet.stage} on ${brief(facet.subject)}${where}: ${chart.shares[state.share]} ${nameOf(quantity)} against ${state.isTime ? "run time" : "severity"}`;
   heading.replaceChildren(text[0].toUpperCase() + text.slice(1));
-  legend.replaceChildren(...marksLegend(state.isTime));
+  marksKey.replaceChildren(...marksLegend(state.isTime));
   const width = Math.floor(drawing.clientWidth);
-  if (width > 0) drawing.replaceChildren(picture(facet, look, width, width < NARROW_CHART ? CHART_TALL.narrow : CHART_TALL.wide, text));
+  if (width > 0) drawing.replaceChildren(facetPlot(facet, look, width, width < NARROW_CHART ? CHART_TALL.narrow : CHART_TALL.wide, text));
   chips.replaceChildren(...facet.series.map((one) => {
     const point = state.isTime ? pointOf(one, state) : one.points.find((each) => errorOf(each, state) !== null);
     const isDrawn = errorOf(point, state) !== null && (!state.isTime || one.time !== null);
@@ -92,12 +92,12 @@ function show(look) {
   const others = chart.facets.filter((other) => other.stage === facet.stage && (state.isTime ? hasTimes(other) : hasCurves(other)));
   multiples.replaceChildren(...(others.length < 2 || width === 0 ? [] : others.map((other) => element("button",
     { type: "button", class: "multiple", "aria-current": String(other === facet), click: () => look.set({ facet: other }) },
-    element("span", {}, brief(other.subject)), picture(other, look, 240, CHART_TALL.small, other.subject, others)))));
+    element("span", {}, brief(other.subject)), facetPlot(other, look, 240, CHART_TALL.small, other.subject, others)))));
   highlight(look, state.pinned);
 }
 
 /// A facet as a plot; small, with the axes of `others`, where those are given.
-function picture(facet, { state, chart }, width, tall, label, others) {
+function facetPlot(facet, { state, chart }, width, tall, label, others) {
   const here = { ...state, severity: state.severity === null || facet.severities.length === 0 ? null : Math.min(state.severity, facet.severities.length - 1) };
   const isSmall = others !== undefined;
   const shared = others ?? [facet];
@@ -109,8 +109,8 @@ function picture(facet, { state, chart }, width, tall, label, others) {
       return { ...one, error: errorOf(point, here), standing: standingOf(point), isFront: point.errors[here.quantity].front[here.share] };
     });
     const all = isSmall ? shared.flatMap((other) => other.series.map((one) => errorOf(one.whole, here))).filter((error) => error !== null) : points.map(({ error }) => error);
-    const times = shared.flatMap((other) => other.series.filter((one) => one.time !== null).flatMap(({ time }) => [time.low, time.ratio, time.high]));
-    return pointPlot({ points, times, errors: all, width, tall, isSmall, label,
+    const runTimes = shared.flatMap((other) => other.series.filter((one) => one.time !== null).flatMap(({ time }) => [time.low, time.ratio, time.high]));
+    return pointPlot({ points, runTimes, errors: all, width, tall, isSmall, label,
       unit: isSmall ? "" : `${chart.shares[here.share]} error, ${unit}`, timeText: isSmall ? "" : `run time, times that of ${brief(facet.baseline, 30)}` });
   }
   const curves = facet.series.map((one) => ({ ...one, errors: one.points.map((point) => errorOf(point, here)), standings: one.points.map((point) => point && standingOf(point)) }))
@@ -125,12 +125,12 @@ function picture(facet, { state, chart }, width, tall, label, others) {
 /// What a method's mark says, in a sentence.
 function figuresText(one, { facet, isTime, quantity, share, ...rest }, chart) {
   const point = isTime ? pointOf(one, rest) : null;
-  const time = one.time === null ? one.note : `${told(one.time.ratio)} times the run time of ${facet.baseline} (middle half ${told(one.time.low)} to ${told(one.time.high)}; ${told(one.time.ns)} ns an item)`;
+  const time = one.time === null ? one.note : `${figureOf(one.time.ratio)} times the run time of ${facet.baseline} (middle half ${figureOf(one.time.low)} to ${figureOf(one.time.high)}; ${figureOf(one.time.ns)} ns an item)`;
   const { unit } = facet.quantities[quantity];
   const error = `${chart.shares[share]} ${nameOf(facet.quantities[quantity])}`;
   const errors = point === null
-    ? `${error} in ${unit} by severity: ${one.points.map((each, k) => `${facet.severities[k]}: ${told(errorOf(each, { quantity, share }))}`).join(", ")}`
-    : `${error} ${told(errorOf(point, { quantity, share }))} ${unit}, of ${point.errors[quantity].compared}`;
+    ? `${error} in ${unit} by severity: ${one.points.map((each, k) => `${facet.severities[k]}: ${figureOf(errorOf(each, { quantity, share }))}`).join(", ")}`
+    : `${error} ${figureOf(errorOf(point, { quantity, share }))} ${unit}, of ${point.errors[quantity].compared}`;
   const decisions = point === null ? "" : `${point.wrong} of ${point.decisions} decisions wrong${point.wrong > 0 ? `, ${point.defects} of them without an excuse` : ""}`;
   return [time, errors, decisions].filter((text) => text !== "").join("; ");
 }
@@ -169,8 +169,8 @@ function marksLegend(isTime) {
 function figuresTable({ chart, state: { facet, quantity } }) {
   const { name, unit } = facet.quantities[quantity];
   const rows = facet.series.flatMap((one) => [["all", one.whole], ...one.points.map((point, k) => [facet.severities[k], point])]
-    .filter(([, point]) => point).map(([severity, point]) => [brief(one.name), one.time ? told(one.time.ratio) : "-", one.time ? told(one.time.ns) : "-", severity,
-      ...point.errors[quantity].at.map(told), point.errors[quantity].compared, point.decisions, point.wrong, point.defects].map(String)));
+    .filter(([, point]) => point).map(([severity, point]) => [brief(one.name), one.time ? figureOf(one.time.ratio) : "-", one.time ? figureOf(one.time.ns) : "-", severity,
+      ...point.errors[quantity].at.map(figureOf), point.errors[quantity].compared, point.decisions, point.wrong, point.defects].map(String)));
   return table(`${facet.stage} on ${brief(facet.subject)}: ${name} errors in ${unit}; run time in times that of ${facet.baseline || "nothing: none was taken"}`,
     ["method", "run time", "ns an item", "severity", ...chart.shares, "compared", "decisions", "wrong", "without an excuse"], rows);
 }

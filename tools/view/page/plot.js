@@ -10,6 +10,7 @@ const LEAST_STRETCH = 0.8; // decades
 const PADDING = 0.12; // decades beyond the first and the last point
 const LABEL_LINE = 15; // pixels: from a label's line to the next
 const LONGEST_LABEL = 30; // letters
+const BESIDE = [0, 4, 0.5, 3.5, 7.5, 4.5, 1, 3, 7, 5, 2, 6]; // where a point's name is tried, in turns of 45 degrees
 const LEAST_APART = 9; // pixels: the marks of a curve
 const CONDITION = "kappa of the problem";
 const DASHES = ["none", "7 3", "2 2.5", "9 3 2 3", "4 2 1 2 1 2"];
@@ -83,16 +84,21 @@ export function methodMark(number, standing, x, y, size) {
     standing === "defect" ? svg("path", { class: "cross", d: `M${x} ${y}m${-size} ${-size}l${2 * size} ${2 * size}m0 ${-2 * size}l${-2 * size} ${2 * size}` }) : null);
 }
 
+/// A small plot is part of something that has a name.
+function described(isSmall, label) {
+  return isSmall ? { "aria-hidden": "true" } : { role: "img", "aria-label": label };
+}
+
 /// Points {name, number, time: {ratio, low, high}, error, standing, isFront}; without names where small.
-export function pointPlot({ points, times, errors, width, tall, unit, timeText, isSmall, label }) {
+export function pointPlot({ points, runTimes, errors, width, tall, unit, timeText, isSmall, label }) {
   const pane = { left: isSmall ? 40 : 58, right: width - 14, top: isSmall ? 8 : 28, bottom: tall - (isSmall ? 24 : 44) };
   const y = powerAxis(errors, pane.bottom, pane.top, !isSmall);
-  const x = powerAxis(times, pane.left, pane.right);
+  const x = powerAxis(runTimes, pane.left, pane.right);
   const placed = points.map((point) => ({ ...point, y: y.place(point.error),
     x: x.place(point.time.ratio), low: x.place(point.time.low), high: x.place(point.time.high) }));
   const front = placed.filter((point) => point.isFront).sort((a, b) => a.x - b.x);
   const size = isSmall ? 3.2 : 5.5;
-  return svg("svg", { viewBox: `0 0 ${width} ${tall}`, class: "instrument", role: "img", "aria-label": label }, svg("g", { "aria-hidden": "true" },
+  return svg("svg", { viewBox: `0 0 ${width} ${tall}`, class: "instrument", ...described(isSmall, label) }, svg("g", { "aria-hidden": "true" },
     errorAxis(y, pane, unit),
     x.ticks.map((tick) => [svg("path", { class: "gridline", d: `M${tick.at} ${pane.top}V${pane.bottom}` }),
       svg("text", { class: "label quiet", x: tick.at, y: pane.bottom + 16, "text-anchor": "middle" }, tickText(tick))]),
@@ -112,7 +118,7 @@ function pointNames(placed, { left, right, top, bottom }) {
   const taken = placed.map(({ x, y, low, high }) => ({ x: Math.min(x - 6, low), y: y - LABEL_LINE / 2, width: Math.max(12, high - low + 6) }));
   return [...placed].sort((a, b) => b.isFront - a.isFront).map(({ name, number, x, y, isFront }) => {
     const text = brief(name, LONGEST_LABEL);
-    const box = freeBox(x, y, LETTER * text.length + 6, pane, taken);
+    const box = freeBox(x, y, LETTER * text.length + 6, pane, taken, BESIDE);
     if (box === null) return null;
     taken.push(box);
     return svg("g", { "data-method": number },
@@ -135,7 +141,7 @@ export function curvePlot({ curves, condition, severities, current, errors, widt
   const every = Math.ceil((Math.max(...severities.map((text) => String(text).length)) * LETTER + 8) / step);
   const line = (list) => list.map((error, k) => (error === null ? "" : `${k === 0 || list[k - 1] === null ? "M" : "L"}${x(k).toFixed(1)} ${y.place(error).toFixed(1)}`)).join("");
   const marked = Math.ceil(LEAST_APART / step);
-  return svg("svg", { viewBox: `0 0 ${width} ${tall}`, class: "instrument", role: "img", "aria-label": label }, svg("g", { "aria-hidden": "true" },
+  return svg("svg", { viewBox: `0 0 ${width} ${tall}`, class: "instrument", ...described(isSmall, label) }, svg("g", { "aria-hidden": "true" },
     errorAxis(y, pane, unit),
     severities.map((severity, k) => (k % every > 0 ? null
       : svg("text", { class: "label quiet", x: x(k), y: pane.bottom + 16, "text-anchor": "middle" }, severity))),
