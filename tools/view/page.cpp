@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "tools/report/data_address.h"
+#include "tools/report/html_text.h"
 #include "tools/view/assets.h"
 #include "tools/view/deflate.h"
 #include "tools/view/document_json.h"
@@ -26,29 +27,6 @@ std::string hash_source(std::string_view text) {
   return fmt::format("'sha256-{}'", base64({reinterpret_cast<const char*>(bytes.data()), size}));
 }
 
-std::string html_text(std::string_view text) {
-  std::string escaped;
-  for (const char c : text) {
-    switch (c) {
-      case '&':
-        escaped += "&amp;";
-        break;
-      case '<':
-        escaped += "&lt;";
-        break;
-      case '>':
-        escaped += "&gt;";
-        break;
-      case '"':
-        escaped += "&quot;";
-        break;
-      default:
-        escaped += c;
-    }
-  }
-  return escaped;
-}
-
 }  // namespace
 
 std::string page(const ViewDocument& document) {
@@ -58,7 +36,7 @@ std::string page(const ViewDocument& document) {
       hash_source(kPageScript), hash_source(kThree), hash_source(kPageStyle));
   const std::pair<std::string_view, std::string> parts[] = {
       {"@CSP@", policy},
-      {"@TITLE@", html_text(document.title)},
+      {"@TITLE@", escaped(document.title)},
       {"@STYLE@", std::string(kPageStyle)},
       {"@SCRIPT@", std::string(kPageScript)},
       {"@THREE@", document.scenes.empty() ? "" : base64(deflated(kThree))},

@@ -5,8 +5,6 @@
 #include <cctype>
 #include <cstdint>
 
-#include "scene/text.h"
-
 namespace raycheck::tools {
 namespace {
 
@@ -42,32 +40,6 @@ td.number, th.number { text-align: right; white-space: nowrap; }
 )";
 
 }  // namespace
-
-std::string escaped(std::string_view text) {
-  std::string result;
-  for (const char c : scene::visible(text)) {
-    switch (c) {
-      case '&':
-        result += "&amp;";
-        break;
-      case '<':
-        result += "&lt;";
-        break;
-      case '>':
-        result += "&gt;";
-        break;
-      case '"':
-        result += "&quot;";
-        break;
-      case '\'':
-        result += "&#39;";
-        break;
-      default:
-        result += c;
-    }
-  }
-  return result;
-}
 
 std::string page(std::string_view title, std::string_view body) {
   return fmt::format(

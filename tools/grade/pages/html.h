@@ -4,11 +4,9 @@
 #include <string>
 #include <string_view>
 
-namespace raycheck::tools {
+#include "tools/report/html_text.h"
 
-/// Text as HTML shows it, in elements and in attributes; what acts on what shows it is spelled
-/// (scene/text.h).
-std::string escaped(std::string_view text);
+namespace raycheck::tools {
 
 /// A whole page that needs nothing besides itself, for narrow and for wide screens.
 std::string page(std::string_view title, std::string_view body);
