@@ -10,7 +10,7 @@
 namespace raycheck::tools {
 namespace {
 
-constexpr std::array<double, 9> kAways = {9, 16, 26, 38, 52, 70, 92, 120, 155};  ///< Pixels.
+constexpr std::array<double, 9> kAways = {11, 17, 26, 38, 52, 70, 92, 120, 155};  ///< Pixels.
 constexpr int kTurns = 24;           ///< Directions in which a name may stand.
 constexpr int kRounds = 4;           ///< How often every name is placed anew among the others.
 constexpr double kNeedsLeader = 14;  ///< Pixels.
@@ -21,6 +21,7 @@ constexpr double kOnName = 4000;
 constexpr double kOnObstacle = 800;
 constexpr double kOnLine = 40;
 constexpr double kLeaderOnName = 250;
+constexpr double kLeaderOnObstacle = 60;
 constexpr double kLeadersCross = 120;
 constexpr double kNotBeside = 6;  ///< A name reads best at the right or the left of its point.
 
@@ -42,19 +43,25 @@ bool crosses(const Point& a, const Point& b, const PlotBox& box) {
   return cross(a, b, corners[0], corners[1]) || cross(a, b, corners[2], corners[3]);
 }
 
+bool holds(const PlotBox& box, const Point& point) {
+  return point[0] >= box.left && point[0] <= box.left + box.width && point[1] >= box.bottom &&
+         point[1] <= box.bottom + box.height;
+}
+
 double distance_to(const PlotBox& box, const NamedPoint& point) {
   return std::hypot(point.x - std::clamp(point.x, box.left, box.left + box.width),
                     point.y - std::clamp(point.y, box.bottom, box.bottom + box.height));
 }
 
 PlacedName placed_at(const NamedPoint& point, double away, double angle) {
-  const double width = kLetter * static_cast<double>(point.name.size());
+  const double width = text_width(point.name);
   PlacedName placed;
   placed.box = {point.x + (away + width / 2) * std::cos(angle) - width / 2,
                 point.y + (away + kLine / 2) * std::sin(angle) - kLine / 2, width, kLine};
   const PlotBox& box = placed.box;
   placed.joint = {std::clamp(point.x, box.left, box.left + box.width),
                   std::clamp(point.y, box.bottom, box.bottom + box.height)};
+  placed.ends_here = box.left + width / 2 < point.x;
   placed.needs_leader = distance_to(box, point) > kNeedsLeader;
   return placed;
 }
@@ -77,6 +84,9 @@ struct Placing {
     if (std::abs(candidate.box.bottom + kLine / 2 - from[1]) > 1) sum += kNotBeside;
     for (const PlotObstacle& one : obstacles) {
       if (candidate.box.overlaps(one.box)) sum += one.is_line ? kOnLine : kOnObstacle;
+      if (!one.is_line && !holds(one.box, from) && crosses(from, candidate.joint, one.box)) {
+        sum += kLeaderOnObstacle;
+      }
     }
     for (std::size_t other = 0; other < names.size(); ++other) {
       if (other == k || !names[other]) continue;
@@ -109,6 +119,16 @@ struct Placing {
 };
 
 }  // namespace
+
+double text_width(std::string_view text) {
+  constexpr std::string_view kNarrow = "fijlrt-.,:;'!|/ ()[]{}";
+  constexpr std::string_view kWide = "mwMW@%";
+  double width = 4;
+  for (const char c : text) {
+    width += kNarrow.find(c) != kNarrow.npos ? 5.2 : kWide.find(c) != kWide.npos ? 11.5 : 7.7;
+  }
+  return width;
+}
 
 bool PlotBox::overlaps(const PlotBox& other) const {
   return left < other.left + other.width && other.left < left + width &&

@@ -3,14 +3,15 @@
 
 #include <array>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace raycheck::tools {
 
 /// A line of text in a plot, in pixels.
 inline constexpr double kLine = 16;
-/// A letter is narrower on average.
-inline constexpr double kLetter = 7.8;
+/// About as wide as a text is in a sans-serif font of 12 pixels, and rather more.
+double text_width(std::string_view text);
 
 /// From (left, bottom), y upwards.
 struct PlotBox {
@@ -41,6 +42,7 @@ struct PlotObstacle {
 struct PlacedName {
   PlotBox box;
   std::array<double, 2> joint = {};
+  bool ends_here = false;     ///< Its end is nearer to the point than its beginning.
   bool needs_leader = false;  ///< It is not right beside its point, or nearer to another.
 };
 

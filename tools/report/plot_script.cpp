@@ -19,7 +19,7 @@ constexpr double kWidth = 1000;         ///< Of a picture, in pixels.
 constexpr double kHeight = 640;         ///< Of each plot in it.
 constexpr double kLeft = 96, kTop = 64, kBottom = 96, kRight = 24;
 constexpr double kLeaderRoom = 26;  ///< From the right edge of a plot to the names of its curves.
-constexpr double kMark = 7;         ///< Half a mark.
+constexpr double kMark = 9;         ///< Half a mark.
 
 /// A string of gnuplot's; within single quotes only the quote is special.
 std::string in_quotes(std::string_view text) {
@@ -48,7 +48,7 @@ PlotFrame frame_of(const Plot& plot) {
       xs.push_back(point.x_low);
       xs.push_back(point.x_high);
     } else {
-      right = std::max(right, kLeaderRoom + kLetter * static_cast<double>(series.name.size()));
+      right = std::max(right, kLeaderRoom + text_width(series.name));
     }
   });
   const double width = kWidth - kLeft - right;
@@ -59,7 +59,7 @@ PlotFrame frame_of(const Plot& plot) {
 }
 
 std::string text_at(double x, double y, std::string_view text, std::string_view options = "") {
-  return fmt::format("set label {} at {:.1f},{:.1f} noenhanced front {}\n", in_quotes(text), x, y,
+  return fmt::format("set label {} at {:.1f},{:.1f} {} noenhanced front\n", in_quotes(text), x, y,
                      options);
 }
 
@@ -158,6 +158,17 @@ std::string point_names(const Plot& plot, const PlotFrame& frame) {
     obstacles.push_back({{x - kMark, y - kMark, 2 * kMark, 2 * kMark}});
     obstacles.push_back({{low, y - 2, frame.x.place(point.x_high) - low, 4}, true});
   });
+  for (const PlotSeries& series : plot.series) {
+    if (series.style != PlotSeries::Style::kSteps) continue;
+    for (std::size_t k = 1; k < series.points.size(); ++k) {
+      const double x = frame.x.place(series.points[k - 1].x);
+      const double y = frame.y.place(series.points[k - 1].y);
+      const double to_x = frame.x.place(series.points[k].x);
+      const double to_y = frame.y.place(series.points[k].y);
+      obstacles.push_back({{x, y - 2, to_x - x, 4}, true});
+      obstacles.push_back({{to_x - 2, to_y, 4, y - to_y}, true});
+    }
+  }
   for (const double at : frame.y.cuts()) {
     obstacles.push_back({{0, at - kCut / 2, frame.width, kCut}, true});
   }
@@ -169,7 +180,9 @@ std::string point_names(const Plot& plot, const PlotFrame& frame) {
       text += line_from(points[k].x, points[k].y, name.joint[0], name.joint[1],
                         "lc rgb '#999999' lw 0.7");
     }
-    text += text_at(name.box.left + 2, name.box.bottom + name.box.height / 2, points[k].name);
+    const double edge = name.ends_here ? name.box.left + name.box.width : name.box.left;
+    text += text_at(edge, name.box.bottom + name.box.height / 2, points[k].name,
+                    name.ends_here ? "right" : "left");
   }
   return text;
 }
@@ -182,7 +195,7 @@ std::string legend_text(const Plot& plot) {
   const auto entry = [&](int mark, std::string_view colour, std::string_view meaning) {
     text += text_at(x, kBelow, "", fmt::format("point pt {} ps 1.1 lc rgb '{}'", mark, colour));
     text += text_at(x + 12, kBelow, meaning);
-    x += 36 + kLetter * static_cast<double>(meaning.size());
+    x += 30 + text_width(meaning);
   };
   entry(kFilledCircle, "#444444", "every decision right");
   entry(kOpenCircle, "#444444", "wrong, all excused");

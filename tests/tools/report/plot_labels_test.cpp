@@ -34,7 +34,7 @@ TEST(SpreadApart, NarrowsTheGapWhereThereIsNoRoom) {
 
 std::vector<PlotObstacle> marks_of(const std::vector<NamedPoint>& points) {
   std::vector<PlotObstacle> marks;
-  for (const NamedPoint& point : points) marks.push_back({{point.x - 7, point.y - 7, 14, 14}});
+  for (const NamedPoint& point : points) marks.push_back({{point.x - 9, point.y - 9, 18, 18}});
   return marks;
 }
 
@@ -47,7 +47,7 @@ void expect_readable(const std::vector<NamedPoint>& points) {
     EXPECT_TRUE(box.left >= 0 && box.bottom >= 0 && box.left + box.width <= kFrame.width &&
                 box.bottom + box.height <= kFrame.height)
         << points[k].name;
-    EXPECT_GE(box.width, kLetter * static_cast<double>(points[k].name.size()));
+    EXPECT_GE(box.width, text_width(points[k].name));
     for (std::size_t other = 0; other < names.size(); ++other) {
       EXPECT_FALSE(box.overlaps(marks[other].box))
           << points[k].name << " on " << points[other].name;
@@ -62,7 +62,8 @@ void expect_readable(const std::vector<NamedPoint>& points) {
 TEST(NamesBeside, AreRightOfALonePoint) {
   const auto names = names_beside({{300, 200, "cross"}}, marks_of({{300, 200, ""}}), kFrame);
   EXPECT_FALSE(names[0].needs_leader);
-  EXPECT_EQ(names[0].box.left, 309);
+  EXPECT_FALSE(names[0].ends_here);
+  EXPECT_EQ(names[0].box.left, 311);
   EXPECT_EQ(names[0].box.bottom + kLine / 2, 200);
 }
 
