@@ -73,9 +73,13 @@ const std::map<std::string, Rooms> kSees = {
 
 /// Rooms of commands that may see another command's.
 const std::map<std::string, Rooms> kCommandsThatSee = {
-    {"tools/check", {"tools/view"}},      {"tools/exchange", {"tools/check"}},
-    {"tools/properties", {"tools/view"}}, {"tools/stress", {"tools/view"}},
-    {"tools/try", {"tools/grade"}},       {"tools/view", {"tools/explain", "tools/image"}},
+    {"tools/check", {"tools/view"}},
+    {"tools/exchange", {"tools/check"}},
+    {"tools/properties", {"tools/view"}},
+    {"tools/stress", {"tools/view"}},
+    {"tools/tradeoff", {"tools/view"}},
+    {"tools/try", {"tools/grade"}},
+    {"tools/view", {"tools/explain", "tools/image"}},
     {"tools/worst", {"tools/view"}}};
 
 /// Folders that are part of the room around them: `internal` ones are for that room's .cpp files

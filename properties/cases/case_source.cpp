@@ -65,11 +65,13 @@ const CaseSource* find_case_source(std::string_view name) {
 }
 
 Case any_case(const CaseSource& source, std::uint64_t seed) {
-  return source.make(source.dial ? any_severity(*source.dial, seed) : 0, seed);
+  return ChosenSource{&source}.make(seed);
 }
 
-Case ChosenSource::make(std::uint64_t seed) const {
-  return severity ? source->make(*severity, seed) : any_case(*source, seed);
+Case ChosenSource::make(std::uint64_t seed) const { return source->make(severity_of(seed), seed); }
+
+int ChosenSource::severity_of(std::uint64_t seed) const {
+  return severity ? *severity : source->dial ? any_severity(*source->dial, seed) : 0;
 }
 
 std::string ChosenSource::name() const {

@@ -61,6 +61,8 @@ struct ChosenSource {
   std::optional<int> severity = {};
 
   Case make(std::uint64_t seed) const;
+  /// Of the case that the seed makes; 0 of a source without a dial.
+  int severity_of(std::uint64_t seed) const;
   std::string name() const;  ///< "SOURCE" or "SOURCE@SEVERITY"
   /// Of the name, by FNV-1a: the same on every machine, as std::hash is not.
   std::uint64_t hash() const;

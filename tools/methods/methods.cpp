@@ -55,10 +55,13 @@ std::vector<const fast::IntersectMethod*> all_intersect_methods() {
 std::vector<StagedMethod> find_methods(const std::vector<std::string>& names) {
   std::vector<StagedMethod> all;
   for (const auto* method : fast::pixel_ray_methods()) {
-    all.push_back({properties::Stage::kRays, method, kDefaultMethods.intersect, nullptr});
+    all.push_back(
+        {properties::Stage::kRays, method, kDefaultMethods.intersect, nullptr, all.size()});
   }
+  const std::size_t rays = all.size();
   for (const auto* method : all_intersect_methods()) {
-    all.push_back({properties::Stage::kIntersection, kDefaultMethods.rays, method, nullptr});
+    all.push_back({properties::Stage::kIntersection, kDefaultMethods.rays, method, nullptr,
+                   all.size() - rays});
   }
   constexpr const char* kAll = "all";
   if (std::find(names.begin(), names.end(), kAll) != names.end()) {
@@ -99,7 +102,11 @@ std::vector<StagedMethod> find_methods(const std::vector<std::string>& names,
                                        const std::vector<StagedMethod>& others) {
   std::vector<StagedMethod> found;
   if (others.empty() || !names.empty()) found = find_methods(names);
-  found.insert(found.end(), others.begin(), others.end());
+  std::size_t number = all_intersect_methods().size();
+  for (const StagedMethod& other : others) {
+    found.push_back(other);
+    found.back().number = number++;
+  }
   return found;
 }
 

@@ -52,6 +52,8 @@ struct StagedMethod {
   const fast::IntersectMethod* intersect = kDefaultMethods.intersect;
   /// Null: it is raycheck's own.
   std::shared_ptr<const OtherMethod> other = nullptr;
+  /// Pictures tell the methods of a stage apart by it: the place among all of them, others' last.
+  std::size_t number = 0;
 
   /// That it is asked and judged in. raycheck's own methods in floats take doubles, and round them:
   /// they are judged as what they are for their callers.

@@ -8,8 +8,10 @@
 #include "tools/command_line.h"
 #include "tools/commands.h"
 #include "tools/report/output_file.h"
+#include "tools/stress/stress_page.h"
 #include "tools/stress/stress_views.h"
 #include "tools/terminal.h"
+#include "tools/view/page.h"
 
 namespace raycheck::tools {
 namespace {
@@ -18,6 +20,7 @@ struct StressArguments {
   StressOptions options;
   std::string severity;
   std::string plot;
+  std::optional<std::string> view;
   std::optional<std::string> certificates;
   std::string format;
   ExternalArguments external;
@@ -43,11 +46,14 @@ int run_stress(StressArguments& arguments) {
   arguments.options.others = find_others(arguments.external);
   std::optional<OutputFile> certificates;
   if (arguments.certificates) certificates.emplace("--certificates", *arguments.certificates);
+  std::optional<OutputFile> view;
+  if (arguments.view) view.emplace("--view", *arguments.view);
   const StressReport report = run_stress(arguments.options, run_control("stress"));
   print_view(kStressViews, arguments.format, report);
   if (!arguments.plot.empty() && !report.interrupted)
     draw_or_say(stress_plots(report), arguments.plot);
   if (certificates) certificates->write(stress_certificates(report));
+  if (view) view->write(page(stress_document(report)));
   return exit_code(report.interrupted, !report.all_stable(), report.compared() > 0);
 }
 
@@ -75,6 +81,7 @@ Command add_stress(CLI::App& program) {
   command.add_option("--plot", given->plot,
                      "draw error against severity to a file, .svg, .png or .pdf");
   add_external(command, given->external);
+  add_view(command, given->view, "error against severity, every family and quantile");
   add_certificates(command, given->certificates);
   add_format(command, given->format, kStressViews);
   return {&command, [given] { return run_stress(*given); }};

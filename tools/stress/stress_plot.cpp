@@ -1,6 +1,6 @@
 #include <fmt/core.h>
 
-#include <algorithm>
+#include <limits>
 
 #include "tools/report/words.h"
 #include "tools/stress/stress_views.h"
@@ -12,39 +12,39 @@ using properties::Tally;
 
 namespace {
 
+constexpr double kNoNumber = std::numeric_limits<double>::quiet_NaN();
+
 /// The methods of one stage that are judged in one format: their errors have one unit.
 Plot plot_of(const FamilyReport& family, Stage stage, scene::Precision precision) {
   Plot plot;
   plot.title = fmt::format("{}: 99.9% error against severity ({}{})", family.family->name,
                            name(stage), precision_words(precision));
   plot.x_label = fmt::format("severity: {}", family.family->dial->meaning);
-  plot.y_label =
-      fmt::format("{}, in {} (infinite: {:g})", stage == Stage::kRays ? "angle of D" : "error of s",
-                  unit_name(properties::main_quantity(stage), precision), kLargestPlotted);
+  plot.y_label = fmt::format("99.9% {}, in {}",
+                             stage == Stage::kRays ? "angle of the direction" : "error of s",
+                             unit_name(properties::main_quantity(stage), precision));
   PlotSeries floor;
-  floor.name = "99.9% kappa: what the problem itself magnifies";
+  floor.name = "kappa of the problem";
   floor.style = PlotSeries::Style::kDashes;
-  floor.colour = "#888888";
   for (const StressCurve& curve : family.curves) {
-    if (curve.method.stage != stage || curve.method.precision() != precision) continue;
+    if (curve.method.stage != stage) continue;
     PlotSeries series;
     series.name = std::string(curve.method.name());
-    const bool first = floor.points.empty();
+    series.number = curve.method.number;
+    if (curve.method.precision() != precision) continue;
+    bool is_measured = false;
     for (std::size_t k = 0; k < curve.results.size(); ++k) {
       const Tally* const tally = curve.tally(k);
-      if (tally == nullptr) continue;
+      const auto error = tally == nullptr ? std::nullopt : tally->quantile(0.999);
       const double severity = curve.severities[k];
-      const double error = tally->quantile(0.999).value_or(0);
       series.points.push_back(
-          {severity, std::clamp(error, kSmallestPlotted, kLargestPlotted), 0, 0});
-      if (first) {
-        floor.points.push_back({severity,
-                                std::clamp(tally->condition_quantile(0.999).value_or(0),
-                                           kSmallestPlotted, kLargestPlotted),
-                                0, 0});
-      }
+          {severity, error.value_or(kNoNumber), standing_of(curve.results[k].inside)});
+      is_measured = is_measured || error;
+      if (floor.points.size() > k) continue;
+      const auto condition = tally == nullptr ? std::nullopt : tally->condition_quantile(0.999);
+      floor.points.push_back({severity, condition.value_or(kNoNumber)});
     }
-    if (!series.points.empty()) plot.series.push_back(std::move(series));
+    if (is_measured) plot.series.push_back(std::move(series));
   }
   if (!plot.series.empty()) plot.series.insert(plot.series.begin(), std::move(floor));
   return plot;

@@ -25,6 +25,12 @@ using properties::StressResult;
 /// What is looked at when nothing is asked for.
 const std::vector<std::string> kOrdinary = {"rays", "cameras"};
 
+/// Longer ranges of severities are told of in this many stretches.
+constexpr int kMostStretches = 17;
+
+/// More sources than these are not named in titles.
+constexpr std::size_t kMostNamed = 3;
+
 /// The rays judged at a time.
 constexpr std::uint64_t kChunk = 512;
 
@@ -63,6 +69,19 @@ std::vector<ChosenSource> chosen_sources(const TradeoffOptions& options) {
   return sources;
 }
 
+JudgedSource judged_source(const ChosenSource& source) {
+  JudgedSource judged{.name = source.name()};
+  if (source.severity) {
+    judged.severities = {*source.severity};
+    judged.last = *source.severity;
+  } else if (source.source->dial) {
+    judged.last = source.source->dial->highest;
+    judged.severities = properties::some_severities(0, judged.last, kMostStretches);
+  }
+  if (source.source->dial) judged.meaning = source.source->dial->meaning;
+  return judged;
+}
+
 /// The cases that methods are timed on, which are the first ones: until they have more spheres,
 /// rays and pixels than this between them.
 constexpr std::size_t kMostTimed = std::size_t{1} << 21;
@@ -99,17 +118,30 @@ std::vector<MethodCost> costs_of(const std::vector<StagedMethod>& methods, Stage
 /// Judges a stage's methods on cases that belong together, one at a time.
 class StageJudge {
  public:
-  StageJudge(Stage stage, std::vector<MethodCost>& costs)
-      : stage_(stage), costs_(costs), results_(costs.size()) {
-    for (const MethodCost& cost : costs) candidates_.push_back(candidate_of(cost.method));
+  StageJudge(Stage stage, const JudgedSource& source, std::vector<MethodCost>& costs)
+      : stage_(stage), source_(source), costs_(costs), results_(costs.size()) {
+    for (MethodCost& cost : costs) {
+      candidates_.push_back(candidate_of(cost.method));
+      cost.by_severity.emplace_back(source.severities.size());
+    }
   }
 
-  void judge(const Case& one) { properties::stress(one, stage_, candidates_, results_); }
-  /// Adds what was found out on the cases, which reports call `name`.
-  void finish(const std::string& name) {
+  void judge(const Case& one, int severity) {
+    std::vector<StressResult> found(costs_.size());
+    properties::stress(one, stage_, candidates_, found);
+    for (std::size_t k = 0; k < costs_.size(); ++k) {
+      Tallies& tallies = costs_[k].by_severity.back()[source_.stretch_of(severity)];
+      for (const auto& [quantity, tally] : found[k].inside.tallies()) {
+        tallies[quantity].merge(tally);
+      }
+      results_[k].merge(std::move(found[k]));
+    }
+  }
+  /// Adds what was found out on the cases.
+  void finish() {
     for (std::size_t k = 0; k < costs_.size(); ++k) {
       if (results_[k].inside.compared() > 0 && !is_stable(results_[k].inside)) {
-        costs_[k].unstable_on.push_back(name);
+        costs_[k].unstable_on.push_back(source_.name);
       }
       costs_[k].accuracy.merge(std::move(results_[k]));
     }
@@ -117,32 +149,35 @@ class StageJudge {
 
  private:
   Stage stage_;
+  const JudgedSource& source_;
   std::vector<MethodCost>& costs_;
   std::vector<Candidate> candidates_;
   std::vector<StressResult> results_;
 };
 
-/// Judges the methods of both stages on cases that `make` makes by their numbers, or on those
-/// reached before an interrupt; returns on how many. No more of them than are timed are kept.
+/// Judges the methods of both stages on cases of a source that `make` makes, with their severity,
+/// by their numbers, or on those reached before an interrupt; returns on how many. No more of them
+/// than are timed are kept.
 template <class Make>
-std::uint64_t judge(std::uint64_t count, const Make& make, const std::string& name,
+std::uint64_t judge(std::uint64_t count, const Make& make, const JudgedSource& source,
                     TradeoffReport& report, TimedCases& timed) {
-  StageJudge rays(Stage::kRays, report.rays);
-  StageJudge intersections(Stage::kIntersection, report.intersections);
+  report.sources.push_back(source);
+  StageJudge rays(Stage::kRays, source, report.rays);
+  StageJudge intersections(Stage::kIntersection, source, report.intersections);
   std::uint64_t judged = 0;
   try {
     for (; judged < count; ++judged) {
       scene::poll();
-      const Case one = make(judged);
-      rays.judge(one);
-      intersections.judge(one);
+      const auto [severity, one] = make(judged);
+      rays.judge(one, severity);
+      intersections.judge(one, severity);
       timed.add(one);
     }
   } catch (const scene::Interrupted&) {
     // What was judged until then is the answer.
   }
-  rays.finish(name);
-  intersections.finish(name);
+  rays.finish();
+  intersections.finish();
   return judged;
 }
 
@@ -277,8 +312,8 @@ void run_on_scene(const TradeoffOptions& options, TradeoffReport& report) {
   }
   const SceneChunks chunks(cases);
   TimedCases timed(1);
-  const auto chunk = [&](std::uint64_t k) { return chunks[k]; };
-  report.cases = chunks.rays(judge(chunks.count(), chunk, options.scene, report, timed));
+  const auto chunk = [&](std::uint64_t k) { return std::pair(0, chunks[k]); };
+  report.cases = chunks.rays(judge(chunks.count(), chunk, {.name = options.scene}, report, timed));
   finish(timed.cases(), report);
   if (!report.rays.empty() && !report.intersections.empty()) {
     judge_pixels(chunks, report);
@@ -297,9 +332,13 @@ void run_on_sources(const TradeoffOptions& options, const properties::RunControl
     report.subject += (report.subject.empty() ? "" : ", ") + name;
     control.progress("judging " + name);
     properties::Random seeds(options.seed);
-    const auto next = [&](std::uint64_t /*number*/) { return source.make(seeds.bits()); };
+    const auto next = [&](std::uint64_t /*number*/) {
+      const std::uint64_t seed = seeds.bits();
+      return std::pair(source.severity_of(seed), source.make(seed));
+    };
     by_source.emplace_back(sources.size());
-    report.cases += judge(static_cast<std::uint64_t>(share), next, name, report, by_source.back());
+    report.cases += judge(static_cast<std::uint64_t>(share), next, judged_source(source), report,
+                          by_source.back());
   }
   control.progress("timing");
   // Sources in turn, so that what is timed is of all of them.
@@ -316,6 +355,22 @@ void run_on_sources(const TradeoffOptions& options, const properties::RunControl
 }
 
 }  // namespace
+
+std::size_t JudgedSource::stretch_of(int severity) const {
+  const auto next = std::upper_bound(severities.begin(), severities.end(), severity);
+  return static_cast<std::size_t>(next - severities.begin()) - 1;
+}
+
+std::string subject_text(const TradeoffReport& report) {
+  const std::size_t count = report.sources.size();
+  return count > kMostNamed ? fmt::format("{} families", count) : report.subject;
+}
+
+const MethodCost* baseline(const std::vector<MethodCost>& costs) {
+  const auto first = std::find_if(costs.begin(), costs.end(),
+                                  [](const MethodCost& cost) { return cost.batch.has_value(); });
+  return first == costs.end() ? nullptr : &*first;
+}
 
 const properties::Tally* MethodCost::main() const {
   const auto& tallies = accuracy.inside.tallies();

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <map>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -34,11 +35,16 @@ struct Duration {
   double high = 0;
 };
 
+/// What was compared within a method's stated domain.
+using Tallies = std::map<properties::Quantity, properties::Tally>;
+
 /// What one method costs and how far it is off.
 struct MethodCost {
   StagedMethod method;
   properties::Promises promises;  ///< What its errors are held to.
   properties::StressResult accuracy;
+  /// Its parts: of each source, of each of its severities.
+  std::vector<std::vector<Tallies>> by_severity;
   std::optional<Duration> scalar;  ///< One call an item; empty: not timed, see `not_timed`.
   std::optional<Duration> batch;
   std::string not_timed;
@@ -61,6 +67,21 @@ inline bool has_any(const std::vector<MethodCost>& costs, scene::Precision preci
                      [=](const MethodCost& cost) { return cost.promises.precision == precision; });
 }
 
+/// Whose batches the ratios of times are over: the first that was timed; null where none was.
+const MethodCost* baseline(const std::vector<MethodCost>& costs);
+
+/// Cases that belong together.
+struct JudgedSource {
+  std::string name = {};          ///< "distance", "distance@3", or the scene.
+  std::string_view meaning = {};  ///< Of its severities; empty: it has none.
+  /// The first of each stretch of severities that is told of alone; one, where there are none.
+  std::vector<int> severities = {0};
+  int last = 0;  ///< Severity.
+
+  /// The stretch that a severity lies in.
+  std::size_t stretch_of(int severity) const;
+};
+
 /// What a pixel costs end to end: a ray method and an intersection method.
 struct PixelCost {
   std::string name;
@@ -73,6 +94,7 @@ struct TradeoffReport {
   std::string subject;  ///< The scene or the sources.
   std::uint64_t cases = 0;
   std::uint64_t seed = 0;
+  std::vector<JudgedSource> sources;
   std::vector<MethodCost> rays;
   std::vector<MethodCost> intersections;
   std::vector<PixelCost> pixels;
@@ -82,6 +104,9 @@ struct TradeoffReport {
 
   std::uint64_t compared() const;
 };
+
+/// The subject in a title: many sources are only counted.
+std::string subject_text(const TradeoffReport& report);
 
 /// Judges and times methods on the same inputs. Throws std::invalid_argument naming the field, and
 /// what the reader of scenes throws.

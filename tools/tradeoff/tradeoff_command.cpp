@@ -5,7 +5,9 @@
 #include "tools/commands.h"
 #include "tools/report/output_file.h"
 #include "tools/terminal.h"
+#include "tools/tradeoff/tradeoff_page.h"
 #include "tools/tradeoff/tradeoff_views.h"
+#include "tools/view/page.h"
 
 namespace raycheck::tools {
 namespace {
@@ -14,6 +16,7 @@ struct TradeoffArguments {
   TradeoffOptions options;
   std::string dialect;
   std::string plot;
+  std::optional<std::string> view;
   std::string format;
   ExternalArguments external;
 };
@@ -30,12 +33,18 @@ int run_tradeoff(TradeoffArguments& arguments) {
     require_plottable(arguments.plot);
     require_no_input("--plot", arguments.plot, {options.scene});
   }
+  std::optional<OutputFile> view;
+  if (arguments.view) {
+    require_no_input("--view", *arguments.view, {options.scene});
+    view.emplace("--view", *arguments.view);
+  }
   options.others = find_others(arguments.external);
   const TradeoffReport report = run_tradeoff(options, run_control("tradeoff"));
   print_warnings(report.warnings);
   print_view(kTradeoffViews, arguments.format, report);
   if (!arguments.plot.empty() && !report.interrupted)
     draw_or_say(tradeoff_plots(report), arguments.plot);
+  if (view) view->write(page(tradeoff_document(report)));
   return exit_code(report.interrupted, false, report.compared() > 0);
 }
 
@@ -67,6 +76,7 @@ Command add_tradeoff(CLI::App& program) {
   add_seed(command, options.seed);
   command.add_option("--plot", given->plot,
                      "draw error against time to a file, .svg, .png or .pdf");
+  add_view(command, given->view, "error against run time, every source, severity and quantile");
   add_external(command, given->external);
   add_format(command, given->format, kTradeoffViews);
   return {&command, [given] { return run_tradeoff(*given); }};

@@ -76,12 +76,10 @@ std::string name_text(const MethodCost& cost) {
   return (cost.pareto ? "* " : "  ") + std::string(cost.method.name());
 }
 
-/// The baseline of ratios: the first method that was timed.
-double baseline(const std::vector<MethodCost>& costs) {
-  for (const MethodCost& cost : costs) {
-    if (cost.batch) return cost.batch->median;
-  }
-  return 1;
+/// Of a batch, to the baseline's.
+std::string time_ratio_text(const MethodCost& cost, const MethodCost* baseline) {
+  if (!cost.batch) return "-";
+  return fmt::format("{:.2f}", cost.batch->median / baseline->batch->median);
 }
 
 /// Of the methods that are judged in one format: their errors have one unit.
@@ -104,14 +102,13 @@ Table intersection_table(const std::vector<MethodCost>& costs, scene::Precision 
                {"missed/M", kRight},
                {"false/M", kRight},
                {"stable on"}});
-  const double base = baseline(costs);
+  const MethodCost* const base = baseline(costs);
   for (const MethodCost& cost : costs) {
     if (cost.promises.precision != precision) continue;
     const Verdict& inside = cost.accuracy.inside;
     const Verdict& outside = cost.accuracy.outside;
     table.add({name_text(cost), duration_text(cost.scalar), spread_text(cost.batch),
-               cost.batch ? fmt::format("{:.2f}", cost.batch->median / base) : "-",
-               quantile_text(inside, Quantity::kParameter, 0.5),
+               time_ratio_text(cost, base), quantile_text(inside, Quantity::kParameter, 0.5),
                quantile_text(inside, Quantity::kParameter, 0.999),
                max_text(inside, Quantity::kParameter), audited_text(inside, Quantity::kParameter),
                bound_text(cost, Quantity::kParameter), per_million(inside, Wrong::kMissed),
@@ -138,14 +135,13 @@ Table ray_table(const std::vector<MethodCost>& costs, scene::Precision precision
        {"bound", kRight},
        {"max rho", kRight},
        {"stable on"}});
-  const double base = baseline(costs);
+  const MethodCost* const base = baseline(costs);
   for (const MethodCost& cost : costs) {
     if (cost.promises.precision != precision) continue;
     const Verdict& inside = cost.accuracy.inside;
     const fast::PixelRayMethod& method = *cost.method.rays;
     table.add({name_text(cost), duration_text(cost.scalar), spread_text(cost.batch),
-               cost.batch ? fmt::format("{:.2f}", cost.batch->median / base) : "-",
-               quantile_text(inside, Quantity::kDirection, 0.5),
+               time_ratio_text(cost, base), quantile_text(inside, Quantity::kDirection, 0.5),
                quantile_text(inside, Quantity::kDirection, 0.999),
                max_text(inside, Quantity::kDirection), audited_text(inside, Quantity::kDirection),
                bound_text(cost, Quantity::kDirection), audited_text(inside, Quantity::kPixelPoint),

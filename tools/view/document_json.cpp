@@ -15,6 +15,7 @@
 #include "tools/report/json.h"
 #include "tools/report/typeset.h"
 #include "tools/report/words.h"
+#include "tools/view/chart_json.h"
 #include "tools/view/panel.h"
 
 namespace raycheck::tools {
@@ -307,6 +308,7 @@ Json whole(const ViewDocument& document) {
   json["findings"] = Json::array();
   for (const FindingView& one : document.findings) json["findings"].push_back(finding_json(one));
   json["dial"] = document.dial ? dial_json(*document.dial) : Json(nullptr);
+  json["chart"] = document.chart ? chart_json(*document.chart) : Json(nullptr);
   json["left_out"] = document.left_out;
   return json;
 }

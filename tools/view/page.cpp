@@ -39,7 +39,7 @@ std::string page(const ViewDocument& document) {
       {"@TITLE@", escaped(document.title)},
       {"@STYLE@", std::string(kPageStyle)},
       {"@SCRIPT@", std::string(kPageScript)},
-      {"@THREE@", base64(deflated(kThree))},
+      {"@THREE@", document.scenes.empty() ? "" : base64(deflated(kThree))},
       {"@DOCUMENT@", base64(deflated(document_line(document)))},
   };
   // What is put in is not looked into again.

@@ -252,16 +252,16 @@ TEST(OwnUnits, HaveAPlotOfTheirOwn) {
   options.severities = {{0, 1}};
   const std::string of_stress = labels(stress_plots(run_stress(options)));
   EXPECT_EQ(of_stress,
-            "distance: 99.9% error against severity (intersections); error of s, in ulp (infinite: "
-            "1e+20)\n"
-            "distance: 99.9% error against severity (intersections, in single precision); error of "
-            "s, in ulp of float (infinite: 1e+20)\n");
+            "distance: 99.9% error against severity (intersections); 99.9% error of s, in ulp\n"
+            "distance: 99.9% error against severity (intersections, in single precision); 99.9% "
+            "error of s, in ulp of float\n");
   tools::TradeoffOptions tradeoff;
   tradeoff.sources = {"distance"};
   tradeoff.methods = options.methods;
   tradeoff.others = options.others;
   tradeoff.cases = 10;
-  const tools::TradeoffReport report = run_tradeoff(tradeoff);
+  tools::TradeoffReport report = run_tradeoff(tradeoff);
+  report.intersections[1].batch = report.intersections[0].batch;  // nobody's is timed from here
   const std::string of_tradeoff = labels(tradeoff_plots(report));
   EXPECT_TRUE(contains(of_tradeoff, "99.9% error of s, in ulp\n")) << of_tradeoff;
   EXPECT_TRUE(contains(of_tradeoff, "99.9% error of s, in ulp of float\n")) << of_tradeoff;

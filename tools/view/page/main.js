@@ -7,6 +7,7 @@ import { mountPicture } from "./picture.js";
 import { mountMicroscope } from "./microscope.js";
 import { mountFindings } from "./findings.js";
 import { mountDial } from "./dial.js";
+import { mountChart } from "./chart.js";
 
 /// What is deflated (zlib, base64) in the element of that id.
 async function inflated(id) {
@@ -27,18 +28,34 @@ function byId(id) {
   return document.getElementById(id);
 }
 
-function showFrame(store) {
+function showFooter({ left_out: leftOut, version }) {
+  byId("footer").append(...leftOut.map((sentence) => element("p", { dir: "auto" }, briefSentence(sentence))),
+    element("p", {}, `Made by raycheck ${version}. Every number is computed exactly and then rounded; this page only draws.`));
+}
+
+function showConventions(store) {
   const show = () => byId("conventions").replaceChildren(briefSentence(store.scene().conventions_text));
   store.subscribe(show);
   show();
-  byId("footer").append(...store.document.left_out.map((sentence) => element("p", { dir: "auto" }, briefSentence(sentence))),
-    element("p", {}, `Made by raycheck ${store.document.version}. Every number is computed exactly and then rounded; this page only draws.`));
+}
+
+/// A chart is a page of its own.
+function showChart(chart) {
+  for (const id of ["story", "seen", "told", "conventions"]) byId(id).remove();
+  Object.assign(byId("skip"), { href: "#chart", textContent: "Skip to the chart" });
+  mountChart(byId("chart"), chart);
 }
 
 async function start() {
-  const store = createStore(JSON.parse(await inflated("document")));
+  const read = JSON.parse(await inflated("document"));
+  showFooter(read);
+  if (read.chart !== null) {
+    showChart(read.chart);
+    return;
+  }
+  const store = createStore(read);
   window.raycheckPage.store = store;
-  showFrame(store);
+  showConventions(store);
   mountStory(byId("story"), store);
   mountDial(byId("dial"), store);
   mountPicture(byId("picture"), store);

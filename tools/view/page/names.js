@@ -24,10 +24,10 @@ export function writeNames(target, names, panes) {
   return missing;
 }
 
-/// The first box around a place that lies in the pane and on no other.
-function freeBox(x, y, width, pane, taken) {
+/// The first box around a place that lies in the pane and on no other, in turns of 45 degrees.
+export function freeBox(x, y, width, pane, taken, turns = [0.5, 7.5, 3.5, 4.5, 1, 3, 2, 5, 6, 7, 0, 4]) {
   for (const away of [9, 24, 42, 64, 90, 120]) {
-    for (const turn of [0.5, 7.5, 3.5, 4.5, 1, 3, 2, 5, 6, 7, 0, 4]) {
+    for (const turn of turns) {
       const angle = (turn * Math.PI) / 4;
       const left = x + (away + width / 2) * Math.cos(angle) - width / 2;
       const top = y - (away + LINE / 2) * Math.sin(angle) - LINE / 2;

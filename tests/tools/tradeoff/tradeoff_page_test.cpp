@@ -1,0 +1,108 @@
+#include "tools/tradeoff/tradeoff_page.h"
+
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+
+#include "tests/tools/program.h"
+#include "tools/tradeoff/tradeoff_front.h"
+#include "tools/view/document_json.h"
+
+namespace raycheck::tests {
+namespace {
+
+using nlohmann::json;
+
+TEST(ParetoFront, IsWhatNothingBeats) {
+  using Points = std::vector<std::pair<double, double>>;
+  EXPECT_EQ(tools::pareto_front(Points{{3, 1}, {1, 5}, {2, 5}, {2, 3}, {4, 0}, {5, 0}}),
+            (std::vector<std::size_t>{1, 3, 0, 4}));
+  EXPECT_EQ(tools::pareto_front(Points{{1, 1}, {1, 1}}), (std::vector<std::size_t>{0}));
+  EXPECT_TRUE(tools::pareto_front({}).empty());
+}
+
+tools::TradeoffReport small_report() {
+  tools::TradeoffOptions options;
+  options.sources = {"distance", "rays"};
+  options.methods = {"quadratic", "cross", "robust"};
+  options.cases = 200;
+  return run_tradeoff(options);
+}
+
+TEST(TradeoffPage, HasEverySourceAndAllTogether) {
+  const tools::TradeoffReport report = small_report();
+  const json chart = json::parse(document_json(tradeoff_document(report)))["chart"];
+  ASSERT_EQ(chart["facets"].size(), 3u);
+  EXPECT_EQ(chart["facets"][0]["subject"], "distance, rays");
+  EXPECT_EQ(chart["facets"][1]["subject"], "distance");
+  EXPECT_EQ(chart["facets"][1]["severities"].size(), 16u);
+  EXPECT_EQ(chart["facets"][1]["meaning"], "log10 of the distance over the radius");
+  EXPECT_EQ(chart["facets"][2]["subject"], "rays");
+  EXPECT_TRUE(chart["facets"][2]["severities"].empty());
+  for (const json& facet : chart["facets"]) {
+    EXPECT_EQ(facet["stage"], "intersections");
+    EXPECT_EQ(facet["baseline"], "quadratic");
+    ASSERT_EQ(facet["series"].size(), 3u);
+    EXPECT_EQ(facet["series"][0]["time"]["ratio"], 1);
+  }
+}
+
+TEST(TradeoffPage, TellsWhatTheReportTells) {
+  const tools::TradeoffReport report = small_report();
+  const json all = json::parse(document_json(tradeoff_document(report)))["chart"]["facets"][0];
+  ASSERT_EQ(all["quantities"][0]["name"], "parameter");
+  for (std::size_t k = 0; k < report.intersections.size(); ++k) {
+    const tools::MethodCost& cost = report.intersections[k];
+    const json& mine = all["series"][k];
+    EXPECT_EQ(mine["name"], cost.method.name());
+    const double base = report.intersections[0].batch->median;
+    EXPECT_EQ(mine["time"]["ratio"], cost.batch->median / base);
+    const json& errors = mine["whole"]["errors"][0];
+    EXPECT_EQ(errors["at"][3], *cost.main()->quantile(0.999));
+    EXPECT_EQ(errors["at"][4], *cost.main()->max());
+    EXPECT_EQ(mine["whole"]["defects"], properties::defects(cost.accuracy.inside));
+  }
+}
+
+/// Of the same cases: none is lost between severities, and none counted twice.
+TEST(TradeoffPage, SplitsASourceBySeverity) {
+  const json chart = json::parse(document_json(tradeoff_document(small_report())))["chart"];
+  const json& facet = chart["facets"][1];
+  for (const json& series : facet["series"]) {
+    std::uint64_t decisions = 0;
+    double largest = 0;
+    for (const json& point : series["points"]) {
+      if (point.is_null()) continue;
+      decisions += point["decisions"].get<std::uint64_t>();
+      const json& error = point["errors"][0]["at"][4];
+      if (error.is_number()) largest = std::max(largest, error.get<double>());
+    }
+    EXPECT_EQ(series["whole"]["decisions"], decisions);
+    EXPECT_EQ(series["whole"]["errors"][0]["at"][4], largest);
+  }
+  // What severity is: the textbook's errors grow with the distance.
+  const json& points = facet["series"][0]["points"];
+  EXPECT_GT(points[8]["errors"][0]["at"][0], 1000 * points[1]["errors"][0]["at"][0].get<double>());
+}
+
+TEST(TradeoffPage, MarksTheFrontOfThoseWithoutDefects) {
+  const json chart = json::parse(document_json(tradeoff_document(small_report())))["chart"];
+  const json& series = chart["facets"][1]["series"];
+  EXPECT_GT(series[0]["whole"]["defects"], 0);  // the textbook on far spheres
+  EXPECT_EQ(series[0]["whole"]["errors"][0]["front"][3], false);
+  EXPECT_EQ(series[2]["whole"]["errors"][0]["front"][3], true);  // nothing is as accurate
+}
+
+TEST(TradeoffPage, IsOneFileOfTheCommand) {
+  const std::string path = temporary_file("tradeoff.html", "");
+  const Outcome result =
+      run("tradeoff --family rays --method quadratic,cross --cases 50 --view " + path);
+  EXPECT_EQ(result.exit_code, 0) << result.err;
+  const std::string page = contents(path);
+  EXPECT_NE(page.find("<title>Error against run time: rays</title>"), std::string::npos);
+  EXPECT_LT(page.size(), 300'000u);  // without what draws figures in three dimensions
+  EXPECT_EQ(run("tradeoff --view nowhere/page.html").exit_code, 2);
+}
+
+}  // namespace
+}  // namespace raycheck::tests

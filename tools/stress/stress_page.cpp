@@ -1,0 +1,55 @@
+#include "tools/stress/stress_page.h"
+
+#include <fmt/core.h>
+
+namespace raycheck::tools {
+namespace {
+
+using properties::Stage;
+
+/// The methods of one stage that are judged in one format.
+ChartFacet facet_of(const FamilyReport& family, Stage stage, scene::Precision precision) {
+  ChartFacet facet{.subject = std::string(family.family->name),
+                   .stage = chart_stage(stage, precision),
+                   .meaning = std::string(family.family->dial->meaning),
+                   .quantities = chart_quantities(stage),
+                   .precision = precision};
+  for (const StressCurve& curve : family.curves) {
+    if (curve.method.stage != stage) continue;
+    ChartSeries series{.name = std::string(curve.method.name()), .number = curve.method.number};
+    if (curve.method.precision() != precision || !curve.is_judged()) continue;
+    if (facet.severities.empty()) {
+      for (const int severity : curve.severities) {
+        facet.severities.push_back(std::to_string(severity));
+      }
+    }
+    for (const properties::StressResult& result : curve.results) {
+      series.points.push_back(chart_point(result.inside.tallies(), facet.quantities));
+    }
+    series.points.resize(curve.severities.size());  // those that an interrupt left
+    facet.series.push_back(std::move(series));
+  }
+  return facet;
+}
+
+}  // namespace
+
+ViewDocument stress_document(const StressReport& report) {
+  ChartView chart;
+  for (const Stage stage : {Stage::kIntersection, Stage::kRays}) {
+    for (const auto precision : {scene::Precision::kDouble, scene::Precision::kSingle}) {
+      for (const FamilyReport& family : report.families) {
+        ChartFacet facet = facet_of(family, stage, precision);
+        if (!facet.series.empty()) chart.facets.push_back(std::move(facet));
+      }
+    }
+  }
+  ViewDocument document;
+  document.title = report.families.size() == 1
+                       ? fmt::format("Error against severity: {}", report.families[0].family->name)
+                       : fmt::format("Error against severity: {} families", report.families.size());
+  document.chart = std::move(chart);
+  return document;
+}
+
+}  // namespace raycheck::tools

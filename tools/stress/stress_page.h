@@ -1,0 +1,14 @@
+#ifndef RAYCHECK_TOOLS_STRESS_STRESS_PAGE_H_
+#define RAYCHECK_TOOLS_STRESS_STRESS_PAGE_H_
+
+#include "tools/stress/stress.h"
+#include "tools/view/document.h"
+
+namespace raycheck::tools {
+
+/// A report as a page: error against severity, on each of its families.
+ViewDocument stress_document(const StressReport& report);
+
+}  // namespace raycheck::tools
+
+#endif  // RAYCHECK_TOOLS_STRESS_STRESS_PAGE_H_

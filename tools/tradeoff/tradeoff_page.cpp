@@ -1,0 +1,142 @@
+#include "tools/tradeoff/tradeoff_page.h"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+
+#include "tools/tradeoff/tradeoff_front.h"
+
+namespace raycheck::tools {
+namespace {
+
+using properties::Stage;
+
+/// Of whatever batches could be timed, or else of single calls.
+std::optional<ChartTime> chart_time(const MethodCost& cost, const MethodCost* baseline) {
+  const auto& time = cost.batch ? cost.batch : cost.scalar;
+  if (!time || baseline == nullptr) return std::nullopt;
+  const double base = baseline->batch->median;
+  return ChartTime{time->median / base, time->low / base, time->high / base, time->median};
+}
+
+/// Marks the front of what `point_of` finds in each series, by each quantity and share.
+template <class PointOf>
+void mark_front(ChartFacet& facet, PointOf point_of) {
+  for (std::size_t quantity = 0; quantity < facet.quantities.size(); ++quantity) {
+    for (std::size_t share = 0; share < kChartShares.size(); ++share) {
+      std::vector<std::pair<double, double>> places;
+      std::vector<ChartPoint*> points;
+      for (ChartSeries& series : facet.series) {
+        std::optional<ChartPoint>& point = point_of(series);
+        if (!series.time || !point || point->defects > 0) continue;
+        const auto& error = point->errors[quantity].at[share];
+        if (!error) continue;
+        places.emplace_back(series.time->ratio, *error);
+        points.push_back(&*point);
+      }
+      for (const std::size_t k : pareto_front(places)) {
+        points[k]->errors[quantity].is_front[share] = true;
+      }
+    }
+  }
+}
+
+void mark_fronts(ChartFacet& facet) {
+  mark_front(
+      facet, [](ChartSeries & one) -> auto& { return one.whole; });
+  for (std::size_t k = 0; k < facet.severities.size(); ++k) {
+    mark_front(
+        facet, [k](ChartSeries & one) -> auto& { return one.points[k]; });
+  }
+}
+
+/// "3", or "126..188" of the k-th stretch of a source.
+std::string stretch_text(const JudgedSource& source, std::size_t k) {
+  const int first = source.severities[k];
+  const int last = k + 1 < source.severities.size() ? source.severities[k + 1] - 1 : source.last;
+  return first == last ? std::to_string(first) : fmt::format("{}..{}", first, last);
+}
+
+/// A stage's methods of one format, on a source of the report or on all of them.
+struct Part {
+  const TradeoffReport& report;
+  const std::vector<MethodCost>& costs;
+  Stage stage;
+  scene::Precision precision;
+};
+
+/// The series of a facet, with what `fill` finds out of each; none that was compared nowhere.
+template <class Fill>
+void add_series(const Part& part, ChartFacet& facet, Fill fill) {
+  const MethodCost* const base = baseline(part.costs);
+  if (base != nullptr) facet.baseline = base->method.name();
+  for (const MethodCost& cost : part.costs) {
+    if (cost.promises.precision != part.precision) continue;
+    ChartSeries series{.name = std::string(cost.method.name()),
+                       .number = cost.method.number,
+                       .time = chart_time(cost, base),
+                       .note = cost.not_timed};
+    fill(cost, series);
+    if (series.whole) facet.series.push_back(std::move(series));
+  }
+  mark_fronts(facet);
+}
+
+ChartFacet empty_facet(const Part& part, std::string subject) {
+  return {.subject = std::move(subject),
+          .stage = chart_stage(part.stage, part.precision),
+          .quantities = chart_quantities(part.stage),
+          .precision = part.precision};
+}
+
+ChartFacet facet_of_all(const Part& part) {
+  ChartFacet facet = empty_facet(part, subject_text(part.report));
+  add_series(part, facet, [&](const MethodCost& cost, ChartSeries& series) {
+    series.whole = chart_point(cost.accuracy.inside.tallies(), facet.quantities);
+  });
+  return facet;
+}
+
+ChartFacet facet_of_source(const Part& part, std::size_t index) {
+  const JudgedSource& source = part.report.sources[index];
+  ChartFacet facet = empty_facet(part, source.name);
+  facet.meaning = source.meaning;
+  const bool has_stretches = source.severities.size() > 1;
+  for (std::size_t k = 0; has_stretches && k < source.severities.size(); ++k) {
+    facet.severities.push_back(stretch_text(source, k));
+  }
+  add_series(part, facet, [&](const MethodCost& cost, ChartSeries& series) {
+    Tallies all;
+    for (const Tallies& tallies : cost.by_severity[index]) {
+      for (const auto& [quantity, tally] : tallies) all[quantity].merge(tally);
+      if (has_stretches) series.points.push_back(chart_point(tallies, facet.quantities));
+    }
+    series.whole = chart_point(all, facet.quantities);
+  });
+  return facet;
+}
+
+}  // namespace
+
+ViewDocument tradeoff_document(const TradeoffReport& report) {
+  ChartView chart;
+  const auto add = [&](ChartFacet facet) {
+    if (!facet.series.empty()) chart.facets.push_back(std::move(facet));
+  };
+  for (const auto& [stage, costs] : {std::pair(Stage::kIntersection, &report.intersections),
+                                     std::pair(Stage::kRays, &report.rays)}) {
+    for (const auto precision : {scene::Precision::kDouble, scene::Precision::kSingle}) {
+      if (!has_any(*costs, precision)) continue;
+      const Part part{report, *costs, stage, precision};
+      if (report.sources.size() > 1) add(facet_of_all(part));
+      for (std::size_t k = 0; k < report.sources.size(); ++k) add(facet_of_source(part, k));
+    }
+  }
+  ViewDocument document;
+  document.title = fmt::format("Error against run time: {}", subject_text(report));
+  document.left_out = report.left_out;
+  document.chart = std::move(chart);
+  return document;
+}
+
+}  // namespace raycheck::tools

@@ -1,0 +1,14 @@
+#ifndef RAYCHECK_TOOLS_TRADEOFF_TRADEOFF_PAGE_H_
+#define RAYCHECK_TOOLS_TRADEOFF_TRADEOFF_PAGE_H_
+
+#include "tools/tradeoff/tradeoff.h"
+#include "tools/view/document.h"
+
+namespace raycheck::tools {
+
+/// A report as a page: error against run time, on all of its sources together and on each.
+ViewDocument tradeoff_document(const TradeoffReport& report);
+
+}  // namespace raycheck::tools
+
+#endif  // RAYCHECK_TOOLS_TRADEOFF_TRADEOFF_PAGE_H_
