@@ -68,8 +68,9 @@ const std::map<std::string, Rooms> kSees = {
       "properties/search", "tools/methods", "tools/external", "tools/grade/rubric",
       "tools/grade/results"}},
     {"tools/grade/pages",
-     {"scene", "scene/files", "properties/laws", "properties/cases", "tools/report",
-      "tools/external", "tools/grade/rubric", "tools/grade/results"}}};
+     {"scene", "scene/files", "properties", "properties/laws", "properties/cases", "tools/methods",
+      "tools/report", "tools/external", "tools/view", "tools/grade/rubric",
+      "tools/grade/results"}}};
 
 /// Rooms of commands that may see another command's.
 const std::map<std::string, Rooms> kCommandsThatSee = {

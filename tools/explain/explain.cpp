@@ -197,6 +197,7 @@ ExplainReport explain(const ExplainOptions& options) {
   }
   const scene::Conventions& conventions = scene.conventions;
   report.other = options.other;
+  report.others_ray_is_own = options.pixel && options.others_ray;
   report.scene = scene;
   report.pixel = options.pixel;
   report.rays_method = std::string(options.rays->name);
@@ -257,8 +258,9 @@ ExplainReport explain(const ExplainOptions& options) {
                                                 report.by_every_root.value_or(exact)));
   }
   if (other && other->intersect) {
+    const scene::Ray& ray = report.others_ray_is_own ? *options.others_ray : report.ray;
     report.methods.push_back(
-        judge_others_intersection(*other, report.ray, sphere, conventions, *subject, exact));
+        judge_others_intersection(*other, ray, sphere, conventions, *subject, exact));
   }
   return report;
 }

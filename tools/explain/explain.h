@@ -24,6 +24,8 @@ struct ExplainOptions {
   const fast::PixelRayMethod* rays = kDefaultMethods.rays;  ///< Whose rays the intersections get.
   /// Someone else's implementation, by whose conventions all is explained; null: there is none.
   std::shared_ptr<const OtherMethod> other = nullptr;
+  /// Of a pixel: the ray that it intersects, made by itself; empty: that of `rays`.
+  std::optional<scene::Ray> others_ray = {};
 };
 
 /// One step of the exact derivation: a scalar or three coordinates.
@@ -90,6 +92,7 @@ struct ExplainReport {
   std::vector<Step> steps;
   std::vector<MethodReport> methods;
   std::shared_ptr<const OtherMethod> other;
+  bool others_ray_is_own = false;
   std::optional<std::size_t> sphere;  ///< The one derived and intersected by the methods.
   std::vector<SphereReport> spheres;
   /// Of that sphere, where the conventions say otherwise: raycheck's own methods count every root

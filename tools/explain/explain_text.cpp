@@ -123,7 +123,9 @@ std::string verdict_of(const MethodReport& method, const ExplainReport& report, 
   if (method.goes_wrong_at.empty()) return text;
   std::string where = "; goes wrong at " + method.goes_wrong_at;
   if (method.goes_wrong_at == "D" && method.intersects) {
-    where += " (the rounding of the ray by `" + report.rays_method + "`)";
+    const bool is_own = report.others_ray_is_own && method.name == report.other->name;
+    where +=
+        is_own ? " (its own ray)" : " (the rounding of the ray by `" + report.rays_method + "`)";
   }
   return red(text + where, colours);
 }
@@ -151,7 +153,9 @@ std::string explain_text(const ExplainReport& report, const ViewOptions& options
   if (report.sphere && report.pixel) {
     text += fmt::format("(v, d^2, s, Q: for the ray that `{}` makes, each held against that ray)\n",
                         report.rays_method);
-    if (report.other && report.other->precision != scene::Precision::kDouble) {
+    if (report.others_ray_is_own) {
+      text += fmt::format("({}: for the ray that it makes itself)\n", report.other->name);
+    } else if (report.other && report.other->precision != scene::Precision::kDouble) {
       text += fmt::format("({} is given that ray rounded to floats)\n", report.other->name);
     }
   }

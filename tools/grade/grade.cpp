@@ -18,6 +18,7 @@
 #include "tools/grade/intake/apart.h"
 #include "tools/grade/intake/submission.h"
 #include "tools/grade/judging/judge.h"
+#include "tools/grade/pages/figures.h"
 #include "tools/grade/pages/wording.h"
 #include "tools/grade/results/earlier.h"
 #include "tools/grade/results/own_files.h"
@@ -30,6 +31,7 @@
 #include "tools/methods/methods.h"
 #include "tools/report/version.h"
 #include "tools/run/in_order.h"
+#include "tools/view/page.h"
 
 namespace raycheck::tools {
 namespace {
@@ -344,7 +346,7 @@ class ClassRun {
 }  // namespace
 
 std::vector<std::string> names_for_student(const Rubric& rubric) {
-  std::vector<std::string> names = {kReportFile};
+  std::vector<std::string> names = {kReportFile, kFiguresFile};
   for (const Item& item : rubric.items) {
     for (const char* ending : {kSceneEnding, kDriverEnding}) {
       names.push_back(file_name(item.name) + ending);
@@ -363,7 +365,9 @@ std::map<std::string, std::string> files_for_student(const StudentGrade& shown) 
     const std::string driver = driver_file_text(*failing, shown.submission.driver);
     if (!driver.empty()) files[name + kDriverEnding] = driver;
   }
-  files[kReportFile] = student_page(shown);
+  const ViewDocument figures = figures_document(shown);
+  if (!figures.findings.empty()) files[kFiguresFile] = page(figures);
+  files[kReportFile] = student_page(shown, figures);
   return files;
 }
 

@@ -28,17 +28,17 @@ struct GradeOptions {
   const ResultsFormat* results = nullptr;
 };
 
-/// Grades every submission: OUT/NAME/ has its report.html and the failing scenes for the student,
-/// and result.json for instructors, as soon as it is done; OUT has the pages of the class at the
-/// end. What an earlier run into the same folder finished, of the same files by the same rubric and
-/// seed, is not graded again; of what has changed what was built and answered is kept there
-/// (store.h). Files that raycheck did not write are neither replaced nor removed. Errors, before
-/// anything is written: what load_rubric(), find_submissions(), chosen_layers(), require_apart()
-/// and OwnFiles::require_own() throw.
+/// Grades every submission: OUT/NAME/ has its report.html, figures.html and the failing scenes for
+/// the student, and result.json for instructors, as soon as it is done; OUT has the pages of the
+/// class at the end. What an earlier run into the same folder finished, of the same files by the
+/// same rubric and seed, is not graded again; of what has changed what was built and answered is
+/// kept there (store.h). Files that raycheck did not write are neither replaced nor removed.
+/// Errors, before anything is written: what load_rubric(), find_submissions(), chosen_layers(),
+/// require_apart() and OwnFiles::require_own() throw.
 ClassGrade grade(const GradeOptions& options, const properties::RunControl& control = {});
 
-/// What a student is given: a page, and the failing scenes as TOML and as driver files; by the
-/// names of the files.
+/// What a student is given: a page, the failing scenes as TOML and as driver files, and figures of
+/// those of functions; by the names of the files.
 std::map<std::string, std::string> files_for_student(const StudentGrade& shown);
 
 /// The names that these may have.

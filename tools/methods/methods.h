@@ -34,7 +34,8 @@ MethodPair find_pair(const std::string& name);
 struct OtherMethod {
   std::string name;
   std::string isolated_by;  ///< What keeps it: "own user, seccomp, bubblewrap".
-  std::string bounds_of;    ///< The methods whose bounds it is held to.
+  /// The methods whose bounds it is held to; empty: it has bounds of its own.
+  std::string bounds_of;
   /// Of its own for each call.
   std::function<properties::Candidate()> candidate;
   scene::Precision precision = scene::Precision::kDouble;  ///< That it is asked and judged in.

@@ -11,12 +11,16 @@ std::string others_text(const std::vector<StagedMethod>& methods) {
   std::set<std::string_view> said;
   for (const StagedMethod& method : methods) {
     if (!method.other || !said.insert(method.other->name).second) continue;
-    text +=
-        fmt::format("{}  isolated by: {}; documents no bounds: held to those of {} (--bounds){}\n",
-                    method.other->name, method.other->isolated_by, method.other->bounds_of,
-                    method.precision() == scene::Precision::kDouble
-                        ? ""
-                        : "; judged in single precision: u = 2^-24, ulp of float");
+    const std::string bounds =
+        method.other->bounds_of.empty()
+            ? ""
+            : fmt::format("; documents no bounds: held to those of {} (--bounds)",
+                          method.other->bounds_of);
+    text += fmt::format("{}  isolated by: {}{}{}\n", method.other->name, method.other->isolated_by,
+                        bounds,
+                        method.precision() == scene::Precision::kDouble
+                            ? ""
+                            : "; judged in single precision: u = 2^-24, ulp of float");
   }
   return text;
 }

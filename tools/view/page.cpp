@@ -27,6 +27,12 @@ std::string hash_source(std::string_view text) {
   return fmt::format("'sha256-{}'", base64({reinterpret_cast<const char*>(bytes.data()), size}));
 }
 
+/// The same in every page, and slow to deflate.
+const std::string& three() {
+  static const std::string text = base64(deflated(kThree));
+  return text;
+}
+
 }  // namespace
 
 std::string page(const ViewDocument& document) {
@@ -39,7 +45,7 @@ std::string page(const ViewDocument& document) {
       {"@TITLE@", escaped(document.title)},
       {"@STYLE@", std::string(kPageStyle)},
       {"@SCRIPT@", std::string(kPageScript)},
-      {"@THREE@", document.scenes.empty() ? "" : base64(deflated(kThree))},
+      {"@THREE@", document.scenes.empty() ? "" : three()},
       {"@DOCUMENT@", base64(deflated(document_line(document)))},
   };
   // What is put in is not looked into again.

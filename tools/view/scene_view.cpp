@@ -62,7 +62,7 @@ std::vector<CandidateMaker> candidates_of(const SceneViewOptions& options) {
     makers.push_back([pair] { return candidate_of(pair); });
   }
   // Who intersects nothing has no picture.
-  if (options.other && options.other->candidate().intersect) {
+  if (options.other && options.others_picture && options.other->candidate().intersect) {
     makers.push_back(answering_candidate(
         options.other, options.methods.empty() ? kDefaultMethods : options.methods.front()));
   }
@@ -132,6 +132,7 @@ void add_panels(const scene::Scene& scene, const SceneViewOptions& options, Scen
   PanelOptions panels;
   if (!options.methods.empty()) panels.rays = options.methods.front().rays;
   panels.other = options.other;
+  panels.others_ray = options.others_ray;
   panels.scene_argument = options.file;
   panels.more_arguments = options.more_arguments;
   const std::vector<Selection> list = candidates_for_panels(scene, options);

@@ -23,6 +23,8 @@ struct SceneViewOptions {
   std::vector<MethodPair> methods;  ///< Whose pictures are shown; the rays are the first's.
   /// Someone else's, by whose conventions all is shown; null: there is none.
   std::shared_ptr<const OtherMethod> other = nullptr;
+  std::optional<scene::Ray> others_ray = {};  ///< As ExplainOptions has it.
+  bool others_picture = true;                 ///< Whether `other` is asked about every pixel.
   /// What there has to be a panel of, the first selected at the start; empty: the middle.
   std::vector<Selection> wanted;
   PageLimits limits;

@@ -1,6 +1,8 @@
 #include "tools/grade/judging/failure.h"
 
 #include <algorithm>
+#include <exception>
+#include <map>
 #include <stdexcept>
 #include <utility>
 
@@ -64,13 +66,52 @@ bool is_made_by(const properties::Fault& fault, const Case& the_case, const Cand
   }
 }
 
-std::optional<std::string> first_wrong_step(const Case& the_case, const Examinee& examinee) {
-  Trial trial(the_case, examinee.candidate, examinee.options());
+std::optional<std::string> first_wrong_step(Trial& trial) {
   for (const Law& law : properties::laws()) {
     if (!law.judges_values || law.per == Per::kImage) continue;
     if (!apply(law, trial).holds()) return step_that_gives(law.quantity);
   }
   return {};
+}
+
+/// An answer, as far as the candidate gives one.
+template <class Ask>
+auto answered(const Ask& ask) -> std::optional<decltype(ask())> {
+  try {
+    return ask();
+  } catch (const std::exception&) {
+    return {};
+  }
+}
+
+/// What the candidate answers about the ray of a place, or the first, up to the stage of the law
+/// that it broke.
+RayAnswers ray_answers(Trial& trial, const properties::Place& place, const Law& broken) {
+  const Candidate& candidate = trial.candidate();
+  RayAnswers answers;
+  std::size_t ray = trial.scene().camera ? 0 : place.ray;
+  if (trial.scene().camera) {
+    const auto& pixels = trial.pixels();
+    if (place.pixel) {
+      const auto at = std::find(pixels.begin(), pixels.end(), *place.pixel);
+      ray = static_cast<std::size_t>(at - pixels.begin());
+    }
+    if (candidate.frame) answers.frame = answered([&] { return trial.frame(); });
+    if (ray >= pixels.size()) return answers;
+    if (candidate.pixel_points) {
+      answers.pixel_point = answered([&] { return trial.pixel_points()[ray]; });
+    }
+    if (trial.has_rays()) answers.ray = answered([&] { return trial.rays()[ray]; });
+  }
+  if (!speaks_of_intersections(broken) || !trial.has_rays() || !candidate.intersect) return answers;
+  answers.hits = answered([&] {
+    std::map<std::size_t, properties::HitAnswer> hits;
+    for (std::size_t k = 0; k < trial.scene().spheres.size(); ++k) {
+      if (const auto* const hit = properties::find_hit(trial.hits(k), ray)) hits[k] = *hit;
+    }
+    return hits;
+  });
+  return answers;
 }
 
 /// Both pictures of a case; empty where the candidate draws none. A renderer that drew it last is
@@ -147,7 +188,8 @@ std::optional<FailingCase> failing_case(const Case& the_case, const FailedCase& 
     failing.the_case.pixels.clear();
     if (d.wrong != Wrong::kFailed) failing.pictures = compared_pictures(failing.the_case, examinee);
   } else if (d.wrong != Wrong::kFailed) {
-    failing.step = first_wrong_step(the_case, examinee);
+    failing.step = first_wrong_step(trial);
+    failing.answers = ray_answers(trial, d.place, *first.broken);
   }
   return failing;
 }

@@ -9,25 +9,13 @@
 #include "tools/grade/judging/failure.h"
 #include "tools/grade/judging/item_causes.h"
 #include "tools/grade/judging/item_trial.h"
+#include "tools/grade/results/tolerated.h"
 
 namespace raycheck::tools {
 namespace {
 
 using properties::Candidate;
 using properties::Fault;
-
-/// The candidate held to what an item tolerates.
-Candidate tolerated(Candidate candidate, const Tolerance& tolerance) {
-  const double unit = scene::unit_roundoff(candidate.precision);
-  if (tolerance.conditioning) {
-    candidate.max_error.fill(properties::kModerateCondition * *tolerance.conditioning);
-    candidate.max_error_end_to_end.fill({});
-    candidate.unit_roundoff = unit * *tolerance.conditioning;
-  } else if (tolerance.ulp) {
-    candidate.unit_roundoff = unit * *tolerance.ulp / properties::kExcusedRoundoffs;
-  }
-  return candidate;
-}
 
 /// The candidate, of whose pictures only the mask counts: whether a pixel shows a sphere, not
 /// which.

@@ -7,6 +7,7 @@
 #include <optional>
 #include <utility>
 
+#include "tools/grade/pages/figures.h"
 #include "tools/grade/pages/html.h"
 #include "tools/grade/pages/pictures.h"
 #include "tools/grade/pages/views.h"
@@ -79,13 +80,26 @@ std::string failing_items(const ClassGrade& graded) {
   return html + "</table></div>\n";
 }
 
-std::string link(const SubmissionGrade& grade) {
+/// The address of a file in a submission's folder.
+std::string address_of(const SubmissionGrade& grade, std::string_view file) {
   std::string address;
   for (const char c : grade.name) {
     const bool is_plain = std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '-' || c == '_';
     address += is_plain ? std::string(1, c) : fmt::format("%{:02X}", static_cast<unsigned char>(c));
   }
-  return fmt::format("<a href=\"{}/report.html\">{}</a>", address, escaped(grade.name));
+  return fmt::format("{}/{}", address, file);
+}
+
+std::string link(const SubmissionGrade& grade) {
+  return fmt::format("<a href=\"{}\">{}</a>", address_of(grade, "report.html"),
+                     escaped(grade.name));
+}
+
+/// A link to a submission's page of figures; empty where its student has none.
+std::string figures_link(const ClassGrade& graded, const SubmissionGrade& grade) {
+  if (!has_figures(student_grade(graded.rubric, grade, HiddenBy::kUs))) return "";
+  return fmt::format(" <a href=\"{}\" aria-label=\"figures of {}\">figures</a>",
+                     address_of(grade, kFiguresFile), escaped(grade.name));
 }
 
 std::string links(const Submissions& members) {
@@ -225,8 +239,8 @@ std::string everyone(const ClassGrade& graded) {
   html += "<th class=\"number\">built</th><th class=\"number\">judged</th></tr>\n";
   for (const SubmissionGrade& grade : graded.submissions) {
     const bool is_judged = could_be_judged(grade);
-    html += fmt::format("<tr><td>{}</td><td class=\"number\">{} of {}</td>", link(grade),
-                        score_text(grade), points_text(grade.points));
+    html += fmt::format("<tr><td>{}{}</td><td class=\"number\">{} of {}</td>", link(grade),
+                        figures_link(graded, grade), score_text(grade), points_text(grade.points));
     if (!is_judged) {
       html += fmt::format("<td colspan=\"{}\">{}</td>", graded.rubric.items.size(),
                           escaped(not_judged_text(grade)));

@@ -1,5 +1,8 @@
 #include <fmt/core.h>
 
+#include <optional>
+
+#include "tools/grade/pages/figures.h"
 #include "tools/grade/pages/home.h"
 #include "tools/grade/pages/html.h"
 #include "tools/grade/pages/pictures.h"
@@ -67,7 +70,19 @@ std::string next_steps(const StudentGrade& grade, std::size_t k) {
   return "<h3>What to do next</h3>\n<ol>\n" + steps + "</ol>\n" + files;
 }
 
-std::string item_html(const StudentGrade& all, std::size_t k) {
+/// The figure of an item's failing case, and where the page of figures has it.
+struct ItemFigure {
+  const SceneView& scene;
+  std::string address;
+};
+
+std::string figure_html(const ItemFigure& figure) {
+  return fmt::format("<p><a href=\"{}\">See this case in space, and step by step</a></p>\n",
+                     escaped(figure.address));
+}
+
+std::string item_html(const StudentGrade& all, std::size_t k,
+                      const std::optional<ItemFigure>& figure) {
   const Item& item = *all.items[k];
   const ItemGrade& grade = all.submission.items[k];
   const bool fails = grade.state == ItemState::kFails;
@@ -82,13 +97,14 @@ std::string item_html(const StudentGrade& all, std::size_t k) {
   if (!item.why.empty()) html += "<p class=\"quiet\">Why: " + escaped(item.why) + "</p>\n";
   html += "<p>" + escaped(state_text(grade)) + "</p>\n";
   if (grade.failing) html += failing_html(*grade.failing);
+  if (figure) html += figure_html(*figure);
   if (fails) html += next_steps(all, k);
   return html + "</details>\n";
 }
 
 }  // namespace
 
-std::string student_page(const StudentGrade& grade) {
+std::string student_page(const StudentGrade& grade, const ViewDocument& figures) {
   const SubmissionGrade& submission = grade.submission;
   std::string html =
       fmt::format("<h1>{}</h1>\n<p>{}</p>\n", escaped(grade.title), escaped(submission.name));
@@ -113,8 +129,14 @@ std::string student_page(const StudentGrade& grade) {
     html += "<h2>Nothing could be run</h2>\n<pre>" + escaped(refusal_text(*submission.refused)) +
             "</pre>\n";
   } else {
+    std::size_t shown = 0;
     for (std::size_t k = 0; k < grade.items.size(); ++k) {
-      html += item_html(grade, k);
+      std::optional<ItemFigure> figure;
+      if (has_figure(grade, k)) {
+        figure.emplace(ItemFigure{figures.scenes[shown], figure_address(shown)});
+        ++shown;
+      }
+      html += item_html(grade, k, figure);
     }
   }
   html += "<div>" + command_html(command_for_all(grade)) + "</div>\n";

@@ -7,6 +7,7 @@
 
 #include "tools/grade/results/class_grade.h"
 #include "tools/grade/results/redaction.h"
+#include "tools/view/document.h"
 
 namespace raycheck::tools {
 
@@ -29,8 +30,9 @@ struct ResultsFormat {
 };
 std::span<const ResultsFormat> results_formats();
 
-/// A self-contained page for a student.
-std::string student_page(const StudentGrade& grade);
+/// A self-contained page for a student, which links `figures`, what figures_document() makes of the
+/// grade, where there are any.
+std::string student_page(const StudentGrade& grade, const ViewDocument& figures);
 
 }  // namespace raycheck::tools
 

@@ -116,6 +116,69 @@ ComparedPictures pictures_of(const Json& json, const scene::Scene& scene) {
   return {image(json.at("got")), if_any(json.at("exact"), image)};
 }
 
+std::vector<double> numbers_of(const auto& triple) { return {triple.x, triple.y, triple.z}; }
+
+template <class Triple>
+Triple triple_of(const Json& json) {
+  const std::vector<double> list = numbers(json);
+  if (list.size() != 3) throw std::invalid_argument("not three numbers");
+  return {list[0], list[1], list[2]};
+}
+
+Json frame_json(const properties::FrameAnswer& frame) {
+  return {{"U", hexfloats(numbers_of(frame.U))},
+          {"V", hexfloats(numbers_of(frame.V))},
+          {"W", hexfloats(numbers_of(frame.W))}};
+}
+
+properties::FrameAnswer frame_of(const Json& json) {
+  return {triple_of<scene::UnitVector3>(json.at("U")), triple_of<scene::UnitVector3>(json.at("V")),
+          triple_of<scene::UnitVector3>(json.at("W"))};
+}
+
+Json ray_json(const scene::Ray& ray) {
+  return {{"origin", hexfloats(numbers_of(ray.origin))},
+          {"direction", hexfloats(numbers_of(ray.direction))}};
+}
+
+scene::Ray ray_of(const Json& json) {
+  return {triple_of<scene::Point3>(json.at("origin")),
+          triple_of<scene::Vector3>(json.at("direction"))};
+}
+
+Json hits_json(const std::map<std::size_t, properties::HitAnswer>& hits) {
+  Json list = Json::array();
+  for (const auto& [sphere, hit] : hits) {
+    list.push_back({{"sphere", sphere},
+                    {"s", scene::hexfloat(hit.parameter)},
+                    {"Q", hexfloats(numbers_of(hit.point))}});
+  }
+  return list;
+}
+
+std::map<std::size_t, properties::HitAnswer> hits_of(const Json& json) {
+  std::map<std::size_t, properties::HitAnswer> hits;
+  for (const Json& hit : json) {
+    hits[hit.at("sphere")] = {numbers(Json::array({hit.at("s")})).front(),
+                              triple_of<scene::Point3>(hit.at("Q"))};
+  }
+  return hits;
+}
+
+Json answers_json(const RayAnswers& answers) {
+  return {{"frame", or_null(answers.frame, frame_json)},
+          {"pixel_point", or_null(answers.pixel_point,
+                                  [](const auto& point) { return hexfloats(numbers_of(point)); })},
+          {"ray", or_null(answers.ray, ray_json)},
+          {"hits", or_null(answers.hits, hits_json)}};
+}
+
+RayAnswers answers_of(const Json& json) {
+  return {if_any(json.at("frame"), frame_of),
+          if_any(json.at("pixel_point"), triple_of<scene::Point3>), if_any(json.at("ray"), ray_of),
+          if_any(json.at("hits"), hits_of)};
+}
+
 Json failing_json(const FailingCase& failing) {
   Json pixels = Json::array();
   for (const scene::Pixel& pixel : failing.the_case.pixels) pixels.push_back(pixel_json(pixel));
@@ -125,7 +188,8 @@ Json failing_json(const FailingCase& failing) {
           {"answer", answer_json(failing.answer)},
           {"scene", scene::write_toml(failing.the_case.scene)},
           {"pixels", std::move(pixels)},
-          {"pictures", or_null(failing.pictures, pictures_json)}};
+          {"pictures", or_null(failing.pictures, pictures_json)},
+          {"answers", or_null(failing.answers, answers_json)}};
 }
 
 FailingCase failing_of(const Json& json) {
@@ -140,6 +204,7 @@ FailingCase failing_of(const Json& json) {
   failing.pictures = if_any(json.at("pictures"), [&](const Json& pictures) {
     return pictures_of(pictures, failing.the_case.scene);
   });
+  failing.answers = if_any(json.at("answers"), answers_of);
   return failing;
 }
 

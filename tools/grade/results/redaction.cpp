@@ -22,6 +22,7 @@ void withhold_exact(WrongAnswer& answer) {
 
 void withhold_exact(FailingCase& failing) {
   withhold_exact(failing.answer);
+  failing.answers.reset();
   if (failing.pictures) failing.pictures->exact.reset();
 }
 

@@ -49,6 +49,16 @@ struct ComparedPictures {
   std::optional<properties::ImageAnswer> exact;  ///< Absent: withheld.
 };
 
+/// What a submission answered about one ray of a case, as it was judged; of what it was not asked,
+/// or did not answer, nothing.
+struct RayAnswers {
+  std::optional<properties::FrameAnswer> frame = {};
+  std::optional<scene::Point3> pixel_point = {};
+  std::optional<scene::Ray> ray = {};  ///< Of a pixel.
+  /// Of that ray or the given one with each sphere that it is said to meet, by the sphere's index.
+  std::optional<std::map<std::size_t, properties::HitAnswer>> hits = {};
+};
+
 /// The smallest case found that an item fails on.
 struct FailingCase {
   std::string law;  ///< Its name.
@@ -58,6 +68,8 @@ struct FailingCase {
   properties::Case the_case;  ///< No pixels: of a picture, all of them.
   /// Of a program that drew a picture of the case; as many pixels as its camera has.
   std::optional<ComparedPictures> pictures = {};
+  /// Of functions, about the ray of the answer's place, or the first; absent: withheld.
+  std::optional<RayAnswers> answers = {};
 };
 
 /// The first wrong answer, before the case was made smaller: the same for submissions that go wrong

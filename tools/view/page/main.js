@@ -5,7 +5,7 @@ import { mountFigure } from "./figure.js";
 import { mountPanel, mountStory } from "./panel.js";
 import { mountPicture } from "./picture.js";
 import { mountMicroscope } from "./microscope.js";
-import { mountFindings } from "./findings.js";
+import { followAddress, mountFindings } from "./findings.js";
 import { mountDial } from "./dial.js";
 import { mountChart } from "./chart.js";
 
@@ -55,6 +55,7 @@ async function start() {
   }
   const store = createStore(read);
   window.raycheckPage.store = store;
+  followAddress(store);
   showConventions(store);
   mountStory(byId("story"), store);
   mountDial(byId("dial"), store);

@@ -1,0 +1,23 @@
+#ifndef RAYCHECK_TOOLS_GRADE_PAGES_ANSWERED_H_
+#define RAYCHECK_TOOLS_GRADE_PAGES_ANSWERED_H_
+
+#include <memory>
+
+#include "tools/grade/results/result.h"
+#include "tools/grade/rubric/rubric.h"
+#include "tools/methods/methods.h"
+
+namespace raycheck::tools {
+
+/// How pages call a submission to its student.
+inline constexpr const char* kYours = "yours";
+
+/// What a submission answered about a failing case, as a method that gives the same answers to the
+/// same questions: nothing is run. It is held to what the item tolerates; null where no answers are
+/// kept, or they are withheld.
+std::shared_ptr<const OtherMethod> answered(const FailingCase& failing, const Tolerance& tolerance,
+                                            const Layers& isolation);
+
+}  // namespace raycheck::tools
+
+#endif  // RAYCHECK_TOOLS_GRADE_PAGES_ANSWERED_H_

@@ -1,0 +1,100 @@
+#include "tools/grade/pages/figures.h"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <functional>
+
+#include "scene/interruption.h"
+#include "tools/grade/pages/answered.h"
+#include "tools/grade/pages/wording.h"
+#include "tools/report/words.h"
+#include "tools/view/scene_view.h"
+#include "tools/view/selection.h"
+
+namespace raycheck::tools {
+namespace {
+
+/// Spheres of a ray that have a panel: the one at issue, then the others in their order.
+constexpr std::size_t kMostSpheresShown = 8;
+
+/// What was judged, with the others that the ray may meet.
+std::vector<Selection> wanted_of(const FailingCase& failing) {
+  std::vector<Selection> wanted = selections_of(failing.the_case, failing.answer.place);
+  // The submission's answers are kept of this ray alone.
+  wanted.resize(std::min<std::size_t>(wanted.size(), 1));
+  if (wanted.empty() || !failing.answers || !failing.answers->hits) return wanted;
+  Selection other = wanted.front();
+  for (std::size_t k = 0; k < failing.the_case.scene.spheres.size(); ++k) {
+    if (wanted.size() == kMostSpheresShown) break;
+    if (k == wanted.front().sphere) continue;
+    other.sphere = k;
+    wanted.push_back(other);
+  }
+  return wanted;
+}
+
+/// "hit point: hit point, ray 0, sphere 0: off by 3 u; yours Q = (0, 0, 1), exact Q = (0, 0, 2)"
+std::string sentence_of(const Item& item, const WrongAnswer& answer) {
+  std::string text = fmt::format("{}: {}", item.name, answer_text(answer));
+  const std::string got = got_text(answer), exact = exact_text(answer);
+  if (!got.empty()) text += fmt::format("; {} {}", kYours, got);
+  if (!exact.empty()) text += fmt::format(", exact {}", exact);
+  return text;
+}
+
+void add_figure(const StudentGrade& grade, std::size_t k, ViewDocument& document) {
+  const Item& item = *grade.items[k];
+  const FailingCase& failing = *grade.submission.items[k].failing;
+  const properties::Place& place = failing.answer.place;
+  SceneViewOptions view;
+  view.name = file_name(item.name) + ".toml";
+  view.file = view.name;
+  if (grade.submission.program) {
+    view.more_arguments = " --candidate " + shell_word(grade.submission.program->text());
+  }
+  view.other = answered(failing, item.tolerance, grade.submission.isolation);
+  view.others_picture = false;
+  if (failing.answers) view.others_ray = failing.answers->ray;
+  view.wanted = wanted_of(failing);
+  view.limits.panels = std::max<std::size_t>(view.wanted.size(), 1);
+  document.findings.push_back({sentence_of(item, failing.answer), kYours, kYours,
+                               properties::Standing::kDefect, document.scenes.size(),
+                               selection_of(place, failing.the_case.scene)});
+  document.scenes.push_back(
+      view_of(failing.the_case.scene, view, document.left_out, properties::RunControl{}));
+  Selection& shown = document.findings.back().selection;
+  if (!is_of_ray(shown)) shown = document.scenes.back().start;
+}
+
+}  // namespace
+
+bool has_figure(const StudentGrade& grade, std::size_t k) {
+  const ItemGrade& item = grade.submission.items[k];
+  return !item.pictures && item.failing && item.failing->answer.exact;
+}
+
+bool has_figures(const StudentGrade& grade) {
+  for (std::size_t k = 0; k < grade.items.size(); ++k) {
+    if (has_figure(grade, k)) return true;
+  }
+  return false;
+}
+
+ViewDocument figures_document(const StudentGrade& grade) {
+  // A page that is begun is made, whoever interrupts the run: it takes no longer than that.
+  const std::function<bool()> never = [] { return false; };
+  const scene::Interruptible until_done(never);
+  ViewDocument document;
+  document.title = grade.title + ": " + grade.submission.name;
+  for (std::size_t k = 0; k < grade.items.size(); ++k) {
+    if (has_figure(grade, k)) add_figure(grade, k, document);
+  }
+  return document;
+}
+
+std::string figure_address(std::size_t finding) {
+  return fmt::format("{}#finding-{}", kFiguresFile, finding + 1);
+}
+
+}  // namespace raycheck::tools
