@@ -160,7 +160,7 @@ struct SceneView {
 struct FindingView {
   std::string sentence;
   std::string candidate;
-  std::string method;  ///< The one of its methods that panels show it by.
+  std::string method;  ///< The one of its methods that panels show it by; empty: none does.
   /// Empty of what is within its bound.
   std::optional<properties::Standing> standing = properties::Standing::kDefect;
   std::size_t scene = 0;  ///< Index into the document's.

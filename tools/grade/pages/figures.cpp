@@ -43,10 +43,19 @@ std::string sentence_of(const Item& item, const WrongAnswer& answer) {
   return text;
 }
 
+/// Whether a step of what is shown first goes wrong: how several answers are related, no step
+/// tells.
+bool goes_wrong(const SceneView& shown) {
+  if (shown.panels.empty()) return false;
+  const auto& methods = shown.panels.front().report.methods;
+  return std::any_of(methods.begin(), methods.end(), [](const MethodReport& method) {
+    return method.name == kYours && (!method.goes_wrong_at.empty() || !method.failure.empty());
+  });
+}
+
 void add_figure(const StudentGrade& grade, std::size_t k, ViewDocument& document) {
   const Item& item = *grade.items[k];
   const FailingCase& failing = *grade.submission.items[k].failing;
-  const properties::Place& place = failing.answer.place;
   SceneViewOptions view;
   view.name = file_name(item.name) + ".toml";
   view.file = view.name;
@@ -58,13 +67,14 @@ void add_figure(const StudentGrade& grade, std::size_t k, ViewDocument& document
   if (failing.answers) view.others_ray = failing.answers->ray;
   view.wanted = wanted_of(failing);
   view.limits.panels = std::max<std::size_t>(view.wanted.size(), 1);
-  document.findings.push_back({sentence_of(item, failing.answer), kYours, kYours,
-                               properties::Standing::kDefect, document.scenes.size(),
-                               selection_of(place, failing.the_case.scene)});
-  document.scenes.push_back(
-      view_of(failing.the_case.scene, view, document.left_out, properties::RunControl{}));
-  Selection& shown = document.findings.back().selection;
-  if (!is_of_ray(shown)) shown = document.scenes.back().start;
+  SceneView shown =
+      view_of(failing.the_case.scene, view, document.left_out, properties::RunControl{});
+  Selection selection = selection_of(failing.answer.place, failing.the_case.scene);
+  if (!is_of_ray(selection)) selection = shown.start;
+  document.findings.push_back({sentence_of(item, failing.answer), kYours,
+                               goes_wrong(shown) ? kYours : "", properties::Standing::kDefect,
+                               document.scenes.size(), selection});
+  document.scenes.push_back(std::move(shown));
 }
 
 }  // namespace

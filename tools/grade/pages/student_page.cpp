@@ -2,6 +2,7 @@
 
 #include <optional>
 
+#include "tools/grade/pages/drawing.h"
 #include "tools/grade/pages/figures.h"
 #include "tools/grade/pages/home.h"
 #include "tools/grade/pages/html.h"
@@ -76,8 +77,9 @@ struct ItemFigure {
   std::string address;
 };
 
-std::string figure_html(const ItemFigure& figure) {
-  return fmt::format("<p><a href=\"{}\">See this case in space, and step by step</a></p>\n",
+std::string figure_html(const FailingCase& failing, const ItemFigure& figure) {
+  return drawing_html(failing, figure.scene) +
+         fmt::format("<p><a href=\"{}\">See this case in space, and step by step</a></p>\n",
                      escaped(figure.address));
 }
 
@@ -97,7 +99,7 @@ std::string item_html(const StudentGrade& all, std::size_t k,
   if (!item.why.empty()) html += "<p class=\"quiet\">Why: " + escaped(item.why) + "</p>\n";
   html += "<p>" + escaped(state_text(grade)) + "</p>\n";
   if (grade.failing) html += failing_html(*grade.failing);
-  if (figure) html += figure_html(*figure);
+  if (figure) html += figure_html(*grade.failing, *figure);
   if (fails) html += next_steps(all, k);
   return html + "</details>\n";
 }
