@@ -18,7 +18,6 @@
 #include "tools/grade/intake/apart.h"
 #include "tools/grade/intake/submission.h"
 #include "tools/grade/judging/judge.h"
-#include "tools/grade/pages/figures.h"
 #include "tools/grade/pages/wording.h"
 #include "tools/grade/results/earlier.h"
 #include "tools/grade/results/own_files.h"
@@ -31,7 +30,6 @@
 #include "tools/methods/methods.h"
 #include "tools/report/version.h"
 #include "tools/run/in_order.h"
-#include "tools/view/page.h"
 
 namespace raycheck::tools {
 namespace {
@@ -39,7 +37,6 @@ namespace {
 namespace fs = std::filesystem;
 using properties::RunControl;
 
-constexpr const char* kReportFile = "report.html";
 constexpr const char* kResultsFile = "results.json";  ///< For a course's system.
 constexpr const char* kSceneEnding = ".toml";
 constexpr const char* kDriverEnding = ".txt";
@@ -365,9 +362,9 @@ std::map<std::string, std::string> files_for_student(const StudentGrade& shown) 
     const std::string driver = driver_file_text(*failing, shown.submission.driver);
     if (!driver.empty()) files[name + kDriverEnding] = driver;
   }
-  const ViewDocument figures = figures_document(shown);
-  if (!figures.findings.empty()) files[kFiguresFile] = page(figures);
-  files[kReportFile] = student_page(shown, figures);
+  StudentPages pages = student_pages(shown);
+  files[kReportFile] = std::move(pages.report);
+  if (!pages.figures.empty()) files[kFiguresFile] = std::move(pages.figures);
   return files;
 }
 

@@ -91,8 +91,7 @@ std::string address_of(const SubmissionGrade& grade, std::string_view file) {
 }
 
 std::string link(const SubmissionGrade& grade) {
-  return fmt::format("<a href=\"{}\">{}</a>", address_of(grade, "report.html"),
-                     escaped(grade.name));
+  return fmt::format("<a href=\"{}\">{}</a>", address_of(grade, kReportFile), escaped(grade.name));
 }
 
 /// A link to a submission's page of figures; empty where its student has none.

@@ -20,7 +20,10 @@ using Place = std::array<double, 2>;  ///< Of a plane: to the right and up.
 
 constexpr double kWidth = 360, kHeight = 220;  ///< Of a drawing, in its own pixels.
 constexpr double kMargin = 26;                 ///< Around what it shows, for names.
+constexpr double kAbove = -9, kBelow = 18;     ///< A mark its name is, in pixels down.
 constexpr double kSeen = 8;                    ///< Marks so many pixels apart are told apart.
+constexpr double kWidestGrid =
+    16;                          ///< Half of the window, in ulp, in which doubles are told apart.
 constexpr double kFarthest = 6;  ///< What is so many radii beyond a sphere is beyond the drawing.
 /// Radii whose squares are ordinary doubles.
 constexpr double kSmallestRadius = 0x1p-500, kLargestRadius = 0x1p500;
@@ -70,18 +73,21 @@ class Drawing {
         x(to) - kHead * right - kHalf * down, y(to) - kHead * down + kHalf * right, x(to), y(to),
         x(to) - kHead * right + kHalf * down, y(to) - kHead * down - kHalf * right);
   }
-  void exact(const Place& place) {
-    svg_ += fmt::format("<circle class=\"exact mark\" cx=\"{:.1f}\" cy=\"{:.1f}\" r=\"5\"/>",
-                        x(place), y(place));
-    name("exact", place, 18, "exact");
-  }
-  void yours(const Place& place) {
+  /// Both answers, their names on either side.
+  void answers(const std::optional<Place>& exact, const std::optional<Place>& yours) {
+    const bool is_above = !exact || !yours || (*yours)[1] >= (*exact)[1];
+    if (exact) {
+      svg_ += fmt::format("<circle class=\"exact\" cx=\"{:.1f}\" cy=\"{:.1f}\" r=\"5\"/>",
+                          x(*exact), y(*exact));
+      name("exact", *exact, is_above ? kBelow : kAbove, "exact");
+    }
+    if (!yours) return;
     constexpr double kArm = 5;
     svg_ += fmt::format(
         "<path class=\"yours\" "
         "d=\"M{0:.1f},{2:.1f}L{1:.1f},{3:.1f}M{0:.1f},{3:.1f}L{1:.1f},{2:.1f}\"/>",
-        x(place) - kArm, x(place) + kArm, y(place) - kArm, y(place) + kArm);
-    name("yours", place, -9, kYours);
+        x(*yours) - kArm, x(*yours) + kArm, y(*yours) - kArm, y(*yours) + kArm);
+    name("yours", *yours, is_above ? kAbove : kBelow, kYours);
   }
   /// A name, so many pixels below a place.
   void name(const char* kind, const Place& place, double below, std::string_view text) {
@@ -132,19 +138,19 @@ std::string magnified(const Microscope& scope, const MicroscopeMark& yours) {
   const double half = zoom->half_width;
   Drawing drawing({{-half, -half / 2}, {half, half / 2}});
   for (const double one : scope.grid) {
-    if (std::abs(one) <= half) drawing.line("grid", {{one, -half}, {one, half}});
+    if (half <= kWidestGrid && std::abs(one) <= half)
+      drawing.line("grid", {{one, -half}, {one, half}});
   }
   std::vector<Place> curve(zoom->curve.begin(), zoom->curve.end());
   if (!curve.empty()) drawing.line("sphere", curve);
   drawing.arrow("ray", drawing.left(0), drawing.right(0));
-  drawing.exact({0, 0});
-  drawing.yours(place);
+  drawing.answers(Place{0, 0}, place);
   return drawing.html(fmt::format(
-      "Magnified around {}, s = {:.17g}: the ray runs to the right, the curve is the sphere, "
-      "upright "
-      "lines are the doubles next to s, {:.3g} apart; yours is off by {:.3g} of these steps.",
+      "Magnified around {}, s = {:.17g}: the ray runs to the right, the curve is the sphere{}; the "
+      "cross, yours, is off by {:.3g} steps from one double to the next.",
       scope.is_hit ? "the exact hit" : "the ray's point nearest to the centre", scope.parameter,
-      scope.ulp, std::hypot(yours.x, yours.y)));
+      half <= kWidestGrid ? ", upright lines are the doubles next to s" : "",
+      std::hypot(yours.x, yours.y)));
 }
 
 /// A ray and a sphere, the exact answer and the submission's.
@@ -181,17 +187,18 @@ std::string hit_html(const FailingCase& failing, const Panel& panel) {
   if (is_close) return magnified(scope, *mark);
   drawing.circle(centre, 1);
   drawing.arrow("ray", is_origin_near ? origin : drawing.left(0), drawing.right(0));
-  if (is_origin_near) drawing.name("ray", origin, -9, "L");
+  if (is_origin_near) drawing.name("ray", origin, kAbove, "L");
   std::string caption = fmt::format(
       "To scale, in the plane of the ray and the centre of sphere {}: the ray runs to the right",
       panel.selection.sphere.value_or(0));
   caption += is_origin_near ? " from L" : ", from far to the left";
-  if (scope.is_hit) drawing.exact(exact);
+  const bool is_shown = mark != nullptr && drawing.shows(yours);
+  drawing.answers(scope.is_hit ? std::optional(exact) : std::nullopt,
+                  is_shown ? std::optional(yours) : std::nullopt);
   caption += scope.is_hit ? "; the ring is the exact hit" : "; exactly, it misses";
   if (mark == nullptr) {
     caption += ", yours is a miss.";
-  } else if (drawing.shows(yours)) {
-    drawing.yours(yours);
+  } else if (is_shown) {
     caption += ", the cross is yours.";
   } else {
     caption += fmt::format(", yours is {:.3g} radii from there.",
@@ -236,11 +243,14 @@ std::string vectors_html(const FailingCase& failing) {
   if (!std::isfinite(got[0]) || !std::isfinite(got[1]) || !std::isnormal(length)) return "";
   Drawing drawing({{0, 0}, exact, got});
   if (!drawing.tells_apart(exact, got)) return "";
+  // One may lie on the other.
+  const bool is_longer = got_sq > exact_sq;
+  if (is_longer) drawing.arrow("yours", {0, 0}, got);
   drawing.arrow("exact", {0, 0}, exact);
-  drawing.name("exact", exact, 18, "exact");
-  drawing.arrow("yours", {0, 0}, got);
-  drawing.name("yours", got, -9, kYours);
-  if (is_point) drawing.name("ray", {0, 0}, 18, "E");
+  if (!is_longer) drawing.arrow("yours", {0, 0}, got);
+  drawing.name("exact", exact, kBelow, "exact");
+  drawing.name("yours", got, kAbove, kYours);
+  if (is_point) drawing.name("ray", {0, 0}, kBelow, "E");
   return drawing.html(fmt::format(
       "To scale, in the plane of both: {0} as it is exactly, and yours{1}.", answer.symbol,
       is_point      ? ", seen from the eye E"

@@ -11,9 +11,6 @@
 
 namespace raycheck::tools {
 
-/// The page of figures, beside a student's report.
-inline constexpr const char* kFiguresFile = "figures.html";
-
 /// Whether item k has a figure: it was asked for functions, and fails on a case of which the
 /// student is told what is exact.
 bool has_figure(const StudentGrade& grade, std::size_t k);

@@ -19,6 +19,10 @@ std::string replaced(std::string text, std::string_view what, const std::string&
 
 }  // namespace
 
+std::string candidate_argument(const CandidateSpec& program) {
+  return " --candidate " + shell_word(program.text());
+}
+
 std::vector<HomeCommand> commands_for_case(const StudentGrade& grade, std::size_t k) {
   const ItemGrade& item = grade.submission.items[k];
   const auto& program = grade.submission.program;
@@ -30,8 +34,7 @@ std::vector<HomeCommand> commands_for_case(const StudentGrade& grade, std::size_
     commands.push_back({"Draw it", replaced(replaced(program->what, "{scene}", name + ".txt"),
                                             "{image}", "out.ppm")});
   }
-  std::string check =
-      fmt::format("raycheck check {}.toml --candidate {}", name, shell_word(program->text()));
+  std::string check = fmt::format("raycheck check {}.toml{}", name, candidate_argument(*program));
   if (is_renderer && !(grade.submission.driver == DriverForm{})) {
     check += " --dialect " + shell_word(grade.submission.driver.name());
   }

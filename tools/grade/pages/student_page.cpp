@@ -10,6 +10,7 @@
 #include "tools/grade/pages/views.h"
 #include "tools/grade/pages/wording.h"
 #include "tools/report/words.h"
+#include "tools/view/page.h"
 
 namespace raycheck::tools {
 namespace {
@@ -104,9 +105,7 @@ std::string item_html(const StudentGrade& all, std::size_t k,
   return html + "</details>\n";
 }
 
-}  // namespace
-
-std::string student_page(const StudentGrade& grade, const ViewDocument& figures) {
+std::string report_html(const StudentGrade& grade, const ViewDocument& figures) {
   const SubmissionGrade& submission = grade.submission;
   std::string html =
       fmt::format("<h1>{}</h1>\n<p>{}</p>\n", escaped(grade.title), escaped(submission.name));
@@ -152,6 +151,13 @@ std::string student_page(const StudentGrade& grade, const ViewDocument& figures)
                         escaped(submission.program->text()), escaped(submission.isolation.text()));
   }
   return page(grade.title + ": " + submission.name, html);
+}
+
+}  // namespace
+
+StudentPages student_pages(const StudentGrade& grade) {
+  const ViewDocument figures = figures_document(grade);
+  return {report_html(grade, figures), figures.findings.empty() ? "" : page(figures)};
 }
 
 }  // namespace raycheck::tools

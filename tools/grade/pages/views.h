@@ -7,7 +7,6 @@
 
 #include "tools/grade/results/class_grade.h"
 #include "tools/grade/results/redaction.h"
-#include "tools/view/document.h"
 
 namespace raycheck::tools {
 
@@ -30,9 +29,16 @@ struct ResultsFormat {
 };
 std::span<const ResultsFormat> results_formats();
 
-/// A self-contained page for a student, which links `figures`, what figures_document() makes of the
-/// grade, where there are any.
-std::string student_page(const StudentGrade& grade, const ViewDocument& figures);
+/// The names of a student's pages.
+inline constexpr const char* kReportFile = "report.html";
+inline constexpr const char* kFiguresFile = "figures.html";
+
+/// What a student reads: a page of all items, self-contained but for its links to the other one,
+/// and figures of the failing cases of functions; empty where there are none.
+struct StudentPages {
+  std::string report, figures;
+};
+StudentPages student_pages(const StudentGrade& grade);
 
 }  // namespace raycheck::tools
 
