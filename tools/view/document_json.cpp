@@ -29,7 +29,9 @@ Json drawn(const Drawn& point) { return {drawn(point[0]), drawn(point[1]), drawn
 std::string told(double value) { return fmt::format("{:.6g}", value); }
 
 constexpr int kDigits = 17;
-std::string digits(double value) { return fmt::format("{:.{}g}", value, kDigits); }
+std::string digits(double value) {
+  return std::isnan(value) ? "nan" : fmt::format("{:.{}g}", value, kDigits);
+}
 
 Json selection_json(const Selection& selection) {
   Json json;

@@ -19,6 +19,13 @@ std::string quoted(const std::string& text) {
   return result + "'";
 }
 
+/// Prints the document that is in a page, deflated.
+constexpr const char* kDocumentReader = R"py(import base64, re, sys, zlib
+found = re.findall('id="document"[^>]*>([^<]*)<', open(sys.argv[1]).read())
+assert len(found) == 1
+sys.stdout.buffer.write(zlib.decompress(base64.b64decode(found[0])))
+)py";
+
 }  // namespace
 
 Grading::Grading() : folder_(temporary_file("grading", "") + ".d") {
@@ -100,6 +107,16 @@ json Grading::result(const std::string& submission, const std::string& out) cons
   const std::string text = file(submission, "result.json", out);
   EXPECT_FALSE(text.empty()) << submission << " has no result.json";
   return text.empty() ? json() : json::parse(text);
+}
+
+json Grading::figures(const std::string& submission, const std::string& out) const {
+  const std::string page = file(submission, "figures.html", out);
+  EXPECT_FALSE(page.empty()) << submission << " has no figures.html";
+  const std::string reader = write("figures.py", kDocumentReader);
+  const Outcome read =
+      run_python(quoted(reader) + " " + quoted(path(out + "/" + submission + "/figures.html")));
+  EXPECT_EQ(read.exit_code, 0) << read.err;
+  return read.exit_code == 0 ? json::parse(read.out) : json();
 }
 
 std::string mistake_line(const std::string& file, const std::string& mistake) {

@@ -49,6 +49,8 @@ class Grading {
   std::string file(const std::string& submission, const std::string& name,
                    const std::string& out = "out") const;
   nlohmann::json result(const std::string& submission, const std::string& out = "out") const;
+  /// What a submission's page of figures shows, as data.
+  nlohmann::json figures(const std::string& submission, const std::string& out = "out") const;
 
  private:
   std::filesystem::path folder_;

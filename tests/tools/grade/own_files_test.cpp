@@ -100,8 +100,9 @@ TEST_F(HostileOut, HasFilesOfOthersThatStay) {
 }
 
 TEST_F(HostileOut, HasNoFileInTheWayThatRaycheckDidNotWrite) {
-  for (const char* name : {"index.html", "grades.csv", "mine/report.html", "mine/result.json",
-                           "mine/pixel-0-0.toml", "mine/pixel-0-0.txt", ".raycheck-files"}) {
+  for (const char* name :
+       {"index.html", "grades.csv", "mine/report.html", "mine/result.json", "mine/figures.html",
+        "mine/pixel-0-0.toml", "mine/pixel-0-0.txt", ".raycheck-files"}) {
     const std::string file = grading_.write(std::string("out/") + name, "someone's");
     refuses(grade_words("out"), file);
     fs::remove(file);

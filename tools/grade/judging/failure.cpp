@@ -84,20 +84,13 @@ auto answered(const Ask& ask) -> std::optional<decltype(ask())> {
   }
 }
 
-/// What the candidate answers about the ray of a place, or the first, up to the stage of the law
-/// that it broke.
-RayAnswers ray_answers(Trial& trial, const properties::Place& place, const Law& broken) {
+/// What the candidate answers about one ray of a trial, up to the stage of the law that it broke.
+RayAnswers ray_answers(Trial& trial, std::size_t ray, const Law& broken) {
   const Candidate& candidate = trial.candidate();
   RayAnswers answers;
-  std::size_t ray = trial.scene().camera ? 0 : place.ray;
   if (trial.scene().camera) {
-    const auto& pixels = trial.pixels();
-    if (place.pixel) {
-      const auto at = std::find(pixels.begin(), pixels.end(), *place.pixel);
-      ray = static_cast<std::size_t>(at - pixels.begin());
-    }
     if (candidate.frame) answers.frame = answered([&] { return trial.frame(); });
-    if (ray >= pixels.size()) return answers;
+    if (trial.pixels().empty()) return answers;
     if (candidate.pixel_points) {
       answers.pixel_point = answered([&] { return trial.pixel_points()[ray]; });
     }
@@ -112,6 +105,21 @@ RayAnswers ray_answers(Trial& trial, const properties::Place& place, const Law& 
     return hits;
   });
   return answers;
+}
+
+/// The same about the ray of a place, or the first; a law may look at other pixels than those of
+/// its case.
+RayAnswers ray_answers(Trial& trial, const properties::Place& place, const Law& broken) {
+  if (!trial.scene().camera) return ray_answers(trial, place.ray, broken);
+  if (!place.pixel) return ray_answers(trial, std::size_t{0}, broken);
+  const auto& pixels = trial.pixels();
+  const auto known = std::find(pixels.begin(), pixels.end(), *place.pixel);
+  if (known != pixels.end()) {
+    return ray_answers(trial, static_cast<std::size_t>(known - pixels.begin()), broken);
+  }
+  const Case there{trial.scene(), {*place.pixel}};
+  Trial of_place(there, trial.candidate());
+  return ray_answers(of_place, std::size_t{0}, broken);
 }
 
 /// Both pictures of a case; empty where the candidate draws none. A renderer that drew it last is
