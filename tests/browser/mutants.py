@@ -36,6 +36,8 @@ MUTANTS = {
     "arrow keys upside down": ("use", 'camera.rows === "top-first" ? -up : up', "up"),
     "figure's clicks mirrored": ("use", "x0 + (x / width) * (x1 - x0)", "x1 + (x / width) * (x0 - x1)"),
     "findings without a place": ("use", "selection: { pixel, ray, sphere } }", "selection: { pixel: [0, 0], ray, sphere } }"),
+    "addresses without a finding": ("use", "  follow();\n", "\n"),
+    "the next finding": ("use", "findings[Number(number) - 1]", "findings[Number(number)]"),
     "starts anywhere": ("use", "selection: { ...document.scenes[first].start }", "selection: { pixel: [0, 0], ray: null, sphere: 0 }"),
     "every method always": ("use", "methodShown === null || method.name === methodShown)", "true)"),
     "divider does not move": ("use", "inset(0 0 0 ${percent}%)", "inset(0 0 0 50%)"),

@@ -72,10 +72,10 @@ class PageTest(unittest.TestCase):
         cls.browser = Shared.browser
 
     @classmethod
-    def open(cls, path):
-        """Opens a page, and returns how many seconds it took until all of it was drawn."""
+    def open(cls, path, fragment=""):
+        """Opens a page, at a fragment of its address, and returns how many seconds it took until all of it was drawn."""
         cls.check_page()
-        cls.browser.open(path)
+        cls.browser.open(f"{path}{fragment}")
         cls.page_open = path
         seconds = cls.browser.run(READY) / 1000
         if os.environ.get("RAYCHECK_BROWSER_TIMES") == "1" and seconds > MOST_SECONDS:

@@ -112,6 +112,19 @@ class Use(PageTest):
             self.assertIn(findings[k]["method"] or "", self.text("#headline"))
             self.assertEqual(self.run_script("return document.querySelector(`#findings li:nth-child(${arguments[0]}) button`).ariaCurrent", k + 1), "true")
 
+    def test_an_address_opens_a_finding_and_no_other_address_does(self):
+        self.open(page_of(FAR, "--method", "quadratic"), "#finding-3")
+        findings = self.run_script("return raycheckPage.store.document.findings")
+        self.check_shown(findings[2]["pixel"])
+        go = """window.location.hash = arguments[0];
+          return new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done)));"""
+        for k in (1, len(findings) - 1):
+            self.run_script(go, f"#finding-{k + 1}")
+            self.check_shown(findings[k]["pixel"])
+        for address in ("#finding-0", f"#finding-{len(findings) + 1}", "#finding-2x", "#panel", "#finding-<b>", "#"):
+            self.run_script(go, address)
+            self.check_shown(findings[-1]["pixel"])
+
     def test_where_something_goes_wrong_the_headline_says_which_method_and_where(self):
         self.open(page_of(FAR))
         self.run_script("raycheckPage.store.set({ selection: { pixel: [9, 8] }, methodShown: 'quadratic' })")

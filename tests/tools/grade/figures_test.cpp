@@ -137,7 +137,7 @@ INSTANTIATE_TEST_SUITE_P(Lecture7, EachFigure,
                                          FigureSubject{"near_root_only", "robustness"},
                                          FigureSubject{"normalize_discarded", "unit directions"},
                                          FigureSubject{"normalize_discarded", "robustness"},
-                                         FigureSubject{"first_sphere_wins", "nearest sphere", false,
+                                         FigureSubject{"first_sphere_wins", "nearest sphere", true,
                                                        false}),
                          [](const auto& the_test) {
                            return std::string(the_test.param.mistake) + "_" +
