@@ -1,7 +1,6 @@
 #ifndef RAYCHECK_TOOLS_CHECK_CHECK_PAGE_H_
 #define RAYCHECK_TOOLS_CHECK_CHECK_PAGE_H_
 
-#include <string>
 #include <vector>
 
 #include "tools/check/check.h"
@@ -9,15 +8,10 @@
 
 namespace raycheck::tools {
 
-/// What is asked of a page besides what a report has found.
-struct CheckPageOptions {
-  std::vector<Selection> wanted;  ///< Shown first.
-  std::string more_arguments;     ///< Of commands: the candidate, or nothing.
-};
-
 /// The scene of a report as a page, with its worst discrepancies and largest errors beside it: one
-/// view of it for raycheck's methods, and one for each implementation of someone else's.
-ViewDocument check_document(const CheckReport& report, const CheckPageOptions& options,
+/// view of it for raycheck's methods, and one for each implementation of someone else's. What is
+/// wanted is shown first.
+ViewDocument check_document(const CheckReport& report, const std::vector<Selection>& wanted,
                             const properties::RunControl& control);
 
 }  // namespace raycheck::tools

@@ -98,10 +98,9 @@ CheckOptions check_options(const ViewArguments& arguments) {
 }
 
 ViewDocument of_scene(const ViewArguments& arguments, const properties::RunControl& control) {
-  const CheckPageOptions options = {wanted(arguments), candidate_words(arguments.external)};
   const CheckReport report = check(check_options(arguments), control);
   print_warnings(report.warnings);
-  return check_document(report, options, control);
+  return check_document(report, wanted(arguments), control);
 }
 
 ViewDocument of_family(const ViewArguments& arguments, const properties::RunControl& control) {

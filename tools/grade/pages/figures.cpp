@@ -7,12 +7,12 @@
 
 #include "scene/interruption.h"
 #include "tools/grade/pages/answered.h"
-#include "tools/grade/pages/home.h"
 #include "tools/grade/pages/views.h"
 #include "tools/grade/pages/wording.h"
 #include "tools/report/words.h"
 #include "tools/view/scene_view.h"
 #include "tools/view/selection.h"
+#include "tools/view/view_words.h"
 
 namespace raycheck::tools {
 namespace {
@@ -61,7 +61,8 @@ void add_figure(const StudentGrade& grade, std::size_t k, ViewDocument& document
   SceneViewOptions view;
   view.name = file_name(item.name) + ".toml";
   view.file = view.name;
-  if (grade.submission.program) view.more_arguments = candidate_argument(*grade.submission.program);
+  if (grade.submission.program)
+    view.more_arguments = candidate_words(grade.submission.program->text());
   view.other = answered(failing, item.tolerance, grade.submission.isolation);
   view.others_picture = false;
   if (failing.answers) view.others_ray = failing.answers->ray;

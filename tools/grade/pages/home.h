@@ -17,9 +17,6 @@ struct HomeCommand {
   std::string words;
 };
 
-/// What a command asks, after its other words: " --candidate 'source:.'".
-std::string candidate_argument(const CandidateSpec& program);
-
 /// Those that repeat the failing case of item k, its files beside the submission's; empty where it
 /// has none.
 std::vector<HomeCommand> commands_for_case(const StudentGrade& grade, std::size_t k);

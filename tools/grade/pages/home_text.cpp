@@ -6,6 +6,7 @@
 #include "scene/number.h"
 #include "tools/grade/pages/home.h"
 #include "tools/report/words.h"
+#include "tools/view/view_words.h"
 
 namespace raycheck::tools {
 namespace {
@@ -19,10 +20,6 @@ std::string replaced(std::string text, std::string_view what, const std::string&
 
 }  // namespace
 
-std::string candidate_argument(const CandidateSpec& program) {
-  return " --candidate " + shell_word(program.text());
-}
-
 std::vector<HomeCommand> commands_for_case(const StudentGrade& grade, std::size_t k) {
   const ItemGrade& item = grade.submission.items[k];
   const auto& program = grade.submission.program;
@@ -34,7 +31,8 @@ std::vector<HomeCommand> commands_for_case(const StudentGrade& grade, std::size_
     commands.push_back({"Draw it", replaced(replaced(program->what, "{scene}", name + ".txt"),
                                             "{image}", "out.ppm")});
   }
-  std::string check = fmt::format("raycheck check {}.toml{}", name, candidate_argument(*program));
+  std::string check =
+      fmt::format("raycheck check {}.toml{}", name, candidate_words(program->text()));
   if (is_renderer && !(grade.submission.driver == DriverForm{})) {
     check += " --dialect " + shell_word(grade.submission.driver.name());
   }
