@@ -191,7 +191,7 @@ struct ViewDocument {
   std::vector<SceneView> scenes;
   std::vector<FindingView> findings;
   std::optional<DialView> dial;
-  std::optional<ChartView> chart;  ///< Of a document without scenes.
+  std::optional<ChartView> chart;     ///< Of a document without scenes.
   std::vector<std::string> left_out;  ///< What there is no room for, and how to ask for it.
 };
 
