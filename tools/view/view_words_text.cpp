@@ -85,8 +85,8 @@ std::string direction_remark(const ExplainReport& report) {
   if (report.pixel) return {};
   const scene::Vector3& D = report.ray.direction;
   const double length = std::hypot(D.x, D.y, D.z);
-  if (length == 1) return {};
-  return fmt::format(" times the ray's direction, which is {} long", scene::shortest(length));
+  const std::string told = fmt::format("{:.6g}", length);
+  return told == "1" ? "" : fmt::format(" times the ray's direction, which is {} long", told);
 }
 
 std::vector<std::string> microscope_sentences(const Microscope& microscope,
