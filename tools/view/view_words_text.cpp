@@ -97,7 +97,12 @@ std::vector<std::string> microscope_sentences(const Microscope& microscope,
                   microscope.is_hit ? "exact hit point" : "ray's point nearest to the centre",
                   microscope.parameter, direction_remark(report), microscope.ulp,
                   is_single ? ", of a float: the candidate's format" : "")};
-  if (!microscope.is_hit) {
+  if (microscope.is_hit) {
+    sentences.push_back(
+        microscope.region ? fmt::format("Shaded: rounding the inputs moves s by up to {:.6g} ulp.",
+                                        *microscope.region)
+                          : "Shaded: rounding the inputs may move s anywhere.");
+  } else {
     std::string text = fmt::format(
         "A miss has no hit point; here the ray is {:.3g} ulp from the sphere", std::abs(gap));
     double nearest = HUGE_VAL;
