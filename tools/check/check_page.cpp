@@ -143,9 +143,11 @@ ViewDocument check_document(const CheckReport& report, const CheckPageOptions& o
     document.scenes.push_back(view_of(report.scene, view, document.left_out, control));
   }
   const std::uint64_t total = report.discrepancies();
-  const std::size_t listed = document.findings.size();
-  document.found = total == 0 ? count_text(listed, "largest error") : places_found({listed, total});
-  if (total > 0) document.worst = worst_of({listed, total});
+  const std::vector<FindingView>& findings = document.findings;
+  const auto listed = static_cast<std::uint64_t>(std::count_if(
+      findings.begin(), findings.end(), [](const auto& one) { return one.standing.has_value(); }));
+  document.found = findings_found({listed, total}, findings.size() - listed);
+  if (listed > 0) document.worst = worst_of({listed, total});
   return document;
 }
 

@@ -44,8 +44,8 @@ std::vector<std::string> microscope_sentences(const Microscope& microscope,
 
 /// Of the first of the findings, behind its place, of so many discrepancies in all.
 std::string worst_of(const Kept& places);
-/// How many places with discrepancies are listed, of how many discrepancies.
-std::string places_found(const Kept& places);
+/// How many places with discrepancies are listed, of how many discrepancies, and largest errors.
+std::string findings_found(const Kept& places, std::uint64_t errors);
 
 /// [word, what it means] of the words that pages use.
 std::vector<std::array<std::string, 2>> words_of_pages();

@@ -142,9 +142,14 @@ std::string worst_of(const Kept& places) {
       places.shown == 1 ? "one place is" : fmt::format("{} places are", places.shown));
 }
 
-std::string places_found(const Kept& places) {
-  return fmt::format("{}, of {} {}", count_text(places.shown, "place"), places.all,
-                     places.all == 1 ? "discrepancy" : "discrepancies");
+std::string findings_found(const Kept& places, std::uint64_t errors) {
+  std::string text;
+  if (places.all > 0) {
+    text = fmt::format("{}, of {} {}", count_text(places.shown, "place"), places.all,
+                       places.all == 1 ? "discrepancy" : "discrepancies");
+  }
+  if (errors > 0) text += (text.empty() ? "" : "; ") + count_text(errors, "largest error");
+  return text.empty() ? "none" : text;
 }
 
 std::vector<std::array<std::string, 2>> words_of_pages() {

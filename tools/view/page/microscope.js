@@ -18,7 +18,7 @@ export function mountMicroscope(root, store) {
   const draw = () => {
     const width = Math.floor(drawing.clientWidth);
     if (!shown.now || width === 0) return;
-    drawing.replaceChildren(magnifiedView(shown.now, shown.zoom, width, store.methodShown));
+    drawing.replaceChildren(magnifiedView(shown.now, shown.zoom, width, store));
   };
   atEachWidth(drawing, draw);
   store.subscribe(() => {
@@ -51,19 +51,19 @@ function firstZoom({ marks }, told) {
   return meant.length === 0 ? 0 : Math.min(...meant.map(({ window: narrowest }) => narrowest));
 }
 
-function magnifiedView({ hit, zooms, marks, region, grid }, zoom, width, methodShown) {
+function magnifiedView({ hit, zooms, marks, region, grid }, zoom, width, store) {
   const { half } = zooms[zoom];
   const height = Math.min(TALLEST, Math.round(width * 0.7));
   const x = (ulps) => width / 2 + ulps / half * width / 2;
   const y = (ulps) => height / 2 - ulps / half * width / 2;
   const reach = hit ? Math.min(half, region ?? half) : 0; // of what rounding the inputs may do
-  const lines = grid.length > 1 && x(grid[1]) - x(grid[0]) >= GRID_SPACING ? grid.filter((at) => Math.abs(at) <= half) : [];
+  const lines = x(grid[1]) - x(grid[0]) < GRID_SPACING ? [] : grid.filter((at) => Math.abs(at) <= half);
   const pane = { x: 2, y: 20, width: width - 4, height: height - 40 };
   const placed = marks.map((mark) => placedMark(mark, [x(mark.x), y(mark.y)], width, height));
   const taken = [...placed, { at: [x(0), y(0)] }].map(({ at }) => ({ x: at[0] - 8, y: at[1] - 8, width: 16 }));
   const curve = zooms[zoom].curve.map((point) => [x(point[0]), y(point[1])]);
   const inside = curve.filter((at) => at[0] > 0 && at[0] < width - 60 && at[1] > 40 && at[1] < height - 30);
-  const labels = [{ at: [x(0), y(0)], text: hit ? "exact" : "nearest to the centre" }, ...marksTogether(placed),
+  const labels = [{ at: [x(0), y(0)], text: hit ? "exact" : "nearest to the centre" }, ...marksTogether(placed, store.methodTold()),
     { at: [width - 20, height / 2], text: "ray" }, ...inside.slice(0, 1).map((at) => ({ at, text: "sphere" }))];
   return svg("svg", { viewBox: `0 0 ${width} ${height}`, role: "img", class: "instrument",
     "aria-label": `Where answers lie within ${half} ulp of the exact point` },
@@ -76,7 +76,7 @@ function magnifiedView({ hit, zooms, marks, region, grid }, zoom, width, methodS
       { class: "label quiet", x: x(ulps), y: height - 5, "text-anchor": anchor }, sign, ulps && half, " ulp")),
     svg("circle", { class: "exact", cx: x(0), cy: y(0), r: 9 }),
     placed.filter(({ beyond }) => beyond === "").map(({ name, number, kind, at }) => svg("g",
-      { class: `${[null, name].includes(methodShown) ? "" : "faded"} ${kind === "Q" ? "hollow" : ""}` },
+      { class: `${[null, name].includes(store.methodShown) ? "" : "faded"} ${kind === "Q" ? "hollow" : ""}` },
       glyph(number, at[0].toFixed(2), at[1].toFixed(2), kind === "Q" ? 7 : 5))),
     labels.map(({ at, text, look }) => writeLabel(text, at, look ?? "quiet", pane, taken, LABELS))));
 }
@@ -89,10 +89,11 @@ function placedMark(mark, [x, y], width, height) {
   return { ...mark, at: beyond === "" ? [x, y] : at, beyond };
 }
 
-/// What lies together, or equally far away, shares a label; what is wrong comes first.
-function marksTogether(placed) {
+/// What lies together, or equally far away, shares a label; the method told of comes first, then what is wrong.
+function marksTogether(placed, told) {
+  const rank = ({ name, wrong }) => (name === told ? 2 : Number(wrong));
   const groups = [];
-  for (const mark of [...placed].sort((a, b) => Number(b.wrong) - Number(a.wrong))) {
+  for (const mark of [...placed].sort((a, b) => rank(b) - rank(a))) {
     const near = groups.find(({ at, beyond }) => beyond === mark.beyond
       && Math.hypot(at[0] - mark.at[0], at[1] - mark.at[1]) < TOGETHER);
     if (near) near.marks.push(mark);

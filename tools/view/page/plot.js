@@ -89,11 +89,12 @@ export function plot({ traces, severities, runTimes, errors, current, width, tal
     ({ ...at, isThere: at.y !== null, x: x.place(at.x), y: at.y === null ? 0 : y.place(at.y) })) }));
   const front = placed.filter(({ isFront }) => isFront).map(({ places }) => places[0]).sort((a, b) => a.x - b.x);
   const text = (attributes, content) => svg("text", { class: "label quiet", ...attributes }, isSmall ? "" : content);
-  return svg("svg", { viewBox: `0 0 ${width} ${tall}`, class: "instrument",
-    ...(isSmall ? { "aria-hidden": "true" } : { role: "img", "aria-label": title }) }, svg("g", { "aria-hidden": "true" },
+  const look = isSmall ? { "aria-hidden": "true" } : { role: "img", "aria-label": title };
+  return svg("svg", { viewBox: `0 0 ${width} ${tall}`, class: "instrument", ...look },
+    svg("g", { "aria-hidden": "true" },
     axisMarks(y, pane, true), axisMarks(x, pane, false),
     svg("path", { class: "axis", d: `M${pane.left} ${pane.top}V${pane.bottom}H${pane.right}` }),
-    text({ x: 2, y: pane.top - 10 }, unit), text({ x: pane.right, y: tall - 6, "text-anchor": "end" }, under),
+    text({ x: 2, y: pane.top - 10 }, unit), text({ x: width - 4, y: tall - 6, "text-anchor": "end" }, under),
     current === null ? null
       : svg("path", { class: "current", d: `M${x.place(current)} ${pane.top - 8}V${pane.bottom}` }),
     front.length === 0 ? null : svg("path", { class: "front",
