@@ -19,6 +19,9 @@ std::string explain_command(const ExplainReport& report, const Selection& asked,
                             const fast::PixelRayMethod& rays, const std::string& file,
                             const std::string& more);
 
+/// " --candidate ..." for someone else's implementation, as a shell takes it.
+std::string candidate_words(const std::string& candidate);
+
 /// A part of a whole that a page keeps: "3 of 7 spheres".
 struct Kept {
   std::uint64_t shown = 0, all = 0;

@@ -37,6 +37,10 @@ std::string explain_command(const ExplainReport& report, const Selection& asked,
   return command + more;
 }
 
+std::string candidate_words(const std::string& candidate) {
+  return " --candidate " + shell_word(candidate);
+}
+
 std::string smaller_pictures(const std::string& scene, const scene::Pixel& shown,
                              const scene::Pixel& all) {
   return fmt::format(
