@@ -1,6 +1,5 @@
 // Names in the figure: each beside its place, none over another.
 import { LETTER, svg } from "./dom.js";
-import { cssColour } from "./flat.js";
 import { onPane } from "./projection.js";
 
 const LINE = 15; // pixels
@@ -17,8 +16,8 @@ export function writeNames(target, names, panes) {
       if (place && !box) missing += 1;
       if (!box) continue;
       taken.push(box);
-      if (box.isApart) target.append(svg("path", { d: `M${box.from}L${box.joint}`, stroke: cssColour(colour) }));
-      target.append(svg("text", { x: box.x + 3, y: box.y + LINE - 4, fill: cssColour(colour) }, text));
+      if (box.isApart) target.append(svg("path", { d: `M${box.from}L${box.joint}`, stroke: colour }));
+      target.append(svg("text", { x: box.x + 3, y: box.y + LINE - 4, fill: colour }, text));
     }
   }
   return missing;

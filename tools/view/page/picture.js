@@ -86,7 +86,7 @@ function ringAround([i, j], camera) {
   return ["ring-under", "ring"].map((kind) => svg("rect", { class: kind, ...place }));
 }
 
-function seenAt(runs, index) {
+export function seenAt(runs, index) {
   let left = index;
   for (const [pixels, sphere] of runs) {
     if (left < pixels) return sphere;
