@@ -188,17 +188,17 @@ class Use(PageTest):
 
     def test_the_dial_steps_and_everything_with_it(self):
         self.open(page_of("--family", "distance", "--method", "quadratic,cross"))
-        dial = self.run_script("return raycheckPage.store.document.dial")
-        self.assertEqual([curve["name"] for curve in dial["curves"]], ["quadratic", "cross"])
+        dial, facet = self.run_script("const { dial, chart } = raycheckPage.store.document; return [dial, chart.facets[0]];")
+        self.assertEqual([series["name"] for series in facet["series"]], ["quadratic", "cross"])
         seen = set()
-        for k in (0, len(dial["severities"]) - 1, 2):
+        for k in (0, len(facet["severities"]) - 1, 2):
             self.choose("#severity", str(k))
             scene, text, told = self.run_script("""const { store } = raycheckPage;
               return [store.scenesIndex, store.panel().text, document.querySelector("#severity").ariaValueText];""")
             self.assertEqual(scene, dial["scenes"][k])
-            self.assertEqual(float(told), dial["severities"][k])
+            self.assertEqual(told, facet["severities"][k])
             self.assertEqual(self.text("#explain-text"), text)
-            self.assertIn(f"severity {dial['severities'][k]} is shown", self.run_script("return document.querySelector('#dial svg').getAttribute('aria-label')"))
+            self.assertIn(f"severity {told} is shown", self.run_script("return document.querySelector('#dial svg.instrument').getAttribute('aria-label')"))
             seen.add(text)
         self.assertEqual(len(seen), 3)
 

@@ -30,6 +30,17 @@ std::string method_of(const CandidateReport& candidate, Quantity quantity) {
   return std::string(is_of_rays ? pair->rays->name : pair->intersect->name);
 }
 
+/// What makes a candidate's wrong answers right, in a sentence; or nothing.
+std::string looks_like(const std::vector<properties::Explanation>& explanations) {
+  std::string text;
+  for (const properties::Explanation& one : explanations) {
+    text += fmt::format("{}{} ({} of {} wrong answers are right that way)",
+                        text.empty() ? "It looks as if " : "; or ", one.sentence, one.explained,
+                        one.errors);
+  }
+  return text.empty() ? text : text + ".";
+}
+
 std::vector<FindingView> findings_of(const CandidateReport& candidate, const scene::Scene& scene,
                                      std::size_t scene_index) {
   std::vector<FindingView> findings;
@@ -48,6 +59,7 @@ std::vector<FindingView> findings_of(const CandidateReport& candidate, const sce
                           selection});
     }
   }
+  for (FindingView& finding : findings) finding.looks_like = looks_like(candidate.explanations);
   if (!findings.empty()) return findings;
   for (const Quantity quantity :
        {Quantity::kParameter, Quantity::kHitPoint, Quantity::kDirection, Quantity::kPixelPoint}) {
@@ -105,6 +117,7 @@ ViewDocument check_document(const CheckReport& report, const CheckPageOptions& o
                     : document.title;
     view.file = shell_word(report.path);
     view.more_arguments = options.more_arguments;
+    view.is_of_methods = options.is_of_methods;
     view.wanted = options.wanted;
     for (const CandidateReport* candidate : group) {
       if (const MethodPair* const pair = methods_of(candidate->contestant)) {
@@ -129,6 +142,10 @@ ViewDocument check_document(const CheckReport& report, const CheckPageOptions& o
     }
     document.scenes.push_back(view_of(report.scene, view, document.left_out, control));
   }
+  const std::uint64_t total = report.discrepancies();
+  const std::size_t listed = document.findings.size();
+  document.found = total == 0 ? count_text(listed, "largest error") : places_found({listed, total});
+  if (total > 0) document.worst = worst_of({listed, total});
   return document;
 }
 

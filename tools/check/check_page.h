@@ -13,6 +13,7 @@ namespace raycheck::tools {
 struct CheckPageOptions {
   std::vector<Selection> wanted;  ///< Shown first.
   std::string more_arguments;     ///< Of commands: the candidate, or nothing.
+  bool is_of_methods = false;     ///< Methods were asked for: panels show the steps of no others.
 };
 
 /// The scene of a report as a page, with its worst discrepancies and largest errors beside it: one

@@ -1,6 +1,10 @@
 #include "tools/view/chart_json.h"
 
+#include <fmt/core.h>
+
 #include <nlohmann/json.hpp>
+
+#include "tools/report/words.h"
 
 namespace raycheck::tools {
 namespace {
@@ -12,16 +16,40 @@ Json quantiles_json(const ChartQuantiles& quantiles) {
 }
 
 Json errors_json(const ChartPoint::Errors& errors) {
+  Json told = Json::array();
+  for (const std::optional<double>& error : errors.at) told.push_back(error_text(error));
   return {{"compared", errors.compared},
           {"at", quantiles_json(errors.at)},
+          {"told", std::move(told)},
           {"condition", quantiles_json(errors.condition)},
           {"front", errors.is_front}};
 }
 
+/// A mark that says which decisions are wrong, and what it says.
+struct Mark {
+  const char *standing, *text;
+};
+constexpr Mark kRight = {"right", "every decision right"};
+constexpr Mark kExcused = {"excused", "wrong ones, all within rounding of the inputs"};
+constexpr Mark kDefect = {"defect", "wrong without an excuse"};
+
+const Mark& mark_of(const ChartPoint& point) {
+  return point.defects > 0 ? kDefect : point.wrong > 0 ? kExcused : kRight;
+}
+
+std::string decisions_text(const ChartPoint& point) {
+  std::string text = fmt::format("{} of {} decisions wrong", point.wrong, point.decisions);
+  if (point.wrong > 0) text += fmt::format(", {} of them without an excuse", point.defects);
+  return text;
+}
+
 Json point_json(const std::optional<ChartPoint>& point) {
   if (!point) return nullptr;
-  Json json = {
-      {"decisions", point->decisions}, {"wrong", point->wrong}, {"defects", point->defects}};
+  Json json = {{"decisions", point->decisions},
+               {"wrong", point->wrong},
+               {"defects", point->defects},
+               {"standing", mark_of(*point).standing},
+               {"text", decisions_text(*point)}};
   json["errors"] = Json::array();
   for (const ChartPoint::Errors& errors : point->errors) {
     json["errors"].push_back(errors_json(errors));
@@ -29,34 +57,59 @@ Json point_json(const std::optional<ChartPoint>& point) {
   return json;
 }
 
-Json series_json(const ChartSeries& series) {
+/// What there is to say of a method's run time, where others have one.
+std::string time_text(const ChartSeries& series, const ChartFacet& facet) {
+  if (facet.baseline.empty()) return {};
+  if (!series.time) return series.note.empty() ? "no run time was taken" : series.note;
+  const auto& [ratio, low, high, nanoseconds] = *series.time;
+  std::string text = fmt::format(
+      "{:.3g} times the run time of {} (middle half {:.3g} to {:.3g}; {:.3g} ns an item)", ratio,
+      facet.baseline, low, high, nanoseconds);
+  return series.note.empty() ? text : text + ", " + series.note;
+}
+
+Json series_json(const ChartSeries& series, const ChartFacet& facet) {
   Json json = {{"name", series.name}, {"number", series.number}, {"time", nullptr}};
   if (series.time) {
     json["time"] = {{"ratio", series.time->ratio},
                     {"low", series.time->low},
                     {"high", series.time->high},
-                    {"ns", series.time->nanoseconds}};
+                    {"ns", series.time->nanoseconds},
+                    {"told", fmt::format("{:.3g}", series.time->ratio)}};
   }
-  json["note"] = series.note;
+  json["text"] = time_text(series, facet);
   json["whole"] = point_json(series.whole);
   json["points"] = Json::array();
   for (const auto& point : series.points) json["points"].push_back(point_json(point));
   return json;
 }
 
+/// "parameter error", "backward error"
+std::string error_name(std::string_view quantity) {
+  return fmt::format("{}{}", quantity, quantity.ends_with("error") ? "" : " error");
+}
+
 Json facet_json(const ChartFacet& facet) {
-  Json json = {{"subject", facet.subject},
-               {"stage", facet.stage},
-               {"meaning", facet.meaning},
-               {"severities", facet.severities},
-               {"baseline", facet.baseline}};
+  const bool is_timed = !facet.baseline.empty();
+  Json json = {
+      {"title", fmt::format("{} on {}", facet.stage, facet.subject)},
+      {"subject", facet.subject},
+      {"stage", facet.stage},
+      {"severities", facet.severities},
+      {"baseline", facet.baseline},
+      {"under", is_timed ? fmt::format("run time, times that of {}", facet.baseline)
+                         : fmt::format("severity: {}", facet.meaning)},
+      {"key", is_timed ? "Steps: no method without such defects is as fast and as accurate"
+                       : "kappa: how much the problem itself magnifies errors of the inputs"}};
   json["quantities"] = Json::array();
   for (const properties::Quantity quantity : facet.quantities) {
-    json["quantities"].push_back(
-        {{"name", info(quantity).name}, {"unit", unit_name(quantity, facet.precision)}});
+    json["quantities"].push_back({{"name", info(quantity).name},
+                                  {"error", error_name(info(quantity).name)},
+                                  {"unit", unit_name(quantity, facet.precision)}});
   }
   json["series"] = Json::array();
-  for (const ChartSeries& series : facet.series) json["series"].push_back(series_json(series));
+  for (const ChartSeries& series : facet.series)
+    json["series"].push_back(series_json(series, facet));
   return json;
 }
 
@@ -66,7 +119,11 @@ Json chart_json(const ChartView& chart) {
   Json json;
   json["shares"] = Json::array();
   for (const ChartShare& share : kChartShares) json["shares"].push_back(share.name);
-  json["share"] = kChartShare;
+  json["share"] = chart.share;
+  json["key"] = Json::array();
+  for (const Mark& mark : {kRight, kExcused, kDefect}) {
+    json["key"].push_back({{"standing", mark.standing}, {"text", mark.text}});
+  }
   json["facets"] = Json::array();
   for (const ChartFacet& facet : chart.facets) json["facets"].push_back(facet_json(facet));
   return json;

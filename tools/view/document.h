@@ -89,7 +89,8 @@ struct PanelDrawing {
 /// Where a method's answer lies in the microscope.
 struct MicroscopeMark {
   std::string method;
-  bool is_point = false;  ///< Its hit point; else its s, on the exact ray.
+  std::size_t number = 0;  ///< Which shape and colour it has: its place among all methods.
+  bool is_point = false;   ///< Its hit point; else its s, on the exact ray.
   double x = 0, y = 0;
   bool is_wrong = false;
   std::string text;
@@ -101,14 +102,15 @@ struct MicroscopeMark {
 ///        coordinate is a difference that was enclosed to within 2^-34 of itself.
 struct Microscope {
   bool is_hit = false;
-  double parameter = 0;  ///< s of the point, correctly rounded.
+  std::vector<std::string> sentences;  ///< What is seen, and what there is nothing to draw of.
+  double parameter = 0;                ///< s of the point, correctly rounded.
   double ulp = 0;
   struct Zoom {
     double half_width = 0;
     std::vector<std::array<double, 2>> curve;  ///< The exact circle.
   };
   std::vector<Zoom> zooms;
-  std::vector<double> grid;  ///< The doubles around s.
+  std::vector<double> grid;  ///< The numbers of the format around s.
   std::optional<double>
       region;  ///< What a relative change u of inputs may move s by; empty: no bound.
   std::vector<MicroscopeMark> marks;
@@ -171,33 +173,23 @@ struct FindingView {
   std::optional<properties::Standing> standing = properties::Standing::kDefect;
   std::size_t scene = 0;  ///< Index into the document's.
   Selection selection;
+  std::string looks_like = {};  ///< A sentence about the classic mistake that explains it.
 };
 
-/// The error of a method along a stress family's dial.
-struct DialCurve {
-  struct Point {
-    double severity = 0;
-    std::optional<double> error;  ///< Empty: nothing was compared.
-    std::uint64_t wrong = 0;      ///< Decisions.
-    bool is_stable = false;
-  };
-  std::string method;
-  std::vector<Point> points;
-};
-
+/// A stress family's dial: the document's chart is its one facet.
 struct DialView {
-  std::string family, sentence, unit;
-  std::vector<double> severities;
-  std::vector<std::size_t> scenes;  ///< Of each severity, index into the document's.
-  std::vector<DialCurve> curves;
+  std::string sentence;
+  std::vector<std::size_t> scenes;  ///< Of each severity of the facet, index into the document's.
 };
 
 struct ViewDocument {
   std::string title;
   std::vector<SceneView> scenes;
   std::vector<FindingView> findings;
+  std::string found;  ///< How many there are, of how many: "8 of 37 discrepancies".
+  std::string worst;  ///< Of the first, behind its place: ", the worst of 37 discrepancies".
   std::optional<DialView> dial;
-  std::optional<ChartView> chart;     ///< Of a document without scenes.
+  std::optional<ChartView> chart;     ///< Of a document without scenes, or of a dial.
   std::vector<std::string> left_out;  ///< What there is no room for, and how to ask for it.
 };
 

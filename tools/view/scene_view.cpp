@@ -132,6 +132,7 @@ void add_panels(const scene::Scene& scene, const SceneViewOptions& options, Scen
   PanelOptions panels;
   if (!options.methods.empty()) panels.rays = options.methods.front().rays;
   panels.other = options.other;
+  if (options.is_of_methods) panels.methods = options.methods;
   panels.scene_argument = options.file;
   panels.more_arguments = options.more_arguments;
   const std::vector<Selection> list = candidates_for_panels(scene, options);

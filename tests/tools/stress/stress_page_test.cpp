@@ -28,7 +28,7 @@ TEST(StressPage, HasACurveOfEveryMethodOnEveryFamily) {
   const json chart = json::parse(document_json(stress_document(report)))["chart"];
   ASSERT_EQ(chart["facets"].size(), 3u);  // distance asks nothing of methods that make rays
   EXPECT_EQ(chart["facets"][0]["subject"], "distance");
-  EXPECT_EQ(chart["facets"][2]["stage"], "rays");
+  EXPECT_EQ(chart["facets"][2]["stage"], "Rays");
   const tools::StressCurve& textbook = report.families[0].curves[0];
   const json& mine = chart["facets"][0]["series"][0];
   EXPECT_EQ(mine["name"], "quadratic");

@@ -1,8 +1,12 @@
+#include <fmt/core.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <cstdio>
 #include <cstdlib>
 #include <nlohmann/json.hpp>
+#include <set>
 #include <sstream>
 #include <stdexcept>
 #include <string>
@@ -157,6 +161,13 @@ TEST(View, says_what_cannot_be_drawn_to_scale) {
   EXPECT_TRUE(document_of(kFarSphere)["scenes"][0]["figure"]["out_of_scale"].get<bool>());
 }
 
+const json& step_of(const json& panel, const std::string& symbol) {
+  for (const json& step : panel["steps"]) {
+    if (step["symbol"] == symbol) return step;
+  }
+  throw std::runtime_error("no such step");
+}
+
 /// Each method's s in ulp from the exact one: the figures that explain prints.
 TEST(View, the_microscope_says_how_far_answers_are_off) {
   const json scene = document_of(kFarSphere)["scenes"][0];
@@ -165,10 +176,14 @@ TEST(View, the_microscope_says_how_far_answers_are_off) {
   for (const json& mark : panel["microscope"]["marks"]) {
     if (mark["kind"] != "s") continue;
     for (const json& verdict : panel["verdicts"]) {
-      if (verdict["name"] != mark["name"] || verdict["error"].is_null()) continue;
-      const double error = number(verdict["error"]);
-      EXPECT_NEAR(std::abs(number(mark["x"])), error, 0.006 * error + 1e-8) << mark;
-      ++compared;
+      if (verdict["name"] != mark["name"]) continue;
+      for (const json& part : verdict["said"]) {
+        double error = 0;
+        const std::string text = part[1];
+        if (std::sscanf(text.c_str(), ", off by %lf ulp", &error) != 1) continue;
+        EXPECT_NEAR(std::abs(number(mark["x"])), error, 0.006 * error + 1e-8) << mark;
+        ++compared;
+      }
     }
   }
   EXPECT_GE(compared, 10);
@@ -207,12 +222,88 @@ TEST(View, begins_at_what_was_asked_for) {
 
 TEST(View, tells_which_digits_are_right) {
   const json scene = document_of(kFarSphere + " --method quadratic")["scenes"][0];
-  for (const json& verdict : panel_of(scene, 9, 8)["verdicts"]) {
-    if (verdict["name"] != "quadratic") continue;
-    // 99999999 for 99999998.0015...: eight digits, of which the last is wrong.
-    EXPECT_EQ(verdict["value"][0], "99999999");
-    EXPECT_EQ(verdict["right_digits"][0], 7);
+  const json& answers = step_of(panel_of(scene, 9, 8), "s")["answers"];
+  ASSERT_EQ(answers.size(), 1u);
+  // 99999999 for 99999998.0015...: eight digits, of which the last is wrong.
+  EXPECT_EQ(answers[0]["said"], json::parse(R"([["number", "9999999"], ["mark", "9"]])"));
+}
+
+/// Methods that agree in value, error and standing are told of once; every method is told of.
+TEST(View, methods_that_agree_share_an_answer) {
+  const json scene = document_of(kFarSphere)["scenes"][0];
+  std::size_t shared = 0, told = 0;
+  for (const json& panel : scene["panels"]) {
+    for (const json& step : panel["steps"]) {
+      std::set<std::string> contents;
+      for (json answer : step["answers"]) {
+        told += answer["names"].size();
+        if (answer["names"].size() > 1) ++shared;
+        answer.erase("names");
+        EXPECT_TRUE(contents.insert(answer.dump()).second) << answer;
+      }
+    }
   }
+  EXPECT_GT(shared, 1000u);
+  EXPECT_GT(told, 10'000u);
+}
+
+TEST(View, panels_show_the_methods_that_were_asked_for) {
+  const auto names_in = [](const json& panel) {
+    std::set<std::string> names;
+    for (const json& verdict : panel["verdicts"]) names.insert(verdict["name"]);
+    for (const json& step : panel["steps"]) {
+      for (const json& answer : step["answers"]) {
+        for (const json& one : answer["names"]) names.insert(one);
+      }
+    }
+    for (const json& mark : panel["microscope"]["marks"]) names.insert(mark["name"]);
+    return names;
+  };
+  const json some = document_of(kFarSphere + " --method quadratic,cross")["scenes"][0];
+  EXPECT_EQ(names_in(panel_of(some, 9, 8)),
+            (std::set<std::string>{"direct", "quadratic", "cross"}));
+  const json all = document_of(kFarSphere)["scenes"][0];
+  EXPECT_GT(names_in(panel_of(all, 9, 8)).size(), 13u);
+}
+
+TEST(View, says_how_many_discrepancies_there_are_and_are_listed) {
+  const json document = document_of(kFarSphere + " --method quadratic");
+  const json checked =
+      json::parse(run("check " + kFarSphere + " --intersect quadratic --format json").out);
+  const std::uint64_t total = checked["candidates"][0]["discrepancies"];
+  const std::string worst = document["worst"];
+  EXPECT_NE(worst.find(fmt::format("the worst of {} discrepancies here; {} places", total,
+                                   document["findings"].size())),
+            std::string::npos)
+      << worst;
+}
+
+TEST(View, says_what_s_counts_where_a_direction_is_no_unit_vector) {
+  const auto said = [](const std::string& direction) {
+    const json panel = document_of(temporary_file(
+        "view.toml",
+        "[[ray]]\norigin = [-5, 0, 0]\ndirection = " + direction +
+            "\n[[sphere]]\ncentre = [0, 0, 0]\nradius = 1\n"))["scenes"][0]["panels"][0];
+    return panel["exact"]["said"].dump() + panel["microscope"]["sentences"][0].dump();
+  };
+  EXPECT_EQ(said("[1, 0, 0]").find("direction"), std::string::npos);
+  const std::string told = said("[0.5, 0, 0]");
+  const std::string remark = "8 times the ray's direction, which is 0.5 long";
+  EXPECT_NE(told.find(" times the ray's direction, which is 0.5 long"), std::string::npos) << told;
+  EXPECT_NE(told.find(remark), std::string::npos) << told;
+}
+
+TEST(View, the_microscope_of_a_miss_says_why_it_is_wide) {
+  const json scene = document_of(kFarSphere)["scenes"][0];
+  const json& microscope = panel_of(scene, 2, 0)["microscope"];
+  double nearest = HUGE_VAL;
+  for (const json& mark : microscope["marks"]) {
+    nearest = std::min(nearest, std::max(std::abs(number(mark["x"])), std::abs(number(mark["y"]))));
+  }
+  ASSERT_LT(nearest, HUGE_VAL);
+  const std::string told = microscope["sentences"][1];
+  EXPECT_NE(told.find(fmt::format("claims is {:.3g} ulp away", nearest)), std::string::npos)
+      << told;
 }
 
 TEST(View, pictures_count_what_they_show) {
@@ -255,16 +346,17 @@ TEST(View, names_that_are_html_are_text) {
 
 TEST(View, a_dial_has_a_scene_for_each_severity) {
   const json document = document_of("--family distance --method quadratic,cross --cases 20");
-  const json& dial = document["dial"];
-  EXPECT_EQ(dial["severities"].size(), 16u);
-  EXPECT_EQ(dial["scenes"].size(), document["scenes"].size());
-  ASSERT_EQ(dial["curves"].size(), 2u);
+  const json& facet = document["chart"]["facets"][0];
+  EXPECT_EQ(facet["severities"].size(), 16u);
+  EXPECT_EQ(document["dial"]["scenes"].size(), 16u);
+  EXPECT_EQ(document["scenes"].size(), 16u);
+  ASSERT_EQ(facet["series"].size(), 2u);
   // It opens where the first method first goes wrong.
   ASSERT_FALSE(document["findings"].empty());
   EXPECT_GT(document["findings"][0]["scene"], 0);
   EXPECT_EQ(document["findings"][0]["method"], "quadratic");
-  EXPECT_FALSE(dial["curves"][0]["points"].back()["stable"].get<bool>());
-  EXPECT_TRUE(dial["curves"][1]["points"].back()["stable"].get<bool>());
+  EXPECT_EQ(facet["series"][0]["points"].back()["standing"], "defect");
+  EXPECT_EQ(facet["series"][1]["points"].back()["standing"], "excused");
 }
 
 TEST(View, refuses_what_is_not_there) {

@@ -11,7 +11,8 @@ const MOST_NAMED_SPHERES = 24;
 const CELL = [[-0.5, -0.5], [0.5, -0.5], [0.5, 0.5], [-0.5, 0.5]];
 
 /// What a store's scene shows of its choice; layers.rays is "none", "pixel", "row" or "all". Colours are as CSS has
-/// them. A thing that has `select` is chosen by a click; `whole` are the points that a view of the whole shows.
+/// them, those of names as the palette calls them. A thing that has `select` is chosen by a click; `whole` are the
+/// points that a view of the whole shows.
 export function drawList(store, layers, palette) {
   const { figure, seen } = store.scene();
   const { camera, spheres, apart } = figure;
@@ -30,7 +31,7 @@ export function drawList(store, layers, palette) {
   for (const ray of raysShown(list)) addRay(list, ray);
   for (const { index, centre } of list.spheres) {
     if (spheres.centre.length > MOST_NAMED_SPHERES && index !== store.selection.sphere) continue;
-    list.names.push({ at: centre, text: `sphere ${index}`, colour: palette.ink, sphere: index });
+    list.names.push({ at: centre, text: `sphere ${index}`, colour: "ink", sphere: index });
   }
   return list;
 }
@@ -57,7 +58,7 @@ function addParts({ figure, layers, palette, segments, points, names }, parts, p
   for (const { at: [first, second = first], text, colour } of parts.names.filter(({ layer }) => layers[layer])) {
     if (!places[first] || !places[second]) continue;
     const at = times(plus(places[first], places[second]), 0.5);
-    names.push({ at, text: drawing?.names[first] ?? text, colour: palette[colour] });
+    names.push({ at, text: drawing?.names[first] ?? text, colour });
   }
 }
 
@@ -86,7 +87,7 @@ function addPixels({ camera, palette, selection, segments, points, names }) {
   const [i, j] = selection.pixel;
   const cell = CELL.map(([x, y]) => pixelPointOf(camera, i + x, j + y));
   cell.forEach((from, k) => segments.push({ from, to: cell[(k + 1) % 4], colour: palette.ink, thick: true }));
-  names.unshift({ at: pixelPointOf(camera, i, j), text: `pixel (${i}, ${j}), chosen`, colour: palette.ink });
+  names.unshift({ at: pixelPointOf(camera, i, j), text: `pixel (${i}, ${j}), chosen`, colour: "ink" });
 }
 
 /// The rays to draw: {origin, direction, colour, select, index or hit}.

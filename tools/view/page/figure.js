@@ -28,23 +28,22 @@ const LEAST_SHOWN = 2 ** -40; // of the way to a sphere's centre: doubles near i
 
 export function mountFigure(root, store) {
   const figure = {
-    store, view: "corner", list: null, panes: [], lost: "", isDue: false,
+    store, view: null, list: null, panes: [], lost: "", isDue: false,
     canvas: element("canvas", {}),
     flat: svg("svg", { class: "figure-flat" }),
     names: svg("svg", { class: "figure-names" }),
     controls: element("div", { class: "figure-controls", role: "group", "aria-label": "what the figure shows" }),
     notes: element("p", { class: "quiet", role: "status" }),
   };
-  figure.stage = element("div", { class: "figure-stage", tabindex: "0", role: "img", "aria-describedby": "figure-hint" },
+  figure.stage = element("div",
+    { class: "figure-stage", tabindex: "0", role: "img", "aria-describedby": "figure-hint" },
     figure.canvas, figure.flat, figure.names);
   figure.painter = webglPainter(figure.canvas);
   if (figure.painter) figure.orbit = createOrbit(figure.stage, () => redrawFigure(figure));
   else figure.lost = "This browser gives no WebGL 2: the figure is flat.";
   root.append(figure.controls, figure.stage, figure.notes, element("p", { class: "quiet", id: "figure-hint" }, HINT));
-  rebuildFigure(figure);
-  startView(figure);
-  root.append(figureTable(store, () => figure.list));
   listen(figure);
+  root.append(figureTable(store, () => figure.list));
   Object.assign(window.raycheckPage, { webglPainter, eyeViewer }); // for tests of what the GPU makes of spheres
 }
 
@@ -52,7 +51,7 @@ function listen(figure) {
   const { store, stage } = figure;
   store.subscribe((_, changed) => {
     rebuildFigure(figure);
-    if (changed.includes("scenesIndex")) startView(figure);
+    if (figure.view === null || changed.includes("scenesIndex")) startView(figure);
     else if (changed.includes("selection") && ["across", "sphere"].includes(figure.view)) showView(figure, figure.view);
   });
   walkByKeys(stage, store);

@@ -1,5 +1,5 @@
 // The scene's pictures, two at a time with a divider between them, and the chosen pixel.
-import { brief, choice, element, rangeField, svg } from "./dom.js";
+import { brief, choice, element, rangeField, refill, svg } from "./dom.js";
 import { placeText, walkByKeys } from "./store.js";
 
 const SMALLEST_RING = 1 / 40; // of the picture's width: so large is the ring even where pixels are small
@@ -19,51 +19,43 @@ export function mountPicture(root, store) {
   const divide = (percent) => { // the right picture begins there
     images[1].style.clipPath = `inset(0 0 0 ${percent}%)`;
     for (const end of ["x1", "x2"]) line.setAttribute(end, `${percent}%`);
+    divider.show(percent);
   };
-  const { input, field } = rangeField("divider", "Divider", 100, (percent) => `${percent} %`, divide);
-  root.append(element("h2", { id: "picture-heading" }, "Picture"), choices, view, field, place, legends);
+  const tellDivided = (percent) => (percent === 0 ? "all of Right" : percent === 100 ? "all of Left"
+    : `${percent} % Left, the rest Right`);
+  const divider = rangeField("divider", "Divider", 100, tellDivided, divide);
+  root.append(element("h2", { id: "picture-heading" }, "Picture"), choices, view, divider, place, legends);
   walkByKeys(view, store);
-  input.show(50);
-  divide(50);
+  divide(0);
 
-  const showPictures = () => {
-    const { pictures } = store.scene();
-    const both = [pictures[shown.left], pictures[shown.right]];
-    both.forEach((picture, k) => {
-      images[k].src = picture.png;
-      images[k].alt = pictureName(picture);
-    });
-    legends.replaceChildren(...[...new Set(both)].map(legend));
-  };
-  const showScene = () => {
-    const { pictures, figure: { camera } } = store.scene();
-    root.hidden = pictures.length === 0;
-    if (root.hidden) return;
-    shown.left = 0;
-    shown.right = Math.max(0, pictures.findIndex((picture) => picture.kind === "error"));
+  const showScene = ({ pictures, figure: { camera } }) => {
     view.setAttribute("aria-label", `Picture, ${camera.width} by ${camera.height} pixels; arrow keys choose one`);
     view.style.aspectRatio = `${camera.width} / ${camera.height}`;
     overlay.setAttribute("viewBox", `0 0 ${camera.width} ${camera.height}`);
-    choices.replaceChildren(...["left", "right"].map((side) => choice(`picture-${side}`, side === "left" ? "Left" : "Right",
-      pictures.map((picture, k) => [k, pictureName(picture)]), shown[side], (value) => {
+    const both = ["left", "right"].map((side) => pictures[shown[side]]);
+    both.forEach(({ png, name }, k) => Object.assign(images[k], { src: png, alt: brief(name) }));
+    refill(choices, ["left", "right"].map((side) => choice(`picture-${side}`, side === "left" ? "Left" : "Right",
+      pictures.map(({ name }, k) => [k, name]), shown[side], (value) => {
         shown[side] = Number(value);
-        showPictures();
+        showScene(store.scene());
       })));
-    showPictures();
+    legends.replaceChildren(...[...new Set(both)].map(legend));
   };
-  const show = () => {
-    if (shown.scene !== store.scenesIndex) showScene();
-    shown.scene = store.scenesIndex;
-    const { figure: { camera }, seen } = store.scene();
+  store.subscribe(() => {
+    const { pictures, figure: { camera }, seen } = store.scene();
     const { pixel } = store.selection;
-    if (camera === null || pixel === null) return;
+    root.hidden = pictures.length === 0;
+    if (root.hidden || pixel === null) return;
+    if (shown.scene !== store.scenesIndex) {
+      const right = Math.max(0, pictures.findIndex(({ kind }) => kind === "error"));
+      Object.assign(shown, { scene: store.scenesIndex, left: 0, right });
+      showScene(store.scene());
+    }
     rings.replaceChildren(...ringAround(pixel, camera));
     const sphere = seen === null ? null : seenAt(seen, pixel[1] * camera.width + pixel[0]);
     place.replaceChildren(placeText({ pixel, ray: null, sphere: null }),
       sphere === null ? "" : sphere < 0 ? " sees no sphere" : ` sees sphere ${sphere}`);
-  };
-  store.subscribe(show);
-  show();
+  });
 }
 
 function choosePixelAt(event, view, store) {
@@ -86,24 +78,16 @@ function ringAround([i, j], camera) {
   return ["ring-under", "ring"].map((kind) => svg("rect", { class: kind, ...place }));
 }
 
+/// The sphere that pixel number `index` sees, of runs [pixels, sphere].
 export function seenAt(runs, index) {
   let left = index;
-  for (const [pixels, sphere] of runs) {
-    if (left < pixels) return sphere;
-    left -= pixels;
-  }
-  return null;
+  return runs.find(([pixels]) => (left -= pixels) < 0)?.[1] ?? null;
 }
 
-function pictureName({ kind, candidate }) {
-  return kind === "certified" ? "certified" : kind === "answered" ? `as ${brief(candidate)} has it` : `errors of ${brief(candidate)}`;
-}
-
-function legend(picture) {
+function legend({ name, legend: entries }) {
   const swatch = (colour) => svg("svg", { class: "swatch", viewBox: "0 0 1 1", "aria-hidden": "true" },
     svg("rect", { width: 1, height: 1, fill: colour }));
-  return element("figure", { class: "legend" },
-    element("figcaption", { dir: "auto" }, pictureName(picture)),
-    element("ul", {}, picture.legend.filter((entry) => entry.pixels !== 0).map((entry) => element("li", {},
-      swatch(entry.colour), ` ${brief(entry.text)} `, element("span", { class: "number" }, entry.pixels ?? "")))));
+  return element("figure", { class: "legend" }, element("figcaption", { dir: "auto" }, brief(name)),
+    element("ul", {}, entries.filter(({ pixels }) => pixels !== 0).map(({ colour, text, pixels }) =>
+      element("li", {}, swatch(colour), ` ${brief(text)} `, element("span", { class: "number" }, pixels ?? "")))));
 }
