@@ -24,11 +24,17 @@ namespace raycheck::tools {
 /// Units: (p - origin) * 2^scale_exponent of the figure that it belongs to; directions are unit.
 using Drawn = std::array<double, 3>;
 
+/// Places that have a name: figure_parts.h says what is drawn between, at and beside them.
+using DrawnPlaces = std::vector<std::pair<std::string, Drawn>>;
+
 /// A camera that is drawn, with the eye as the origin.
 struct DrawnCamera {
-  Drawn U, V, W, look_at, up;
+  Drawn U, V, W;
   double near = 0, left = 0, right = 0, bottom = 0, top = 0;
-  std::optional<double> far;
+  std::array<std::int64_t, 2> pixel_steps{}, ray_steps{};  ///< Columns, rows: one in so many.
+  double counts_from = 0, counts_to = 0;                   ///< Which s count,
+  bool in_radii = false;                                   ///< in radii of the sphere,
+  bool smaller_counts = true, larger_counts = true;        ///< and of which roots.
 };
 
 struct DrawnSphere {
@@ -41,10 +47,12 @@ struct DrawnSphere {
 /// A ray that a scene gives.
 struct DrawnRay {
   Drawn origin, direction;
+  std::optional<Drawn> hit;
 };
 
 /// A scene as it is drawn: every coordinate is computed exactly relative to the origin, scaled by a
-/// power of two and rounded once.
+/// power of two and rounded once; the frustum's corners, of the rounded axes, within 8u of their
+/// distance.
 struct Figure {
   scene::Point3 origin;  ///< The eye, or the origin of the first given ray, in the scene.
   int scale_exponent = 0;
@@ -52,6 +60,13 @@ struct Figure {
   std::vector<DrawnRay> rays;
   std::vector<DrawnSphere> spheres;
   std::size_t spheres_left_out = 0;
+  DrawnPlaces places;              ///< Of the camera.
+  double size = 0;                 ///< How far the frustum reaches, or given rays and a sphere,
+  double reach = 0;                ///< and what a view of the whole shows.
+  std::vector<Drawn> whole;        ///< What it shows besides spheres,
+  std::vector<std::size_t> apart;  ///< and the spheres that it leaves out.
+  bool is_out_of_scale = false;    ///< It shows little: the view from the eye comes first.
+  std::vector<std::string> notes;  ///< On what is not drawn as it is.
 };
 
 /// Which ray of a scene is looked at, and which of its spheres.
@@ -62,22 +77,13 @@ struct Selection {
   bool operator==(const Selection&) const = default;
 };
 
-/// One of the two points in which a ray's line meets a sphere.
-struct DrawnRoot {
-  bool smaller = false;
-  Drawn point;
-  double parameter = 0;    ///< s, correctly rounded.
-  bool counts = false;     ///< Under the conventions.
-  bool is_chosen = false;  ///< It is the exact answer.
-};
-
 /// A ray and the sphere that its panel speaks of.
 struct PanelDrawing {
-  Drawn origin;                ///< L
-  std::optional<Drawn> pixel;  ///< P
-  Drawn direction;             ///< D
-  std::optional<Drawn> foot;   ///< L + v D, the point of the line nearest to the centre.
-  std::vector<DrawnRoot> roots;
+  Drawn direction;              ///< D
+  std::optional<Drawn> across;  ///< Of the sphere: a unit vector square to D, towards its centre.
+  double until = 0;             ///< How far from L the line is drawn.
+  DrawnPlaces places;           ///< L, P, the foot L + v D, the roots, what lies behind.
+  std::vector<std::pair<std::string, std::string>> names;  ///< What is written at a place.
 };
 
 /// Where a method's answer lies in the microscope.

@@ -82,12 +82,11 @@ TEST(View, subtracts_the_eye_exactly) {
   EXPECT_EQ(scene["figure"]["spheres"]["centre"][0][0].get<double>() *
                 std::exp2(-scene["figure"]["scale_exponent"].get<int>()),
             2.0);
-  const json& roots = scene["panels"][0]["drawing"]["roots"];
-  ASSERT_EQ(roots.size(), 2u);
-  EXPECT_EQ(roots[0]["s"], "1");
-  EXPECT_EQ(roots[1]["s"], "3");
-  EXPECT_TRUE(roots[0]["chosen"].get<bool>());
-  EXPECT_TRUE(roots[1]["counts"].get<bool>());
+  const json& drawing = scene["panels"][0]["drawing"];
+  EXPECT_EQ(drawing["names"]["near root"], "near root, s = 1, the answer");
+  EXPECT_EQ(drawing["names"]["far root"], "far root, s = 3");
+  EXPECT_EQ(drawing["places"]["answer"], drawing["places"]["near root"]);
+  EXPECT_EQ(scene["figure"]["rays"][0]["hit"], drawing["places"]["answer"]);
 }
 
 TEST(View, shows_both_roots_of_a_line_that_meets_the_sphere_behind_its_origin) {
@@ -95,13 +94,71 @@ TEST(View, shows_both_roots_of_a_line_that_meets_the_sphere_behind_its_origin) {
                                           "[[ray]]\norigin = [0, 0, 0]\ndirection = [2, 0, 0]\n"
                                           "[[sphere]]\ncentre = [-6, 0, 0]\nradius = 2\n");
   const json panel = document_of(file)["scenes"][0]["panels"][0];
-  ASSERT_EQ(panel["drawing"]["roots"].size(), 2u);
-  EXPECT_EQ(panel["drawing"]["roots"][0]["s"], "-4");
-  for (const json& root : panel["drawing"]["roots"]) {
-    EXPECT_FALSE(root["counts"].get<bool>());
-    EXPECT_FALSE(root["chosen"].get<bool>());
-  }
+  const json& drawing = panel["drawing"];
+  EXPECT_EQ(drawing["names"]["near root"], "near root, s = -4, does not count");
+  EXPECT_EQ(drawing["names"]["far root"], "far root, s = -2, does not count");
+  EXPECT_FALSE(drawing["places"].contains("answer"));
+  EXPECT_EQ(drawing["places"]["behind"], drawing["places"]["near root"]);
   EXPECT_FALSE(panel["microscope"]["hit"].get<bool>());
+}
+
+TEST(View, tells_roots_apart) {
+  const json scene = document_of(kFarSphere)["scenes"][0];
+  const json& names = panel_of(scene, 9, 8)["drawing"]["names"];
+  EXPECT_EQ(names["near root"], "near root, s = 99999998, the answer");
+  EXPECT_EQ(names["far root"], "far root, s = 100000000");
+}
+
+/// One root, at (1, 0, 0) from the ray's origin, in a figure whose lengths are the scene's.
+TEST(View, names_a_double_root_once) {
+  const std::string file = temporary_file("view.toml",
+                                          "[[ray]]\norigin = [0, 1, 0]\ndirection = [1, 0, 0]\n"
+                                          "[[sphere]]\ncentre = [1, 0, 0]\nradius = 1\n");
+  const json drawing = document_of(file)["scenes"][0]["panels"][0]["drawing"];
+  EXPECT_EQ(drawing["names"], (json{{"double root", "double root, s = 1, the answer"}}));
+  EXPECT_EQ(drawing["places"]["double root"], (json{1, 0, 0}));
+  EXPECT_EQ(drawing["across"], (json{0, -1, 0}));
+}
+
+/// A camera at the origin, near = -1: what joins these places is the frustum.
+TEST(View, the_frustum_has_its_corners_and_its_names) {
+  const json document = document_of(scene_file(1, "[[sphere]]\ncentre = [0, 0, -3]\nradius = 1\n"));
+  const json& figure = document["scenes"][0]["figure"];
+  EXPECT_EQ(figure["places"]["E"], (json{0, 0, 0}));
+  EXPECT_EQ(figure["places"]["A"], (json{0, 0, -1}));
+  EXPECT_EQ(figure["places"]["near 0"], (json{-1, -1, -1}));
+  EXPECT_EQ(figure["places"]["near 2"], (json{1, 1, -1}));
+  EXPECT_EQ(figure["places"]["plane 2"], (json{1.5, 1.5, -1}));
+  EXPECT_EQ(figure["places"]["pixel (0, 0)"], figure["places"]["near 0"]);
+  EXPECT_FALSE(figure["places"].contains("far 0"));
+  EXPECT_EQ(figure["reach"], 4);
+  EXPECT_EQ(figure["notes"], json::array());
+  std::string names;
+  for (const json& name : document["parts"]["names"])
+    names += name["text"].get<std::string>() + ";";
+  for (const char* part : {"eye E", "focal point", "W (view-plane normal);", "U;", "V;",
+                           "near clipping plane;", "far clipping plane;", "view plane;",
+                           "bounded image plane;", "look-at point A;", "up vector;"}) {
+    EXPECT_NE(names.find(part), std::string::npos) << part;
+  }
+}
+
+TEST(View, says_what_cannot_be_drawn_to_scale) {
+  const std::string spheres =
+      "[[sphere]]\ncentre = [0, 0, -3]\nradius = 1\n"
+      "[[sphere]]\ncentre = [0, 0, -1e8]\nradius = 1\n"
+      "[[sphere]]\ncentre = [0, 0, 0]\nradius = 1.5\n"
+      "[[sphere]]\ncentre = [0, 0, -2]\nradius = 1e-300\n";
+  const json figure = document_of(scene_file(1, spheres))["scenes"][0]["figure"];
+  EXPECT_EQ(figure["apart"], (json{1, 2}));
+  std::string notes;
+  for (const json& note : figure["notes"]) notes += note.get<std::string>() + "\n";
+  EXPECT_EQ(notes,
+            "Sphere 1 reaches too far for a view of the whole; look around the sphere.\n"
+            "Sphere 2 surrounds the eye; from outside only the far half is drawn.\n"
+            "Sphere 3 is too small, so far from the origin, to be drawn at any scale.\n");
+  EXPECT_FALSE(figure["out_of_scale"].get<bool>());
+  EXPECT_TRUE(document_of(kFarSphere)["scenes"][0]["figure"]["out_of_scale"].get<bool>());
 }
 
 const json& step_of(const json& panel, const std::string& symbol) {

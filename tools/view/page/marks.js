@@ -31,11 +31,6 @@ export const aroundPlace = (turns) => (x, y, width) => AWAY.flatMap((away) => tu
 export const inColumn = (left) => (x, y) =>
   [...COLUMN.map((k) => -k), ...COLUMN].map((k) => [left, y + (k - 0.5) * LABEL_LINE]);
 
-/// The first box around a place that lies in the pane and on no other.
-export function freeBox(x, y, width, pane, taken, turns = [0.5, 7.5, 3.5, 4.5, 1, 3, 2, 5, 6, 7, 0, 4]) {
-  return firstFree(aroundPlace(turns)(x, y, width), [x, y], width, pane, taken);
-}
-
 function firstFree(places, [x, y], width, pane, taken) {
   const isFree = ([left, top]) => left >= pane.x && top >= pane.y
     && left + width <= pane.x + pane.width && top + LABEL_LINE <= pane.y + pane.height

@@ -63,8 +63,9 @@ function magnifiedView({ hit, zooms, marks, region, grid }, zoom, width, store) 
   const taken = [...placed, { at: [x(0), y(0)] }].map(({ at }) => ({ x: at[0] - 8, y: at[1] - 8, width: 16 }));
   const curve = zooms[zoom].curve.map((point) => [x(point[0]), y(point[1])]);
   const inside = curve.filter((at) => at[0] > 0 && at[0] < width - 60 && at[1] > 40 && at[1] < height - 30);
-  const labels = [{ at: [x(0), y(0)], text: hit ? "exact" : "nearest to the centre" }, ...marksTogether(placed, store.methodTold()),
-    { at: [width - 20, height / 2], text: "ray" }, ...inside.slice(0, 1).map((at) => ({ at, text: "sphere" }))];
+  const labels = [{ at: [x(0), y(0)], text: hit ? "exact" : "nearest to the centre" },
+    ...marksTogether(placed, store.methodTold()), { at: [width - 20, height / 2], text: "ray" },
+    ...inside.slice(0, 1).map((at) => ({ at, text: "sphere" }))];
   return svg("svg", { viewBox: `0 0 ${width} ${height}`, role: "img", class: "instrument",
     "aria-label": `Where answers lie within ${half} ulp of the exact point` },
   svg("g", { "aria-hidden": "true" },

@@ -80,7 +80,7 @@ function ringAround([i, j], camera) {
 }
 
 /// The sphere that pixel number `index` sees, of runs [pixels, sphere].
-function seenAt(runs, index) {
+export function seenAt(runs, index) {
   let left = index;
   return runs.find(([pixels]) => (left -= pixels) < 0)?.[1] ?? null;
 }

@@ -7,10 +7,8 @@ export const times = (a, k) => [a[0] * k, a[1] * k, a[2] * k];
 export const dotProduct = (a, b) => a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 export const lengthOf = (a) => Math.hypot(a[0], a[1], a[2]); // neither overflows nor underflows
 export const unitOf = (a) => a.map((x) => x / lengthOf(a));
-
-export function crossProduct(a, b) {
-  return [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]];
-}
+export const crossProduct = (a, b) =>
+  [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]];
 
 /// alpha and beta of a pixel, fractions of a pixel too.
 function onPlane(camera, i, j) {
@@ -66,26 +64,10 @@ export function letterboxed(viewer, aspect, enlarged) {
   return { ...viewer, window: [x - halfX, x + halfX, y - halfY, y + halfY] };
 }
 
-const HALF_FIELD = Math.tan(Math.PI / 12);
-
-/// orbit: target, distance, and azimuth and elevation about axes [side, up, back].
-export function orbitViewer({ target, distance, azimuth, elevation, axes: [side, up, back] }, aspect) {
-  const level = plus(times(back, Math.cos(azimuth)), times(side, Math.sin(azimuth)));
-  const outward = plus(times(level, Math.cos(elevation)), times(up, Math.sin(elevation)));
-  const right = plus(times(side, Math.cos(azimuth)), times(back, -Math.sin(azimuth)));
-  const [halfX, halfY] = [HALF_FIELD * Math.max(aspect, 1), HALF_FIELD / Math.min(aspect, 1)];
-  return {
-    position: plus(target, times(outward, distance)),
-    axes: [right, crossProduct(outward, right), times(outward, -1)],
-    window: [-halfX, halfX, -halfY, halfY], nearest: distance / 4096, start: 0,
-  };
-}
-
-/// How far away a ball must be to be seen as a whole.
-export const distanceToFit = (radius) => radius / Math.sin(Math.atan(HALF_FIELD));
-
-export function parallelViewer(axes, middle, halfX, halfY) {
-  return { isParallel: true, position: middle, axes, window: [-halfX, halfX, -halfY, halfY], nearest: 0, start: 0 };
+/// How much of the screen places fill, from its middle; 1 and more where one is outside.
+export function shareSeen(viewer, places) {
+  return Math.max(...places.map((place) => homogeneous(viewer, place))
+    .map(([x, y, w]) => (w > 0 ? Math.max(Math.abs(x), Math.abs(y)) / w : 1)));
 }
 
 /// Coordinates along right, up and forward.
@@ -132,7 +114,7 @@ export function clippedSegment({ viewer }, from, to) {
   return first <= last ? [first > 0 ? between(a, b, first) : a, last < 1 ? between(a, b, last) : b] : null;
 }
 
-/// The strokes that show a segment {from, to, isDashed, hasArrow} on a pane, as pairs of homogeneous points.
+/// The strokes that show a segment {from, to, dashed, arrow} on a pane, as pairs of homogeneous points.
 export function strokesOf(pane, segment) {
   const clipped = clippedSegment(pane, segment.from, segment.to);
   if (clipped === null) return [];
@@ -140,8 +122,8 @@ export function strokesOf(pane, segment) {
   const [[ax, ay], [bx, by]] = [pixelsOf(a, pane), pixelsOf(b, pane)];
   const length = Math.hypot(bx - ax, by - ay);
   if (!(length > 0.05)) return [];
-  const strokes = segment.isDashed ? dashes(a, b, Math.max(1, Math.round(length / 10))) : [clipped];
-  if (!segment.hasArrow || length < 9) return strokes;
+  const strokes = segment.dashed ? dashes(a, b, Math.max(1, Math.round(length / 10))) : [clipped];
+  if (!segment.arrow || length < 9) return strokes;
   return [...strokes, ...arrowHead(b, (bx - ax) / length, (by - ay) / length, pane)];
 }
 
