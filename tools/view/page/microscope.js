@@ -20,29 +20,23 @@ export function mountMicroscope(root, store) {
     if (!shown.now || width === 0) return;
     drawing.replaceChildren(magnifiedView(shown.now, shown.zoom, width, store));
   };
+  const setZoom = (zoom) => {
+    shown.zoom = zoom;
+    draw();
+  };
   atEachWidth(drawing, draw);
   store.subscribe(() => {
     const now = store.panel()?.microscope ?? null;
     const told = store.methodTold();
     if (now !== shown.now || told !== shown.told) shown = { now, told, zoom: now && firstZoom(now, told) };
     refill(root, heading, now === null ? element("p", {}, "Here is nothing to magnify.") : [
-      now.sentences.map((sentence) => element("p", {}, briefSentence(sentence))), drawing, zoomField(shown, draw),
+      now.sentences.map((sentence) => element("p", {}, briefSentence(sentence))), drawing,
+      rangeField("zoom", "Window", now.zooms.length - 1, (k) => `\u00b1${now.zooms[k].half} ulp`, setZoom, shown.zoom),
       element("p", { class: "quiet" }, KEY), disclosure("All answers as a table",
         table("Answers around the exact point, in ulp", ["method", "along the ray", "towards the centre", "answer"],
           now.marks.map(({ name, x, y, text }) => [brief(name), x, y, brief(text)])))]);
     draw();
   });
-}
-
-function zoomField(shown, draw) {
-  const { zooms } = shown.now;
-  const field = rangeField("zoom", "Window", zooms.length - 1, (k) => `\u00b1${zooms[k].half} ulp`, (k) => {
-    shown.zoom = k;
-    field.show(k);
-    draw();
-  });
-  field.show(shown.zoom);
-  return field;
 }
 
 /// The narrowest window that shows the answer of the method told of, or any answer where none is.

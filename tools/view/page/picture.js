@@ -17,13 +17,12 @@ export function mountPicture(root, store) {
   const place = element("p", { id: "picture-place", class: "quiet" });
   const [choices, legends] = [element("div", { class: "fields" }), element("div", { id: "legends" })];
   const tellDivided = (percent) => (percent === 0 ? "all Right" : percent === 100 ? "all Left" : `${percent} % Left`);
-  const divider = rangeField("divider", "Divider", 100, tellDivided, (percent) => divide(percent));
   const divide = (percent) => { // the right picture begins there
     images.right.style.clipPath = `inset(0 0 0 ${percent}%)`;
     for (const end of ["x1", "x2"]) line.setAttribute(end, `${percent}%`);
-    divider.show(percent);
   };
-  root.append(element("h2", { id: "picture-heading" }, "Picture"), choices, view, divider, place, legends);
+  root.append(element("h2", { id: "picture-heading" }, "Picture"), choices, view,
+    rangeField("divider", "Divider", 100, tellDivided, divide), place, legends);
   walkByKeys(view, store);
   divide(0);
 
