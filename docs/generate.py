@@ -252,19 +252,26 @@ def roofline_table(rows):
 
 
 def plot_spheres(rows, path):
-    def series(what):
-        points = []
-        for name, row in rows.items():
-            if name.startswith("spheres:") and name.endswith("/" + what):
-                points.append(f"{name.split('/')[0][8:]} {rate(row)}")
-        return "\n".join(points)
-
-    kinds = [kind for kind in ("certified", "uncertified", "embree") if series(kind)]
-    script = [f"set terminal svg size 720,440 background 'white'; set output '{path}'",
-              "set logscale xy; set xlabel 'spheres'; set ylabel 'M rays/s'; set grid",
-              "set key bottom left"]
-    script += [f"${kind} << EOD\n{series(kind)}\nEOD" for kind in kinds]
-    script.append("plot " + ", ".join(f"${kind} with linespoints title '{kind}'" for kind in kinds))
+    """Every kind a curve of its own mark and colour (Okabe and Ito's), with its name at its end."""
+    curves = []
+    for kind, point, colour in (("certified", 7, "#0072b2"), ("uncertified", 5, "#d55e00"), ("embree", 9, "#009e73")):
+        points = [(name.split("/")[0][8:], rate(row)) for name, row in rows.items()
+                  if name.startswith("spheres:") and name.endswith("/" + kind)]
+        if points:
+            curves.append((kind, point, colour, points))
+    script = [f"set terminal svg size 720,440 font 'sans,13' background 'white'; set output '{path}'",
+              "set logscale xy; set xlabel 'spheres'; set ylabel 'M rays/s'; set grid; set key off",
+              "set xrange [*:1.2e7]"]
+    ends = sorted((float(points[-1][1]), kind) for kind, _, _, points in curves)
+    for place, (end, kind) in enumerate(ends):
+        x = next(points[-1][0] for name, _, _, points in curves if name == kind)
+        colour = next(colour for name, _, colour, _ in curves if name == kind)
+        # Names of curves that end together are set apart.
+        shift = (place - 0.5 * (len(ends) - 1)) * 0.9
+        script.append(f"set label '{kind}' at {x},{end} offset 1,{shift} textcolor '{colour}'")
+    script += [f"${kind} << EOD\n" + "\n".join(f"{x} {y}" for x, y in points) + "\nEOD" for kind, _, _, points in curves]
+    script.append("plot " + ", ".join(f"${kind} with linespoints pointtype {point} linecolor '{colour}'"
+                                      for kind, point, colour, _ in curves))
     subprocess.run(["gnuplot"], input="\n".join(script) + "\n", text=True, check=True)
 
 

@@ -89,7 +89,8 @@ const std::map<std::string, std::string> kInside = {{"reference/internal", "refe
                                                     {"fast/methods", "fast"},
                                                     {"tools/external/sandbox", "tools/external"},
                                                     {"tools/external/protocol", "tools/external"},
-                                                    {"tools/external/pictures", "tools/external"}};
+                                                    {"tools/external/pictures", "tools/external"},
+                                                    {"tools/report/plot", "tools/report"}};
 
 /// Programs of their own, which may see whatever they measure.
 const Rooms kPrograms = {"tools/bench"};

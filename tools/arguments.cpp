@@ -268,14 +268,6 @@ void add_view(CLI::App& command, std::optional<std::string>& path, std::string_v
                      fmt::format("write a page for a browser, which shows {}", what));
 }
 
-std::string candidate_words(const ExternalArguments& arguments) {
-  std::string text;
-  for (const std::string& candidate : arguments.candidates) {
-    text += " --candidate " + shell_word(candidate);
-  }
-  return text;
-}
-
 void add_certificates(CLI::App& command, std::optional<std::string>& path) {
   command
       .add_option("--certificates", path,

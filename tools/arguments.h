@@ -13,7 +13,7 @@
 #include "scene/files/scene_file.h"
 #include "tools/external/contestant.h"
 #include "tools/grade/rubric/driver_table.h"
-#include "tools/report/plot.h"
+#include "tools/report/plot/plot.h"
 #include "tools/report/view.h"
 #include "tools/terminal.h"
 
@@ -93,8 +93,6 @@ void add_format(CLI::App& command, std::string& format, const View<Report> (&vie
 }
 /// --view FILE: a page for a browser; `what` is what it shows.
 void add_view(CLI::App& command, std::optional<std::string>& path, std::string_view what);
-/// " --candidate ..." for each, as a shell takes them.
-std::string candidate_words(const ExternalArguments& arguments);
 /// --certificates FILE
 void add_certificates(CLI::App& command, std::optional<std::string>& path);
 /// --threads; `same` is what does not depend on it.

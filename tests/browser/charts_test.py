@@ -87,9 +87,10 @@ class Charts(PageTest):
             self.assertEqual(self.run_script("return document.querySelectorAll('#chart-drawing .faded text').length"), 3)
 
     def test_a_method_without_a_run_time_is_told_of(self):
-        self.open(chart_of("tradeoff", "--family", "distance", "--method", "cross,mpfr_exact", "--cases", "20"))
-        self.assertNotIn("mpfr_exact", self.names())
-        self.assertIn("mpfr_exact (", self.text("#chart-absent"))
+        path = temporary("kept.py", CANDIDATE.format(adapters=str(ROOT / "tools/external/adapters")))
+        self.open(chart_of("tradeoff", "--family", "distance", "--method", "cross", "--cases", "20", "--candidate", f"command:python3 {path}"))
+        self.assertEqual(self.names(), ["cross"])
+        self.assertRegex(self.text("#chart-absent"), r"^Not drawn: command:python3 .*kept\.py \(not timed: it is kept in a sandbox")
 
     def test_small_charts_are_of_every_family_and_lead_there(self):
         self.open(stress())

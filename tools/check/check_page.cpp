@@ -7,6 +7,7 @@
 
 #include "properties/search/worst_case.h"
 #include "properties/stage.h"
+#include "tools/external/external_candidate.h"
 #include "tools/external/staged.h"
 #include "tools/report/words.h"
 #include "tools/view/scene_view.h"
@@ -100,6 +101,13 @@ std::shared_ptr<const OtherMethod> other_of(const CandidateReport& candidate) {
   return staged(*external).front().other;
 }
 
+/// Someone else's renderer; empty where it is none.
+CandidateMaker renderer_of(const CandidateReport& candidate) {
+  const External* const external = external_of(candidate.contestant);
+  if (external == nullptr || !external->renderer) return nullptr;
+  return [external = *external] { return external_candidate(external); };
+}
+
 }  // namespace
 
 ViewDocument check_document(const CheckReport& report, const CheckPageOptions& options,
@@ -116,7 +124,6 @@ ViewDocument check_document(const CheckReport& report, const CheckPageOptions& o
                     ? group.front()->name
                     : document.title;
     view.file = shell_word(report.path);
-    view.more_arguments = options.more_arguments;
     view.is_of_methods = options.is_of_methods;
     view.wanted = options.wanted;
     for (const CandidateReport* candidate : group) {
@@ -124,6 +131,8 @@ ViewDocument check_document(const CheckReport& report, const CheckPageOptions& o
         view.methods.push_back(*pair);
       } else {
         view.other = other_of(*candidate);
+        view.more_arguments = candidate_words(candidate->name);
+        view.renderer = renderer_of(*candidate);
       }
       const auto found = findings_of(*candidate, report.scene, document.scenes.size());
       document.findings.insert(document.findings.end(), found.begin(), found.end());
@@ -143,9 +152,11 @@ ViewDocument check_document(const CheckReport& report, const CheckPageOptions& o
     document.scenes.push_back(view_of(report.scene, view, document.left_out, control));
   }
   const std::uint64_t total = report.discrepancies();
-  const std::size_t listed = document.findings.size();
-  document.found = total == 0 ? count_text(listed, "largest error") : places_found({listed, total});
-  if (total > 0) document.worst = worst_of({listed, total});
+  const std::vector<FindingView>& findings = document.findings;
+  const auto listed = static_cast<std::uint64_t>(std::count_if(
+      findings.begin(), findings.end(), [](const auto& one) { return one.standing.has_value(); }));
+  document.found = findings_found({listed, total}, findings.size() - listed);
+  if (listed > 0) document.worst = worst_of({listed, total});
   return document;
 }
 

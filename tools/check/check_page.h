@@ -1,7 +1,6 @@
 #ifndef RAYCHECK_TOOLS_CHECK_CHECK_PAGE_H_
 #define RAYCHECK_TOOLS_CHECK_CHECK_PAGE_H_
 
-#include <string>
 #include <vector>
 
 #include "tools/check/check.h"
@@ -12,7 +11,6 @@ namespace raycheck::tools {
 /// What is asked of a page besides what a report has found.
 struct CheckPageOptions {
   std::vector<Selection> wanted;  ///< Shown first.
-  std::string more_arguments;     ///< Of commands: the candidate, or nothing.
   bool is_of_methods = false;     ///< Methods were asked for: panels show the steps of no others.
 };
 

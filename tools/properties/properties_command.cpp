@@ -77,8 +77,7 @@ int run_properties_command(const PropertiesArguments& arguments) {
     print_warnings(sarif_warnings(properties_gate(report)));
   }
   if (view) {
-    view->write(page(
-        properties_document(report, candidate_words(arguments.external), run_control("page"))));
+    view->write(page(properties_document(report, run_control("page"))));
   }
   const bool fails = report.ratchet ? report.ratchet->fails() : report.failures() > 0;
   return exit_code(report.interrupted, fails, report.is_conclusive());

@@ -25,6 +25,7 @@ void add_candidate(const CampaignReport& campaign, SceneViewOptions& view) {
     view.methods = {find_pair(campaign.candidate)};
   } else if (!campaign.external->renderer) {
     view.other = staged(*campaign.external).front().other;
+    view.more_arguments = candidate_words(campaign.candidate);
   }
 }
 
@@ -38,7 +39,7 @@ std::string method_of(const CampaignReport& campaign, const SceneViewOptions& vi
 
 }  // namespace
 
-ViewDocument properties_document(const PropertiesReport& report, const std::string& more_arguments,
+ViewDocument properties_document(const PropertiesReport& report,
                                  const properties::RunControl& control) {
   ViewDocument document;
   document.title = "broken laws";
@@ -59,7 +60,6 @@ ViewDocument properties_document(const PropertiesReport& report, const std::stri
     SceneViewOptions view;
     view.name = fmt::format("{}.toml", campaign.law->name);
     view.file = view.name;
-    view.more_arguments = more_arguments;
     view.limits.panel_bytes = kPanelBytes / shown;
     add_candidate(campaign, view);
     const properties::Place place = worst.empty() ? properties::Place{} : worst.front().place;

@@ -9,7 +9,7 @@
 namespace raycheck::tools {
 
 /// The shrunk case of every broken law, as a page: a scene each.
-ViewDocument properties_document(const PropertiesReport& report, const std::string& more_arguments,
+ViewDocument properties_document(const PropertiesReport& report,
                                  const properties::RunControl& control);
 
 }  // namespace raycheck::tools

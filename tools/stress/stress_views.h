@@ -3,7 +3,7 @@
 
 // The views of `stress`, each in the file of its name.
 
-#include "tools/report/plot.h"
+#include "tools/report/plot/plot.h"
 #include "tools/report/view.h"
 #include "tools/stress/stress.h"
 

@@ -21,7 +21,6 @@ Json errors_json(const ChartPoint::Errors& errors) {
   return {{"compared", errors.compared},
           {"at", quantiles_json(errors.at)},
           {"told", std::move(told)},
-          {"condition", quantiles_json(errors.condition)},
           {"front", errors.is_front}};
 }
 
@@ -78,8 +77,8 @@ Json series_json(const ChartSeries& series, const ChartFacet& facet) {
                     {"told", fmt::format("{:.3g}", series.time->ratio)}};
   }
   json["text"] = time_text(series, facet);
-  json["whole"] = point_json(series.whole);
   json["points"] = Json::array();
+  if (!facet.baseline.empty()) json["points"].push_back(point_json(series.whole));
   for (const auto& point : series.points) json["points"].push_back(point_json(point));
   return json;
 }
@@ -89,13 +88,36 @@ std::string error_name(std::string_view quantity) {
   return fmt::format("{}{}", quantity, quantity.ends_with("error") ? "" : " error");
 }
 
+/// Of each quantity, share and severity what the problem magnifies errors by: the same for every
+/// method that was compared there.
+Json condition_json(const ChartFacet& facet) {
+  Json json = Json::array();
+  for (std::size_t quantity = 0; quantity < facet.quantities.size(); ++quantity) {
+    Json& shares = json.emplace_back(Json::array());
+    for (std::size_t share = 0; share < kChartShares.size(); ++share) {
+      Json& severities = shares.emplace_back(Json::array());
+      for (std::size_t k = 0; k < facet.severities.size(); ++k) {
+        std::optional<double> found;
+        for (const ChartSeries& series : facet.series) {
+          const auto& point = series.points[k];
+          if (!found && point) found = point->errors[quantity].condition[share];
+        }
+        severities.push_back(error_json(found));
+      }
+    }
+  }
+  return json;
+}
+
 Json facet_json(const ChartFacet& facet) {
   const bool is_timed = !facet.baseline.empty();
+  std::vector<std::string> severities = facet.severities;
+  if (is_timed) severities.insert(severities.begin(), "all");
   Json json = {
       {"title", fmt::format("{} on {}", facet.stage, facet.subject)},
       {"subject", facet.subject},
       {"stage", facet.stage},
-      {"severities", facet.severities},
+      {"severities", std::move(severities)},
       {"baseline", facet.baseline},
       {"under", is_timed ? fmt::format("run time, times that of {}", facet.baseline)
                          : fmt::format("severity: {}", facet.meaning)},
@@ -107,6 +129,7 @@ Json facet_json(const ChartFacet& facet) {
                                   {"error", error_name(info(quantity).name)},
                                   {"unit", unit_name(quantity, facet.precision)}});
   }
+  json["condition"] = condition_json(facet);
   json["series"] = Json::array();
   for (const ChartSeries& series : facet.series)
     json["series"].push_back(series_json(series, facet));

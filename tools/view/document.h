@@ -97,6 +97,7 @@ struct MicroscopeMark {
   double x = 0, y = 0;
   bool is_wrong = false;
   std::string text;
+  std::size_t window = 0;  ///< The narrowest zoom that shows it, or the widest.
 };
 
 /// The neighbourhood of the exact hit point, or of the ray's point nearest to the centre where the

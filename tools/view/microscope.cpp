@@ -207,6 +207,15 @@ void add_zooms(const Plane& plane, Microscope& scope) {
   }
 }
 
+/// A window is at least half as high as it is wide.
+std::size_t window_of(const MicroscopeMark& mark, const std::vector<Microscope::Zoom>& zooms) {
+  const auto found = std::find_if(zooms.begin(), zooms.end(), [&](const Microscope::Zoom& zoom) {
+    return std::abs(mark.x) <= zoom.half_width && std::abs(mark.y) <= zoom.half_width / 2;
+  });
+  const auto index = static_cast<std::size_t>(found - zooms.begin());
+  return zooms.empty() ? 0 : std::min(index, zooms.size() - 1);
+}
+
 Microscope look(const ExplainReport& report, const reference::ExactRay& ray,
                 const scene::Sphere& sphere, int bits) {
   const SphereReport& exact = report.spheres[*report.sphere];
@@ -223,7 +232,7 @@ Microscope look(const ExplainReport& report, const reference::ExactRay& ray,
   const Plane plane(ray, sphere, at, scope.ulp, bits);
   add_marks(report, plane, scope.ulp, scope);
   add_zooms(plane, scope);
-  scope.sentences = microscope_sentences(scope, report, scope.is_hit ? 0 : plane.gap());
+  for (MicroscopeMark& mark : scope.marks) mark.window = window_of(mark, scope.zooms);
   double neighbour = scope.parameter;
   for (int k = 0; k < kGridSteps; ++k) neighbour = next_of(neighbour, -HUGE_VAL, precision);
   for (int k = -kGridSteps; k <= kGridSteps && std::isfinite(neighbour); ++k) {
@@ -235,6 +244,7 @@ Microscope look(const ExplainReport& report, const reference::ExactRay& ray,
     const double unit_roundoff = precision == scene::Precision::kDouble ? 0x1p-53 : 0x1p-24;
     scope.region = *s->condition * unit_roundoff * std::abs(scope.parameter) / scope.ulp;
   }
+  scope.sentences = microscope_sentences(scope, report, scope.is_hit ? 0 : plane.gap());
   return scope;
 }
 

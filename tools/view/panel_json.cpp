@@ -206,7 +206,8 @@ Json microscope_json(const Microscope& microscope) {
                              {"x", told(mark.x)},
                              {"y", told(mark.y)},
                              {"wrong", mark.is_wrong},
-                             {"text", mark.text}});
+                             {"text", mark.text},
+                             {"window", mark.window}});
   }
   return json;
 }

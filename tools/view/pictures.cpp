@@ -12,14 +12,13 @@
 #include "reference/visibility/visibility.h"
 #include "tools/image/image_paint.h"
 #include "tools/report/png.h"
+#include "tools/view/drawn_picture.h"
 
 namespace raycheck::tools {
 namespace {
 
 using reference::kNoSphere;
 
-/// A pixel that a candidate has not answered.
-constexpr std::int32_t kFailed = -2;
 constexpr Colour kFailedColour = {128, 128, 128};
 
 /// Rows that are decided and painted at a time: between them an interrupt is heeded.
@@ -38,7 +37,8 @@ std::string png_of(const scene::Scene& scene, std::vector<Colour> pixels) {
 }
 
 Colour colour_of(std::int32_t sphere) {
-  if (sphere == kFailed) return kFailedColour;
+  if (sphere == kFailedPixel) return kFailedColour;
+  if (sphere == kSomePixel) return kHitColour;
   return sphere == kNoSphere ? kBackground : sphere_colour(static_cast<std::size_t>(sphere));
 }
 
@@ -54,9 +54,10 @@ ScenePicture picture_of(const scene::Scene& scene, const std::vector<std::int32_
   for (const auto& [sphere, count] : counts) {
     if (picture.legend.size() == kMostEntries) break;
     picture.legend.push_back({colour_of(sphere),
-                              sphere == kFailed     ? "no answer"
-                              : sphere == kNoSphere ? "no sphere"
-                                                    : fmt::format("sphere {}", sphere),
+                              sphere == kFailedPixel ? "no answer"
+                              : sphere == kSomePixel ? "a sphere, not told which"
+                              : sphere == kNoSphere  ? "no sphere"
+                                                     : fmt::format("sphere {}", sphere),
                               count});
   }
   picture.png = png_of(scene, std::move(pixels));
@@ -78,13 +79,16 @@ void answer(const scene::Scene& scene, const properties::Candidate& candidate, s
       rows[k] = nearest[k] ? static_cast<std::int32_t>(*nearest[k]) : kNoSphere;
     }
   } catch (const std::runtime_error&) {
-    std::fill(rows.begin(), rows.end(), kFailed);
+    std::fill(rows.begin(), rows.end(), kFailedPixel);
   }
 }
 
-std::vector<LegendEntry> error_legend(const ErrorCounts& counts) {
+/// Of a picture that is drawn as a whole no s is known.
+std::vector<LegendEntry> error_legend(const ErrorCounts& counts, bool is_drawn) {
   std::vector<LegendEntry> legend;
-  for (std::size_t k = 0; k < kErrorSteps.size(); ++k) {
+  if (is_drawn)
+    legend.push_back({kErrorSteps.front().colour, "as it should be", counts.pixels.front()});
+  for (std::size_t k = 0; k < kErrorSteps.size() && !is_drawn; ++k) {
     const bool is_last = k + 1 == kErrorSteps.size();
     legend.push_back({kErrorSteps[k].colour,
                       is_last ? std::string("s off by more")
@@ -116,10 +120,14 @@ SceneImages images_of(const scene::Scene& scene, const std::vector<CandidateMake
     ErrorCounts counts;
   };
   std::vector<Shown> shown;
-  for (const CandidateMaker& candidate : candidates) {
-    shown.push_back({candidate(),
-                     error_painter(scene, candidate),
-                     std::vector<std::int32_t>(count),
+  for (const CandidateMaker& maker : candidates) {
+    properties::Candidate candidate = maker();
+    const bool is_drawn = candidate.image != nullptr;
+    auto painter = is_drawn ? drawn_error_painter(scene, candidate) : error_painter(scene, maker);
+    auto answered = is_drawn ? drawn_picture(scene, candidate) : std::vector<std::int32_t>(count);
+    shown.push_back({std::move(candidate),
+                     std::move(painter),
+                     std::move(answered),
                      std::vector<Colour>(count),
                      {}});
   }
@@ -135,7 +143,9 @@ SceneImages images_of(const scene::Scene& scene, const std::vector<CandidateMake
     visibility.nearest(band.j_begin, band.j_end, {band.sphere, {}, {}, {}, {}});
     std::copy(band.sphere.begin(), band.sphere.end(), seen.begin() + j * camera.width);
     for (Shown& one : shown) {
-      answer(scene, one.candidate, j, std::span(one.answered).subspan(first, band.sphere.size()));
+      if (!one.candidate.image) {
+        answer(scene, one.candidate, j, std::span(one.answered).subspan(first, band.sphere.size()));
+      }
       one.painter->paint(band, std::span(one.errors).subspan(first, band.sphere.size()),
                          one.counts);
     }
@@ -151,7 +161,8 @@ SceneImages images_of(const scene::Scene& scene, const std::vector<CandidateMake
     images.pictures.push_back(
         picture_of(scene, one.answered, PictureKind::kAnswered, one.candidate.name));
     images.pictures.push_back({PictureKind::kError, one.candidate.name,
-                               png_of(scene, std::move(one.errors)), error_legend(one.counts)});
+                               png_of(scene, std::move(one.errors)),
+                               error_legend(one.counts, one.candidate.image != nullptr)});
   }
   return images;
 }

@@ -12,9 +12,9 @@ namespace raycheck::tools {
 using CandidateMaker = std::function<properties::Candidate()>;
 
 /// The pictures of a scene: what its pixels see, certified; for each candidate what it answers and
-/// how far its s is off.
+/// how far its s is off, or, of one that draws whole images, what it shows and where that is wrong.
 /// Domain: a valid scene with a camera of few enough pixels to be held at once; candidates that
-///         make rays from its origin and rank spheres.
+///         draw images, or make rays from its origin and rank spheres.
 struct SceneImages {
   std::vector<ScenePicture> pictures;
   std::vector<SeenRun> seen;

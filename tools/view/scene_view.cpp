@@ -15,7 +15,6 @@
 #include "tools/view/document_json.h"
 #include "tools/view/figure.h"
 #include "tools/view/panel.h"
-#include "tools/view/pictures.h"
 #include "tools/view/view_words.h"
 
 namespace raycheck::tools {
@@ -66,6 +65,7 @@ std::vector<CandidateMaker> candidates_of(const SceneViewOptions& options) {
     makers.push_back(answering_candidate(
         options.other, options.methods.empty() ? kDefaultMethods : options.methods.front()));
   }
+  if (options.renderer) makers.push_back(options.renderer);
   return makers;
 }
 
@@ -134,7 +134,7 @@ void add_panels(const scene::Scene& scene, const SceneViewOptions& options, Scen
   panels.other = options.other;
   if (options.is_of_methods) panels.methods = options.methods;
   panels.scene_argument = options.file;
-  panels.more_arguments = options.more_arguments;
+  if (options.other) panels.more_arguments = options.more_arguments;  // No renderer is explained.
   const std::vector<Selection> list = candidates_for_panels(scene, options);
   struct Made {
     Panel panel;

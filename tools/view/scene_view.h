@@ -4,6 +4,7 @@
 #include "properties/run_control.h"
 #include "tools/methods/methods.h"
 #include "tools/view/document.h"
+#include "tools/view/pictures.h"
 
 namespace raycheck::tools {
 
@@ -19,11 +20,13 @@ struct PageLimits {
 struct SceneViewOptions {
   std::string name;  ///< As commands and titles call it.
   std::string file;  ///< The scene as commands name it: a word, quoted where it has to be.
-  std::string more_arguments;       ///< Of commands: the candidate, or nothing.
+  std::string more_arguments;       ///< Of its commands: the candidate, or nothing.
   std::vector<MethodPair> methods;  ///< Whose pictures are shown; the rays are the first's.
   bool is_of_methods = false;       ///< Panels show the steps of those alone.
   /// Someone else's, by whose conventions all is shown; null: there is none.
   std::shared_ptr<const OtherMethod> other = nullptr;
+  /// Someone else's renderer, whose picture is shown; empty: there is none.
+  CandidateMaker renderer = {};
   /// What there has to be a panel of, the first selected at the start; empty: the middle.
   std::vector<Selection> wanted;
   PageLimits limits;

@@ -98,7 +98,7 @@ CheckOptions check_options(const ViewArguments& arguments) {
 }
 
 ViewDocument of_scene(const ViewArguments& arguments, const properties::RunControl& control) {
-  const CheckPageOptions options = {wanted(arguments), candidate_words(arguments.external),
+  const CheckPageOptions options = {wanted(arguments),
                                     !arguments.methods.empty() || !arguments.rays.empty()};
   const CheckReport report = check(check_options(arguments), control);
   print_warnings(report.warnings);

@@ -19,6 +19,9 @@ std::string explain_command(const ExplainReport& report, const Selection& asked,
                             const fast::PixelRayMethod& rays, const std::string& file,
                             const std::string& more);
 
+/// " --candidate ..." for someone else's implementation, as a shell takes it.
+std::string candidate_words(const std::string& candidate);
+
 /// A part of a whole that a page keeps: "3 of 7 spheres".
 struct Kept {
   std::uint64_t shown = 0, all = 0;
@@ -44,8 +47,8 @@ std::vector<std::string> microscope_sentences(const Microscope& microscope,
 
 /// Of the first of the findings, behind its place, of so many discrepancies in all.
 std::string worst_of(const Kept& places);
-/// How many places with discrepancies are listed, of how many discrepancies.
-std::string places_found(const Kept& places);
+/// How many places with discrepancies are listed, of how many discrepancies, and largest errors.
+std::string findings_found(const Kept& places, std::uint64_t errors);
 
 /// [word, what it means] of the words that pages use.
 std::vector<std::array<std::string, 2>> words_of_pages();

@@ -37,6 +37,10 @@ std::string explain_command(const ExplainReport& report, const Selection& asked,
   return command + more;
 }
 
+std::string candidate_words(const std::string& candidate) {
+  return " --candidate " + shell_word(candidate);
+}
+
 std::string smaller_pictures(const std::string& scene, const scene::Pixel& shown,
                              const scene::Pixel& all) {
   return fmt::format(
@@ -97,7 +101,12 @@ std::vector<std::string> microscope_sentences(const Microscope& microscope,
                   microscope.is_hit ? "exact hit point" : "ray's point nearest to the centre",
                   microscope.parameter, direction_remark(report), microscope.ulp,
                   is_single ? ", of a float: the candidate's format" : "")};
-  if (!microscope.is_hit) {
+  if (microscope.is_hit) {
+    sentences.push_back(
+        microscope.region ? fmt::format("Shaded: rounding the inputs moves s by up to {:.6g} ulp.",
+                                        *microscope.region)
+                          : "Shaded: rounding the inputs may move s anywhere.");
+  } else {
     std::string text = fmt::format(
         "A miss has no hit point; here the ray is {:.3g} ulp from the sphere", std::abs(gap));
     double nearest = HUGE_VAL;
@@ -137,9 +146,14 @@ std::string worst_of(const Kept& places) {
       places.shown == 1 ? "one place is" : fmt::format("{} places are", places.shown));
 }
 
-std::string places_found(const Kept& places) {
-  return fmt::format("{}, of {} {}", count_text(places.shown, "place"), places.all,
-                     places.all == 1 ? "discrepancy" : "discrepancies");
+std::string findings_found(const Kept& places, std::uint64_t errors) {
+  std::string text;
+  if (places.all > 0) {
+    text = fmt::format("{}, of {} {}", count_text(places.shown, "place"), places.all,
+                       places.all == 1 ? "discrepancy" : "discrepancies");
+  }
+  if (errors > 0) text += (text.empty() ? "" : "; ") + count_text(errors, "largest error");
+  return text.empty() ? "none" : text;
 }
 
 std::vector<std::array<std::string, 2>> words_of_pages() {

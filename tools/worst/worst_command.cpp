@@ -37,8 +37,7 @@ int run_worst(WorstArguments& arguments) {
   print_view(kWorstViews, arguments.format, report);
   if (scene && report.worst) scene->write(worst_scene(report));
   if (view && report.worst) {
-    view->write(
-        page(worst_document(report, candidate_words(arguments.external), run_control("page"))));
+    view->write(page(worst_document(report, run_control("page"))));
   }
   return exit_code(report.interrupted, report.is_unstable() || report.failures > 0,
                    report.worst.has_value());

@@ -5,11 +5,11 @@
 #include "tools/report/words.h"
 #include "tools/view/scene_view.h"
 #include "tools/view/selection.h"
+#include "tools/view/view_words.h"
 
 namespace raycheck::tools {
 
-ViewDocument worst_document(const WorstReport& report, const std::string& more_arguments,
-                            const properties::RunControl& control) {
+ViewDocument worst_document(const WorstReport& report, const properties::RunControl& control) {
   const properties::WorstCase& worst = *report.worst;
   ViewDocument document;
   document.title =
@@ -17,9 +17,12 @@ ViewDocument worst_document(const WorstReport& report, const std::string& more_a
   SceneViewOptions view;
   view.name = "worst.toml";
   view.file = view.name;
-  view.more_arguments = more_arguments;
   view.other = report.method.other;
-  if (!view.other) view.methods = {{report.method.rays, report.method.intersect}};
+  if (view.other) {
+    view.more_arguments = candidate_words(view.other->name);
+  } else {
+    view.methods = {{report.method.rays, report.method.intersect}};
+  }
   view.wanted = selections_of(worst.the_case, worst.shown.place);
   document.scenes.push_back(view_of(worst.the_case.scene, view, document.left_out, control));
   document.findings.push_back({discrepancy_head(worst.shown), std::string(report.method.name()),

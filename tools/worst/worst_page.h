@@ -10,8 +10,7 @@ namespace raycheck::tools {
 
 /// The input found, as a page.
 /// Domain: something was measured.
-ViewDocument worst_document(const WorstReport& report, const std::string& more_arguments,
-                            const properties::RunControl& control);
+ViewDocument worst_document(const WorstReport& report, const properties::RunControl& control);
 
 }  // namespace raycheck::tools
 

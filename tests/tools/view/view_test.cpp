@@ -320,6 +320,59 @@ TEST(View, pictures_count_what_they_show) {
   EXPECT_EQ(wrong, 56u);  // 7 missed, 49 false hits: as check says
 }
 
+std::uint64_t pixels_of(const json& picture, const std::string& text) {
+  for (const json& entry : picture["legend"]) {
+    if (entry["text"].get<std::string>().find(text) == 0) return entry["pixels"];
+  }
+  return 0;
+}
+
+std::string renderer(const std::string& mistake) {
+  return " --candidate 'renderer:python3 tests/candidates/rt.py " + mistake + " {scene} {image}'";
+}
+
+TEST(View, has_the_picture_that_a_renderer_draws_and_where_it_is_wrong) {
+  const std::string ten = "scene/examples/ten-spheres.toml";
+  const json right = document_of(ten + renderer("none"))["scenes"][0]["pictures"];
+  ASSERT_EQ(right.size(), 3u);
+  EXPECT_EQ(right[1]["legend"], right[0]["legend"]);
+  EXPECT_EQ(right[1]["png"], right[0]["png"]);
+  EXPECT_EQ(pixels_of(right[2], "as it should be"), 256u);
+  EXPECT_EQ(pixels_of(right[2], "wrong"), 0u);
+
+  const json mirrored = document_of(ten + renderer("mirrored"));
+  const json& pictures = mirrored["scenes"][0]["pictures"];
+  EXPECT_EQ(pictures[1]["legend"], pictures[0]["legend"]);  // as many pixels, elsewhere
+  EXPECT_NE(pictures[1]["png"], pictures[0]["png"]);
+  const json report =
+      json::parse(run("check " + ten + renderer("mirrored") + " --format json").out);
+  EXPECT_EQ(pixels_of(pictures[2], "wrong class or sphere: defect"),
+            report["candidates"][0]["discrepancies_by_standing"]["defect"].get<std::uint64_t>())
+      << report["candidates"][0].dump(1).substr(0, 2000);
+  // Its panels are of raycheck's methods: nobody explains a picture.
+  EXPECT_EQ(mirrored["scenes"][0]["panels"][0]["command"].get<std::string>().find("candidate"),
+            std::string::npos);
+
+  const json grey = document_of(ten + renderer("grey"))["scenes"][0]["pictures"];
+  EXPECT_EQ(pixels_of(grey[1], "a sphere, not told which"), 124u);
+  const json none = document_of(ten + renderer("crash"))["scenes"][0]["pictures"];
+  EXPECT_EQ(pixels_of(none[1], "no answer"), 256u);
+  EXPECT_EQ(pixels_of(none[2], "wrong class or sphere: defect"), 256u);
+}
+
+TEST(View, explains_each_of_several_implementations_alone) {
+  const json document = document_of(kFarSphere +
+                                    " --candidate 'command:python3 tests/candidates/right.py' "
+                                    "--candidate 'command:python3 tests/candidates/meets.py none'");
+  ASSERT_EQ(document["scenes"].size(), 2u);
+  for (const json& scene : document["scenes"]) {
+    const json& panel = scene["panels"][0];
+    const std::string command = panel["command"];
+    const Outcome explained = run(command.substr(command.find(' ') + 1));
+    EXPECT_EQ(explained.out, panel["text"].get<std::string>()) << command;
+  }
+}
+
 TEST(View, a_page_is_one_file_of_bounded_size_that_allows_nothing_else) {
   const std::string page = temporary_file("page.html", "");
   const Outcome result =

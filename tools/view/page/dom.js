@@ -52,11 +52,6 @@ export function briefSentence(text) {
   return brief(text, LONGEST_SENTENCE);
 }
 
-/// Lists of the items whose keys are the same, in the order of their firsts.
-export function alike(items, keyOf) {
-  return [...Map.groupBy(items, keyOf).values()];
-}
-
 /// A table that scrolls sideways where it is too wide; the first cell of a row is its heading.
 export function table(caption, columns, rows, look = "wide") {
   const cell = (content, k) => element(k === 0 ? "th" : "td", { scope: k === 0 ? "row" : null, dir: "auto" }, content);

@@ -50,7 +50,6 @@ async function start() {
 
 window.raycheckPage = { store: null, ready: null };
 window.raycheckPage.ready = start().catch((problem) => {
-  const at = byId(window.raycheckPage.store === null ? "headline" : "figure-view");
-  at.append(element("p", {}, `This could not be shown: ${problem.message}`));
+  (byId("headline") ?? byId("footer")).append(element("p", {}, `This could not be shown: ${problem.message}`));
   throw problem;
 });

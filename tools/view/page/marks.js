@@ -24,7 +24,7 @@ export function methodMark(number, standing, x, y, size) {
 }
 
 /// Where a label of that width is tried: around its place, in turns of 45 degrees; in a column, first upwards.
-export const around = (turns) => (x, y, width) => AWAY.flatMap((away) => turns.map((turn) => {
+export const aroundPlace = (turns) => (x, y, width) => AWAY.flatMap((away) => turns.map((turn) => {
   const [across, up] = [Math.cos(turn * Math.PI / 4), Math.sin(turn * Math.PI / 4)];
   return [x + (away + width / 2) * across - width / 2, y - (away + LABEL_LINE / 2) * up - LABEL_LINE / 2];
 }));
@@ -43,7 +43,7 @@ function firstFree(places, [x, y], width, pane, taken) {
 }
 
 /// A text at the first of `places` that is free, which it takes, with a leader from (x, y); null without room.
-export function label(text, [x, y], look, pane, taken, places) {
+export function writeLabel(text, [x, y], look, pane, taken, places) {
   const width = LETTER * text.length + 6;
   const box = firstFree(places(x, y, width), [x, y], width, pane, taken);
   if (box === null) return null;

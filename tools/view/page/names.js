@@ -1,8 +1,8 @@
 // Names in the figure: each beside its place, none over another.
-import { around, label } from "./marks.js";
+import { aroundPlace, writeLabel } from "./marks.js";
 import { onPane } from "./projection.js";
 
-const TURNS = [0.5, 7.5, 3.5, 4.5, 1, 3, 2, 5, 6, 7, 0, 4]; // where a name is tried, in turns of 45 degrees
+const TRIED = aroundPlace([0.5, 7.5, 3.5, 4.5, 1, 3, 2, 5, 6, 7, 0, 4]);
 
 /// Writes names {at, text, colour} over panes, the first first; returns how many found no room.
 export function writeNames(target, names, panes) {
@@ -10,7 +10,7 @@ export function writeNames(target, names, panes) {
     const taken = [];
     return names.flatMap(({ at, text, colour }) => {
       const place = onPane(pane, at);
-      return place ? [label(text, [place[0] + pane.x, place[1] + pane.y], colour, pane, taken, around(TURNS))] : [];
+      return place ? [writeLabel(text, [place[0] + pane.x, place[1] + pane.y], colour, pane, taken, TRIED)] : [];
     });
   });
   target.replaceChildren(...written.flat().filter((node) => node !== null));

@@ -1,5 +1,5 @@
 // What is told of the chosen ray: the sentence at the page's top, and the panel of its steps.
-import { alike, brief, briefSentence, choice, copyButton, disclosure, element } from "./dom.js";
+import { brief, briefSentence, choice, copyButton, disclosure, element } from "./dom.js";
 import { formula, labelled, mathematics, refill, table } from "./dom.js";
 import { placeText } from "./store.js";
 
@@ -63,67 +63,60 @@ function chooserFields(store) {
     camera === null ? null : numberField("pixel-j", "j", j, camera.height, (to) => choose({ pixel: [i, to] })),
     rays?.length > 1 ? numberField("ray", "Ray", selection.ray, rays.length, (ray) => choose({ ray })) : null,
     spheres.length > 1 ? choice("sphere", "Sphere", spheres, store.panel()?.sphere,
-      (value) => choose({ sphere: Number(value) })) : null,
-    element("button", { type: "button", id: "go-start",
-      click: () => store.set({ selection: { ...store.scene().start }, methodShown: null }) }, "Back to the start")];
+      (value) => choose({ sphere: Number(value) })) : null];
 }
 
 function numberField(id, label, value, count, onChange) {
-  const change = ({ target }) => {
-    const chosen = target.valueAsNumber;
-    if (Number.isInteger(chosen) && chosen >= 0 && chosen < count) onChange(chosen);
-    else target.value = value;
-  };
-  return labelled(id, label, element("input", { id, type: "number", min: 0, max: count - 1, step: 1, value, change }));
+  const change = ({ target }) => (target.checkValidity() ? onChange(target.valueAsNumber) : target.reportValidity());
+  return labelled(id, label,
+    element("input", { id, type: "number", min: 0, max: count - 1, step: 1, required: true, value, change }));
 }
 
 function howToAsk(store) {
   const { pixel, sphere } = store.selection;
-  if (pixel === null) return element("p", { id: "no-panel" }, NO_PANEL);
-  const ofSphere = sphere === null ? "" : ` --sphere ${sphere}`;
-  const command = `${store.scene().command} --pixel ${pixel.join()}${ofSphere} --out page.html`;
-  return element("p", { id: "no-panel" }, NO_PANEL, " One that has it is made by ",
+  const place = `${pixel === null ? "" : ` --pixel ${pixel.join()}`}${sphere === null ? "" : ` --sphere ${sphere}`}`;
+  const command = `${store.scene().command}${place} --out page.html`;
+  return element("p", { id: "no-panel" }, `${NO_PANEL} One that has it is made by `,
     element("code", { dir: "auto" }, briefSentence(command)), " ", copyButton("copy-view", "Copy", command));
 }
 
-function methodFilter(store, { verdicts }) {
-  const wrong = new Set(verdicts.filter((one) => one.wrong).map((one) => one.name));
-  const names = [...new Set([...wrong, ...verdicts.map((one) => one.name)])];
-  const button = (name, id, text) => element("button", { type: "button", class: "chip", dir: "auto", id: `method-${id}`,
-    "aria-pressed": String(store.methodShown === name),
-    click: () => store.set({ methodShown: store.methodShown === name ? null : name }) },
-  wrong.has(name) ? element("span", { class: "wrong" }, "\u2717 ", element("span", { class: "unseen" }, "wrong: ")) : "",
-  brief(text));
-  return element("div", { id: "methods", role: "group", "aria-label": "Methods shown" },
-    button(null, "all", "all methods"), names.map((name, k) => button(name, k, name)));
+function methodFilter({ methodShown, set }, { verdicts }) {
+  const wrong = new Set(verdicts.filter((one) => one.wrong).map(({ name }) => name));
+  const names = [...new Set([...wrong, ...verdicts.map(({ name }) => name)])];
+  const chip = (name, k) => element("button", { type: "button", class: "chip", dir: "auto",
+    id: name === null ? "method-all" : `method-${k}`, "aria-pressed": String(methodShown === name),
+    click: () => set({ methodShown: methodShown === name ? null : name }) },
+  wrong.has(name) ? element("span", { class: "wrong", "aria-label": "wrong: ", role: "img" }, "\u2717 ") : "",
+  brief(name ?? "all methods"));
+  return element("div", { id: "methods", role: "group", "aria-label": "Methods shown" }, [null, ...names].map(chip));
 }
 
 /// A step is open where the method told of goes wrong.
 function stepView(step, k, store, opened) {
-  const { methodShown } = store;
   const told = store.methodTold();
-  const shownOf = ({ names }) => names.filter((name) => methodShown === null || name === methodShown);
-  const answers = step.answers.map((one) => ({ ...one, names: shownOf(one) })).filter(({ names }) => names.length > 0);
+  const isShown = (name) => store.methodShown === null || name === store.methodShown;
+  const answers = step.answers.map((one) => ({ ...one, names: one.names.filter(isShown) }))
+    .filter(({ names }) => names.length > 0);
   const wrong = answers.filter((one) => one.wrong).flatMap(({ names }) => names);
   const first = wrong.includes(told) ? told : wrong[0];
   const more = wrong.length > 1 ? ` and ${wrong.length - 1} more` : "";
   const view = element("details", { id: `step-${k}`, "data-symbol": step.symbol,
-    class: first ? "step wrong-step" : "step", open: opened.get(step.symbol) ?? (first === told && wrong.length > 0) },
+    class: first ? "step wrong-step" : "step", open: opened.get(step.symbol) ?? wrong.includes(told) },
   element("summary", { id: `summary-${k}`, click: () => opened.set(step.symbol, !view.open) },
     element("h3", {}, symbolOf(step.symbol)), element("span", { class: "number" }, step.rounded),
     element("span", { class: "wrong" }, first ? `\u2717 goes wrong here: ${brief(first)}${more}` : "")),
   element("p", { class: "formula" }, symbolOf(step.symbol), " = ", formula(step.formula)), closedForm(step),
   element("p", { class: "quiet" }, step.condition),
   answers.length === 0 ? null : table(`What methods have for ${step.symbol}`, ["methods", "value", "error"],
-    answers.map((one) => [agreeing(one.names), spoken(one.said), [one.off,
-      one.wrong ? element("strong", { class: "wrong" }, " \u2717 goes wrong here") : ""]]), "values"));
+    answers.map((one) => [agreeing(one.names), spoken(one.said),
+      [one.off, one.wrong ? element("strong", { class: "wrong" }, " \u2717 goes wrong here") : ""]]), "values"));
   return view;
 }
 
 function closedForm({ symbol, mathml }) {
   if (mathml === null) return null;
-  const set = element("div", { class: "closed", tabindex: "0", role: "group", "aria-label": `closed form of ${symbol}` },
-    mathematics(mathml));
+  const set = element("div", { class: "closed", tabindex: "0", role: "group",
+    "aria-label": `closed form of ${symbol}` }, mathematics(mathml));
   return mathml.length <= LONGEST_SHOWN ? set : disclosure("closed form", set);
 }
 
@@ -135,8 +128,9 @@ function agreeing(names) {
 
 function verdictList({ verdicts }, methodShown) {
   const shown = verdicts.filter((one) => methodShown === null || one.name === methodShown);
-  return element("dl", { id: "verdicts" }, alike(shown, ({ wrong, said }) => `${wrong} ${said}`).map((same) =>
-    element("div", {}, element("dt", { dir: "auto", class: same[0].wrong ? "wrong" : null },
+  const groups = [...Map.groupBy(shown, ({ wrong, said }) => `${wrong} ${said}`).values()];
+  return element("dl", { id: "verdicts" }, groups.map((same) => element("div", {},
+    element("dt", { dir: "auto", class: same[0].wrong ? "wrong" : null },
       same[0].wrong ? "\u2717 " : "", same.map(({ name }) => brief(name)).join(", ")),
     element("dd", { dir: "auto" }, spoken(same[0].said)))));
 }

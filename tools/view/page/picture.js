@@ -6,39 +6,37 @@ const SMALLEST_RING = 1 / 40; // of the picture's width: so large is the ring ev
 
 export function mountPicture(root, store) {
   if (store.document.scenes.every((scene) => scene.pictures.length === 0)) return;
-  const shown = { scene: -1, left: 0, right: 0 };
+  const shown = { scene: -1, sides: { left: 0, right: 0 } };
   const line = svg("line", { class: "divider", y1: "0%", y2: "100%" });
   const rings = svg("g", {});
   const overlay = svg("svg", { "aria-hidden": "true" }, line, rings);
-  const images = [element("img", {}), element("img", {})];
+  const images = { left: element("img", {}), right: element("img", {}) };
   const view = element("div", { id: "picture-view", tabindex: "0", role: "application",
-    "aria-describedby": "picture-place", click: (event) => choosePixelAt(event, view, store) }, images, overlay);
+    "aria-describedby": "picture-place", click: (event) => choosePixelAt(event, view, store) },
+  images.left, images.right, overlay);
   const place = element("p", { id: "picture-place", class: "quiet" });
-  const choices = element("div", { class: "fields" });
-  const legends = element("div", { id: "legends" });
+  const [choices, legends] = [element("div", { class: "fields" }), element("div", { id: "legends" })];
+  const tellDivided = (percent) => (percent === 0 ? "all Right" : percent === 100 ? "all Left" : `${percent} % Left`);
+  const divider = rangeField("divider", "Divider", 100, tellDivided, (percent) => divide(percent));
   const divide = (percent) => { // the right picture begins there
-    images[1].style.clipPath = `inset(0 0 0 ${percent}%)`;
+    images.right.style.clipPath = `inset(0 0 0 ${percent}%)`;
     for (const end of ["x1", "x2"]) line.setAttribute(end, `${percent}%`);
     divider.show(percent);
   };
-  const tellDivided = (percent) => (percent === 0 ? "all of Right" : percent === 100 ? "all of Left"
-    : `${percent} % Left, the rest Right`);
-  const divider = rangeField("divider", "Divider", 100, tellDivided, divide);
   root.append(element("h2", { id: "picture-heading" }, "Picture"), choices, view, divider, place, legends);
   walkByKeys(view, store);
   divide(0);
 
-  const showScene = ({ pictures, figure: { camera } }) => {
-    view.setAttribute("aria-label", `Picture, ${camera.width} by ${camera.height} pixels; arrow keys choose one`);
-    view.style.aspectRatio = `${camera.width} / ${camera.height}`;
-    overlay.setAttribute("viewBox", `0 0 ${camera.width} ${camera.height}`);
-    const both = ["left", "right"].map((side) => pictures[shown[side]]);
-    both.forEach(({ png, name }, k) => Object.assign(images[k], { src: png, alt: brief(name) }));
-    refill(choices, ["left", "right"].map((side) => choice(`picture-${side}`, side === "left" ? "Left" : "Right",
-      pictures.map(({ name }, k) => [k, name]), shown[side], (value) => {
-        shown[side] = Number(value);
-        showScene(store.scene());
-      })));
+  const showPictures = () => {
+    const { pictures } = store.scene();
+    const both = Object.values(shown.sides).map((k) => pictures[k]);
+    const sideChoice = (side, label) => choice(`picture-${side}`, label, pictures.map(({ name }, k) => [k, name]),
+      shown.sides[side], (value) => {
+        shown.sides[side] = Number(value);
+        showPictures();
+      });
+    Object.values(images).forEach((image, k) => Object.assign(image, { src: both[k].png, alt: brief(both[k].name) }));
+    refill(choices, sideChoice("left", "Left"), sideChoice("right", "Right"));
     legends.replaceChildren(...[...new Set(both)].map(legend));
   };
   store.subscribe(() => {
@@ -48,8 +46,11 @@ export function mountPicture(root, store) {
     if (root.hidden || pixel === null) return;
     if (shown.scene !== store.scenesIndex) {
       const right = Math.max(0, pictures.findIndex(({ kind }) => kind === "error"));
-      Object.assign(shown, { scene: store.scenesIndex, left: 0, right });
-      showScene(store.scene());
+      Object.assign(shown, { scene: store.scenesIndex, sides: { left: 0, right } });
+      view.setAttribute("aria-label", `Picture, ${camera.width} by ${camera.height} pixels; arrow keys choose one`);
+      view.style.aspectRatio = `${camera.width} / ${camera.height}`;
+      overlay.setAttribute("viewBox", `0 0 ${camera.width} ${camera.height}`);
+      showPictures();
     }
     rings.replaceChildren(...ringAround(pixel, camera));
     const sphere = seen === null ? null : seenAt(seen, pixel[1] * camera.width + pixel[0]);

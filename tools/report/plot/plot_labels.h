@@ -1,5 +1,5 @@
-#ifndef RAYCHECK_TOOLS_REPORT_PLOT_LABELS_H_
-#define RAYCHECK_TOOLS_REPORT_PLOT_LABELS_H_
+#ifndef RAYCHECK_TOOLS_REPORT_PLOT_PLOT_LABELS_H_
+#define RAYCHECK_TOOLS_REPORT_PLOT_PLOT_LABELS_H_
 
 #include <array>
 #include <string>
@@ -55,4 +55,4 @@ std::vector<PlacedName> names_beside(const std::vector<NamedPoint>& points,
 
 }  // namespace raycheck::tools
 
-#endif  // RAYCHECK_TOOLS_REPORT_PLOT_LABELS_H_
+#endif  // RAYCHECK_TOOLS_REPORT_PLOT_PLOT_LABELS_H_

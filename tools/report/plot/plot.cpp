@@ -1,4 +1,4 @@
-#include "tools/report/plot.h"
+#include "tools/report/plot/plot.h"
 
 #include <stdlib.h>
 #include <sys/wait.h>

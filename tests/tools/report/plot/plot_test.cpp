@@ -1,4 +1,4 @@
-#include "tools/report/plot.h"
+#include "tools/report/plot/plot.h"
 
 #include <gtest/gtest.h>
 
@@ -6,7 +6,7 @@
 #include <set>
 #include <string>
 
-#include "tools/report/plot_series.h"
+#include "tools/report/plot/plot_series.h"
 
 namespace raycheck::tools {
 namespace {

@@ -1,5 +1,5 @@
-#ifndef RAYCHECK_TOOLS_REPORT_PLOT_H_
-#define RAYCHECK_TOOLS_REPORT_PLOT_H_
+#ifndef RAYCHECK_TOOLS_REPORT_PLOT_PLOT_H_
+#define RAYCHECK_TOOLS_REPORT_PLOT_PLOT_H_
 
 #include <cstddef>
 #include <stdexcept>
@@ -78,4 +78,4 @@ PlotTerminal plot_terminal(const std::string& path);
 
 }  // namespace raycheck::tools
 
-#endif  // RAYCHECK_TOOLS_REPORT_PLOT_H_
+#endif  // RAYCHECK_TOOLS_REPORT_PLOT_PLOT_H_

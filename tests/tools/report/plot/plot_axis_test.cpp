@@ -1,4 +1,4 @@
-#include "tools/report/plot_axis.h"
+#include "tools/report/plot/plot_axis.h"
 
 #include <gtest/gtest.h>
 

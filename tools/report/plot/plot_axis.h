@@ -1,5 +1,5 @@
-#ifndef RAYCHECK_TOOLS_REPORT_PLOT_AXIS_H_
-#define RAYCHECK_TOOLS_REPORT_PLOT_AXIS_H_
+#ifndef RAYCHECK_TOOLS_REPORT_PLOT_PLOT_AXIS_H_
+#define RAYCHECK_TOOLS_REPORT_PLOT_PLOT_AXIS_H_
 
 #include <string>
 #include <vector>
@@ -56,4 +56,4 @@ class PlotAxis {
 
 }  // namespace raycheck::tools
 
-#endif  // RAYCHECK_TOOLS_REPORT_PLOT_AXIS_H_
+#endif  // RAYCHECK_TOOLS_REPORT_PLOT_PLOT_AXIS_H_

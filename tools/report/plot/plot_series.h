@@ -1,14 +1,14 @@
-#ifndef RAYCHECK_TOOLS_REPORT_PLOT_SERIES_H_
-#define RAYCHECK_TOOLS_REPORT_PLOT_SERIES_H_
+#ifndef RAYCHECK_TOOLS_REPORT_PLOT_PLOT_SERIES_H_
+#define RAYCHECK_TOOLS_REPORT_PLOT_PLOT_SERIES_H_
 
-// How gnuplot is told to draw a series. Internal to tools/report/.
+// How gnuplot is told to draw a series. Internal to tools/report/plot/.
 
 #include <string>
 #include <string_view>
 #include <vector>
 
-#include "tools/report/plot.h"
-#include "tools/report/plot_axis.h"
+#include "tools/report/plot/plot.h"
+#include "tools/report/plot/plot_axis.h"
 
 namespace raycheck::tools {
 
@@ -34,4 +34,4 @@ std::vector<std::string> series_parts(const PlotSeries& series, const std::strin
 
 }  // namespace raycheck::tools
 
-#endif  // RAYCHECK_TOOLS_REPORT_PLOT_SERIES_H_
+#endif  // RAYCHECK_TOOLS_REPORT_PLOT_PLOT_SERIES_H_

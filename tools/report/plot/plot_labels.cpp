@@ -1,4 +1,4 @@
-#include "tools/report/plot_labels.h"
+#include "tools/report/plot/plot_labels.h"
 
 #include <algorithm>
 #include <cmath>

@@ -6,10 +6,10 @@
 #include <iterator>
 #include <string_view>
 
-#include "tools/report/plot.h"
-#include "tools/report/plot_axis.h"
-#include "tools/report/plot_labels.h"
-#include "tools/report/plot_series.h"
+#include "tools/report/plot/plot.h"
+#include "tools/report/plot/plot_axis.h"
+#include "tools/report/plot/plot_labels.h"
+#include "tools/report/plot/plot_series.h"
 
 namespace raycheck::tools {
 namespace {

@@ -1,4 +1,4 @@
-#include "tools/report/plot_series.h"
+#include "tools/report/plot/plot_series.h"
 
 #include <fmt/core.h>
 
