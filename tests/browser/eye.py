@@ -36,18 +36,24 @@ def around(i, j, width, height):
 DRAWN = """const [width, height] = arguments;
   const { figure } = raycheckPage.store.scene();
   const { camera, spheres } = figure;
-  const [own, axes] = [[camera.width, camera.height], [camera.U, camera.V, camera.W]];
-  [camera.width, camera.height] = arguments;
+  const axes = [camera.U, camera.V, camera.W];
+  const { samples } = raycheckPage.store.scene().conventions;
+  const [x0, x1, y0, y1] = camera.window;
+  // Of samples at edges half a cell is beside them, and cells are smaller where there are more.
+  const scaled = (low, high, own, now) => {
+    const half = (high - low) / 2 * (samples === "edges" ? (1 - 1 / own) / (1 - 1 / now) : 1);
+    return [(low + high) / 2 - half, (low + high) / 2 + half];
+  };
+  const window = [...scaled(x0, x1, camera.width, width), ...scaled(y0, y1, camera.height, height)];
   const painter = raycheckPage.webglPainter(document.createElement("canvas"), { IDENTIFY: 1 });
   const list = { camera, axes, palette: { rim: "#000000" }, segments: [], points: [], spheres: spheres.centre.map((centre, index) =>
     ({ index, centre, radius: spheres.radius[index], colour: "#000000" })) };
   painter.stage.remove(...painter.stage.children.slice(1)); // all but the spheres
-  painter.paint(list, { viewer: raycheckPage.eyeViewer(camera), width, height }, 1);
+  painter.paint(list, { viewer: raycheckPage.eyeViewer({ ...camera, window }), width, height }, 1);
   const context = painter.renderer.getContext();
   const bytes = new Uint8Array(4 * width * height);
   context.readPixels(0, 0, width, height, context.RGBA, context.UNSIGNED_BYTE, bytes);
   painter.renderer.forceContextLoss();
-  [camera.width, camera.height] = own;
   const row = (j) => (camera.rows === "top-first" ? height - 1 - j : j);
   return Array.from({ length: width * height }, (_, k) => 4 * (row(Math.floor(k / width)) * width + k % width))
     .map((k) => bytes[k] + 256 * bytes[k + 1] + 65536 * bytes[k + 2] - 1);"""

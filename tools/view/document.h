@@ -31,6 +31,9 @@ using DrawnPlaces = std::vector<std::pair<std::string, Drawn>>;
 struct DrawnCamera {
   Drawn U, V, W;
   double near = 0, left = 0, right = 0, bottom = 0, top = 0;
+  Drawn first, column, row;  ///< P of pixel (0, 0), and the ways to the next column and row.
+  std::array<double, 4>
+      window{};  ///< Tangents: what the picture shows, from left, right to bottom, top.
   std::array<std::int64_t, 2> pixel_steps{}, ray_steps{};  ///< Columns, rows: one in so many.
   double counts_from = 0, counts_to = 0;                   ///< Which s count,
   bool in_radii = false;                                   ///< in radii of the sphere,

@@ -33,6 +33,20 @@ DrawnCamera drawn_camera(const scene::Scene& scene, const DrawnFrame& frame) {
   drawn.right = frame.length(camera.right);
   drawn.bottom = frame.length(camera.bottom);
   drawn.top = frame.length(camera.top);
+  const bool at_edges = scene.conventions.samples == scene::Samples::kEdges;
+  const double columns = static_cast<double>(camera.width - (at_edges ? 1 : 0));
+  const double rows = static_cast<double>(camera.height - (at_edges ? 1 : 0));
+  const double across = (drawn.right - drawn.left) / columns,
+               up = (drawn.top - drawn.bottom) / rows;
+  const bool from_top = scene.conventions.rows == scene::Rows::kTopFirst;
+  const reference::ExactRay first(reference::ExactCamera(camera, scene.conventions), {0, 0});
+  drawn.first = frame.point([&](int bits) { return first.enclose(bits).pixel_point(); });
+  drawn.column = across * drawn.U;
+  drawn.row = (from_top ? -up : up) * drawn.V;
+  const double beside = at_edges ? 0.5 : 0;  // of a cell: every sample's is whole
+  drawn.window = {drawn.left - beside * across, drawn.right + beside * across,
+                  drawn.bottom - beside * up, drawn.top + beside * up};
+  for (double& side : drawn.window) side /= std::abs(drawn.near);
   const auto steps = [&](std::int64_t most) {
     return std::array{(camera.width + most - 1) / most, (camera.height + most - 1) / most};
   };
@@ -79,9 +93,7 @@ void add_camera(Figure& figure, const DrawnFrame& frame, const scene::Scene& sce
   add_corners(figure, "near", near);
   add_corners(figure, "plane", corners(camera, camera.near, kEnlarged));
   if (given.far) add_corners(figure, "far", corners(camera, frame.length(*given.far)));
-  const reference::ExactRay first(reference::ExactCamera(given, scene.conventions), {0, 0});
-  figure.places.emplace_back(
-      "pixel (0, 0)", frame.point([&](int bits) { return first.enclose(bits).pixel_point(); }));
+  figure.places.emplace_back("pixel (0, 0)", camera.first);
   std::erase_if(figure.places, [](const auto& place) { return !is_finite(place.second); });
   for (const auto& [name, place] : figure.places) {
     if (name.starts_with(given.far ? "far" : "near")) {

@@ -2,12 +2,7 @@
 import { seenAt } from "./picture.js";
 import { drawnRoot, pixelPointOf, plus, times, unitOf } from "./projection.js";
 
-/// The layers that can be switched, with their names.
-export const LAYERS = {
-  frustum: "frustum", axes: "axes", pixels: "pixels", spheres: "spheres", hits: "hit points",
-  roots: "T, v, d, roots", names: "names",
-};
-const MOST_NAMED_SPHERES = 24;
+const MOST_NAMED_SPHERES = 8; // of more only the chosen one has its name
 const CELL = [[-0.5, -0.5], [0.5, -0.5], [0.5, 0.5], [-0.5, 0.5]];
 
 /// What a store's scene shows of its choice; layers.rays is "none", "pixel", "row" or "all". Colours are as CSS has

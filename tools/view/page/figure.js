@@ -1,54 +1,38 @@
 // The figure: camera, pixels, rays and spheres in space, with its controls, its names and its table.
-import { choice, element, svg } from "./dom.js";
-import { LAYERS, drawList, extremesOf } from "./draw_list.js";
+import { drawList, extremesOf } from "./draw_list.js";
 import { figureTable } from "./figure_table.js";
 import { flatPanes, paintFlat } from "./flat.js";
 import { writeNames } from "./names.js";
 import { createOrbit, followClicks, pickedAt } from "./orbit.js";
-import { crossProduct, eyeViewer, lengthOf, letterboxed } from "./projection.js";
+import { crossProduct, eyeViewer, lengthOf } from "./projection.js";
 import { placeText, walkByKeys } from "./store.js";
 import { webglPainter } from "./webgl.js";
 
-const CORNER = { azimuth: 0.9, elevation: 0.45 };
-const VIEWS = {
-  corner: { name: "from a corner", ...CORNER },
-  eye: { name: "from the eye" },
-  side: { name: "from the side", azimuth: Math.PI / 2 },
-  top: { name: "from above", azimuth: Math.PI / 2, elevation: Math.PI / 2 },
-  along: { name: "along W" },
-  across: { name: "across the ray" },
-  sphere: { name: "around the sphere", ...CORNER },
-  flat: { name: "flat, side and above" },
-};
-const RAYS = { none: "none", pixel: "the chosen one", row: "a row", all: "all" };
-const HINT = "Arrow keys go to the next pixel. Click: choose. Then drag, or w a s d: turn. Shift and drag: move. "
-  + "Wheel, two fingers, or + -: nearer, farther. 0: all of it.";
+const CORNER = [0.9, 0.45]; // azimuth and elevation about the figure's axes, in radians
+const ANGLES = { corner: CORNER, sphere: CORNER, side: [Math.PI / 2, 0], top: [Math.PI / 2, Math.PI / 2] };
 const COLOURS = ["ink", "faint", "rim", "blue", "orange", "green", "purple", "gold"]; // --figure-... of the style
 const LEAST_SHOWN = 2 ** -40; // of the way to a sphere's centre: doubles near it are 2^-52 apart
 
 export function mountFigure(root, store) {
-  const figure = {
-    store, view: null, list: null, panes: [], lost: "", isDue: false,
-    canvas: element("canvas", {}),
-    flat: svg("svg", { class: "figure-flat" }),
-    names: svg("svg", { class: "figure-names" }),
-    controls: element("div", { class: "figure-controls", role: "group", "aria-label": "what the figure shows" }),
-    notes: element("p", { class: "quiet", role: "status" }),
-  };
-  figure.stage = element("div",
-    { class: "figure-stage", tabindex: "0", role: "img", "aria-describedby": "figure-hint" },
-    figure.canvas, figure.flat, figure.names);
-  figure.painter = webglPainter(figure.canvas);
-  if (figure.painter) figure.orbit = createOrbit(figure.stage, () => redrawFigure(figure));
+  const [parts, canvas, stage, look, rays, flat, names, notes] = [
+    "#figure-parts", "canvas", ".figure-stage", "#figure-look", "#figure-rays", ".figure-flat", ".figure-names",
+    "#figure-notes"].map((selector) => root.querySelector(selector));
+  const layers = [...root.querySelectorAll("[type=checkbox]")];
+  const figure = { store, canvas, stage, look, rays, flat, names, notes, layers, view: null, lost: "", isDue: false };
+  parts.hidden = false;
+  figure.painter = webglPainter(canvas);
+  if (figure.painter) figure.orbit = createOrbit(stage, () => redrawFigure(figure));
   else figure.lost = "This browser gives no WebGL 2: the figure is flat.";
-  root.append(figure.controls, figure.stage, figure.notes, element("p", { class: "quiet", id: "figure-hint" }, HINT));
   listen(figure);
-  root.append(figureTable(store, () => figure.list));
+  parts.append(figureTable(store, () => figure.list));
   Object.assign(window.raycheckPage, { webglPainter, eyeViewer }); // for tests of what the GPU makes of spheres
 }
 
 function listen(figure) {
-  const { store, stage } = figure;
+  const { store, stage, look, rays, layers } = figure;
+  look.addEventListener("change", () => showView(figure, look.value));
+  rays.addEventListener("change", () => store.set({ layers: { rays: rays.value } }));
+  for (const box of layers) box.addEventListener("change", () => store.set({ layers: { [box.name]: box.checked } }));
   store.subscribe((_, changed) => {
     rebuildFigure(figure);
     if (figure.view === null || changed.includes("scenesIndex")) startView(figure);
@@ -76,39 +60,29 @@ function listen(figure) {
   new ResizeObserver(() => redrawFigure(figure)).observe(stage);
 }
 
-function layersOf({ layers, scene }) {
-  const shown = Object.fromEntries(Object.keys(LAYERS).map((name) => [name, layers[name] ?? true]));
-  return { ...shown, rays: layers.rays ?? (scene().figure.camera ? "pixel" : "all") };
-}
-
 function rebuildFigure(figure) {
-  const style = getComputedStyle(figure.stage);
+  const { store, stage, layers } = figure;
+  const shown = Object.fromEntries(layers.map(({ name }) => [name, store.layers[name] ?? true]));
+  shown.rays = store.layers.rays ?? (store.scene().figure.camera ? "pixel" : "all");
+  const style = getComputedStyle(stage);
   const palette = Object.fromEntries(COLOURS.map((name) => [name, style.getPropertyValue(`--figure-${name}`).trim()]));
-  figure.list = drawList(figure.store, layersOf(figure.store), palette);
+  figure.rays.value = shown.rays;
+  figure.list = drawList(store, shown, palette);
   redrawFigure(figure);
 }
 
 /// What no view from outside shows to scale is first seen from the eye.
 function startView(figure) {
-  const { store, list, painter, controls } = figure;
-  const layers = layersOf(store);
-  const views = Object.entries(VIEWS).filter(([key]) => (painter ? key !== "eye" || list.camera : key === "flat"));
-  controls.replaceChildren(
-    choice("figure-look", "View", views.map(([key, { name }]) => [key, name]), "", (view) => showView(figure, view)),
-    choice("figure-rays", "Rays", Object.entries(RAYS), layers.rays, (rays) => store.set({ layers: { rays } })),
-    ...Object.entries(LAYERS).map(([key, name]) => element("label", {}, element("input", {
-      type: "checkbox", checked: layers[key], change: (event) => store.set({ layers: { [key]: event.target.checked } }),
-    }), ` ${name}`)),
-  );
+  const { list, look, painter } = figure;
+  for (const one of look.options) one.disabled = painter ? one.value === "eye" && !list.camera : one.value !== "flat";
   showView(figure, !painter ? "flat" : list.camera && list.figure.out_of_scale ? "eye" : "corner");
 }
 
 /// Shows all of the figure, or of what the view is of.
 function showView(figure, view) {
   const { whole, axes } = (["across", "sphere"].includes(view) && aroundSphere(figure, view)) || figure.list;
-  figure.view = view;
-  figure.controls.querySelector("#figure-look").value = view;
-  figure.orbit?.show(whole, axes, view === "eye" ? CORNER : VIEWS[view], aspectOf(figure.stage));
+  figure.view = figure.look.value = view;
+  figure.orbit?.show(whole, axes, ANGLES[view] ?? [0, 0], aspectOf(figure.stage));
   redrawFigure(figure);
 }
 
@@ -142,7 +116,7 @@ function drawFigure(figure) {
   const isFlat = view === "flat";
   figure.canvas.hidden = isFlat;
   figure.flat.classList.toggle("absent", !isFlat);
-  const viewer = isFlat ? null : view === "eye" ? letterboxed(eyeViewer(list.camera), aspectOf(stage), orbit.zoom())
+  const viewer = isFlat ? null : view === "eye" ? eyeViewer(list.camera, aspectOf(stage), orbit.zoom())
     : orbit.viewer(aspectOf(stage));
   figure.panes = isFlat ? flatPanes(list, width, height) : [{ x: 0, y: 0, width, height, viewer }];
   const { small, notes } = isFlat ? paintFlat(figure.flat, list, figure.panes) : painter.paint(list, figure.panes[0]);
@@ -150,7 +124,6 @@ function drawFigure(figure) {
   const names = (list.layers.names ? list.names : []).map((name) =>
     (isSmall.has(name.sphere) ? { ...name, text: `${name.text}, too small to see here` } : name));
   const missing = writeNames(figure.names, names, figure.panes);
-  if (view === "eye") figure.names.prepend(besidePicture(list.camera, figure.panes[0]));
   figure.notes.replaceChildren([
     figure.lost, ...list.figure.notes, ...notes,
     small.length > 0 ? `Spheres too small to see here, each in a ring: ${small.length}.` : "",
@@ -158,15 +131,6 @@ function drawFigure(figure) {
   ].filter(Boolean).join(" "));
   const { camera, rays, spheres } = list.figure;
   const what = camera ? `camera, ${camera.width} x ${camera.height} pixels` : `${rays.length} rays`;
-  stage.setAttribute("aria-label", `Figure ${VIEWS[view].name}: ${what}, spheres: ${spheres.centre.length}; `
+  stage.setAttribute("aria-label", `Figure ${figure.look.selectedOptions[0].text}: ${what}, spheres: ${spheres.centre.length}; `
     + `chosen: ${placeText(store.selection) || "nothing"}`);
-}
-
-/// Dims what lies on the screen beside the camera's picture, which is in the middle.
-function besidePicture(camera, { viewer: { window }, width, height }) {
-  const own = eyeViewer(camera).window;
-  const share = (k) => (own[k + 1] - own[k]) / (window[k + 1] - window[k]);
-  const [across, up] = [share(0) * width, share(2) * height];
-  const [x, y] = [(width - across) / 2, (height - up) / 2];
-  return svg("path", { class: "figure-beside", d: `M0 0H${width}V${height}H0ZM${x} ${y}v${up}h${across}v${-up}Z` });
 }

@@ -12,18 +12,15 @@ const MARKS = {
   cross: "M-1 -.2H-.2V-1H.2V-.2H1V.2H.2V1H-.2V.2H-1Z",
 };
 
-/// Two panes beside or above each other, for a figure of that size.
+/// Two panes, one above the other, for a figure of that size.
 export function flatPanes(list, width, height) {
   const [side, up, back] = list.axes;
   const [U, V] = list.camera ? ["U", "V"] : ["x", "y"];
-  const isWide = width > 2.2 * height; // a frustum is long
-  const size = isWide ? { width: width / 2, height } : { width, height: height / 2 };
+  const size = { width, height: height / 2 };
   const views = [[`from the side, along ${U}`, [times(back, -1), up, side]],
     [`from above, along ${V}`, [times(back, -1), times(side, -1), up]]];
-  return views.map(([title, axes], k) => ({
-    ...size, x: isWide ? k * size.width : 0, y: isWide ? 0 : k * size.height, title,
-    viewer: viewerOfAll(list, axes, size),
-  }));
+  return views.map(([title, axes], k) =>
+    ({ ...size, x: 0, y: k * size.height, title, viewer: viewerOfAll(list, axes, size) }));
 }
 
 function viewerOfAll({ whole, figure }, axes, { width, height }) {

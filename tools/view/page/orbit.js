@@ -2,12 +2,14 @@
 import { lengthOf, minus, onPane, pixelUnder, plus, shareSeen, times } from "./projection.js";
 
 const FIELD = Math.PI / 6; // radians from the bottom to the top of the screen
-const KEYS = { a: [-0.1, 0], d: [0.1, 0], w: [0, 0.1], s: [0, -0.1] }; // radians to the right and up
-const ZOOMS = { "+": 0.8, "=": 0.8, "-": 1.25 };
+const KEYS = { // how many times as far away, radians to the right, radians up
+  a: [1, -0.1, 0], d: [1, 0.1, 0], w: [1, 0, 0.1], s: [1, 0, -0.1],
+  "+": [0.8, 0, 0], "=": [0.8, 0, 0], "-": [1.25, 0, 0],
+};
 const REACH = 14; // pixels around a point that choose it
 const STILL = 4; // a pointer that moves less has clicked
 
-/// An orbit about what was last shown, whose size is 1 to three.js: {show, viewer, zoom}. Calls `redraw` as it moves.
+/// An orbit about what was last shown, whose size is 1 to three.js; calls `redraw` as it moves.
 export function createOrbit(stage, redraw) {
   const camera = new THREE.PerspectiveCamera((FIELD * 180) / Math.PI);
   let [axes, target, size, fitted] = [[], [], 1, 1];
@@ -30,11 +32,8 @@ export function createOrbit(stage, redraw) {
     camera.position.setFromSphericalCoords(radius * zoom, phi - up, theta + right).add(controls.target);
     controls.update();
   };
-  stage.addEventListener("keydown", (event) => {
-    const zoom = ZOOMS[event.key];
-    if ((!zoom && !KEYS[event.key]) || event.altKey || event.ctrlKey || event.metaKey) return;
-    event.preventDefault();
-    turn(zoom ?? 1, ...(KEYS[event.key] ?? [0, 0]));
+  stage.addEventListener("keydown", ({ key, altKey, ctrlKey, metaKey }) => {
+    if (KEYS[key] && !(altKey || ctrlKey || metaKey)) turn(...KEYS[key]);
   });
   const inFigure = (x, y, z) => plus(times(axes[0], x), plus(times(axes[1], y), times(axes[2], z)));
   const distance = () => camera.position.distanceTo(controls.target);
@@ -49,8 +48,8 @@ export function createOrbit(stage, redraw) {
         window: [-high * aspect, high * aspect, -high, high], nearest: (distance() * size) / 4096, start: 0,
       };
     },
-    /// Shows all of `whole` from an azimuth and an elevation about axes [side, up, back].
-    show(whole, about, { azimuth = 0, elevation = 0 }, aspect) {
+    /// Shows all of `whole` from angles about axes [side, up, back].
+    show(whole, about, [azimuth, elevation], aspect) {
       const middle = (places) => Math.min(...places) / 2 + Math.max(...places) / 2;
       axes = about;
       target = [0, 1, 2].map((k) => middle(whole.map((place) => place[k])));
@@ -83,7 +82,7 @@ export function pickedAt({ camera, points }, panes, x, y) {
   if (!pane) return null;
   const { viewer, width, height } = pane;
   if (viewer.isEye) {
-    const [x0, x1, y0, y1] = viewer.window.map((tangent) => tangent * Math.abs(camera.near));
+    const [x0, x1, y0, y1] = viewer.window;
     const pixel = pixelUnder(camera, x0 + (x / width) * (x1 - x0), y1 + (y / height) * (y0 - y1));
     return pixel && { pixel };
   }

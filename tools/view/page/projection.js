@@ -10,58 +10,31 @@ export const unitOf = (a) => a.map((x) => x / lengthOf(a));
 export const crossProduct = (a, b) =>
   [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]];
 
-/// alpha and beta of a pixel, fractions of a pixel too.
-function onPlane(camera, i, j) {
-  const share = (k, count) => (camera.samples === "edges" ? k / (count - 1) : (k + 0.5) / count);
-  const [first, last] = camera.rows === "top-first" ? [camera.top, camera.bottom] : [camera.bottom, camera.top];
-  const [across, along] = [share(i, camera.width), share(j, camera.height)];
-  return [camera.left + across * (camera.right - camera.left), first + along * (last - first)];
-}
+/// P of pixel (i, j), of fractions of a pixel too.
+export const pixelPointOf = ({ first, column, row }, i, j) => plus(first, plus(times(column, i), times(row, j)));
 
-/// The point that is seen at (alpha, beta) of the image plane, at a depth along W.
-export function seenThrough(camera, alpha, beta, depth = camera.near) {
-  const share = depth / camera.near;
-  return plus(times(camera.W, depth), plus(times(camera.U, alpha * share), times(camera.V, beta * share)));
-}
-
-/// P of pixel (i, j), eye-relative.
-export function pixelPointOf(camera, i, j) {
-  return seenThrough(camera, ...onPlane(camera, i, j));
-}
-
-/// The pixel whose cell holds (alpha, beta) of the image plane; null where there is none.
-export function pixelUnder(camera, alpha, beta) {
-  const [alpha0, beta0] = onPlane(camera, -0.5, -0.5);
-  const [alpha1, beta1] = onPlane(camera, camera.width - 0.5, camera.height - 0.5);
-  const i = Math.floor(((alpha - alpha0) / (alpha1 - alpha0)) * camera.width);
-  const j = Math.floor(((beta - beta0) / (beta1 - beta0)) * camera.height);
-  return i >= 0 && i < camera.width && j >= 0 && j < camera.height ? [i, j] : null;
+/// The pixel that is seen from the eye in a direction of these tangents; null where there is none.
+export function pixelUnder({ window: [x0, x1, y0, y1], width, height, rows }, x, y) {
+  const i = Math.floor(((x - x0) / (x1 - x0)) * width);
+  const fromBelow = Math.floor(((y - y0) / (y1 - y0)) * height);
+  const isSeen = i >= 0 && i < width && fromBelow >= 0 && fromBelow < height;
+  return isSeen ? [i, rows === "top-first" ? height - 1 - fromBelow : fromBelow] : null;
 }
 
 // A viewer: position; axes right, up, forward; window [x0, x1, y0, y1], what fills the screen from left to
 // right and from bottom to top, at depth 1 (if parallel, at any depth); nearest, the depth below which lines
 // are clipped; start, the depth of the plane where sight begins (0: at the position).
 
-/// Sees what the camera's picture shows: a whole cell around every sample.
-export function eyeViewer(camera) {
-  const depth = Math.abs(camera.near);
-  const upwards = { ...camera, rows: "bottom-first" };
-  const [x0, y0] = onPlane(upwards, -0.5, -0.5);
-  const [x1, y1] = onPlane(upwards, camera.width - 0.5, camera.height - 0.5);
+/// Sees what the camera's picture shows, enlarged so many times, and what a screen of that aspect has beside it.
+export function eyeViewer({ U, V, W, near, window: [x0, x1, y0, y1], origin }, aspect = 0, enlarged = 1) {
+  const depth = Math.abs(near);
+  const wider = aspect / Math.abs((x1 - x0) / (y1 - y0)) || 1; // than the picture
+  const wide = (low, high, by) => [(low + high - by * (high - low)) / 2, (low + high + by * (high - low)) / 2];
   return {
-    isEye: true, position: [0, 0, 0], axes: [camera.U, camera.V, times(camera.W, Math.sign(camera.near))],
-    window: [x0, x1, y0, y1].map((x) => x / depth), nearest: depth / 128,
-    start: camera.origin === "pixel" ? depth : 0,
+    isEye: true, position: [0, 0, 0], axes: [U, V, times(W, Math.sign(near))], nearest: depth / 128,
+    window: [...wide(x0, x1, enlarged * Math.max(wider, 1)), ...wide(y0, y1, enlarged * Math.max(1 / wider, 1))],
+    start: origin === "pixel" ? depth : 0,
   };
-}
-
-/// The same viewer with a window of the screen's aspect around its own, enlarged.
-export function letterboxed(viewer, aspect, enlarged) {
-  const [x0, x1, y0, y1] = viewer.window;
-  const half = (enlarged * Math.max(Math.abs(y1 - y0), Math.abs(x1 - x0) / aspect)) / 2;
-  const [x, y] = [(x0 + x1) / 2, (y0 + y1) / 2];
-  const [halfX, halfY] = [Math.sign(x1 - x0) * half * aspect, Math.sign(y1 - y0) * half];
-  return { ...viewer, window: [x - halfX, x + halfX, y - halfY, y + halfY] };
 }
 
 /// How much of the screen places fill, from its middle; 1 and more where one is outside.

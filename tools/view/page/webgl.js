@@ -8,7 +8,6 @@ const LEAST_DRAWN = 1e-3; // pixels of radius: a smaller one is not drawn
 const GREATEST_DEPTH = 1e30; // in units of the nearest: floats end at 3e38
 const LEAST_RESOLVED = 1e-5; // of the distance: what the depths of 24 bits tell apart
 const QUAD = [0, 0, 0, 1, 0, 0, 1, 1, 0, 0, 1, 0];
-const WIDTHS = { thin: 1.3, thick: 2.6 }; // of lines, in pixels
 const HANDED = { // to each shader, in floats
   sphere: { bounds: 4, turned: 4, turnedX: 4, turnedY: 4, span: 4, tint: 4, reference: 3 },
   line: { instanceStart: 3, instanceEnd: 3, instanceColorStart: 3, instanceColorEnd: 3 },
@@ -30,10 +29,10 @@ export function webglPainter(canvas, defines = {}) {
   const renderer = new THREE.WebGLRenderer({ canvas, context, alpha: true, logarithmicDepthBuffer: true });
   const camera = new THREE.PerspectiveCamera();
   camera.projectionMatrix.set(1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 0, 0, 0, 0, -1, 0); // what it is handed is projected
-  const names = ["rays", "upward", "counted", "rule", "ratio", "rim"];
+  const names = ["rays", "upward", "counted", "rule", "ratio", "rim", "resolution"];
   const uniforms = Object.fromEntries(names.map((name) => [name, { value: null }]));
   const layers = {
-    spheres: sphereLayer(uniforms, defines), thin: lineLayer(WIDTHS.thin), thick: lineLayer(WIDTHS.thick),
+    spheres: sphereLayer(uniforms, defines), thin: lineLayer(uniforms, 1.3), thick: lineLayer(uniforms, 2.6),
     points: pointLayer(uniforms),
   };
   const stage = new THREE.Scene();
@@ -42,30 +41,27 @@ export function webglPainter(canvas, defines = {}) {
   return { paint: (...told) => paintWith({ renderer, camera, stage, layers, set }, ...told), renderer, stage };
 }
 
-/// Draws a list on a pane; returns the spheres that are too small to see, and sentences on what is not drawn rightly.
+/// Draws a list on a pane; returns the spheres too small to see, and sentences on what is not drawn rightly.
 function paintWith({ renderer, camera, stage, layers, set }, list, pane, ratio = Math.min(devicePixelRatio, 2)) {
   renderer.setPixelRatio(ratio);
   renderer.setSize(pane.width, pane.height, false);
-  const packed = packSpheres(list.spheres, pane, ratio);
+  const packed = { spheres: [], thin: [], thick: [], points: [], small: [], farthest: 0, unresolved: 0 };
+  const rays = packSpheres(packed, list.spheres, pane, ratio);
   const size = packed.small.length > 200 ? 4 : 11;
   const rings = packed.small.map(({ centre, colour }) => ({ at: centre, colour, shape: "ring", size }));
-  const lines = packLines(list.segments, pane);
-  const points = packPoints([...list.points, ...rings], pane.viewer);
-  layers.spheres.fill(packed.data);
-  layers.points.fill(points.data);
-  for (const width of Object.keys(WIDTHS)) {
-    layers[width].fill(lines[width]);
-    for (const { material } of layers[width].meshes) material.uniforms.resolution.value.set(pane.width, pane.height);
-  }
-  set({ ...rootsOf(list, pane.viewer), rays: packed.rays, ratio, rim: shares(list.palette.rim),
-    upward: pane.viewer.axes.map((axis) => dotProduct(axis, list.axes[1])) });
-  const farthest = Math.max(packed.farthest, lines.farthest, points.farthest);
-  camera.far = Math.min(Math.max(farthest, 2), GREATEST_DEPTH); // of the logarithmic depth
+  packPoints(packed, [...list.points, ...rings], pane.viewer);
+  packLines(packed, list.segments, pane);
+  for (const [name, { fill }] of Object.entries(layers)) fill(packed[name]);
+  set({
+    ...rootsOf(list, pane.viewer), rays, ratio, rim: shares(list.palette.rim),
+    resolution: new THREE.Vector2(pane.width, pane.height),
+    upward: pane.viewer.axes.map((axis) => dotProduct(axis, list.axes[1])),
+  });
+  camera.far = Math.min(Math.max(packed.farthest, 2), GREATEST_DEPTH); // of the logarithmic depth
   renderer.render(stage, camera);
   const notes = [
-    farthest > GREATEST_DEPTH ? "What is 1e30 times as far as the nearest is not drawn." : "",
-    packed.unresolved > 1 ? `${packed.unresolved} spheres are so far off for their size that where two cross, either `
-      + "may be in front." : "",
+    packed.farthest > GREATEST_DEPTH ? "What is 1e30 times as far as the nearest is not drawn." : "",
+    packed.unresolved > 1 ? `Where two of ${packed.unresolved} spheres far off cross, either may be in front.` : "",
   ];
   return { small: packed.small, notes };
 }
@@ -80,13 +76,13 @@ function rootsOf({ camera }, viewer) {
   };
 }
 
-/// What the GPU is told of the spheres, the farthest first: where depths are equal, the nearer is in front.
-function packSpheres(spheres, { viewer, width, height }, ratio) {
+/// What the GPU is told of the spheres, the farthest first: where depths are equal, the nearer is in front. Returns
+/// the first pixel's ray, and what it grows by.
+function packSpheres(packed, spheres, { viewer, width, height }, ratio) {
   const [x0, x1, y0, y1] = viewer.window;
   const [across, along] = [Math.round(width * ratio), Math.round(height * ratio)];
   const rays = [x0, y0, (x1 - x0) / across, (y1 - y0) / along];
-  const [seen, small] = [[], []];
-  let farthest = 0;
+  const seen = [];
   for (const sphere of spheres) {
     const centre = inView(viewer, sphere.centre);
     const around = sphereWindow(centre, sphere.radius);
@@ -94,20 +90,20 @@ function packSpheres(spheres, { viewer, width, height }, ratio) {
     const [wide, high] = [0, 2].map((k) => (around[k + 1] - around[k]) / Math.abs(rays[2 + k / 2]));
     const radius = Math.max(wide, high) / 2; // on the screen
     const distance = lengthOf(centre);
-    if (radius < LEAST_SEEN * ratio) small.push(sphere);
+    if (radius < LEAST_SEEN * ratio) packed.small.push(sphere);
     if (radius < LEAST_DRAWN) continue;
     const x = pixelRange(around[0], around[1], rays[0], rays[2], across);
     const y = pixelRange(around[2], around[3], rays[1], rays[3], along);
     if (!(x[0] < x[1] && y[0] < y[1])) continue;
     const depth = (distance + sphere.radius) / viewer.nearest;
-    farthest = Math.max(farthest, depth);
+    packed.farthest = Math.max(packed.farthest, depth);
+    packed.unresolved += sphere.radius < LEAST_RESOLVED * distance ? 1 : 0;
     const isAroundEye = lengthOf(sphere.centre) < sphere.radius;
     if (depth <= GREATEST_DEPTH) seen.push({ ...sphere, centre, distance, isAroundEye, x, y });
   }
   seen.sort((a, b) => (b.distance - b.radius) - (a.distance - a.radius));
-  const unresolved = seen.filter(({ radius, distance }) => radius < LEAST_RESOLVED * distance).length;
-  const data = seen.flatMap((sphere) => sphereData(sphere, viewer, rays, across, along));
-  return { data, rays, small, farthest, unresolved };
+  packed.spheres = seen.flatMap((sphere) => sphereData(sphere, viewer, rays, across, along));
+  return rays;
 }
 
 /// The pixels between two tangents, and one more on either side.
@@ -137,10 +133,10 @@ function sphereData({ index, centre, radius, colour, isAroundEye, distance, x, y
   ];
 }
 
-/// Meshes of one geometry; fill(data) hands them floats, as many an item as `handed` says.
-function layerOf(Mesh, geometry, handed, order, materials) {
+/// Meshes of one geometry, a material each; fill(data) hands them floats, as many an item as `handed` says.
+function layerOf(Mesh, geometry, handed, renderOrder, materials) {
   const meshes = materials.map((material) =>
-    Object.assign(new Mesh(geometry, material), { frustumCulled: false, renderOrder: order }));
+    Object.assign(new Mesh(geometry, material), { frustumCulled: false, renderOrder }));
   const stride = Object.values(handed).reduce((sum, size) => sum + size);
   const Buffer = geometry.isInstancedBufferGeometry ? THREE.InstancedInterleavedBuffer : THREE.InterleavedBuffer;
   const fill = (data) => {
@@ -156,38 +152,40 @@ function layerOf(Mesh, geometry, handed, order, materials) {
   return { meshes, fill };
 }
 
+function shaderMaterial(name, uniforms, more) {
+  const [vertexShader, fragmentShader] = [SHADERS[`${name}.vert`], SHADERS[`${name}.frag`]];
+  return new THREE.ShaderMaterial({ vertexShader, fragmentShader, uniforms, transparent: true, ...more });
+}
+
 function sphereLayer(uniforms, defines) {
   const geometry = new THREE.InstancedBufferGeometry();
   geometry.setAttribute("position", new THREE.Float32BufferAttribute(QUAD, 3));
   geometry.setIndex([0, 1, 2, 0, 2, 3]);
-  return layerOf(THREE.Mesh, geometry, HANDED.sphere, 0, [new THREE.ShaderMaterial({
-    vertexShader: SHADERS["sphere.vert"], fragmentShader: SHADERS["sphere.frag"], side: THREE.DoubleSide, defines,
-    transparent: true, uniforms,
-  })]);
+  const material = shaderMaterial("sphere", uniforms, { side: THREE.DoubleSide, defines });
+  return layerOf(THREE.Mesh, geometry, HANDED.sphere, 0, [material]);
 }
 
 /// Materials of what is before the spheres, and, shining through, of what they hide.
 function passes(material) {
-  const pass = (depthFunc, opacity) => material({ transparent: true, depthWrite: false, depthFunc }, opacity);
+  const pass = (depthFunc, opacity) => material({ depthWrite: false, depthFunc, transparent: true }, opacity);
   return [pass(THREE.LessEqualDepth, 1), pass(THREE.GreaterDepth, 0.5)];
 }
 
-function lineLayer(linewidth) {
+function lineLayer({ resolution }, linewidth) {
   const style = { linewidth, color: new THREE.Color(1, 1, 1), vertexColors: THREE.VertexColors };
-  return layerOf(THREE.LineSegments2, new THREE.LineSegmentsGeometry(), HANDED.line, 1,
-    passes((pass, opacity) => new THREE.LineMaterial({ ...style, ...pass, opacity })));
+  return layerOf(THREE.LineSegments2, new THREE.LineSegmentsGeometry(), HANDED.line, 1, passes((pass, opacity) => {
+    const material = new THREE.LineMaterial({ ...style, ...pass, opacity });
+    material.uniforms.resolution = resolution;
+    return material;
+  }));
 }
 
 function pointLayer(uniforms) {
   return layerOf(THREE.Points, new THREE.BufferGeometry(), HANDED.point, 2, passes((pass, opacity) =>
-    new THREE.ShaderMaterial({
-      ...pass, vertexShader: SHADERS["point.vert"], fragmentShader: SHADERS["point.frag"],
-      uniforms: { ...uniforms, opacity: { value: opacity } },
-    })));
+    shaderMaterial("point", { ...uniforms, opacity: { value: opacity } }, pass)));
 }
 
-function packLines(segments, pane) {
-  const packed = { thin: [], thick: [], farthest: 0 };
+function packLines(packed, segments, pane) {
   for (const segment of segments) {
     const colour = shares(segment.colour);
     for (const [a, b] of strokesOf(pane, segment)) {
@@ -196,16 +194,13 @@ function packLines(segments, pane) {
       packed[segment.thick ? "thick" : "thin"].push(a[0], a[1], -a[2], b[0], b[1], -b[2], ...colour, ...colour);
     }
   }
-  return packed;
 }
 
-function packPoints(points, viewer) {
-  const packed = { data: [], farthest: 0 };
+function packPoints(packed, points, viewer) {
   for (const { at, colour, shape, size } of points) {
     const [x, y, w] = homogeneous(viewer, at);
     if (!(w >= 1) || Math.abs(x) > 1.1 * w || Math.abs(y) > 1.1 * w) continue;
     packed.farthest = Math.max(packed.farthest, w);
-    if (w <= GREATEST_DEPTH) packed.data.push(x, y, w, ...shares(colour), SHAPES.indexOf(shape), size);
+    if (w <= GREATEST_DEPTH) packed.points.push(x, y, w, ...shares(colour), SHAPES.indexOf(shape), size);
   }
-  return packed;
 }
