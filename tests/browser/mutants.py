@@ -41,7 +41,7 @@ MUTANTS = {
     "left is right": ("use", "shown.sides[side] = Number(value)", "shown.sides.left = Number(value)"),
     "dial stays": ("use", "store.set({ scenesIndex: dial.scenes[k] })", "store.set({ scenesIndex: dial.scenes[0] })"),
     "microscope mirrored": ("use", "width / 2 + ulps / half * width / 2", "width / 2 - ulps / half * width / 2"),
-    "window does not widen": ("use", "shown.zoom = zoom;", "shown.zoom = 0;"),
+    "window does not widen": ("use", "shown.zoom = k;", "shown.zoom = 0;"),
     "WebGL or nothing": ("use", "if (!context) return null;", 'if (!context) throw new Error("x");'),
     "text as HTML": ("hostile", "node.append(...children", 'node.insertAdjacentHTML("beforeend", children.flat(Infinity).filter((one) => typeof one === "string").join("")); node.append(...children'),
     "names are not escaped": ("hostile", "&lt;", "<"),
