@@ -13,7 +13,6 @@ const HANDED = { // to each shader, in floats
   line: { instanceStart: 3, instanceEnd: 3, instanceColorStart: 3, instanceColorEnd: 3 },
   point: { position: 3, tint: 4, size: 1 },
 };
-const EVERY_ROOT = { from: 0, to: null, in_radii: false, smaller: true, larger: true };
 const knownShares = new Map(); // a colour -> its red, green and blue
 
 /// Red, green and blue, from 0 to 1, of a colour as CSS has it.
@@ -68,12 +67,11 @@ function paintWith({ renderer, camera, stage, layers, set }, list, pane, ratio =
 
 /// From the eye what counts is what the scene's conventions say, from elsewhere what lies ahead.
 function rootsOf({ camera }, viewer) {
-  const { from, to, in_radii: inRadii, smaller, larger } = viewer.isEye ? camera.counts : EVERY_ROOT;
+  if (!viewer.isEye) return { counted: [0, 3e38], rule: [0, 0, 1, 1] };
+  const { from, to, in_radii: inRadii, smaller, larger } = camera.counts;
   const unit = inRadii ? 1 : viewer.nearest;
-  return {
-    counted: [from / unit, Math.min((to ?? Infinity) / unit, 3e38)],
-    rule: [viewer.start / viewer.nearest, inRadii, smaller, larger].map(Number),
-  };
+  const counted = [from / unit, Math.min((to ?? Infinity) / unit, 3e38)];
+  return { counted, rule: [viewer.start / viewer.nearest, inRadii, smaller, larger].map(Number) };
 }
 
 /// What the GPU is told of the spheres, the farthest first: where depths are equal, the nearer is in front. Returns
