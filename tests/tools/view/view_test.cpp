@@ -143,6 +143,26 @@ TEST(View, the_frustum_has_its_corners_and_its_names) {
   }
 }
 
+/// Three samples across from -1 to 1: at edges a cell has the size 1, of centres 2/3.
+TEST(View, the_picture_is_a_whole_cell_around_every_sample) {
+  const auto camera_of = [](const std::string& conventions) -> json {
+    return document_of(scene_file(1, conventions))["scenes"][0]["figure"]["camera"];
+  };
+  const json edges = camera_of("");
+  EXPECT_EQ(edges["window"], (json{-1.5, 1.5, -1.5, 1.5}));
+  EXPECT_EQ(edges["first"], (json{-1, -1, -1}));
+  EXPECT_EQ(edges["column"], (json{1, 0, 0}));
+  EXPECT_EQ(edges["row"], (json{0, 1, 0}));
+  const json centres =
+      camera_of("[conventions]\nsamples = \"centres\"\nrows = \"top-first\"\nt_max = 5\n");
+  EXPECT_EQ(centres["window"], (json{-1, 1, -1, 1}));
+  EXPECT_NEAR(centres["first"][0].get<double>(), -2.0 / 3, 1e-15);
+  EXPECT_NEAR(centres["first"][1].get<double>(), 2.0 / 3, 1e-15);
+  EXPECT_NEAR(centres["column"][0].get<double>(), 2.0 / 3, 1e-15);
+  EXPECT_NEAR(centres["row"][1].get<double>(), -2.0 / 3, 1e-15);
+  EXPECT_EQ(centres["counts"]["to"], 5);
+}
+
 TEST(View, says_what_cannot_be_drawn_to_scale) {
   const std::string spheres =
       "[[sphere]]\ncentre = [0, 0, -3]\nradius = 1\n"

@@ -25,7 +25,7 @@ export function mountFigure(root, store) {
   else figure.lost = "This browser gives no WebGL 2: the figure is flat.";
   listen(figure);
   parts.append(figureTable(store, () => figure.list));
-  Object.assign(window.raycheckPage, { webglPainter, eyeViewer }); // for tests of what the GPU makes of spheres
+  Object.assign(window.raycheckPage, { figure, webglPainter, eyeViewer }); // for tests of what is on the screen
 }
 
 function listen(figure) {
@@ -112,11 +112,10 @@ function drawFigure(figure) {
   figure.isDue = false;
   const [width, height] = [stage.clientWidth, stage.clientHeight];
   if (width === 0 || height === 0) return;
-  const view = painter ? figure.view : "flat";
-  const isFlat = view === "flat";
+  const isFlat = !painter || figure.view === "flat";
   figure.canvas.hidden = isFlat;
   figure.flat.classList.toggle("absent", !isFlat);
-  const viewer = isFlat ? null : view === "eye" ? eyeViewer(list.camera, aspectOf(stage), orbit.zoom())
+  const viewer = isFlat ? null : figure.view === "eye" ? eyeViewer(list.camera, aspectOf(stage), orbit.zoom())
     : orbit.viewer(aspectOf(stage));
   figure.panes = isFlat ? flatPanes(list, width, height) : [{ x: 0, y: 0, width, height, viewer }];
   const { small, notes } = isFlat ? paintFlat(figure.flat, list, figure.panes) : painter.paint(list, figure.panes[0]);
@@ -129,8 +128,9 @@ function drawFigure(figure) {
     small.length > 0 ? `Spheres too small to see here, each in a ring: ${small.length}.` : "",
     missing > 0 ? `Names without room here, all in the table below: ${missing}.` : "",
   ].filter(Boolean).join(" "));
-  const { camera, rays, spheres } = list.figure;
+  const { camera, rays, spheres: { label: { length: spheres } } } = list.figure;
   const what = camera ? `camera, ${camera.width} x ${camera.height} pixels` : `${rays.length} rays`;
-  stage.setAttribute("aria-label", `Figure ${figure.look.selectedOptions[0].text}: ${what}, spheres: ${spheres.centre.length}; `
-    + `chosen: ${placeText(store.selection) || "nothing"}`);
+  const chosen = placeText(store.selection) || "nothing";
+  const view = figure.look.selectedOptions[0].text;
+  stage.setAttribute("aria-label", `Figure ${view}: ${what}, spheres: ${spheres}; chosen: ${chosen}`);
 }

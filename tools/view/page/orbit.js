@@ -86,11 +86,8 @@ export function pickedAt({ camera, points }, panes, x, y) {
     const pixel = pixelUnder(camera, x0 + (x / width) * (x1 - x0), y1 + (y / height) * (y0 - y1));
     return pixel && { pixel };
   }
-  let [nearest, least] = [null, REACH];
-  for (const { at, select } of points) {
-    const place = select && onPane(pane, at);
-    const away = place ? Math.hypot(place[0] + pane.x - x, place[1] + pane.y - y) : Infinity;
-    if (away < least) [nearest, least] = [select, away];
-  }
-  return nearest;
+  const awayFrom = ([left, top]) => Math.hypot(left + pane.x - x, top + pane.y - y);
+  const near = points.filter(({ select }) => select).map(({ at, select }) => ({ select, place: onPane(pane, at) }))
+    .filter(({ place }) => place && awayFrom(place) < REACH).sort((a, b) => awayFrom(a.place) - awayFrom(b.place));
+  return near[0]?.select ?? null;
 }

@@ -13,13 +13,12 @@ const HANDED = { // to each shader, in floats
   line: { instanceStart: 3, instanceEnd: 3, instanceColorStart: 3, instanceColorEnd: 3 },
   point: { position: 3, tint: 4, size: 1 },
 };
-const EVERY_ROOT = { from: 0, to: null, in_radii: false, smaller: true, larger: true };
-const knownShares = new Map(); // a colour -> its red, green and blue
+const knownColours = new Map(); // a colour -> its red, green and blue
 
 /// Red, green and blue, from 0 to 1, of a colour as CSS has it.
-function shares(colour) {
-  if (!knownShares.has(colour)) knownShares.set(colour, new THREE.Color(colour).toArray());
-  return knownShares.get(colour);
+function rgbOf(colour) {
+  if (!knownColours.has(colour)) knownColours.set(colour, new THREE.Color(colour).toArray());
+  return knownColours.get(colour);
 }
 
 /// A painter on a canvas; null where there is no WebGL 2. With IDENTIFY defined spheres are painted by number.
@@ -53,7 +52,7 @@ function paintWith({ renderer, camera, stage, layers, set }, list, pane, ratio =
   packLines(packed, list.segments, pane);
   for (const [name, { fill }] of Object.entries(layers)) fill(packed[name]);
   set({
-    ...rootsOf(list, pane.viewer), rays, ratio, rim: shares(list.palette.rim),
+    ...rootsOf(list, pane.viewer), rays, ratio, rim: rgbOf(list.palette.rim),
     resolution: new THREE.Vector2(pane.width, pane.height),
     upward: pane.viewer.axes.map((axis) => dotProduct(axis, list.axes[1])),
   });
@@ -68,12 +67,11 @@ function paintWith({ renderer, camera, stage, layers, set }, list, pane, ratio =
 
 /// From the eye what counts is what the scene's conventions say, from elsewhere what lies ahead.
 function rootsOf({ camera }, viewer) {
-  const { from, to, in_radii: inRadii, smaller, larger } = viewer.isEye ? camera.counts : EVERY_ROOT;
+  if (!viewer.isEye) return { counted: [0, 3e38], rule: [0, 0, 1, 1] };
+  const { from, to, in_radii: inRadii, smaller, larger } = camera.counts;
   const unit = inRadii ? 1 : viewer.nearest;
-  return {
-    counted: [from / unit, Math.min((to ?? Infinity) / unit, 3e38)],
-    rule: [viewer.start / viewer.nearest, inRadii, smaller, larger].map(Number),
-  };
+  const counted = [from / unit, Math.min((to ?? Infinity) / unit, 3e38)];
+  return { counted, rule: [viewer.start / viewer.nearest, inRadii, smaller, larger].map(Number) };
 }
 
 /// What the GPU is told of the spheres, the farthest first: where depths are equal, the nearer is in front. Returns
@@ -129,7 +127,7 @@ function sphereData({ index, centre, radius, colour, isAroundEye, distance, x, y
     0, -rays[2] * T[2], rays[2] * T[1], (rays[2] * centre[0]) / unit,
     rays[3] * T[2], 0, -rays[3] * T[0], (rays[3] * centre[1]) / unit,
     greater, distance / unit - greater, radius / unit, distance < radius ? 1 : 0,
-    ...shares(colour), index, px, py, isHalf ? 1 : 0,
+    ...rgbOf(colour), index, px, py, isHalf ? 1 : 0,
   ];
 }
 
@@ -187,7 +185,7 @@ function pointLayer(uniforms) {
 
 function packLines(packed, segments, pane) {
   for (const segment of segments) {
-    const colour = shares(segment.colour);
+    const colour = rgbOf(segment.colour);
     for (const [a, b] of strokesOf(pane, segment)) {
       packed.farthest = Math.max(packed.farthest, a[2], b[2]);
       if (Math.max(a[2], b[2]) > GREATEST_DEPTH) continue;
@@ -201,6 +199,6 @@ function packPoints(packed, points, viewer) {
     const [x, y, w] = homogeneous(viewer, at);
     if (!(w >= 1) || Math.abs(x) > 1.1 * w || Math.abs(y) > 1.1 * w) continue;
     packed.farthest = Math.max(packed.farthest, w);
-    if (w <= GREATEST_DEPTH) packed.points.push(x, y, w, ...shares(colour), SHAPES.indexOf(shape), size);
+    if (w <= GREATEST_DEPTH) packed.points.push(x, y, w, ...rgbOf(colour), SHAPES.indexOf(shape), size);
   }
 }
