@@ -47,7 +47,8 @@ function headlineOf(store, told) {
   const [finding] = store.findingsHere(); // it may be of a picture, which tells no steps
   const said = verdict ? [element("strong", { dir: "auto" }, brief(name)), ": ", spoken(verdict.said)]
     : finding ? `${brief(finding.candidate)}: ${briefSentence(finding.sentence)}` : "No method goes wrong here";
-  return [said, "; exactly ", spoken(told.exact.said), ".", finding?.looks_like ? ` ${briefSentence(finding.looks_like)}` : ""];
+  const looks = finding?.looks_like ? ` ${briefSentence(finding.looks_like)}` : "";
+  return [said, "; exactly ", spoken(told.exact.said), ".", looks];
 }
 
 function chooserFields(store) {
