@@ -1,4 +1,5 @@
 """A page as people use it: clicks, keys, findings, methods, the divider, the dial; and all of it without WebGL."""
+import math
 import unittest
 
 import pages
@@ -93,6 +94,32 @@ class Use(PageTest):
                 with self.subTest(f"{scene.name} ({i}, {row})"):
                     self.browser.click_at(".figure-stage", (i - 7.5) * size, (row - 4) * size)
                     self.check_shown([i, row if scene == TOP_FIRST else 8 - row])
+
+    def viewer(self):
+        """From where the figure is seen, and how far its window reaches."""
+        return self.run_script("""return new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(() =>
+          done(raycheckPage.figure.panes[0].viewer))));""")
+
+    def test_the_figure_is_turned_moved_and_looked_at_from_nearer(self):
+        """By mouse and by keys; neither chooses another pixel, and the wheel scrolls the page until the figure has the focus."""
+        self.open(page_of(TEN))
+        before, chosen = self.viewer(), self.selection()
+        self.browser.wheel(".figure-stage", -100)
+        self.assertEqual(self.viewer(), before)
+        steps = {"turned": lambda: self.browser.drag(".figure-stage", 40, 25), "turned by a key": lambda: self.browser.press("a"),
+                 "nearer": lambda: self.browser.wheel(".figure-stage", -100), "nearer by a key": lambda: self.browser.press("+")}
+        for name, step in steps.items():
+            with self.subTest(name):
+                step()
+                after = self.viewer()
+                is_nearer = after["nearest"] < 0.97 * before["nearest"]
+                self.assertEqual(is_nearer, name.startswith("nearer"), (before["nearest"], after["nearest"]))
+                self.assertEqual(math.dist(after["axes"][2], before["axes"][2]) > 0.01, name.startswith("turned"))
+                self.assertAlmostEqual(math.hypot(*after["axes"][0]), 1, delta=1e-9)
+                before = after
+        self.browser.press("0")
+        self.assertAlmostEqual(self.viewer()["axes"][2][1], -math.sin(0.45), delta=1e-6)
+        self.assertEqual(self.selection(), chosen)
 
     def choose(self, selector, value):
         self.run_script("""const field = document.querySelector(arguments[0]);
@@ -201,17 +228,17 @@ class Use(PageTest):
 
     def test_the_dial_steps_and_everything_with_it(self):
         self.open(page_of("--family", "distance", "--method", "quadratic,cross"))
-        dial = self.run_script("return raycheckPage.store.document.dial")
-        self.assertEqual([curve["name"] for curve in dial["curves"]], ["quadratic", "cross"])
+        dial, facet = self.run_script("const { dial, chart } = raycheckPage.store.document; return [dial, chart.facets[0]];")
+        self.assertEqual([series["name"] for series in facet["series"]], ["quadratic", "cross"])
         seen = set()
-        for k in (0, len(dial["severities"]) - 1, 2):
+        for k in (0, len(facet["severities"]) - 1, 2):
             self.choose("#severity", str(k))
             scene, text, told = self.run_script("""const { store } = raycheckPage;
               return [store.scenesIndex, store.panel().text, document.querySelector("#severity").ariaValueText];""")
             self.assertEqual(scene, dial["scenes"][k])
-            self.assertEqual(float(told), dial["severities"][k])
+            self.assertEqual(told, facet["severities"][k])
             self.assertEqual(self.text("#explain-text"), text)
-            self.assertIn(f"severity {dial['severities'][k]} is shown", self.run_script("return document.querySelector('#dial svg').getAttribute('aria-label')"))
+            self.assertIn(f"severity {told} is shown", self.run_script("return document.querySelector('#dial svg.instrument').getAttribute('aria-label')"))
             seen.add(text)
         self.assertEqual(len(seen), 3)
 

@@ -117,6 +117,19 @@ class Browser:
             {"type": "pointerMove", "origin": origin, "x": round(x), "y": round(y)},
             {"type": "pointerDown", "button": 0}, {"type": "pointerUp", "button": 0}]}]})
 
+    def drag(self, selector, x, y):
+        """Drags from an element's middle, so many pixels right and down."""
+        origin = self.find(selector)
+        self.run("arguments[0].scrollIntoView({block: 'center'})", origin)
+        self.ask("POST", "/actions", {"actions": [{"type": "pointer", "id": "mouse", "actions": [
+            {"type": "pointerMove", "origin": origin, "x": 0, "y": 0}, {"type": "pointerDown", "button": 0},
+            {"type": "pointerMove", "origin": "pointer", "x": x, "y": y}, {"type": "pointerUp", "button": 0}]}]})
+
+    def wheel(self, selector, down):
+        """Turns the wheel over an element's middle."""
+        self.ask("POST", "/actions", {"actions": [{"type": "wheel", "id": "wheel", "actions": [
+            {"type": "scroll", "origin": self.find(selector), "x": 0, "y": 0, "deltaX": 0, "deltaY": down}]}]})
+
     def press(self, *names, hold=None):
         """Presses keys, one after the other, while another is held; they go to what has the focus."""
         held = [{"type": "keyDown", "value": KEYS[hold]}] if hold else []

@@ -92,7 +92,8 @@ int run_check(const CheckArguments& arguments) {
   }
   if (certificates) certificates->write(check_certificates(report));
   if (view) {
-    view->write(page(check_document(report, {}, run_control("page", arguments.threads))));
+    view->write(
+        page(check_document(report, {{}, methods_asked}, run_control("page", arguments.threads))));
   }
   const bool fails = report.ratchet ? report.ratchet->fails() : !report.holds();
   return exit_code(report.interrupted, fails, report.is_enough_judged());

@@ -31,6 +31,17 @@ std::string method_of(const CandidateReport& candidate, Quantity quantity) {
   return std::string(is_of_rays ? pair->rays->name : pair->intersect->name);
 }
 
+/// What makes a candidate's wrong answers right, in a sentence; or nothing.
+std::string looks_like(const std::vector<properties::Explanation>& explanations) {
+  std::string text;
+  for (const properties::Explanation& one : explanations) {
+    text += fmt::format("{}{} ({} of {} wrong answers are right that way)",
+                        text.empty() ? "It looks as if " : "; or ", one.sentence, one.explained,
+                        one.errors);
+  }
+  return text.empty() ? text : text + ".";
+}
+
 std::vector<FindingView> findings_of(const CandidateReport& candidate, const scene::Scene& scene,
                                      std::size_t scene_index) {
   std::vector<FindingView> findings;
@@ -49,6 +60,7 @@ std::vector<FindingView> findings_of(const CandidateReport& candidate, const sce
                           selection});
     }
   }
+  for (FindingView& finding : findings) finding.looks_like = looks_like(candidate.explanations);
   if (!findings.empty()) return findings;
   for (const Quantity quantity :
        {Quantity::kParameter, Quantity::kHitPoint, Quantity::kDirection, Quantity::kPixelPoint}) {
@@ -98,7 +110,7 @@ CandidateMaker renderer_of(const CandidateReport& candidate) {
 
 }  // namespace
 
-ViewDocument check_document(const CheckReport& report, const std::vector<Selection>& wanted,
+ViewDocument check_document(const CheckReport& report, const CheckPageOptions& options,
                             const properties::RunControl& control) {
   ViewDocument document;
   document.title = std::filesystem::path(report.path).filename();
@@ -112,7 +124,8 @@ ViewDocument check_document(const CheckReport& report, const std::vector<Selecti
                     ? group.front()->name
                     : document.title;
     view.file = shell_word(report.path);
-    view.wanted = wanted;
+    view.is_of_methods = options.is_of_methods;
+    view.wanted = options.wanted;
     for (const CandidateReport* candidate : group) {
       if (const MethodPair* const pair = methods_of(candidate->contestant)) {
         view.methods.push_back(*pair);
@@ -138,6 +151,12 @@ ViewDocument check_document(const CheckReport& report, const std::vector<Selecti
     }
     document.scenes.push_back(view_of(report.scene, view, document.left_out, control));
   }
+  const std::uint64_t total = report.discrepancies();
+  const std::vector<FindingView>& findings = document.findings;
+  const auto listed = static_cast<std::uint64_t>(std::count_if(
+      findings.begin(), findings.end(), [](const auto& one) { return one.standing.has_value(); }));
+  document.found = findings_found({listed, total}, findings.size() - listed);
+  if (listed > 0) document.worst = worst_of({listed, total});
   return document;
 }
 

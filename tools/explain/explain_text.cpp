@@ -99,38 +99,47 @@ void append_steps(const ExplainReport& report, std::string& text) {
 }
 
 std::string verdict_of(const MethodReport& method, const ExplainReport& report, bool colours) {
-  std::string text;
   if (!method.failure.empty()) return red("failed: " + method.failure, colours);
+  std::string text;
   if (method.intersects) {
     text = method.parameter ? fmt::format("s = {}", scene::digits_and_hexfloat(*method.parameter))
                             : "miss";
-    if (method.ulp_error) {
-      text += fmt::format(", off by {} {}", error_text(method.ulp_error),
-                          unit_name(properties::Quantity::kParameter, method.precision));
-    }
-    if (method.class_error) text += method.parameter ? ", a false hit" : ", missed";
-    if (method.is_excluded) {
-      text += fmt::format(", which its own interval {} excludes",
-                          interval_text(report.scene.conventions.valid));
-    }
-    if (method.standing != properties::Standing::kDefect) {
-      text += fmt::format(" ({})", name(method.standing));
-    }
-  } else {
-    const MethodStep& last = method.steps.back();
-    text = fmt::format("rays: {} off by {} {}", last.symbol, error_text(last.error), last.unit);
   }
+  text += answer_remarks(method, report);
   if (method.goes_wrong_at.empty()) return text;
-  std::string where = "; goes wrong at " + method.goes_wrong_at;
-  if (method.goes_wrong_at == "D" && method.intersects) {
-    const bool is_own = report.others_ray_is_own && method.name == report.other->name;
-    where +=
-        is_own ? " (its own ray)" : " (the rounding of the ray by `" + report.rays_method + "`)";
-  }
-  return red(text + where, colours);
+  return red(fmt::format("{}; goes wrong at {}{}", text, method.goes_wrong_at,
+                         wrong_step_remark(method, report)),
+             colours);
 }
 
 }  // namespace
+
+std::string answer_remarks(const MethodReport& method, const ExplainReport& report) {
+  if (!method.intersects) {
+    const MethodStep& last = method.steps.back();
+    return fmt::format("rays: {} off by {} {}", last.symbol, error_text(last.error), last.unit);
+  }
+  std::string text;
+  if (method.ulp_error) {
+    text += fmt::format(", off by {} {}", error_text(method.ulp_error),
+                        unit_name(properties::Quantity::kParameter, method.precision));
+  }
+  if (method.class_error) text += method.parameter ? ", a false hit" : ", missed";
+  if (method.is_excluded) {
+    text += fmt::format(", which its own interval {} excludes",
+                        interval_text(report.scene.conventions.valid));
+  }
+  if (method.standing != properties::Standing::kDefect) {
+    text += fmt::format(" ({})", name(method.standing));
+  }
+  return text;
+}
+
+std::string wrong_step_remark(const MethodReport& method, const ExplainReport& report) {
+  if (method.goes_wrong_at != "D" || !method.intersects) return {};
+  if (report.others_ray_is_own && method.name == report.other->name) return " (its own ray)";
+  return " (the rounding of the ray by `" + report.rays_method + "`)";
+}
 
 std::string method_verdict(const MethodReport& method, const ExplainReport& report) {
   return verdict_of(method, report, false);

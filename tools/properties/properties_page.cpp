@@ -73,6 +73,7 @@ ViewDocument properties_document(const PropertiesReport& report,
          document.scenes.size(), selection_of(place, failure.shrunk.scene)});
     document.scenes.push_back(view_of(failure.shrunk.scene, view, document.left_out, control));
   }
+  document.found = std::to_string(document.findings.size());
   return document;
 }
 

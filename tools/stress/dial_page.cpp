@@ -10,6 +10,7 @@
 
 #include "properties/cases/random.h"
 #include "tools/report/words.h"
+#include "tools/stress/stress_page.h"
 #include "tools/view/scene_view.h"
 #include "tools/view/selection.h"
 
@@ -77,16 +78,16 @@ ShownCase worst_of_first(const properties::CaseSource& family, int severity,
   return shown;
 }
 
-DialCurve dial_curve(const StressCurve& curve) {
-  DialCurve dial{std::string(curve.method.name()), {}};
-  for (std::size_t k = 0; k < curve.results.size(); ++k) {
-    const properties::Tally* const tally = curve.tally(k);
-    dial.points.push_back({static_cast<double>(curve.severities[k]),
-                           tally == nullptr ? std::nullopt : tally->max(),
-                           properties::defects(curve.results[k].inside),
-                           properties::is_stable(curve.results[k].inside)});
-  }
-  return dial;
+/// A facet of those of its severities.
+ChartFacet of_severities(ChartFacet facet, const std::vector<int>& chosen) {
+  const auto keep = [&](auto& list) {
+    std::decay_t<decltype(list)> kept;
+    for (const int k : chosen) kept.push_back(std::move(list[static_cast<std::size_t>(k)]));
+    list = std::move(kept);
+  };
+  keep(facet.severities);
+  for (ChartSeries& series : facet.series) keep(series.points);
+  return facet;
 }
 
 }  // namespace
@@ -105,16 +106,14 @@ ViewDocument dial_document(const StressOptions& options, const properties::RunCo
   ViewDocument document;
   document.title = std::string(family.family->name);
   DialView dial;
-  dial.family = document.title;
   dial.sentence =
       fmt::format("{}; severity is {}", family.family->sentence, family.family->dial->meaning);
-  dial.unit = std::string(info(properties::main_quantity(stage)).unit);
   SceneViewOptions view;
+  view.is_of_methods = !options.methods.empty();
   const StagedMethod* first = nullptr;
   for (const StressCurve& curve : family.curves) {
     if (curve.method.stage != stage) continue;
     if (first == nullptr) first = &curve.method;
-    dial.curves.push_back(dial_curve(curve));
     if (curve.method.other) {
       view.other = curve.method.other;
     } else {
@@ -124,12 +123,14 @@ ViewDocument dial_document(const StressOptions& options, const properties::RunCo
   const std::vector<int>& severities = family.curves.back().severities;
   const auto chosen =
       properties::some_severities(0, static_cast<int>(severities.size()) - 1, kMostScenes);
+  ChartFacet facet = stress_facet(family, stage, first->precision());
+  document.chart = ChartView{{of_severities(std::move(facet), chosen)}, kChartShares.size() - 1};
   view.limits.panel_bytes = kPanelBytes / chosen.size();
   for (const int k : chosen) {
     if (control.interrupted()) break;
     const int severity = severities[static_cast<std::size_t>(k)];
     const ShownCase shown = worst_of_first(*family.family, severity, *first, options.seed);
-    view.name = fmt::format("{}@{}", dial.family, severity);
+    view.name = fmt::format("{}@{}", document.title, severity);
     view.file = view.name + ".toml";
     view.wanted = selections_of(shown.the_case, shown.place);
     if (shown.wrong) {
@@ -139,10 +140,10 @@ ViewDocument dial_document(const StressOptions& options, const properties::RunCo
            std::string(first->name()), std::string(first->name()), properties::Standing::kDefect,
            document.scenes.size(), selection_of(shown.place, shown.the_case.scene)});
     }
-    dial.severities.push_back(severity);
     dial.scenes.push_back(document.scenes.size());
     document.scenes.push_back(view_of(shown.the_case.scene, view, document.left_out, control));
   }
+  document.found = std::to_string(document.findings.size());
   document.dial = std::move(dial);
   return document;
 }

@@ -3,12 +3,10 @@
 #include <fmt/core.h>
 
 namespace raycheck::tools {
-namespace {
 
 using properties::Stage;
 
-/// The methods of one stage that are judged in one format.
-ChartFacet facet_of(const FamilyReport& family, Stage stage, scene::Precision precision) {
+ChartFacet stress_facet(const FamilyReport& family, Stage stage, scene::Precision precision) {
   ChartFacet facet{.subject = std::string(family.family->name),
                    .stage = chart_stage(stage, precision),
                    .meaning = std::string(family.family->dial->meaning),
@@ -32,14 +30,12 @@ ChartFacet facet_of(const FamilyReport& family, Stage stage, scene::Precision pr
   return facet;
 }
 
-}  // namespace
-
 ViewDocument stress_document(const StressReport& report) {
   ChartView chart;
   for (const Stage stage : {Stage::kIntersection, Stage::kRays}) {
     for (const auto precision : {scene::Precision::kDouble, scene::Precision::kSingle}) {
       for (const FamilyReport& family : report.families) {
-        ChartFacet facet = facet_of(family, stage, precision);
+        ChartFacet facet = stress_facet(family, stage, precision);
         if (!facet.series.empty()) chart.facets.push_back(std::move(facet));
       }
     }

@@ -6,6 +6,10 @@
 
 namespace raycheck::tools {
 
+/// The methods of one stage that are judged in one format, on a family.
+ChartFacet stress_facet(const FamilyReport& family, properties::Stage stage,
+                        scene::Precision precision);
+
 /// A report as a page: error against severity, on each of its families.
 ViewDocument stress_document(const StressReport& report);
 

@@ -2,6 +2,8 @@
 
 #include <fmt/core.h>
 
+#include <cctype>
+
 #include "tools/report/words.h"
 
 namespace raycheck::tools {
@@ -16,7 +18,9 @@ std::vector<Quantity> chart_quantities(Stage stage) {
 }
 
 std::string chart_stage(Stage stage, scene::Precision precision) {
-  return fmt::format("{}{}", name(stage), precision_words(precision));
+  std::string text = fmt::format("{}{}", name(stage), precision_words(precision));
+  text.front() = static_cast<char>(std::toupper(static_cast<unsigned char>(text.front())));
+  return text;
 }
 
 std::optional<ChartPoint> chart_point(const std::map<Quantity, Tally>& tallies,

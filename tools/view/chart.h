@@ -61,7 +61,7 @@ struct ChartSeries {
 /// Methods of one stage and format on the same inputs: their errors have the same units.
 struct ChartFacet {
   std::string subject = {};                  ///< "distance", or the scene.
-  std::string stage = {};                    ///< "intersections", "rays, in single precision"
+  std::string stage = {};                    ///< "Intersections", "Rays, in single precision"
   std::string meaning = {};                  ///< Of the severities.
   std::vector<std::string> severities = {};  ///< "3", or "128..191" where several are one.
   std::string baseline = {};  ///< The method that times are over; empty: there are none.
@@ -72,12 +72,13 @@ struct ChartFacet {
 
 struct ChartView {
   std::vector<ChartFacet> facets;
+  std::size_t share = kChartShare;  ///< Which of kChartShares is shown first.
 };
 
 /// What is judged of a stage and has errors: what reports compare methods by comes first.
 std::vector<properties::Quantity> chart_quantities(properties::Stage stage);
 
-/// "intersections", "rays, in single precision"
+/// "Intersections", "Rays, in single precision"
 std::string chart_stage(properties::Stage stage, scene::Precision precision);
 
 /// What tallies say, of those quantities; empty where nothing was compared.

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "reference/exact_camera.h"
 #include "scene/number.h"
@@ -13,42 +12,14 @@
 namespace raycheck::tools {
 namespace {
 
-using reference::Enclosure;
-using reference::Enclosure3;
-
-/// (a - b) 2^exponent, rounded once.
-double scaled_difference(double a, double b, int exponent) {
-  const double difference = a - b;
-  if (std::isfinite(difference)) return std::ldexp(difference, exponent);
-  return std::ldexp(a / 2 - b / 2, exponent + 1);  // of numbers so large that halves are exact
-}
-
-Drawn unit(const scene::UnitVector3& v) { return {v.x, v.y, v.z}; }
-
-/// A direction of length about 1, whatever the length of `v` is.
-Drawn unit(const scene::Vector3& v) {
-  const double largest = std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)});
-  const int exponent = -std::ilogb(largest);
-  const Drawn near_one = {std::ldexp(v.x, exponent), std::ldexp(v.y, exponent),
-                          std::ldexp(v.z, exponent)};
-  const double length = std::hypot(near_one[0], near_one[1], near_one[2]);
-  return {near_one[0] / length, near_one[1] / length, near_one[2] / length};
-}
-
-/// The middle of enclosures; empty where they are wider than what is drawn may be off by.
-std::optional<Drawn> middle(const Enclosure3& value) {
-  constexpr double kRelativeWidth = 0x1p-40;
-  double largest = 0, widest = 0;
-  const auto middle_of = [&](const Enclosure& coordinate) {
-    const double low = coordinate.lower(), high = coordinate.upper();
-    widest = std::max(widest, high - low);
-    largest = std::max({largest, std::abs(low), std::abs(high)});
-    return low / 2 + high / 2;
-  };
-  const Drawn result = {middle_of(value.x), middle_of(value.y), middle_of(value.z)};
-  if (widest > kRelativeWidth * largest) return std::nullopt;
-  return result;
-}
+/// What reaches farther than so many sizes of the frustum is left out of views of the whole.
+constexpr double kOrdinary = 50;
+/// More are thinned, and the figure says so.
+constexpr std::int64_t kMostPixelsAcross = 96, kMostRaysAcross = 24;
+/// Given rays times spheres, up to which it is looked for where each ray ends.
+constexpr double kMostMet = 1 << 22;
+/// Doubles near a centre are |C| 2^-52 apart: of a smaller sphere, in |C|, nothing can be drawn.
+constexpr double kLeastDrawn = 0x1p-40;
 
 DrawnCamera drawn_camera(const scene::Scene& scene, const DrawnFrame& frame) {
   const scene::Camera& camera = *scene.camera;
@@ -57,142 +28,187 @@ DrawnCamera drawn_camera(const scene::Scene& scene, const DrawnFrame& frame) {
   drawn.U = unit(axes.U);
   drawn.V = unit(axes.V);
   drawn.W = unit(axes.W);
-  drawn.look_at = frame.point(camera.look_at);
-  drawn.up = unit(camera.up);
   drawn.near = frame.length(camera.near);
   drawn.left = frame.length(camera.left);
   drawn.right = frame.length(camera.right);
   drawn.bottom = frame.length(camera.bottom);
   drawn.top = frame.length(camera.top);
-  if (camera.far) drawn.far = frame.length(*camera.far);
+  const bool at_edges = scene.conventions.samples == scene::Samples::kEdges;
+  const double columns = static_cast<double>(camera.width - (at_edges ? 1 : 0));
+  const double rows = static_cast<double>(camera.height - (at_edges ? 1 : 0));
+  const double across = (drawn.right - drawn.left) / columns,
+               up = (drawn.top - drawn.bottom) / rows;
+  const bool from_top = scene.conventions.rows == scene::Rows::kTopFirst;
+  const reference::ExactRay first(reference::ExactCamera(camera, scene.conventions), {0, 0});
+  drawn.first = frame.point([&](int bits) { return first.enclose(bits).pixel_point(); });
+  drawn.column = across * drawn.U;
+  drawn.row = (from_top ? -up : up) * drawn.V;
+  const double beside = at_edges ? 0.5 : 0;  // of a cell: every sample's is whole
+  drawn.window = {drawn.left - beside * across, drawn.right + beside * across,
+                  drawn.bottom - beside * up, drawn.top + beside * up};
+  for (double& side : drawn.window) side /= std::abs(drawn.near);
+  const auto steps = [&](std::int64_t most) {
+    return std::array{(camera.width + most - 1) / most, (camera.height + most - 1) / most};
+  };
+  drawn.pixel_steps = steps(kMostPixelsAcross);
+  drawn.ray_steps = steps(kMostRaysAcross);
+  const scene::ValidRoots& valid = scene.conventions.valid;
+  drawn.in_radii = valid.unit == scene::TUnit::kRadius;
+  drawn.counts_from = drawn.in_radii ? valid.t_min : frame.length(valid.t_min);
+  drawn.counts_to = drawn.in_radii ? valid.t_max : frame.length(valid.t_max);
+  drawn.smaller_counts = valid.culling != scene::Culling::kFrontFaces;
+  drawn.larger_counts = valid.culling != scene::Culling::kBackFaces &&
+                        scene.conventions.root != scene::Root::kSmaller;
   return drawn;
 }
 
-/// Whether one of the two roots may be the answer under conventions.
-bool may_count(const reference::ExactRay& ray, const scene::Sphere& sphere,
-               const reference::Intersection& at, const scene::Conventions& conventions) {
-  const bool is_asked =
-      conventions.root == scene::Root::kNearest || at.root == reference::WhichRoot::kSmaller;
-  return is_asked && ray.counts(sphere, at, conventions.valid) == reference::RootCounts::kYes;
+/// The corners of the frustum at a depth, enlarged about its middle.
+std::array<Drawn, 4> corners(const DrawnCamera& camera, double depth, double enlarged = 1) {
+  const auto at = [&](double low, double high, int sign) {
+    return (low / 2 + high / 2 + sign * enlarged * (high / 2 - low / 2)) * (depth / camera.near);
+  };
+  const auto corner = [&](int x, int y) {
+    return at(camera.left, camera.right, x) * camera.U +
+           at(camera.bottom, camera.top, y) * camera.V + depth * camera.W;
+  };
+  return {corner(-1, -1), corner(1, -1), corner(1, 1), corner(-1, 1)};
 }
 
-/// How the whole line meets a sphere, behind the ray's origin too.
-reference::HitClass class_of_line(const reference::ExactRay& ray, const scene::Sphere& sphere) {
-  scene::Conventions anywhere;
-  anywhere.valid.t_min = std::numeric_limits<double>::lowest();
-  return ray.intersect(sphere, anywhere).hit_class;
+void add_corners(Figure& figure, const std::string& plane, const std::array<Drawn, 4>& corners) {
+  for (std::size_t k = 0; k < corners.size(); ++k) {
+    figure.places.emplace_back(fmt::format("{} {}", plane, k), corners[k]);
+  }
 }
 
-/// L + v D
-Enclosure3 foot(const reference::ExactRay& ray, const scene::Sphere& sphere, int bits) {
-  const auto enclosed = ray.enclose(bits);
-  const Enclosure3 origin = enclosed.origin(), direction = enclosed.direction();
-  const Enclosure v = enclosed.axial_distance(sphere);
-  return {origin.x + v * direction.x, origin.y + v * direction.y, origin.z + v * direction.z};
+void add_camera(Figure& figure, const DrawnFrame& frame, const scene::Scene& scene) {
+  constexpr double kEnlarged = 1.5;                      // the view plane, of which a part is drawn
+  constexpr double kAxisLength = 0.4, kUpLength = 1.35;  // of the way to the plane; of an axis
+  const scene::Camera& given = *scene.camera;
+  const DrawnCamera& camera = *(figure.camera = drawn_camera(scene, frame));
+  const double axis = kAxisLength * std::abs(camera.near);
+  figure.places = {{"E", {0, 0, 0}},       {"A", frame.point(given.look_at)},
+                   {"U", axis * camera.U}, {"V", axis * camera.V},
+                   {"W", axis * camera.W}, {"up", kUpLength * axis * unit(given.up)}};
+  const auto near = corners(camera, camera.near);
+  add_corners(figure, "near", near);
+  add_corners(figure, "plane", corners(camera, camera.near, kEnlarged));
+  if (given.far) add_corners(figure, "far", corners(camera, frame.length(*given.far)));
+  figure.places.emplace_back("pixel (0, 0)", camera.first);
+  std::erase_if(figure.places, [](const auto& place) { return !is_finite(place.second); });
+  for (const auto& [name, place] : figure.places) {
+    if (name.starts_with(given.far ? "far" : "near")) {
+      figure.size = std::max(figure.size, length_of(place));
+    }
+  }
+  for (const auto& [name, place] : figure.places) {
+    const bool is_whole = name != "A" || length_of(place) <= kOrdinary * figure.size;
+    if (is_whole && !name.starts_with("plane")) figure.whole.push_back(place);
+  }
+  if (length_of(near[0] - near[2]) < length_of(near[0]) / kOrdinary) {
+    figure.is_out_of_scale = true;
+    figure.notes.push_back(
+        "From outside the image plane is next to a point, so narrow it is; the view from the eye "
+        "shows it.");
+  }
+  const auto& [across, down] = camera.pixel_steps;
+  if (std::max(across, down) > 1) {
+    figure.notes.push_back(fmt::format(
+        "Of {} columns of pixels one in {} is drawn, of {} rows one in {}; when all rays are, one "
+        "in {} and one in {}.",
+        given.width, across, given.height, down, camera.ray_steps[0], camera.ray_steps[1]));
+  }
+}
+
+void add_rays(Figure& figure, const DrawnFrame& frame, const scene::Scene& scene) {
+  const double met =
+      static_cast<double>(scene.rays.size()) * static_cast<double>(scene.spheres.size());
+  if (met > kMostMet) figure.notes.push_back("Rays are drawn without their hit points: too many.");
+  for (const scene::Ray& ray : scene.rays) {
+    DrawnRay drawn = {frame.point(ray.origin), unit(ray.direction), {}};
+    const reference::ExactRay exact(ray);
+    if (const auto nearest =
+            met > kMostMet ? std::nullopt : exact.nearest(scene.spheres, scene.conventions)) {
+      drawn.hit = frame.point([&](int bits) {
+        return exact.enclose(bits).point(scene.spheres[nearest->index], nearest->intersection);
+      });
+    }
+    figure.rays.push_back(drawn);
+    if (!is_finite(drawn.origin)) continue;
+    figure.whole.push_back(drawn.origin);
+    figure.size = std::max(figure.size, length_of(drawn.origin));
+  }
+}
+
+/// "Sphere 3 surrounds" or "4 spheres surround".
+std::string counted(const std::vector<std::size_t>& spheres, const char* one, const char* several) {
+  return spheres.size() == 1 ? fmt::format("Sphere {} {}", spheres.front(), one)
+                             : fmt::format("{} spheres {}", spheres.size(), several);
+}
+
+void add_spheres(Figure& figure, const DrawnFrame& frame, const scene::Scene& scene,
+                 std::size_t drawn) {
+  std::vector<std::size_t> far_off, around, small, nowhere;
+  for (std::size_t k = 0; k < drawn; ++k) {
+    const scene::Sphere& sphere = scene.spheres[k];
+    const Drawn centre = frame.point(sphere.centre);
+    const double radius = frame.length(sphere.radius), distance = length_of(centre);
+    figure.spheres.push_back(
+        {centre, radius, sphere_colour(k),
+         fmt::format("sphere {}: C = ({}, {}, {}), r = {}", k, scene::shortest(sphere.centre.x),
+                     scene::shortest(sphere.centre.y), scene::shortest(sphere.centre.z),
+                     scene::shortest(sphere.radius))});
+    if (!figure.camera && k == 0 && std::isfinite(distance + radius)) {
+      figure.size = std::max({figure.size, distance, radius});
+    }
+    if (!std::isfinite(distance + radius)) {
+      nowhere.push_back(k);
+      continue;
+    }
+    if (radius < kLeastDrawn * distance) small.push_back(k);
+    if (distance + radius > kOrdinary * figure.size) {
+      far_off.push_back(k);
+    } else if (distance < radius) {
+      around.push_back(k);
+    } else {
+      figure.reach = std::max(figure.reach, distance + radius);
+    }
+  }
+  figure.is_out_of_scale |= drawn > 0 && far_off.size() + nowhere.size() == drawn;
+  const auto note = [&](const auto& spheres, const char* one, const char* several,
+                        const char* what) {
+    if (!spheres.empty()) figure.notes.push_back(counted(spheres, one, several) + what);
+  };
+  note(far_off, "reaches", "reach", " too far for a view of the whole; look around the sphere.");
+  note(around, "surrounds", "surround", " the eye; from outside only the far half is drawn.");
+  note(nowhere, "lies", "lie", " so far away that no double holds where, and cannot be drawn.");
+  note(small, "is", "are", " too small, so far from the origin, to be drawn at any scale.");
+  for (const auto& spheres : {far_off, around, nowhere}) {
+    figure.apart.insert(figure.apart.end(), spheres.begin(), spheres.end());
+  }
+  if (drawn < scene.spheres.size()) {
+    figure.notes.push_back(
+        fmt::format("{} more spheres are not in this page.", scene.spheres.size() - drawn));
+  }
 }
 
 }  // namespace
-
-DrawnFrame::DrawnFrame(const scene::Scene& scene) {
-  double size = 1;
-  if (scene.camera) {
-    const scene::Camera& camera = *scene.camera;
-    origin_ = camera.eye;
-    size = 0;
-    for (const double length :
-         {camera.near, camera.left, camera.right, camera.bottom, camera.top}) {
-      size = std::max(size, std::abs(length));
-    }
-  } else if (!scene.rays.empty()) {
-    origin_ = scene.rays.front().origin;
-    if (!scene.spheres.empty()) {
-      const scene::Sphere& sphere = scene.spheres.front();
-      size = sphere.radius;
-      for (const double way :
-           {sphere.centre.x / 2 - origin_.x / 2, sphere.centre.y / 2 - origin_.y / 2,
-            sphere.centre.z / 2 - origin_.z / 2}) {
-        size = std::max(size, std::abs(way));
-      }
-    }
-  }
-  exponent_ = size > 0 ? -std::ilogb(size) : 0;
-}
-
-Drawn DrawnFrame::point(const scene::Point3& point) const {
-  return {scaled_difference(point.x, origin_.x, exponent_),
-          scaled_difference(point.y, origin_.y, exponent_),
-          scaled_difference(point.z, origin_.z, exponent_)};
-}
-
-double DrawnFrame::length(double length) const { return std::ldexp(length, exponent_); }
-
-Drawn DrawnFrame::point(const std::function<Enclosure3(int bits)>& enclose) const {
-  constexpr int kFewestBits = 128, kMostBits = 1 << 14;
-  for (int bits = kFewestBits;; bits *= 2) {
-    // Twice, for 2^exponent may be no double.
-    const Enclosure half(std::ldexp(1.0, exponent_ / 2), bits);
-    const Enclosure rest(std::ldexp(1.0, exponent_ - exponent_ / 2), bits);
-    const auto moved = [&](const Enclosure& coordinate, double from) {
-      return (coordinate - Enclosure(from, bits)) * half * rest;
-    };
-    const Enclosure3 value = enclose(bits);
-    const Enclosure3 relative = {moved(value.x, origin_.x), moved(value.y, origin_.y),
-                                 moved(value.z, origin_.z)};
-    if (const auto known = middle(relative)) return *known;
-    // Nearer to the origin than any double can say.
-    if (bits >= kMostBits) return {0, 0, 0};
-  }
-}
 
 Figure figure_of(const scene::Scene& scene, std::size_t most_spheres) {
   const DrawnFrame frame(scene);
   Figure figure;
   figure.origin = frame.origin();
   figure.scale_exponent = frame.exponent();
-  if (scene.camera) figure.camera = drawn_camera(scene, frame);
-  for (const scene::Ray& ray : scene.rays) {
-    figure.rays.push_back({frame.point(ray.origin), unit(ray.direction)});
-  }
+  if (scene.camera) add_camera(figure, frame, scene);
+  add_rays(figure, frame, scene);
   const std::size_t drawn = std::min(scene.spheres.size(), most_spheres);
   figure.spheres_left_out = scene.spheres.size() - drawn;
-  for (std::size_t k = 0; k < drawn; ++k) {
-    const scene::Sphere& sphere = scene.spheres[k];
-    figure.spheres.push_back(
-        {frame.point(sphere.centre), frame.length(sphere.radius), sphere_colour(k),
-         fmt::format("sphere {}: C = ({}, {}, {}), r = {}", k, scene::shortest(sphere.centre.x),
-                     scene::shortest(sphere.centre.y), scene::shortest(sphere.centre.z),
-                     scene::shortest(sphere.radius))});
+  add_spheres(figure, frame, scene, drawn);
+  for (const Drawn& place : figure.whole) {
+    figure.reach = std::max(figure.reach, length_of(place));
   }
+  if (figure.size == 0) figure.size = 1;
+  if (figure.reach == 0) figure.reach = figure.size;
   return figure;
-}
-
-PanelDrawing drawing_of(const DrawnFrame& frame, const reference::ExactRay& ray,
-                        const scene::Sphere* sphere, const scene::Conventions& conventions) {
-  PanelDrawing drawing;
-  drawing.origin = frame.point([&](int bits) { return ray.enclose(bits).origin(); });
-  if (ray.source().camera) {
-    drawing.pixel = frame.point([&](int bits) { return ray.enclose(bits).pixel_point(); });
-  }
-  drawing.direction = unit(ray.rounded_direction());
-  if (sphere == nullptr) return drawing;
-  drawing.foot = frame.point([&](int bits) { return foot(ray, *sphere, bits); });
-  const auto chosen = ray.intersect(*sphere, conventions);
-  const auto line = class_of_line(ray, *sphere);
-  if (line == reference::HitClass::kMiss) return drawing;
-  for (const auto which : {reference::WhichRoot::kSmaller, reference::WhichRoot::kLarger}) {
-    const bool smaller = which == reference::WhichRoot::kSmaller;
-    if (line == reference::HitClass::kTangent && !smaller) break;
-    const reference::Intersection at = {line, which};
-    DrawnRoot root;
-    root.smaller = smaller;
-    root.parameter = ray.rounded_parameter(*sphere, at);
-    root.point = frame.point([&](int bits) { return ray.enclose(bits).point(*sphere, at); });
-    root.counts = may_count(ray, *sphere, at, conventions);
-    root.is_chosen = chosen.hit_class != reference::HitClass::kMiss &&
-                     (chosen.root == which || line == reference::HitClass::kTangent);
-    drawing.roots.push_back(root);
-  }
-  return drawing;
 }
 
 }  // namespace raycheck::tools

@@ -8,6 +8,7 @@
 #include <stdexcept>
 
 #include "scene/interruption.h"
+#include "tools/view/view_words.h"
 
 namespace raycheck::tools {
 namespace {
@@ -41,11 +42,18 @@ double middle(const Enclosure& value) {
   return low / 2 + high / 2;
 }
 
-/// The gap between the doubles around a number.
-double ulp_at(double value) {
+/// The next number of a format towards another.
+double next_of(double value, double towards, scene::Precision precision) {
+  if (precision == scene::Precision::kDouble) return std::nextafter(value, towards);
+  return std::nextafter(static_cast<float>(value), static_cast<float>(towards));
+}
+
+/// The gap between the numbers of a format around a number.
+double ulp_at(double value, scene::Precision precision) {
   const double size = std::abs(value);
-  const double above = std::nextafter(size, HUGE_VAL);
-  return std::isfinite(above) ? above - size : size - std::nextafter(size, 0.0);
+  const double above = next_of(size, HUGE_VAL, precision);
+  return std::isfinite(above) ? above - next_of(above, 0, precision)
+                              : size - next_of(size, 0, precision);
 }
 
 Enclosure3 scaled(const Enclosure3& v, const Enclosure& factor) {
@@ -145,11 +153,21 @@ class Plane {
   Enclosure3 along_, normal_, origin_;
 };
 
+/// The place of a method among all of raycheck's; someone else's is behind them.
+std::size_t number_of(const MethodReport& method) {
+  const auto all = all_intersect_methods();
+  return static_cast<std::size_t>(
+      std::find_if(all.begin(), all.end(),
+                   [&](const auto* one) { return one->name == method.name; }) -
+      all.begin());
+}
+
 void add_marks(const ExplainReport& report, const Plane& plane, double ulp, Microscope& scope) {
   for (const MethodReport& method : report.methods) {
     if (!method.intersects || !method.parameter || !std::isfinite(*method.parameter)) continue;
     MicroscopeMark mark;
     mark.method = method.name;
+    mark.number = number_of(method);
     mark.is_wrong = !method.goes_wrong_at.empty();
     mark.text = fmt::format("s = {:.17g}", *method.parameter);
     mark.x = middle(plane.x_of(*method.parameter, ulp));
@@ -189,6 +207,15 @@ void add_zooms(const Plane& plane, Microscope& scope) {
   }
 }
 
+/// A window is at least half as high as it is wide.
+std::size_t window_of(const MicroscopeMark& mark, const std::vector<Microscope::Zoom>& zooms) {
+  const auto found = std::find_if(zooms.begin(), zooms.end(), [&](const Microscope::Zoom& zoom) {
+    return std::abs(mark.x) <= zoom.half_width && std::abs(mark.y) <= zoom.half_width / 2;
+  });
+  const auto index = static_cast<std::size_t>(found - zooms.begin());
+  return zooms.empty() ? 0 : std::min(index, zooms.size() - 1);
+}
+
 Microscope look(const ExplainReport& report, const reference::ExactRay& ray,
                 const scene::Sphere& sphere, int bits) {
   const SphereReport& exact = report.spheres[*report.sphere];
@@ -199,25 +226,33 @@ Microscope look(const ExplainReport& report, const reference::ExactRay& ray,
   const double length = ray.source().camera ? 1 : ray.enclose(bits).length().lower();
   scope.parameter = scope.is_hit ? *exact.parameter : v->rounded.front() / length;
   if (!std::isfinite(scope.parameter)) throw TooWide();
-  scope.ulp = ulp_at(scope.parameter);
+  const scene::Precision precision = microscope_precision(report);
+  scope.ulp = ulp_at(scope.parameter, precision);
+  if (!std::isfinite(scope.ulp)) throw TooWide();
   const Plane plane(ray, sphere, at, scope.ulp, bits);
   add_marks(report, plane, scope.ulp, scope);
   add_zooms(plane, scope);
+  for (MicroscopeMark& mark : scope.marks) mark.window = window_of(mark, scope.zooms);
   double neighbour = scope.parameter;
-  for (int k = 0; k < kGridSteps; ++k) neighbour = std::nextafter(neighbour, -HUGE_VAL);
+  for (int k = 0; k < kGridSteps; ++k) neighbour = next_of(neighbour, -HUGE_VAL, precision);
   for (int k = -kGridSteps; k <= kGridSteps && std::isfinite(neighbour); ++k) {
     scope.grid.push_back(middle(plane.x_of(neighbour, scope.ulp)));
-    neighbour = std::nextafter(neighbour, HUGE_VAL);
+    neighbour = next_of(neighbour, HUGE_VAL, precision);
   }
   const Step* const s = scope.is_hit ? report.find("s") : nullptr;
   if (s != nullptr && s->condition && std::isfinite(*s->condition)) {
-    constexpr double kUnitRoundoff = 0x1p-53;
-    scope.region = *s->condition * kUnitRoundoff * std::abs(scope.parameter) / scope.ulp;
+    const double unit_roundoff = precision == scene::Precision::kDouble ? 0x1p-53 : 0x1p-24;
+    scope.region = *s->condition * unit_roundoff * std::abs(scope.parameter) / scope.ulp;
   }
+  scope.sentences = microscope_sentences(scope, report, scope.is_hit ? 0 : plane.gap());
   return scope;
 }
 
 }  // namespace
+
+scene::Precision microscope_precision(const ExplainReport& report) {
+  return report.other ? report.other->precision : scene::Precision::kDouble;
+}
 
 std::optional<Microscope> microscope_of(const ExplainReport& report, const reference::ExactRay& ray,
                                         const scene::Sphere& sphere) {

@@ -54,6 +54,17 @@ std::string latex_of(const ExplainReport& report) {
   return text + "\\end{align*}\n";
 }
 
+/// Leaves of raycheck's methods those of the pairs.
+void keep_methods(const std::vector<MethodPair>& pairs, ExplainReport& report) {
+  if (pairs.empty()) return;
+  std::erase_if(report.methods, [&](const MethodReport& method) {
+    const bool is_other = report.other && method.name == report.other->name;
+    return !is_other && std::none_of(pairs.begin(), pairs.end(), [&](const MethodPair& pair) {
+      return method.name == (method.intersects ? pair.intersect->name : pair.rays->name);
+    });
+  });
+}
+
 }  // namespace
 
 bool is_typeset(const Step& step) {
@@ -87,6 +98,7 @@ Panel panel_of(const scene::Scene& scene, const DrawnFrame& frame, const Selecti
     panel.selection.sphere = selection.sphere.value_or(0);
   }
   panel.text = explain_text(report, {});
+  keep_methods(options.methods, panel.report);
   panel.command = explain_command(report, selection, *options.rays, options.scene_argument,
                                   options.more_arguments);
   panel.sage = sage_input(report);

@@ -133,6 +133,7 @@ void add_panels(const scene::Scene& scene, const SceneViewOptions& options, Scen
   if (!options.methods.empty()) panels.rays = options.methods.front().rays;
   panels.other = options.other;
   panels.others_ray = options.others_ray;
+  if (options.is_of_methods) panels.methods = options.methods;
   panels.scene_argument = options.file;
   if (options.other) panels.more_arguments = options.more_arguments;  // No renderer is explained.
   const std::vector<Selection> list = candidates_for_panels(scene, options);

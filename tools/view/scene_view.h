@@ -22,6 +22,7 @@ struct SceneViewOptions {
   std::string file;  ///< The scene as commands name it: a word, quoted where it has to be.
   std::string more_arguments;       ///< Of its commands: the candidate, or nothing.
   std::vector<MethodPair> methods;  ///< Whose pictures are shown; the rays are the first's.
+  bool is_of_methods = false;       ///< Panels show the steps of those alone.
   /// Someone else's, by whose conventions all is shown; null: there is none.
   std::shared_ptr<const OtherMethod> other = nullptr;
   std::optional<scene::Ray> others_ray = {};  ///< As ExplainOptions has it.

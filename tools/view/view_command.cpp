@@ -98,9 +98,11 @@ CheckOptions check_options(const ViewArguments& arguments) {
 }
 
 ViewDocument of_scene(const ViewArguments& arguments, const properties::RunControl& control) {
+  const CheckPageOptions options = {wanted(arguments),
+                                    !arguments.methods.empty() || !arguments.rays.empty()};
   const CheckReport report = check(check_options(arguments), control);
   print_warnings(report.warnings);
-  return check_document(report, wanted(arguments), control);
+  return check_document(report, options, control);
 }
 
 ViewDocument of_family(const ViewArguments& arguments, const properties::RunControl& control) {

@@ -3,9 +3,11 @@
 
 // What pages say of commands, and of what they have no room for; in view_words_text.cpp.
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <string>
+#include <vector>
 
 #include "tools/view/document.h"
 
@@ -31,6 +33,25 @@ std::string fewer_spheres(const std::string& scene, const Kept& spheres);
 std::string fewer_panels(const std::string& scene, const Kept& rays);
 std::string fewer_judged(const std::string& scene, const Kept& rays);
 std::string fewer_laws(const Kept& laws);
+
+/// "as direct/cross has it"
+std::string picture_name(const ScenePicture& picture);
+
+/// Behind an s that counts multiples of a ray's direction; nothing where that is a unit vector.
+std::string direction_remark(const ExplainReport& report);
+
+/// What the microscope shows: around which point, in what unit, how far away the answers to a miss
+/// are, and of which methods there is nothing to draw.
+std::vector<std::string> microscope_sentences(const Microscope& microscope,
+                                              const ExplainReport& report, double gap);
+
+/// Of the first of the findings, behind its place, of so many discrepancies in all.
+std::string worst_of(const Kept& places);
+/// How many places with discrepancies are listed, of how many discrepancies, and largest errors.
+std::string findings_found(const Kept& places, std::uint64_t errors);
+
+/// [word, what it means] of the words that pages use.
+std::vector<std::array<std::string, 2>> words_of_pages();
 
 }  // namespace raycheck::tools
 

@@ -1,6 +1,13 @@
 #include <fmt/core.h>
 
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
 #include "scene/number.h"
+#include "tools/explain/explain_views.h"
+#include "tools/report/words.h"
+#include "tools/view/microscope.h"
 #include "tools/view/view_words.h"
 
 namespace raycheck::tools {
@@ -70,6 +77,102 @@ std::string fewer_laws(const Kept& laws) {
       "cases of {} of {} broken laws; `raycheck properties --filter LAW --view` "
       "shows others",
       laws.shown, laws.all);
+}
+
+std::string picture_name(const ScenePicture& picture) {
+  if (picture.kind == PictureKind::kCertified) return "certified";
+  if (picture.kind == PictureKind::kAnswered) return fmt::format("as {} has it", picture.candidate);
+  return "errors of " + picture.candidate;
+}
+
+std::string direction_remark(const ExplainReport& report) {
+  if (report.pixel) return {};
+  const scene::Vector3& D = report.ray.direction;
+  const double length = std::hypot(D.x, D.y, D.z);
+  const std::string told = fmt::format("{:.6g}", length);
+  return told == "1" ? "" : fmt::format(" times the ray's direction, which is {} long", told);
+}
+
+std::vector<std::string> microscope_sentences(const Microscope& microscope,
+                                              const ExplainReport& report, double gap) {
+  const bool is_single = microscope_precision(report) == scene::Precision::kSingle;
+  std::vector<std::string> sentences = {
+      fmt::format("Around the {}, s = {:.17g}{}. 1 ulp = {:.3g}{}.",
+                  microscope.is_hit ? "exact hit point" : "ray's point nearest to the centre",
+                  microscope.parameter, direction_remark(report), microscope.ulp,
+                  is_single ? ", of a float: the candidate's format" : "")};
+  if (microscope.is_hit) {
+    sentences.push_back(
+        microscope.region ? fmt::format("Shaded: rounding the inputs moves s by up to {:.6g} ulp.",
+                                        *microscope.region)
+                          : "Shaded: rounding the inputs may move s anywhere.");
+  } else {
+    std::string text = fmt::format(
+        "A miss has no hit point; here the ray is {:.3g} ulp from the sphere", std::abs(gap));
+    double nearest = HUGE_VAL;
+    for (const MicroscopeMark& mark : microscope.marks) {
+      nearest = std::min(nearest, std::max(std::abs(mark.x), std::abs(mark.y)));
+    }
+    if (nearest < HUGE_VAL) {
+      text += fmt::format(", and the nearest hit that a method claims is {:.3g} ulp away", nearest);
+    }
+    sentences.push_back(text + ".");
+  }
+  std::vector<std::pair<std::string, std::string>> absent;  // verdict, names
+  for (const MethodReport& method : report.methods) {
+    const bool is_drawn =
+        std::any_of(microscope.marks.begin(), microscope.marks.end(),
+                    [&](const MicroscopeMark& mark) { return mark.method == method.name; });
+    if (!method.intersects || is_drawn) continue;
+    const std::string verdict = method_verdict(method, report);
+    const auto same = std::find_if(absent.begin(), absent.end(),
+                                   [&](const auto& other) { return other.first == verdict; });
+    if (same == absent.end()) {
+      absent.emplace_back(verdict, method.name);
+    } else {
+      same->second += ", " + method.name;
+    }
+  }
+  for (const auto& [verdict, names] : absent) {
+    sentences.push_back(fmt::format("Nothing to draw of {}: {}.", names, verdict));
+  }
+  return sentences;
+}
+
+std::string worst_of(const Kept& places) {
+  if (places.all == 1) return ", the only discrepancy here";
+  return fmt::format(
+      ", the worst of {} discrepancies here; {} listed", places.all,
+      places.shown == 1 ? "one place is" : fmt::format("{} places are", places.shown));
+}
+
+std::string findings_found(const Kept& places, std::uint64_t errors) {
+  std::string text;
+  if (places.all > 0) {
+    text = fmt::format("{}, of {} {}", count_text(places.shown, "place"), places.all,
+                       places.all == 1 ? "discrepancy" : "discrepancies");
+  }
+  if (errors > 0) text += (text.empty() ? "" : "; ") + count_text(errors, "largest error");
+  return text.empty() ? "none" : text;
+}
+
+std::vector<std::array<std::string, 2>> words_of_pages() {
+  return {
+      {"ulp",
+       "the gap between the doubles (of a candidate in floats: the floats) around the exact "
+       "value"},
+      {"u", "half of that gap at 1: the relative error of one rounding"},
+      {"goes wrong at", "the first step whose error is more than one step may be expected to have"},
+      {"within its bound", "off by no more than what the method documents: its largest error here"},
+      {"defect", "wrong, though the problem allows to be right: held against the method"},
+      {"excused",
+       "wrong here, but right for inputs that differ by at most 16 u: as right as its "
+       "inputs"},
+      {"undecided", "wrong here, and neither shown to be excused nor shown to be a defect"},
+      {"not judged", "outside the domain for which the method makes promises"},
+      {"condition number",
+       "how many times as large a relative change of the result is as that of "
+       "the inputs"}};
 }
 
 }  // namespace raycheck::tools

@@ -28,6 +28,7 @@ ViewDocument worst_document(const WorstReport& report, const properties::RunCont
   document.findings.push_back({discrepancy_head(worst.shown), std::string(report.method.name()),
                                std::string(report.method.name()), worst.shown.excuse.standing(), 0,
                                selection_of(worst.shown.place, worst.the_case.scene)});
+  document.found = "1";
   return document;
 }
 

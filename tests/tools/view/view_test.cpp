@@ -1,8 +1,12 @@
+#include <fmt/core.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <cstdio>
 #include <cstdlib>
 #include <nlohmann/json.hpp>
+#include <set>
 #include <sstream>
 #include <stdexcept>
 #include <string>
@@ -78,12 +82,11 @@ TEST(View, subtracts_the_eye_exactly) {
   EXPECT_EQ(scene["figure"]["spheres"]["centre"][0][0].get<double>() *
                 std::exp2(-scene["figure"]["scale_exponent"].get<int>()),
             2.0);
-  const json& roots = scene["panels"][0]["drawing"]["roots"];
-  ASSERT_EQ(roots.size(), 2u);
-  EXPECT_EQ(roots[0]["s"], "1");
-  EXPECT_EQ(roots[1]["s"], "3");
-  EXPECT_TRUE(roots[0]["chosen"].get<bool>());
-  EXPECT_TRUE(roots[1]["counts"].get<bool>());
+  const json& drawing = scene["panels"][0]["drawing"];
+  EXPECT_EQ(drawing["names"]["near root"], "near root, s = 1, the answer");
+  EXPECT_EQ(drawing["names"]["far root"], "far root, s = 3");
+  EXPECT_EQ(drawing["places"]["answer"], drawing["places"]["near root"]);
+  EXPECT_EQ(scene["figure"]["rays"][0]["hit"], drawing["places"]["answer"]);
 }
 
 TEST(View, shows_both_roots_of_a_line_that_meets_the_sphere_behind_its_origin) {
@@ -91,13 +94,98 @@ TEST(View, shows_both_roots_of_a_line_that_meets_the_sphere_behind_its_origin) {
                                           "[[ray]]\norigin = [0, 0, 0]\ndirection = [2, 0, 0]\n"
                                           "[[sphere]]\ncentre = [-6, 0, 0]\nradius = 2\n");
   const json panel = document_of(file)["scenes"][0]["panels"][0];
-  ASSERT_EQ(panel["drawing"]["roots"].size(), 2u);
-  EXPECT_EQ(panel["drawing"]["roots"][0]["s"], "-4");
-  for (const json& root : panel["drawing"]["roots"]) {
-    EXPECT_FALSE(root["counts"].get<bool>());
-    EXPECT_FALSE(root["chosen"].get<bool>());
-  }
+  const json& drawing = panel["drawing"];
+  EXPECT_EQ(drawing["names"]["near root"], "near root, s = -4, does not count");
+  EXPECT_EQ(drawing["names"]["far root"], "far root, s = -2, does not count");
+  EXPECT_FALSE(drawing["places"].contains("answer"));
+  EXPECT_EQ(drawing["places"]["behind"], drawing["places"]["near root"]);
   EXPECT_FALSE(panel["microscope"]["hit"].get<bool>());
+}
+
+TEST(View, tells_roots_apart) {
+  const json scene = document_of(kFarSphere)["scenes"][0];
+  const json& names = panel_of(scene, 9, 8)["drawing"]["names"];
+  EXPECT_EQ(names["near root"], "near root, s = 99999998, the answer");
+  EXPECT_EQ(names["far root"], "far root, s = 100000000");
+}
+
+/// One root, at (1, 0, 0) from the ray's origin, in a figure whose lengths are the scene's.
+TEST(View, names_a_double_root_once) {
+  const std::string file = temporary_file("view.toml",
+                                          "[[ray]]\norigin = [0, 1, 0]\ndirection = [1, 0, 0]\n"
+                                          "[[sphere]]\ncentre = [1, 0, 0]\nradius = 1\n");
+  const json drawing = document_of(file)["scenes"][0]["panels"][0]["drawing"];
+  EXPECT_EQ(drawing["names"], (json{{"double root", "double root, s = 1, the answer"}}));
+  EXPECT_EQ(drawing["places"]["double root"], (json{1, 0, 0}));
+  EXPECT_EQ(drawing["across"], (json{0, -1, 0}));
+}
+
+/// A camera at the origin, near = -1: what joins these places is the frustum.
+TEST(View, the_frustum_has_its_corners_and_its_names) {
+  const json document = document_of(scene_file(1, "[[sphere]]\ncentre = [0, 0, -3]\nradius = 1\n"));
+  const json& figure = document["scenes"][0]["figure"];
+  EXPECT_EQ(figure["places"]["E"], (json{0, 0, 0}));
+  EXPECT_EQ(figure["places"]["A"], (json{0, 0, -1}));
+  EXPECT_EQ(figure["places"]["near 0"], (json{-1, -1, -1}));
+  EXPECT_EQ(figure["places"]["near 2"], (json{1, 1, -1}));
+  EXPECT_EQ(figure["places"]["plane 2"], (json{1.5, 1.5, -1}));
+  EXPECT_EQ(figure["places"]["pixel (0, 0)"], figure["places"]["near 0"]);
+  EXPECT_FALSE(figure["places"].contains("far 0"));
+  EXPECT_EQ(figure["reach"], 4);
+  EXPECT_EQ(figure["notes"], json::array());
+  std::string names;
+  for (const json& name : document["parts"]["names"])
+    names += name["text"].get<std::string>() + ";";
+  for (const char* part : {"eye E", "focal point", "W (view-plane normal);", "U;", "V;",
+                           "near clipping plane;", "far clipping plane;", "view plane;",
+                           "bounded image plane;", "look-at point A;", "up vector;"}) {
+    EXPECT_NE(names.find(part), std::string::npos) << part;
+  }
+}
+
+/// Three samples across from -1 to 1: at edges a cell has the size 1, of centres 2/3.
+TEST(View, the_picture_is_a_whole_cell_around_every_sample) {
+  const auto camera_of = [](const std::string& conventions) -> json {
+    return document_of(scene_file(1, conventions))["scenes"][0]["figure"]["camera"];
+  };
+  const json edges = camera_of("");
+  EXPECT_EQ(edges["window"], (json{-1.5, 1.5, -1.5, 1.5}));
+  EXPECT_EQ(edges["first"], (json{-1, -1, -1}));
+  EXPECT_EQ(edges["column"], (json{1, 0, 0}));
+  EXPECT_EQ(edges["row"], (json{0, 1, 0}));
+  const json centres =
+      camera_of("[conventions]\nsamples = \"centres\"\nrows = \"top-first\"\nt_max = 5\n");
+  EXPECT_EQ(centres["window"], (json{-1, 1, -1, 1}));
+  EXPECT_NEAR(centres["first"][0].get<double>(), -2.0 / 3, 1e-15);
+  EXPECT_NEAR(centres["first"][1].get<double>(), 2.0 / 3, 1e-15);
+  EXPECT_NEAR(centres["column"][0].get<double>(), 2.0 / 3, 1e-15);
+  EXPECT_NEAR(centres["row"][1].get<double>(), -2.0 / 3, 1e-15);
+  EXPECT_EQ(centres["counts"]["to"], 5);
+}
+
+TEST(View, says_what_cannot_be_drawn_to_scale) {
+  const std::string spheres =
+      "[[sphere]]\ncentre = [0, 0, -3]\nradius = 1\n"
+      "[[sphere]]\ncentre = [0, 0, -1e8]\nradius = 1\n"
+      "[[sphere]]\ncentre = [0, 0, 0]\nradius = 1.5\n"
+      "[[sphere]]\ncentre = [0, 0, -2]\nradius = 1e-300\n";
+  const json figure = document_of(scene_file(1, spheres))["scenes"][0]["figure"];
+  EXPECT_EQ(figure["apart"], (json{1, 2}));
+  std::string notes;
+  for (const json& note : figure["notes"]) notes += note.get<std::string>() + "\n";
+  EXPECT_EQ(notes,
+            "Sphere 1 reaches too far for a view of the whole; look around the sphere.\n"
+            "Sphere 2 surrounds the eye; from outside only the far half is drawn.\n"
+            "Sphere 3 is too small, so far from the origin, to be drawn at any scale.\n");
+  EXPECT_FALSE(figure["out_of_scale"].get<bool>());
+  EXPECT_TRUE(document_of(kFarSphere)["scenes"][0]["figure"]["out_of_scale"].get<bool>());
+}
+
+const json& step_of(const json& panel, const std::string& symbol) {
+  for (const json& step : panel["steps"]) {
+    if (step["symbol"] == symbol) return step;
+  }
+  throw std::runtime_error("no such step");
 }
 
 /// Each method's s in ulp from the exact one: the figures that explain prints.
@@ -108,10 +196,14 @@ TEST(View, the_microscope_says_how_far_answers_are_off) {
   for (const json& mark : panel["microscope"]["marks"]) {
     if (mark["kind"] != "s") continue;
     for (const json& verdict : panel["verdicts"]) {
-      if (verdict["name"] != mark["name"] || verdict["error"].is_null()) continue;
-      const double error = number(verdict["error"]);
-      EXPECT_NEAR(std::abs(number(mark["x"])), error, 0.006 * error + 1e-8) << mark;
-      ++compared;
+      if (verdict["name"] != mark["name"]) continue;
+      for (const json& part : verdict["said"]) {
+        double error = 0;
+        const std::string text = part[1];
+        if (std::sscanf(text.c_str(), ", off by %lf ulp", &error) != 1) continue;
+        EXPECT_NEAR(std::abs(number(mark["x"])), error, 0.006 * error + 1e-8) << mark;
+        ++compared;
+      }
     }
   }
   EXPECT_GE(compared, 10);
@@ -150,12 +242,88 @@ TEST(View, begins_at_what_was_asked_for) {
 
 TEST(View, tells_which_digits_are_right) {
   const json scene = document_of(kFarSphere + " --method quadratic")["scenes"][0];
-  for (const json& verdict : panel_of(scene, 9, 8)["verdicts"]) {
-    if (verdict["name"] != "quadratic") continue;
-    // 99999999 for 99999998.0015...: eight digits, of which the last is wrong.
-    EXPECT_EQ(verdict["value"][0], "99999999");
-    EXPECT_EQ(verdict["right_digits"][0], 7);
+  const json& answers = step_of(panel_of(scene, 9, 8), "s")["answers"];
+  ASSERT_EQ(answers.size(), 1u);
+  // 99999999 for 99999998.0015...: eight digits, of which the last is wrong.
+  EXPECT_EQ(answers[0]["said"], json::parse(R"([["number", "9999999"], ["mark", "9"]])"));
+}
+
+/// Methods that agree in value, error and standing are told of once; every method is told of.
+TEST(View, methods_that_agree_share_an_answer) {
+  const json scene = document_of(kFarSphere)["scenes"][0];
+  std::size_t shared = 0, told = 0;
+  for (const json& panel : scene["panels"]) {
+    for (const json& step : panel["steps"]) {
+      std::set<std::string> contents;
+      for (json answer : step["answers"]) {
+        told += answer["names"].size();
+        if (answer["names"].size() > 1) ++shared;
+        answer.erase("names");
+        EXPECT_TRUE(contents.insert(answer.dump()).second) << answer;
+      }
+    }
   }
+  EXPECT_GT(shared, 1000u);
+  EXPECT_GT(told, 10'000u);
+}
+
+TEST(View, panels_show_the_methods_that_were_asked_for) {
+  const auto names_in = [](const json& panel) {
+    std::set<std::string> names;
+    for (const json& verdict : panel["verdicts"]) names.insert(verdict["name"]);
+    for (const json& step : panel["steps"]) {
+      for (const json& answer : step["answers"]) {
+        for (const json& one : answer["names"]) names.insert(one);
+      }
+    }
+    for (const json& mark : panel["microscope"]["marks"]) names.insert(mark["name"]);
+    return names;
+  };
+  const json some = document_of(kFarSphere + " --method quadratic,cross")["scenes"][0];
+  EXPECT_EQ(names_in(panel_of(some, 9, 8)),
+            (std::set<std::string>{"direct", "quadratic", "cross"}));
+  const json all = document_of(kFarSphere)["scenes"][0];
+  EXPECT_GT(names_in(panel_of(all, 9, 8)).size(), 13u);
+}
+
+TEST(View, says_how_many_discrepancies_there_are_and_are_listed) {
+  const json document = document_of(kFarSphere + " --method quadratic");
+  const json checked =
+      json::parse(run("check " + kFarSphere + " --intersect quadratic --format json").out);
+  const std::uint64_t total = checked["candidates"][0]["discrepancies"];
+  const std::string worst = document["worst"];
+  EXPECT_NE(worst.find(fmt::format("the worst of {} discrepancies here; {} places", total,
+                                   document["findings"].size())),
+            std::string::npos)
+      << worst;
+}
+
+TEST(View, says_what_s_counts_where_a_direction_is_no_unit_vector) {
+  const auto said = [](const std::string& direction) {
+    const json panel = document_of(temporary_file(
+        "view.toml",
+        "[[ray]]\norigin = [-5, 0, 0]\ndirection = " + direction +
+            "\n[[sphere]]\ncentre = [0, 0, 0]\nradius = 1\n"))["scenes"][0]["panels"][0];
+    return panel["exact"]["said"].dump() + panel["microscope"]["sentences"][0].dump();
+  };
+  EXPECT_EQ(said("[1, 0, 0]").find("direction"), std::string::npos);
+  const std::string told = said("[0.5, 0, 0]");
+  const std::string remark = "8 times the ray's direction, which is 0.5 long";
+  EXPECT_NE(told.find(" times the ray's direction, which is 0.5 long"), std::string::npos) << told;
+  EXPECT_NE(told.find(remark), std::string::npos) << told;
+}
+
+TEST(View, the_microscope_of_a_miss_says_why_it_is_wide) {
+  const json scene = document_of(kFarSphere)["scenes"][0];
+  const json& microscope = panel_of(scene, 2, 0)["microscope"];
+  double nearest = HUGE_VAL;
+  for (const json& mark : microscope["marks"]) {
+    nearest = std::min(nearest, std::max(std::abs(number(mark["x"])), std::abs(number(mark["y"]))));
+  }
+  ASSERT_LT(nearest, HUGE_VAL);
+  const std::string told = microscope["sentences"][1];
+  EXPECT_NE(told.find(fmt::format("claims is {:.3g} ulp away", nearest)), std::string::npos)
+      << told;
 }
 
 TEST(View, pictures_count_what_they_show) {
@@ -251,16 +419,17 @@ TEST(View, names_that_are_html_are_text) {
 
 TEST(View, a_dial_has_a_scene_for_each_severity) {
   const json document = document_of("--family distance --method quadratic,cross --cases 20");
-  const json& dial = document["dial"];
-  EXPECT_EQ(dial["severities"].size(), 16u);
-  EXPECT_EQ(dial["scenes"].size(), document["scenes"].size());
-  ASSERT_EQ(dial["curves"].size(), 2u);
+  const json& facet = document["chart"]["facets"][0];
+  EXPECT_EQ(facet["severities"].size(), 16u);
+  EXPECT_EQ(document["dial"]["scenes"].size(), 16u);
+  EXPECT_EQ(document["scenes"].size(), 16u);
+  ASSERT_EQ(facet["series"].size(), 2u);
   // It opens where the first method first goes wrong.
   ASSERT_FALSE(document["findings"].empty());
   EXPECT_GT(document["findings"][0]["scene"], 0);
   EXPECT_EQ(document["findings"][0]["method"], "quadratic");
-  EXPECT_FALSE(dial["curves"][0]["points"].back()["stable"].get<bool>());
-  EXPECT_TRUE(dial["curves"][1]["points"].back()["stable"].get<bool>());
+  EXPECT_EQ(facet["series"][0]["points"].back()["standing"], "defect");
+  EXPECT_EQ(facet["series"][1]["points"].back()["standing"], "excused");
 }
 
 TEST(View, refuses_what_is_not_there) {

@@ -1,176 +1,161 @@
 // Error against run time, or against severity: every method a point or a curve, every family at once.
-import { alike, atEachWidth, brief, briefSentence, choice, disclosure, element, rangeField, svg, table } from "./dom.js";
-import { curvePlot, methodMark, pointPlot } from "./plot.js";
+import { atEachWidth, brief, briefSentence, choice, disclosure, element } from "./dom.js";
+import { rangeField, refill, svg, table } from "./dom.js";
+import { methodMark } from "./marks.js";
+import { plot } from "./plot.js";
 
-const CHART_TALL = { wide: 520, narrow: 420, small: 170 }; // pixels
-const NARROW_CHART = 600;
+const TALL = { wide: 520, narrow: 400, small: 170, name: 15, rest: 80 }; // pixels
+const NARROW = 600;
+const SMALL_WIDTH = 240;
+const LONGEST_NAMES = 30; // letters of methods whose curves are the same
+const ALL = 0; // severities together, where there are run times
 
-/// What is looked at: a facet (a family's stage), one of its quantities, a quantile, a severity
-/// (null: all together), against run time or severity.
-export function mountChart(root, chart) {
-  root.hidden = false;
-  const first = chart.facets[0];
-  const state = { facet: first, quantity: 0, share: chart.share, severity: null, isTime: hasTimes(first), pinned: null };
-  const heading = element("h2", { id: "chart-heading" });
-  const [controls, drawing, chips, multiples] = ["controls", "drawing", "methods", "multiples"].map((id) => element("div", { id: `chart-${id}` }));
-  const readout = element("p", { id: "chart-readout", role: "status" });
-  const figures = element("div", {});
+const isTimed = (facet) => facet.baseline !== "";
+
+/// What is looked at: a facet (a stage's methods on a family), one of its quantities, a quantile, a severity. A dial's
+/// severity is the store's scene.
+export function mountChart(root, { chart, dial }, store) {
+  const state = { facet: chart.facets[0], quantity: 0, share: chart.share, severity: ALL };
+  const [heading, controls] = [element("h2", { id: `${root.id}-heading` }), element("div", { class: "fields" })];
+  const [body, figures] = [element("div", { id: "chart-body" }), element("div", {})];
   const folded = disclosure("All figures as a table", figures);
-  const marksKey = element("p", { class: "marks quiet" });
-  const look = { root, chart, state, heading, marksKey, controls, drawing, chips, multiples, readout };
-  const fill = () => folded.open && figures.replaceChildren(figuresTable(look));
-  look.set = (partial) => {
-    Object.assign(state, partial);
-    if ("facet" in partial) Object.assign(state, { severity: null, pinned: null, isTime: state.isTime ? hasTimes(state.facet) : !hasCurves(state.facet) });
-    if ("facet" in partial || "isTime" in partial) showControls(look);
-    showChosen(look);
-    fill();
+  const readout = element("p", { id: "chart-readout", role: "status" });
+  root.hidden = false;
+  root.append(heading, dial === null ? "" : element("p", {}, briefSentence(dial.sentence)), controls, body);
+
+  const highlight = (number) => {
+    for (const { classList, dataset } of body.querySelectorAll("g[data-method]")) {
+      classList.toggle("faded", number !== undefined && !dataset.method.split(" ").includes(number));
+    }
+    const one = state.facet.series.find((each) => String(each.number) === number);
+    readout.replaceChildren(...(one === undefined ? ["Point at a method, or choose one below, for its figures."]
+      : [element("strong", {}, brief(one.name)), `: ${briefSentence(figuresText(one, state, chart))}`]));
   };
-  controls.className = "fields";
-  root.append(heading, controls, drawing, readout, marksKey, chips, folded, multiples);
-  folded.addEventListener("toggle", fill);
-  for (const part of [drawing, multiples, chips]) listenTo(part, look);
-  atEachWidth(drawing, () => showChosen(look));
-  showControls(look);
-  showChosen(look);
+  const show = () => {
+    heading.replaceChildren(titleOf(state, chart));
+    const width = Math.floor(body.clientWidth);
+    if (width === 0) return;
+    refill(body, element("div", { id: "chart-drawing" }, facetPlot(state, chart, dial, width)), readout,
+      legendOf(state, chart), folded, smallCharts(state, chart, set));
+    if (folded.open) figures.replaceChildren(figuresTable(state, chart));
+    highlight();
+  };
+  const set = (partial) => {
+    Object.assign(state, "facet" in partial ? { quantity: 0, severity: ALL } : {}, partial);
+    if (state.shown !== state.facet) fillChoices(state, controls, chart, dial, store, set);
+    state.slider.show(state.severity);
+    show();
+  };
+  folded.addEventListener("toggle", show);
+  for (const name of ["pointerover", "pointerleave", "focusin", "focusout"]) {
+    body.addEventListener(name, ({ target }) => highlight(/over|in/.test(name)
+      ? target.closest("[data-method]")?.dataset.method.split(" ")[0] : undefined));
+  }
+  set({});
+  if (dial !== null) store.subscribe(() => set({ severity: Math.max(0, dial.scenes.indexOf(store.scenesIndex)) }));
+  atEachWidth(body, show);
 }
 
-const hasTimes = (facet) => facet.series.some((one) => one.time !== null && one.whole !== null);
-const hasCurves = (facet) => facet.severities.length > 0;
-const pointOf = (one, { severity }) => (severity === null ? one.whole : one.points[severity]);
-const errorOf = (point, { quantity, share }) => point?.errors[quantity].at[share] ?? null;
-const nameOf = ({ name }) => (name.endsWith("error") ? name : `${name} error`);
-const standingOf = (point) => (point.defects > 0 ? "defect" : point.wrong > 0 ? "excused" : "right");
-
-function figureOf(value) {
-  if (value === null) return "-";
-  if (value === "infinity") return "infinite";
-  const isPlain = value === 0 || (value >= 1e-3 && value < 1e6);
-  return isPlain ? String(Number(value.toPrecision(3))) : value.toExponential(2);
-}
-
-function showControls({ chart, state, controls, set }) {
-  const focused = document.activeElement?.id;
-  const stages = alike(chart.facets, (facet) => facet.stage).map(([facet]) => facet.stage);
-  const facets = chart.facets.filter((facet) => facet.stage === state.facet.stage);
-  const find = (stage, subject) => chart.facets.find((facet) => facet.stage === stage && facet.subject === subject) ?? chart.facets.find((facet) => facet.stage === stage);
-  const { severities } = state.facet;
-  const dial = rangeField("chart-severity", "Severity", severities.length, (k) => (k === 0 ? "all" : severities[k - 1]), (k) => set({ severity: k === 0 ? null : k - 1 }));
-  dial.input.show(state.severity === null ? 0 : state.severity + 1);
-  const parts = [
-    [stages.length > 1, () => choice("chart-stage", "Of", stages.map((text) => [text, text]), state.facet.stage,
-      (text) => set({ facet: find(text, state.facet.subject), quantity: 0 }))],
-    [facets.length > 1, () => choice("chart-family", "On", facets.map(({ subject }) => [subject, subject]), state.facet.subject,
-      (text) => set({ facet: find(state.facet.stage, text) }))],
-    [hasTimes(state.facet) && hasCurves(state.facet), () => choice("chart-against", "Against", [["time", "run time"], ["severity", "severity"]],
-      state.isTime ? "time" : "severity", (text) => set({ isTime: text === "time", severity: null }))],
-    [true, () => choice("chart-quantity", "Error of", state.facet.quantities.map(({ name }, k) => [k, name]), state.quantity, (k) => set({ quantity: Number(k) }))],
-    [true, () => choice("chart-quantile", "Quantile", chart.shares.map((text, k) => [k, text]), state.share, (k) => set({ share: Number(k) }))],
-    [state.isTime && hasCurves(state.facet), () => dial.field],
-  ];
-  controls.replaceChildren(...parts.filter(([isThere]) => isThere).map(([, make]) => make()));
-  if (focused?.startsWith("chart-")) document.getElementById(focused)?.focus();
-}
-
-/// The heading, the large chart, the methods and the small charts, as the state says.
-function showChosen(look) {
-  const { chart, state, heading, marksKey, drawing, chips, multiples } = look;
+/// The choices that a facet has.
+function fillChoices(state, controls, chart, dial, store, set) {
   const { facet } = state;
-  const quantity = facet.quantities[state.quantity];
-  const where = state.severity === null ? "" : ` at severity ${facet.severities[state.severity]}`;
-  const text = `${facet.stage} on ${brief(facet.subject)}${where}: ${chart.shares[state.share]} ${nameOf(quantity)} against ${state.isTime ? "run time" : "severity"}`;
-  heading.replaceChildren(text[0].toUpperCase() + text.slice(1));
-  marksKey.replaceChildren(...marksLegend(state.isTime));
-  const width = Math.floor(drawing.clientWidth);
-  if (width > 0) drawing.replaceChildren(facetPlot(facet, look, width, width < NARROW_CHART ? CHART_TALL.narrow : CHART_TALL.wide, text));
-  chips.replaceChildren(...facet.series.map((one) => {
-    const point = state.isTime ? pointOf(one, state) : one.points.find((each) => errorOf(each, state) !== null);
-    const isDrawn = errorOf(point, state) !== null && (!state.isTime || one.time !== null);
-    return element("button", { type: "button", class: "chip", "data-method": one.number, "aria-pressed": String(state.pinned === one.number), click: () => pin(look, one.number) },
-      svg("svg", { class: "chip-mark", viewBox: "0 0 16 16", "aria-hidden": "true" }, methodMark(one.number, "right", 8, 8, 5.5)), brief(one.name), isDrawn ? null : " (not drawn)");
-  }));
-  const others = chart.facets.filter((other) => other.stage === facet.stage && (state.isTime ? hasTimes(other) : hasCurves(other)));
-  multiples.replaceChildren(...(others.length < 2 || width === 0 ? [] : others.map((other) => element("button",
-    { type: "button", class: "multiple", "aria-current": String(other === facet), click: () => look.set({ facet: other }) },
-    element("span", {}, brief(other.subject)), facetPlot(other, look, 240, CHART_TALL.small, other.subject, others)))));
-  highlight(look, state.pinned);
+  const stops = facet.severities;
+  const numbered = (names) => names.map((name, k) => [k, name]);
+  state.slider = rangeField("severity", "Severity", stops.length - 1, (k) => stops[k],
+    (k) => (dial === null ? set({ severity: k }) : store.set({ scenesIndex: dial.scenes[k] })));
+  state.shown = facet;
+  refill(controls,
+    chart.facets.length === 1 ? null : choice("chart-facet", "Show", numbered(chart.facets.map(({ title }) => title)),
+      chart.facets.indexOf(facet), (k) => set({ facet: chart.facets[k] })),
+    choice("chart-quantity", "Error of", numbered(facet.quantities.map(({ name }) => name)), state.quantity,
+      (k) => set({ quantity: Number(k) })),
+    choice("chart-quantile", "Quantile", numbered(chart.shares), state.share, (k) => set({ share: Number(k) })),
+    dial !== null || (isTimed(facet) && stops.length > 1) ? state.slider : null);
+}
+
+/// What marks and lines mean, who is not drawn, and every method.
+function legendOf(state, { key }) {
+  const { facet: { series, key: lines } } = state;
+  const entry = (number, standing, text) => [svg("svg", { class: "chip-mark", viewBox: "0 0 16 16",
+    "aria-hidden": "true" }, methodMark(number, standing, 8, 8, 5.5)), text];
+  const drawn = tracesOf(state).flatMap(({ methods }) => methods.split(" ").map(Number));
+  const missing = series.filter(({ number }) => !drawn.includes(number))
+    .map(({ name, text }) => brief(name) + (text === "" ? "" : ` (${text})`)).join(", ");
+  return [missing === "" ? null : element("p", { id: "chart-absent", class: "quiet" }, `Not drawn: ${missing}.`),
+    element("p", { class: "marks quiet" },
+      [...key.map(({ standing, text }) => entry(6, standing, text)), lines].map((one) => element("span", {}, one))),
+    element("div", { id: "chart-methods" }, series.map(({ number, name }) => element("button",
+      { type: "button", class: "chip", "data-method": number }, entry(number, "right", brief(name)))))];
+}
+
+/// All families of the stage, where there are several; each leads to its own chart.
+function smallCharts(state, chart, set) {
+  const facets = chart.facets.filter(({ stage }) => stage === state.facet.stage);
+  if (facets.length === 1) return [];
+  return element("div", { id: "chart-multiples" }, facets.map((facet, k) => element("button",
+    { type: "button", class: "multiple", id: `facet-${k}`, "aria-current": String(facet === state.facet),
+      click: () => set({ facet }) },
+    element("span", {}, brief(facet.subject)),
+    facetPlot({ ...state, facet, severity: ALL }, chart, null, SMALL_WIDTH, facets))));
+}
+
+function titleOf({ facet, quantity, share, severity }, chart) {
+  const where = isTimed(facet) && severity !== ALL ? ` at severity ${facet.severities[severity]}` : "";
+  const error = `${chart.shares[share]} ${facet.quantities[quantity].error}`;
+  return `${facet.title}${where}: ${error} against ${isTimed(facet) ? "run time" : "severity"}`;
+}
+
+/// A trace of every method of a facet that has something to draw; those that are the same share one.
+function tracesOf({ facet, quantity, share, severity }) {
+  const placeOf = (x, point) => ({ x, y: point?.errors[quantity].at[share] ?? null, standing: point?.standing });
+  const traces = facet.series.map(({ name, number, time, points }) => (isTimed(facet)
+    ? { name, number, spread: [time?.low, time?.high], isFront: points[severity]?.errors[quantity].front[share],
+      places: time === null ? [] : [placeOf(time.ratio, points[severity])] }
+    : { name, number, places: points.map((point, k) => placeOf(k, point)) }))
+    .filter(({ places }) => places.some(({ y }) => y !== null));
+  return [...Map.groupBy(traces, ({ places }) => JSON.stringify(places)).values()].map((same) => {
+    const all = same.map(({ name }) => name).join(", ");
+    const more = same.length > 1 ? ` and ${same.length - 1} more` : "";
+    const name = all.length <= LONGEST_NAMES ? all : brief(same[0].name, LONGEST_NAMES - 12) + more;
+    return { ...same[0], name, methods: same.map(({ number }) => number).join(" ") };
+  });
 }
 
 /// A facet as a plot; small, with the axes of `others`, where those are given.
-function facetPlot(facet, { state, chart }, width, tall, label, others) {
-  const here = { ...state, severity: state.severity === null || facet.severities.length === 0 ? null : Math.min(state.severity, facet.severities.length - 1) };
+function facetPlot(state, chart, dial, width, others) {
+  const { facet, quantity, share, severity } = state;
   const isSmall = others !== undefined;
-  const shared = others ?? [facet];
-  const { unit } = facet.quantities[here.quantity];
-  if (here.isTime) {
-    const drawn = (one) => one.time !== null && errorOf(pointOf(one, here), here) !== null;
-    const points = facet.series.filter(drawn).map((one) => {
-      const point = pointOf(one, here);
-      return { ...one, error: errorOf(point, here), standing: standingOf(point), isFront: point.errors[here.quantity].front[here.share] };
-    });
-    const all = isSmall ? shared.flatMap((other) => other.series.map((one) => errorOf(one.whole, here))).filter((error) => error !== null) : points.map(({ error }) => error);
-    const runTimes = shared.flatMap((other) => other.series.filter((one) => one.time !== null).flatMap(({ time }) => [time.low, time.ratio, time.high]));
-    return pointPlot({ points, runTimes, errors: all, width, tall, isSmall, label,
-      unit: isSmall ? "" : `${chart.shares[here.share]} error, ${unit}`, timeText: isSmall ? "" : `run time, times that of ${brief(facet.baseline, 30)}` });
-  }
-  const curves = facet.series.map((one) => ({ ...one, errors: one.points.map((point) => errorOf(point, here)), standings: one.points.map((point) => point && standingOf(point)) }))
-    .filter(({ errors }) => errors.some((error) => error !== null));
-  const condition = facet.severities.map((_, k) => facet.series.map((one) => one.points[k]?.errors[here.quantity].condition[here.share] ?? null).find((value) => value !== null) ?? null);
-  const all = shared.flatMap((other) => other.series.flatMap((one) => one.points.map((point) => errorOf(point, here)))).filter((error) => error !== null);
-  return curvePlot({ curves, condition: isSmall ? null : condition, severities: facet.severities, errors: isSmall ? all : [...all, ...condition.filter((value) => value !== null)], width,
-    tall: isSmall ? tall : Math.max(tall, 15 * curves.length + 80), isSmall, label, unit: isSmall ? "" : `${chart.shares[here.share]} error, ${unit}`,
-    severityText: isSmall ? "" : `severity: ${facet.meaning}` });
+  const traces = tracesOf(state);
+  const condition = facet.condition[quantity][share].map((y, x) => ({ x, y }));
+  if (!isTimed(facet) && !isSmall) traces.push({ number: null, name: "kappa of the problem", places: condition });
+  const shared = [...traces, ...(others ?? []).flatMap((each) => tracesOf({ ...state, facet: each }))];
+  const spans = (others ?? [facet]).flatMap(({ series }) => series.flatMap(({ time }) => time ?? []));
+  const title = titleOf(state, chart) + (dial === null ? "" : `; severity ${facet.severities[severity]} is shown`);
+  const least = width < NARROW ? TALL.narrow : TALL.wide;
+  return plot({ traces, width, isSmall, title, severities: isTimed(facet) ? null : facet.severities,
+    errors: shared.flatMap(({ places }) => places.map(({ y }) => y)).filter((y) => y !== null),
+    tall: isSmall ? TALL.small : Math.max(least, TALL.name * traces.length + TALL.rest),
+    runTimes: spans.flatMap(({ low, high }) => [low, high]), current: dial === null ? null : severity,
+    unit: `${chart.shares[share]} error, ${facet.quantities[quantity].unit}`, under: facet.under });
 }
 
 /// What a method's mark says, in a sentence.
-function figuresText(one, { facet, isTime, quantity, share, ...rest }, chart) {
-  const point = isTime ? pointOf(one, rest) : null;
-  const time = one.time === null ? one.note : `${figureOf(one.time.ratio)} times the run time of ${facet.baseline} (middle half ${figureOf(one.time.low)} to ${figureOf(one.time.high)}; ${figureOf(one.time.ns)} ns an item)`;
-  const { unit } = facet.quantities[quantity];
-  const error = `${chart.shares[share]} ${nameOf(facet.quantities[quantity])}`;
-  const errors = point === null
-    ? `${error} in ${unit} by severity: ${one.points.map((each, k) => `${facet.severities[k]}: ${figureOf(errorOf(each, { quantity, share }))}`).join(", ")}`
-    : `${error} ${figureOf(errorOf(point, { quantity, share }))} ${unit}, of ${point.errors[quantity].compared}`;
-  const decisions = point === null ? "" : `${point.wrong} of ${point.decisions} decisions wrong${point.wrong > 0 ? `, ${point.defects} of them without an excuse` : ""}`;
-  return [time, errors, decisions].filter((text) => text !== "").join("; ");
-}
-
-function highlight({ root, state, chart, readout }, number) {
-  for (const node of root.querySelectorAll("[data-method]")) {
-    const isHere = number === null || node.dataset.method.split(" ").includes(String(number));
-    node.classList.toggle("faded", !isHere && node.localName === "g");
-  }
-  const one = state.facet.series.find((each) => each.number === number);
-  readout.replaceChildren(...(one === undefined ? ["Point at a method, or choose one below, for its figures."]
-    : [element("strong", {}, brief(one.name)), `: ${briefSentence(figuresText(one, state, chart))}`]));
-}
-
-function pin(look, number) {
-  look.set({ pinned: look.state.pinned === number ? null : number });
-  look.chips.querySelector(`[data-method="${number}"]`)?.focus();
-}
-
-function listenTo(part, look) {
-  const numberAt = (event) => {
-    const found = event.target.closest("[data-method]");
-    return found === null ? null : Number(found.dataset.method.split(" ")[0]);
-  };
-  for (const name of ["pointerover", "focusin"]) part.addEventListener(name, (event) => highlight(look, numberAt(event) ?? look.state.pinned));
-  for (const name of ["pointerleave", "focusout"]) part.addEventListener(name, () => highlight(look, look.state.pinned));
-}
-
-function marksLegend(isTime) {
-  const entry = (standing, text) => element("span", {}, svg("svg", { class: "chip-mark", viewBox: "0 0 16 16", "aria-hidden": "true" }, methodMark(6, standing, 8, 8, 5)), text);
-  return [entry("right", "every decision right"), entry("excused", "wrong ones, all within rounding of the inputs"), entry("defect", "wrong without an excuse"),
-    element("span", {}, isTime ? "Steps: no method without such defects is as fast and as accurate" : "kappa: how much the problem itself magnifies errors of the inputs")];
+function figuresText({ text, points }, { facet, quantity, share, severity }, chart) {
+  const { unit, error } = facet.quantities[quantity];
+  const told = (point) => point?.errors[quantity].told[share] ?? "-";
+  const all = points.map((point, k) => `${facet.severities[k]}: ${told(point)}`).join(", ");
+  if (!isTimed(facet)) return `${chart.shares[share]} ${error} in ${unit} by severity: ${all}`;
+  const point = points[severity];
+  const judged = point === null ? "" : `, of ${point.errors[quantity].compared}; ${point.text}`;
+  return `${text}; ${chart.shares[share]} ${error} ${told(point)} ${unit}${judged}`;
 }
 
 /// Every method of the facet, every severity, every quantile of the quantity.
-function figuresTable({ chart, state: { facet, quantity } }) {
+function figuresTable({ facet, quantity }, chart) {
   const { name, unit } = facet.quantities[quantity];
-  const rows = facet.series.flatMap((one) => [["all", one.whole], ...one.points.map((point, k) => [facet.severities[k], point])]
-    .filter(([, point]) => point).map(([severity, point]) => [brief(one.name), one.time ? figureOf(one.time.ratio) : "-", one.time ? figureOf(one.time.ns) : "-", severity,
-      ...point.errors[quantity].at.map(figureOf), point.errors[quantity].compared, point.decisions, point.wrong, point.defects].map(String)));
-  return table(`${facet.stage} on ${brief(facet.subject)}: ${name} errors in ${unit}; run time in times that of ${facet.baseline || "nothing: none was taken"}`,
-    ["method", "run time", "ns an item", "severity", ...chart.shares, "compared", "decisions", "wrong", "without an excuse"], rows);
+  const row = (one, point, severity) => (point === null ? [] : [[brief(one.name), one.time?.told ?? "-", severity,
+    ...point.errors[quantity].told, point.errors[quantity].compared, point.decisions, point.wrong, point.defects]]);
+  return table(`${facet.title}: ${name} errors in ${unit}; ${facet.under}`,
+    ["method", "run time", "severity", ...chart.shares, "compared", "decisions", "wrong", "without an excuse"],
+    facet.series.flatMap((one) => one.points.flatMap((point, k) => row(one, point, facet.severities[k]))));
 }

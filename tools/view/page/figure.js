@@ -1,66 +1,48 @@
 // The figure: camera, pixels, rays and spheres in space, with its controls, its names and its table.
-import { choice, element, svg } from "./dom.js";
-import { LAYERS, drawList, rgbOf } from "./draw_list.js";
+import { drawList, extremesOf } from "./draw_list.js";
 import { figureTable } from "./figure_table.js";
 import { flatPanes, paintFlat } from "./flat.js";
 import { writeNames } from "./names.js";
-import { followPointers, pickedAt } from "./pointer.js";
-import { crossProduct, distanceToFit, dotProduct, eyeViewer, homogeneous, letterboxed, orbitViewer, pixelsOf } from "./projection.js";
-import { lengthOf, minus, plus, times, unitOf } from "./projection.js";
+import { createOrbit, followClicks, pickedAt } from "./orbit.js";
+import { crossProduct, eyeViewer, lengthOf } from "./projection.js";
 import { placeText, walkByKeys } from "./store.js";
-import { eyePicture, webglPainter } from "./webgl.js";
+import { webglPainter } from "./webgl.js";
 
-const VIEWS = {
-  corner: { name: "from a corner", azimuth: 0.9, elevation: 0.45 },
-  eye: { name: "from the eye" },
-  side: { name: "from the side", azimuth: Math.PI / 2, elevation: 0 },
-  top: { name: "from above", azimuth: Math.PI / 2, elevation: Math.PI / 2 },
-  along: { name: "along W", azimuth: 0, elevation: 0 },
-  across: { name: "across the ray", azimuth: 0, elevation: 0 },
-  flat: { name: "flat, side and above" },
-};
-const RAYS = { none: "none", pixel: "the chosen one", row: "a row", all: "all" };
-const HINT = "Arrow keys go to the next pixel. Drag, or w a s d: turn. Shift and drag: move. "
-  + "Wheel, two fingers, or + -: nearer, farther. 0: all of it. Click: choose.";
+const CORNER = [0.9, 0.45]; // azimuth and elevation about the figure's axes, in radians
+const ANGLES = { corner: CORNER, sphere: CORNER, side: [Math.PI / 2, 0], top: [Math.PI / 2, Math.PI / 2] };
 const COLOURS = ["ink", "faint", "rim", "blue", "orange", "green", "purple", "gold"]; // --figure-... of the style
+const LEAST_SHOWN = 2 ** -40; // of the way to a sphere's centre: doubles near it are 2^-52 apart
 
 export function mountFigure(root, store) {
-  const figure = {
-    store, view: "corner", zoom: 1, orbit: null, list: null, panes: [], lost: "", gone: "", isDue: false,
-    canvas: element("canvas", {}),
-    flat: svg("svg", { class: "figure-flat" }),
-    names: svg("svg", { class: "figure-names" }),
-    controls: element("div", { class: "figure-controls", role: "group", "aria-label": "what the figure shows" }),
-    notes: element("p", { class: "quiet", role: "status" }),
-  };
-  figure.stage = element("div", { class: "figure-stage", tabindex: "0", role: "img", "aria-describedby": "figure-hint" },
-    figure.canvas, figure.flat, figure.names);
-  figure.painter = webglPainter(figure.canvas);
-  if (!figure.painter) figure.lost = "This browser gives no WebGL 2: the figure is flat.";
-  root.append(figure.controls, figure.stage, figure.notes, element("p", { class: "quiet", id: "figure-hint" }, HINT));
-  rebuildFigure(figure);
-  startView(figure);
-  root.append(figureTable(store, () => figure.list));
+  const [parts, canvas, stage, look, rays, flat, names, notes] = [
+    "#figure-parts", "canvas", ".figure-stage", "#figure-look", "#figure-rays", ".figure-flat", ".figure-names",
+    "#figure-notes"].map((selector) => root.querySelector(selector));
+  const layers = [...root.querySelectorAll("[type=checkbox]")];
+  const figure = { store, canvas, stage, look, rays, flat, names, notes, layers, view: null, lost: "", isDue: false };
+  parts.hidden = false;
+  figure.painter = webglPainter(canvas);
+  if (figure.painter) figure.orbit = createOrbit(stage, () => redrawFigure(figure));
+  else figure.lost = "This browser gives no WebGL 2: the figure is flat.";
   listen(figure);
-  const tried = { eyePicture: (width, height) => eyePicture(store, width, height) };
-  window.raycheckPage = Object.assign(window.raycheckPage ?? {}, tried);
+  parts.append(figureTable(store, () => figure.list));
+  Object.assign(window.raycheckPage, { figure, webglPainter, eyeViewer }); // for tests of what is on the screen
 }
 
 function listen(figure) {
-  const { store, stage } = figure;
+  const { store, stage, look, rays, layers } = figure;
+  look.addEventListener("change", () => showView(figure, look.value));
+  rays.addEventListener("change", () => store.set({ layers: { rays: rays.value } }));
+  for (const box of layers) box.addEventListener("change", () => store.set({ layers: { [box.name]: box.checked } }));
   store.subscribe((_, changed) => {
     rebuildFigure(figure);
-    if (changed.includes("scenesIndex")) startView(figure);
-    else if (figure.view === "across" && changed.includes("selection")) showView(figure, "across");
+    if (figure.view === null || changed.includes("scenesIndex")) startView(figure);
+    else if (changed.includes("selection") && ["across", "sphere"].includes(figure.view)) showView(figure, figure.view);
   });
   walkByKeys(stage, store);
-  stage.addEventListener("keydown", (event) => actByKey(figure, event));
-  followPointers(stage, {
-    turn: (x, y) => turnFigure(figure, x, y), move: (x, y) => moveFigure(figure, x, y), zoom: (by) => zoomFigure(figure, by),
-    pick: (x, y) => {
-      const selection = pickedAt(figure.list, figure.panes, x, y);
-      if (selection) store.set({ selection });
-    },
+  stage.addEventListener("keydown", ({ key }) => { if (key === "0") showView(figure, figure.view); });
+  followClicks(stage, (x, y) => {
+    const selection = pickedAt(figure.list, figure.panes, x, y);
+    if (selection) store.set({ selection });
   });
   figure.canvas.addEventListener("webglcontextlost", () => {
     figure.painter = null;
@@ -78,90 +60,44 @@ function listen(figure) {
   new ResizeObserver(() => redrawFigure(figure)).observe(stage);
 }
 
-function layersOf({ store }) {
-  const shown = Object.fromEntries(Object.keys(LAYERS).map((name) => [name, store.layers[name] ?? true]));
-  return { ...shown, rays: store.layers.rays ?? (store.scene().figure.camera ? "pixel" : "all") };
-}
-
 function rebuildFigure(figure) {
-  const { store } = figure;
-  const style = getComputedStyle(figure.stage);
-  const colour = (name) => rgbOf(style.getPropertyValue(`--figure-${name}`).trim());
-  const palette = Object.fromEntries(COLOURS.map((name) => [name, colour(name)]));
-  figure.list = drawList(store.scene(), store.selection, store.panel(), layersOf(figure), palette);
+  const { store, stage, layers } = figure;
+  const shown = Object.fromEntries(layers.map(({ name }) => [name, store.layers[name] ?? true]));
+  shown.rays = store.layers.rays ?? (store.scene().figure.camera ? "pixel" : "all");
+  const style = getComputedStyle(stage);
+  const palette = Object.fromEntries(COLOURS.map((name) => [name, style.getPropertyValue(`--figure-${name}`).trim()]));
+  figure.rays.value = shown.rays;
+  figure.list = drawList(store, shown, palette);
   redrawFigure(figure);
 }
 
 /// What no view from outside shows to scale is first seen from the eye.
 function startView(figure) {
-  showView(figure, figure.list.camera && figure.list.isOutOfScale ? "eye" : "corner");
+  const { list, look, painter } = figure;
+  for (const one of look.options) one.disabled = painter ? one.value === "eye" && !list.camera : one.value !== "flat";
+  showView(figure, !painter ? "flat" : list.camera && list.figure.out_of_scale ? "eye" : "corner");
 }
 
-/// Shows all of the figure in a view.
+/// Shows all of the figure, or of what the view is of.
 function showView(figure, view) {
-  const { whole, axes } = (view === "across" && acrossRay(figure)) || figure.list;
-  const middle = (places) => (Math.min(...places) + Math.max(...places)) / 2;
-  const target = [0, 1, 2].map((k) => middle(whole.map((place) => place[k])));
-  const radius = Math.max(...whole.map((place) => lengthOf(minus(place, target)))) || figure.list.size;
-  const { azimuth, elevation } = { ...VIEWS.corner, ...VIEWS[view] };
-  const orbit = { target, axes, azimuth, elevation, distance: distanceToFit(radius) };
-  // Then as much nearer as what is seen leaves room, and a little less; what is near grows faster than what is far.
-  const aspect = figure.stage.clientWidth / figure.stage.clientHeight || 1;
-  for (let k = 0; k < 4; ++k) orbit.distance *= shareSeen(orbitViewer(orbit, aspect), whole) + 0.12;
-  Object.assign(figure, { view, zoom: 1, gone: "", orbit });
-  fillControls(figure);
+  const { whole, axes } = (["across", "sphere"].includes(view) && aroundSphere(figure, view)) || figure.list;
+  figure.view = figure.look.value = view;
+  figure.orbit?.show(whole, axes, ANGLES[view] ?? [0, 0], aspectOf(figure.stage));
   redrawFigure(figure);
 }
 
-/// The plane of the chosen ray and sphere, seen at a right angle: the ray goes to the right, the centre lies above it.
-function acrossRay({ store, list }) {
+const aspectOf = ({ clientWidth, clientHeight }) => clientWidth / clientHeight || 1;
+
+/// The chosen sphere; or, across the ray, the ray too, which goes to the right, the centre above it.
+function aroundSphere({ store, list }, view) {
   const panel = store.panel();
-  const { centre, radius } = store.scene().figure.spheres;
-  const [C, r] = [centre[panel?.sphere], radius[panel?.sphere]];
-  if (!C || !panel.drawing.foot) return null;
-  const { L, D, foot } = panel.drawing;
-  const square = (way) => minus(way, times(D, dotProduct(way, D)));
-  const up = [minus(C, foot), ...list.axes].map(square).find((way) => lengthOf(way) > 1e-9 * lengthOf(minus(C, L)));
-  if (!up) return null;
-  const axes = [D, unitOf(up), crossProduct(D, unitOf(up))];
-  return { axes, whole: [L, foot, ...axes.flatMap((axis) => [plus(C, times(axis, r)), minus(C, times(axis, r))])] };
-}
-
-/// How much of the screen places fill, from its middle; 1 and more where one is outside.
-function shareSeen(viewer, places) {
-  return Math.max(...places.map((place) => homogeneous(viewer, place)).map(([x, y, w]) => (w > 0 ? Math.max(Math.abs(x), Math.abs(y)) / w : 1)));
-}
-
-function goToSphere(figure, index) {
-  const { centre, radius } = figure.store.scene().figure.spheres;
-  // Doubles near a centre are |C| 2^-52 apart: of a smaller sphere nothing could be drawn.
-  const least = lengthOf(centre[index]) * 2 ** -40;
-  showView(figure, "corner");
-  figure.orbit.target = centre[index];
-  figure.orbit.distance = 1.4 * distanceToFit(Math.max(radius[index], least, Number.MIN_VALUE));
-  if (radius[index] < least) figure.gone = `Sphere ${index} is too small, so far from the origin, to be drawn at any scale.`;
-  figure.store.set({ selection: { sphere: index } });
-  fillControls(figure);
-}
-
-function fillControls(figure) {
-  const { store, list, painter } = figure;
-  const layers = layersOf(figure);
-  const views = Object.entries(VIEWS).filter(([key]) => (painter ? key !== "eye" || list.camera : key === "flat"));
-  const last = store.scene().figure.spheres.centre.length - 1;
-  const number = element("input", {
-    type: "number", min: 0, max: last, value: store.selection.sphere ?? 0, "aria-label": "number of a sphere",
-  });
-  const go = () => goToSphere(figure, Math.min(Math.max(Math.trunc(number.valueAsNumber) || 0, 0), last));
-  figure.controls.replaceChildren(
-    choice("figure-look", "View", views.map(([key, { name }]) => [key, name]), figure.view, (view) => showView(figure, view)),
-    choice("figure-rays", "Rays", Object.entries(RAYS), layers.rays, (rays) => store.set({ layers: { rays } })),
-    element("span", { hidden: last < 0 || !painter }, number, " ",
-      element("button", { type: "button", click: go }, "Go to sphere")),
-    ...Object.entries(LAYERS).map(([key, name]) => element("label", {}, element("input", {
-      type: "checkbox", checked: layers[key], change: (event) => store.set({ layers: { [key]: event.target.checked } }),
-    }), ` ${name}`)),
-  );
+  const { centre: { [panel?.sphere]: centre }, radius: { [panel?.sphere]: r } } = list.figure.spheres;
+  if (!centre) return null;
+  const { D, across, places: { L, foot } } = panel.drawing;
+  const radius = Math.max(r, LEAST_SHOWN * lengthOf(centre), Number.MIN_VALUE);
+  if (view === "sphere") return { axes: list.axes, whole: extremesOf({ centre, radius }, list.axes) };
+  const axes = [D, across, crossProduct(D, across)];
+  return { axes, whole: [L, foot, ...extremesOf({ centre, radius }, axes)].filter(Boolean) };
 }
 
 /// Draws once before the next picture of the screen, however often it is asked.
@@ -172,83 +108,29 @@ function redrawFigure(figure) {
 }
 
 function drawFigure(figure) {
-  const { store, stage, list, painter, view } = figure;
+  const { store, stage, list, painter, orbit } = figure;
   figure.isDue = false;
   const [width, height] = [stage.clientWidth, stage.clientHeight];
   if (width === 0 || height === 0) return;
-  const isFlat = !painter || view === "flat";
+  const isFlat = !painter || figure.view === "flat";
   figure.canvas.hidden = isFlat;
   figure.flat.classList.toggle("absent", !isFlat);
-  figure.panes = isFlat
-    ? flatPanes(list, width, height)
-    : [{ x: 0, y: 0, width, height, viewer: viewerOf(figure, width / height) }];
-  const painted = isFlat
-    ? { small: [], notes: paintFlat(figure.flat, list, figure.panes) }
-    : painter.paint(list, figure.panes[0]);
-  const small = new Set(painted.small.map(({ index }) => index));
-  const shown = list.layers.names ? list.names : [];
-  const names = shown.map((name) =>
-    (small.has(name.sphere) ? { ...name, text: `${name.text}, too small to see here` } : name));
+  const viewer = isFlat ? null : figure.view === "eye" ? eyeViewer(list.camera, aspectOf(stage), orbit.zoom())
+    : orbit.viewer(aspectOf(stage));
+  figure.panes = isFlat ? flatPanes(list, width, height) : [{ x: 0, y: 0, width, height, viewer }];
+  const { small, notes } = isFlat ? paintFlat(figure.flat, list, figure.panes) : painter.paint(list, figure.panes[0]);
+  const isSmall = new Set(small.map(({ index }) => index));
+  const names = (list.layers.names ? list.names : []).map((name) =>
+    (isSmall.has(name.sphere) ? { ...name, text: `${name.text}, too small to see here` } : name));
   const missing = writeNames(figure.names, names, figure.panes);
-  if (figure.panes[0].viewer.isEye) figure.names.prepend(besidePicture(list.camera, figure.panes[0]));
   figure.notes.replaceChildren([
-    figure.lost, figure.gone, ...list.notes, ...painted.notes,
-    small.size > 0 ? `Spheres too small to see here, each in a ring: ${small.size}.` : "",
-    missing > 0 ? `Names without room here: ${missing}.` : "",
-  ].join(" ").trim());
-  const { camera, rays, spheres } = store.scene().figure;
+    figure.lost, ...list.figure.notes, ...notes,
+    small.length > 0 ? `Spheres too small to see here, each in a ring: ${small.length}.` : "",
+    missing > 0 ? `Names without room here, all in the table below: ${missing}.` : "",
+  ].filter(Boolean).join(" "));
+  const { camera, rays, spheres: { label: { length: spheres } } } = list.figure;
   const what = camera ? `camera, ${camera.width} x ${camera.height} pixels` : `${rays.length} rays`;
-  stage.setAttribute("aria-label", `Figure ${VIEWS[isFlat ? "flat" : view].name}: ${what}, spheres: `
-    + `${spheres.centre.length}; chosen: ${placeText(store.selection) || "nothing"}`);
-}
-
-function viewerOf({ view, list, orbit, zoom: enlarged }, aspect) {
-  return view === "eye" ? letterboxed(eyeViewer(list.camera), aspect, enlarged) : orbitViewer(orbit, aspect);
-}
-
-/// Dims what lies on the screen beside the camera's picture.
-function besidePicture(camera, pane) {
-  const [x0, x1, y0, y1] = eyeViewer(camera).window;
-  const [left, right, bottom, top] = pane.viewer.window;
-  const onScreen = (x, y) =>
-    pixelsOf([(2 * x - left - right) / (right - left), (2 * y - bottom - top) / (top - bottom), 1], pane);
-  const [[fromX, fromY], [toX, toY]] = [onScreen(x0, y1), onScreen(x1, y0)];
-  const d = `M0 0H${pane.width}V${pane.height}H0ZM${fromX} ${fromY}V${toY}H${toX}V${fromY}Z`;
-  return svg("path", { class: "figure-beside", d });
-}
-
-function turnFigure(figure, x, y) {
-  if (figure.view === "flat" || !figure.painter) return;
-  if (figure.view === "eye") showView(figure, "corner");
-  const { orbit } = figure;
-  orbit.azimuth -= x;
-  orbit.elevation = Math.min(Math.max(orbit.elevation + y, -Math.PI / 2), Math.PI / 2);
-  redrawFigure(figure);
-}
-
-function moveFigure(figure, x, y) {
-  if (figure.view === "eye" || figure.view === "flat") return;
-  const { orbit } = figure;
-  const { axes, window: [, , low, high] } = orbitViewer(orbit, 1);
-  orbit.target = plus(orbit.target, times(plus(times(axes[0], -x), times(axes[1], y)), orbit.distance * (high - low)));
-  redrawFigure(figure);
-}
-
-function zoomFigure(figure, by) {
-  figure.zoom *= by;
-  figure.orbit.distance *= by;
-  redrawFigure(figure);
-}
-
-function actByKey(figure, event) {
-  if (event.altKey || event.ctrlKey || event.metaKey) return;
-  const act = {
-    a: () => turnFigure(figure, -0.1, 0), d: () => turnFigure(figure, 0.1, 0),
-    w: () => turnFigure(figure, 0, 0.1), s: () => turnFigure(figure, 0, -0.1),
-    "+": () => zoomFigure(figure, 0.8), "=": () => zoomFigure(figure, 0.8), "-": () => zoomFigure(figure, 1.25),
-    0: () => showView(figure, figure.view),
-  }[event.key];
-  if (!act) return;
-  event.preventDefault();
-  act();
+  const chosen = placeText(store.selection) || "nothing";
+  const view = figure.look.selectedOptions[0].text;
+  stage.setAttribute("aria-label", `Figure ${view}: ${what}, spheres: ${spheres}; chosen: ${chosen}`);
 }

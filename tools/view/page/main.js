@@ -6,8 +6,10 @@ import { mountPanel, mountStory } from "./panel.js";
 import { mountPicture } from "./picture.js";
 import { mountMicroscope } from "./microscope.js";
 import { followAddress, mountFindings } from "./findings.js";
-import { mountDial } from "./dial.js";
 import { mountChart } from "./chart.js";
+
+const MADE = "Every number is computed exactly and then rounded; this page only draws.";
+const byId = (id) => document.getElementById(id);
 
 /// What is deflated (zlib, base64) in the element of that id.
 async function inflated(id) {
@@ -18,47 +20,27 @@ async function inflated(id) {
 
 /// Runs three.js, which the page's policy knows by its hash; the figure does without where it fails.
 async function runThree() {
-  if (byId("three").textContent.trim() === "") return;
   const script = element("script", {});
   script.textContent = await inflated("three");
   document.head.append(script);
 }
 
-function byId(id) {
-  return document.getElementById(id);
-}
-
-function showFooter({ left_out: leftOut, version }) {
-  byId("footer").append(...leftOut.map((sentence) => element("p", { dir: "auto" }, briefSentence(sentence))),
-    element("p", {}, `Made by raycheck ${version}. Every number is computed exactly and then rounded; this page only draws.`));
-}
-
-function showConventions(store) {
-  const show = () => byId("conventions").replaceChildren(briefSentence(store.scene().conventions_text));
-  store.subscribe(show);
-  show();
-}
-
-/// A chart is a page of its own.
-function showChart(chart) {
-  for (const id of ["story", "seen", "told", "conventions"]) byId(id).remove();
-  Object.assign(byId("skip"), { href: "#chart", textContent: "Skip to the chart" });
-  mountChart(byId("chart"), chart);
-}
-
 async function start() {
   const read = JSON.parse(await inflated("document"));
-  showFooter(read);
-  if (read.chart !== null) {
-    showChart(read.chart);
+  byId("footer").append(...read.left_out.map((sentence) => element("p", { dir: "auto" }, briefSentence(sentence))),
+    element("p", {}, `Made by raycheck ${read.version}. ${MADE}`));
+  if (read.scenes.length === 0) { // a chart is a page of its own
+    for (const id of ["story", "seen", "told", "conventions"]) byId(id).remove();
+    Object.assign(byId("skip"), { href: "#chart", textContent: "Skip to the chart" });
+    mountChart(byId("chart"), read, null);
     return;
   }
   const store = createStore(read);
   window.raycheckPage.store = store;
   followAddress(store);
-  showConventions(store);
+  store.subscribe(() => byId("conventions").replaceChildren(briefSentence(store.scene().conventions_text)));
   mountStory(byId("story"), store);
-  mountDial(byId("dial"), store);
+  if (read.dial !== null) mountChart(byId("dial"), read, store);
   mountPicture(byId("picture"), store);
   mountMicroscope(byId("microscope"), store);
   mountFindings(byId("findings"), store);
@@ -69,7 +51,6 @@ async function start() {
 
 window.raycheckPage = { store: null, ready: null };
 window.raycheckPage.ready = start().catch((problem) => {
-  const at = byId(window.raycheckPage.store === null ? "headline" : "figure-view");
-  at.append(element("p", {}, `This could not be shown: ${problem.message}`));
+  (byId("headline") ?? byId("footer")).append(element("p", {}, `This could not be shown: ${problem.message}`));
   throw problem;
 });

@@ -1,69 +1,57 @@
 // The scene's pictures, two at a time with a divider between them, and the chosen pixel.
-import { brief, choice, element, rangeField, svg } from "./dom.js";
+import { brief, choice, element, rangeField, refill, svg } from "./dom.js";
 import { placeText, walkByKeys } from "./store.js";
 
 const SMALLEST_RING = 1 / 40; // of the picture's width: so large is the ring even where pixels are small
 
 export function mountPicture(root, store) {
-  if (store.document.scenes.every((scene) => scene.pictures.length === 0)) return;
-  const shown = { scene: -1, left: 0, right: 0 };
-  const line = svg("line", { class: "divider", y1: "0%", y2: "100%" });
-  const rings = svg("g", {});
-  const overlay = svg("svg", { "aria-hidden": "true" }, line, rings);
-  const images = [element("img", {}), element("img", {})];
-  const view = element("div", { id: "picture-view", tabindex: "0", role: "application",
-    "aria-describedby": "picture-place", click: (event) => choosePixelAt(event, view, store) }, images, overlay);
-  const place = element("p", { id: "picture-place", class: "quiet" });
-  const choices = element("div", { class: "fields" });
-  const legends = element("div", { id: "legends" });
+  if (store.document.scenes.every((scene) => scene.pictures.length === 0)) {
+    root.replaceChildren();
+    return;
+  }
+  const shown = { scene: -1, sides: { left: 0, right: 0 } };
+  const parts = ["choices", "view", "place"].map((id) => root.querySelector(`#picture-${id}`));
+  const [[choices, view, place], images, line] = [parts, root.querySelectorAll("img"), root.querySelector("line")];
   const divide = (percent) => { // the right picture begins there
     images[1].style.clipPath = `inset(0 0 0 ${percent}%)`;
     for (const end of ["x1", "x2"]) line.setAttribute(end, `${percent}%`);
   };
-  const { input, field } = rangeField("divider", "Divider", 100, (percent) => `${percent} %`, divide);
-  root.append(element("h2", { id: "picture-heading" }, "Picture"), choices, view, field, place, legends);
+  place.before(rangeField("divider", "Divider", 100,
+    (percent) => (percent === 0 ? "all Right" : percent === 100 ? "all Left" : `${percent} % Left`), divide));
+  view.addEventListener("click", (event) => choosePixelAt(event, view, store));
   walkByKeys(view, store);
-  input.show(50);
-  divide(50);
+  divide(0);
 
   const showPictures = () => {
     const { pictures } = store.scene();
-    const both = [pictures[shown.left], pictures[shown.right]];
-    both.forEach((picture, k) => {
-      images[k].src = picture.png;
-      images[k].alt = pictureName(picture);
-    });
-    legends.replaceChildren(...[...new Set(both)].map(legend));
-  };
-  const showScene = () => {
-    const { pictures, figure: { camera } } = store.scene();
-    root.hidden = pictures.length === 0;
-    if (root.hidden) return;
-    shown.left = 0;
-    shown.right = Math.max(0, pictures.findIndex((picture) => picture.kind === "error"));
-    view.setAttribute("aria-label", `Picture, ${camera.width} by ${camera.height} pixels; arrow keys choose one`);
-    view.style.aspectRatio = `${camera.width} / ${camera.height}`;
-    overlay.setAttribute("viewBox", `0 0 ${camera.width} ${camera.height}`);
-    choices.replaceChildren(...["left", "right"].map((side) => choice(`picture-${side}`, side === "left" ? "Left" : "Right",
-      pictures.map((picture, k) => [k, pictureName(picture)]), shown[side], (value) => {
-        shown[side] = Number(value);
+    const both = Object.values(shown.sides).map((k) => pictures[k]);
+    const sideChoice = (side, label) => choice(`picture-${side}`, label, pictures.map(({ name }, k) => [k, name]),
+      shown.sides[side], (value) => {
+        shown.sides[side] = Number(value);
         showPictures();
-      })));
-    showPictures();
+      });
+    images.forEach((image, k) => Object.assign(image, { src: both[k].png, alt: brief(both[k].name) }));
+    refill(choices, sideChoice("left", "Left"), sideChoice("right", "Right"));
+    root.querySelector("#legends").replaceChildren(...[...new Set(both)].map(legend));
   };
-  const show = () => {
-    if (shown.scene !== store.scenesIndex) showScene();
-    shown.scene = store.scenesIndex;
-    const { figure: { camera }, seen } = store.scene();
+  store.subscribe(() => {
+    const { pictures, figure: { camera }, seen } = store.scene();
     const { pixel } = store.selection;
-    if (camera === null || pixel === null) return;
-    rings.replaceChildren(...ringAround(pixel, camera));
+    root.hidden = pictures.length === 0;
+    if (root.hidden || pixel === null) return;
+    if (shown.scene !== store.scenesIndex) {
+      const right = Math.max(0, pictures.findIndex(({ kind }) => kind === "error"));
+      Object.assign(shown, { scene: store.scenesIndex, sides: { left: 0, right } });
+      view.setAttribute("aria-label", `Picture, ${camera.width} by ${camera.height} pixels; arrow keys choose one`);
+      view.style.aspectRatio = `${camera.width} / ${camera.height}`;
+      view.lastElementChild.setAttribute("viewBox", `0 0 ${camera.width} ${camera.height}`);
+      showPictures();
+    }
+    view.querySelector("g").replaceChildren(...ringAround(pixel, camera));
     const sphere = seen === null ? null : seenAt(seen, pixel[1] * camera.width + pixel[0]);
     place.replaceChildren(placeText({ pixel, ray: null, sphere: null }),
       sphere === null ? "" : sphere < 0 ? " sees no sphere" : ` sees sphere ${sphere}`);
-  };
-  store.subscribe(show);
-  show();
+  });
 }
 
 function choosePixelAt(event, view, store) {
@@ -86,24 +74,16 @@ function ringAround([i, j], camera) {
   return ["ring-under", "ring"].map((kind) => svg("rect", { class: kind, ...place }));
 }
 
-function seenAt(runs, index) {
+/// The sphere that pixel number `index` sees, of runs [pixels, sphere].
+export function seenAt(runs, index) {
   let left = index;
-  for (const [pixels, sphere] of runs) {
-    if (left < pixels) return sphere;
-    left -= pixels;
-  }
-  return null;
+  return runs.find(([pixels]) => (left -= pixels) < 0)?.[1] ?? null;
 }
 
-function pictureName({ kind, candidate }) {
-  return kind === "certified" ? "certified" : kind === "answered" ? `as ${brief(candidate)} has it` : `errors of ${brief(candidate)}`;
-}
-
-function legend(picture) {
+function legend({ name, legend: entries }) {
   const swatch = (colour) => svg("svg", { class: "swatch", viewBox: "0 0 1 1", "aria-hidden": "true" },
     svg("rect", { width: 1, height: 1, fill: colour }));
-  return element("figure", { class: "legend" },
-    element("figcaption", { dir: "auto" }, pictureName(picture)),
-    element("ul", {}, picture.legend.filter((entry) => entry.pixels !== 0).map((entry) => element("li", {},
-      swatch(entry.colour), ` ${brief(entry.text)} `, element("span", { class: "number" }, entry.pixels ?? "")))));
+  return element("figure", { class: "legend" }, element("figcaption", { dir: "auto" }, brief(name)),
+    element("ul", {}, entries.filter(({ pixels }) => pixels !== 0).map(({ colour, text, pixels }) =>
+      element("li", {}, swatch(colour), ` ${brief(text)} `, element("span", { class: "number" }, pixels ?? "")))));
 }

@@ -1,180 +1,129 @@
 // Errors as points or curves, each with its name beside it. An axis goes by powers of ten; 0 and
 // infinity have rows of their own, and stretches in which nothing lies may be cut out.
-import { LETTER, alike, brief, glyph, svg } from "./dom.js";
-import { freeBox } from "./names.js";
+import { svg } from "./dom.js";
+import { LABEL_LINE, LETTER, aroundPlace, inColumn, writeLabel, methodMark } from "./marks.js";
 
 const ROW = 24; // pixels: of zeros, of infinities
 const WIDEST_GAP = 2.5; // decades with nothing in them that are not cut out
 const CUT = 16; // pixels that stand for them
 const LEAST_STRETCH = 0.8; // decades
 const PADDING = 0.12; // decades beyond the first and the last point
-const LABEL_LINE = 15; // pixels: from a label's line to the next
-const LONGEST_LABEL = 30; // letters
-const BESIDE = [0, 4, 0.5, 3.5, 7.5, 4.5, 1, 3, 7, 5, 2, 6]; // where a point's name is tried, in turns of 45 degrees
+const TICKS_APART = 34; // pixels, at least
 const LEAST_APART = 9; // pixels: the marks of a curve
-const CONDITION = "kappa of the problem";
+const BESIDE = aroundPlace([0, 4, 0.5, 3.5, 7.5, 4.5, 1, 3, 7, 5, 2, 6]);
 const DASHES = ["none", "7 3", "2 2.5", "9 3 2 3", "4 2 1 2 1 2"];
 
-/// Where numbers and "infinity" lie between the pixels `from` (the least) and `to`.
+/// Where numbers and "infinity" lie between the pixels `from` (the least) and `to`: place(value), and what marks it.
 export function powerAxis(values, from, to, mayCut = false) {
-  const logs = values.filter((value) => value > 0 && value !== "infinity").map(Math.log10).sort((a, b) => a - b);
+  const logs = values.filter((value) => value > 0).map(Math.log10).sort((a, b) => a - b);
   const stretches = [];
   for (const log of logs.length > 0 ? logs : [0]) {
     const last = stretches.at(-1);
     if (last && !(mayCut && log - last.high > WIDEST_GAP)) last.high = log;
     else stretches.push({ low: log, high: log });
   }
-  const way = Math.sign(to - from);
-  const zero = values.includes(0) ? ROW : 0;
-  const infinite = values.includes("infinity") ? ROW : 0;
+  let decades = 0;
   for (const one of stretches) {
     const room = Math.max(PADDING, (LEAST_STRETCH - one.high + one.low) / 2);
-    [one.low, one.high] = [one.low - room, one.high + room];
+    Object.assign(one, { low: one.low - room, high: one.high + room, before: decades });
+    decades += one.high - one.low;
   }
-  const decades = stretches.reduce((sum, one) => sum + one.high - one.low, 0);
+  const [zero, infinite] = [0, "infinity"].map((value) => (values.includes(value) ? ROW : 0));
+  const way = Math.sign(to - from);
   const scale = (Math.abs(to - from) - zero - infinite - CUT * (stretches.length - 1)) / decades;
-  let at = from + way * zero;
-  for (const one of stretches) {
-    one.at = at;
-    at += way * ((one.high - one.low) * scale + CUT);
-  }
   const ofLog = (log) => {
-    const one = stretches.findLast(({ low }) => low <= log) ?? stretches[0];
-    return one.at + way * (log - one.low) * scale;
+    const k = Math.max(0, stretches.findLastIndex(({ low }) => low <= log));
+    return from + way * (zero + CUT * k + (stretches[k].before + log - stretches[k].low) * scale);
   };
-  const place = (value) => (value === 0 ? from + way * zero / 2 : value === "infinity" ? to - way * infinite / 2 : ofLog(Math.log10(value)));
+  const place = (value) => (value === 0 ? from + way * zero / 2
+    : value === "infinity" ? to - way * infinite / 2 : ofLog(Math.log10(value)));
   const rows = [[zero, 0, "0"], [infinite, "infinity", "\u221e"]].filter(([size]) => size > 0)
-    .map(([size, value, text]) => ({ at: place(value), size, text }));
-  const cuts = stretches.slice(1).map((one) => one.at - way * CUT / 2);
-  const ticks = ticksOf(stretches, scale).map(([mantissa, power]) => ({ at: ofLog(Math.log10(mantissa) + power), mantissa, power }));
-  return { place, rows, cuts, ticks: ticks.filter((tick) => rows.every((row) => Math.abs(row.at - tick.at) > LABEL_LINE)) };
+    .map(([, value, text]) => ({ at: place(value), text, isRow: true }));
+  const every = Math.ceil(TICKS_APART / scale); // powers
+  const mantissas = scale > 3 * TICKS_APART ? [1, 2, 5] : [1];
+  const ticks = stretches.flatMap(({ low, high }) => [...Array(Math.ceil(high - low) + 1).keys()]
+    .map((k) => Math.floor(low) + k).filter((power) => power % every === 0)
+    .flatMap((power) => mantissas.map((one) => ({ log: Math.log10(one) + power, text: tickText(one, power) })))
+    .filter(({ log }) => log >= low && log <= high)).map(({ log, text }) => ({ at: ofLog(log), text }))
+    .filter(({ at }) => rows.every((row) => Math.abs(row.at - at) > LABEL_LINE));
+  const cuts = stretches.slice(1).map(({ before }, k) => from + way * (zero + CUT * (k + 0.5) + before * scale));
+  return { place, ticks: [...rows, ...ticks], cuts };
 }
 
-function ticksOf(stretches, scale) {
-  const mantissas = scale > 110 ? [1, 2, 5] : [1];
-  const every = Math.ceil(34 / scale);
-  return stretches.flatMap(({ low, high }) => {
-    const powers = [...Array(Math.ceil(high) - Math.floor(low) + 1).keys()].map((k) => Math.floor(low) + k);
-    return powers.filter((power) => power % every === 0).flatMap((power) => mantissas.map((mantissa) => [mantissa, power]))
-      .filter(([mantissa, power]) => mantissa * 10 ** power >= 10 ** low && mantissa * 10 ** power <= 10 ** high);
-  });
-}
-
-function tickText({ mantissa, power }) {
+function tickText(mantissa, power) {
   if (Math.abs(power) <= 3) return String(Number((mantissa * 10 ** power).toPrecision(1)));
   return [mantissa === 1 ? "10" : `${mantissa}\u00b710`, svg("tspan", { dy: -5, "font-size": 9 }, power)];
 }
 
-/// A row, a grid line and a label for each tick of the axis of errors, a zigzag for what is cut out.
-function errorAxis(axis, { left, right, top, bottom }, unit) {
-  return [axis.rows.map(({ at, size, text }) => [
-    svg("rect", { class: "row", x: left, y: at - size / 2, width: right - left, height: size }),
-    svg("text", { class: "label quiet", x: left - 8, y: at + 4, "text-anchor": "end" }, text)]),
-  axis.ticks.map((tick) => [svg("path", { class: "gridline", d: `M${left} ${tick.at}H${right}` }),
-    svg("text", { class: "label quiet", x: left - 8, y: tick.at + 4, "text-anchor": "end" }, tickText(tick))]),
-  axis.cuts.map((at) => [svg("path", { class: "cut-line", d: `M${left + 8} ${at}H${right}` }),
-    svg("path", { class: "cut", d: `M${left - 6} ${at + 2}l4 -6l4 8l4 -6` })]),
-  svg("text", { class: "label quiet", x: 2, y: top - 10 }, unit),
-  svg("path", { class: "axis", d: `M${left} ${top}V${bottom}H${right}` })];
+/// Severities from left to right, named where there is room.
+function severityAxis(severities, from, to) {
+  const step = (to - from) / Math.max(1, severities.length - 1);
+  const every = Math.ceil((Math.max(...severities.map((text) => text.length)) * LETTER + 8) / step);
+  const place = (k) => from + k * step;
+  const ticks = severities.map((text, k) => ({ at: place(k), text })).filter((_, k) => k % every === 0);
+  return { place, step, ticks, cuts: [] };
 }
 
-/// The mark of a method: pale where decisions are wrong that are excused, crossed where they are not.
-export function methodMark(number, standing, x, y, size) {
-  return svg("g", { class: standing === "right" ? null : "pale" }, glyph(number, x, y, size),
-    standing === "defect" ? svg("path", { class: "cross", d: `M${x} ${y}m${-size} ${-size}l${2 * size} ${2 * size}m0 ${-2 * size}l${-2 * size} ${2 * size}` }) : null);
+/// The grid lines, rows and labels of an axis, upwards or to the right, and zigzags for what is cut out.
+function axisMarks({ ticks, cuts }, { left, right, top, bottom }, isUp) {
+  const across = (at) => (isUp ? `M${left} ${at}H${right}` : `M${at} ${top}V${bottom}`);
+  return [ticks.map(({ at, text, isRow }) => [
+    isRow ? svg("rect", { class: "row", x: left, y: at - ROW / 2, width: right - left, height: ROW })
+      : svg("path", { class: "gridline", d: across(at) }),
+    svg("text", { class: "label quiet", x: isUp ? left - 8 : at, y: isUp ? at + 4 : bottom + 16,
+      "text-anchor": isUp ? "end" : "middle" }, text)]),
+  cuts.map((at) => [svg("path", { class: "cut-line", d: across(at) }),
+    svg("path", { class: "cut", d: `M${left - 6} ${at + 2}l4 -6l4 8l4 -6` })])];
 }
 
-/// A small plot is part of something that has a name.
-function described(isSmall, label) {
-  return isSmall ? { "aria-hidden": "true" } : { role: "img", "aria-label": label };
+/// Traces {number, methods, name, places: [{x, y, standing}], isFront, spread}: of a method its one point, over run
+/// times, or its points over severities (y null: none), of which one may be `current`. Small ones have no names.
+export function plot({ traces, severities, runTimes, errors, current, width, tall, unit, under, isSmall, title }) {
+  const isOfPoints = severities === null;
+  const names = isOfPoints ? 14 : 26 + Math.max(0, ...traces.map(({ name }) => name.length)) * LETTER;
+  const pane = isSmall ? { left: 40, right: width - 10, top: 8, bottom: tall - 24 }
+    : { left: 58, right: width - names, top: 28, bottom: tall - 44 };
+  const y = powerAxis(errors, pane.bottom, pane.top, isOfPoints && !isSmall);
+  const x = (isOfPoints ? powerAxis : severityAxis)(isOfPoints ? runTimes : severities, pane.left, pane.right);
+  const placed = traces.map((trace) => ({ ...trace, places: trace.places.map((at) =>
+    ({ ...at, isThere: at.y !== null, x: x.place(at.x), y: at.y === null ? 0 : y.place(at.y) })) }));
+  const front = placed.filter(({ isFront }) => isFront).map(({ places }) => places[0]).sort((a, b) => a.x - b.x);
+  const text = (attributes, content) => svg("text", { class: "label quiet", ...attributes }, isSmall ? "" : content);
+  const look = isSmall ? { "aria-hidden": "true" } : { role: "img", "aria-label": title };
+  return svg("svg", { viewBox: `0 0 ${width} ${tall}`, class: "instrument", ...look },
+    svg("g", { "aria-hidden": "true" },
+    axisMarks(y, pane, true), axisMarks(x, pane, false),
+    svg("path", { class: "axis", d: `M${pane.left} ${pane.top}V${pane.bottom}H${pane.right}` }),
+    text({ x: 2, y: pane.top - 10 }, unit), text({ x: width - 4, y: tall - 6, "text-anchor": "end" }, under),
+    current === null ? null
+      : svg("path", { class: "current", d: `M${x.place(current)} ${pane.top - 8}V${pane.bottom}` }),
+    front.length === 0 ? null : svg("path", { class: "front",
+      d: `M${front[0].x} ${pane.top}${front.map((at) => `H${at.x}V${at.y}`).join("")}H${pane.right}` }),
+    placed.map((trace) => traceMarks(trace, x, isSmall)),
+    isSmall ? null : namesBeside(placed, pane, isOfPoints)));
 }
 
-/// Points {name, number, time: {ratio, low, high}, error, standing, isFront}; without names where small.
-export function pointPlot({ points, runTimes, errors, width, tall, unit, timeText, isSmall, label }) {
-  const pane = { left: isSmall ? 40 : 58, right: width - 14, top: isSmall ? 8 : 28, bottom: tall - (isSmall ? 24 : 44) };
-  const y = powerAxis(errors, pane.bottom, pane.top, !isSmall);
-  const x = powerAxis(runTimes, pane.left, pane.right);
-  const placed = points.map((point) => ({ ...point, y: y.place(point.error),
-    x: x.place(point.time.ratio), low: x.place(point.time.low), high: x.place(point.time.high) }));
-  const front = placed.filter((point) => point.isFront).sort((a, b) => a.x - b.x);
-  const size = isSmall ? 3.2 : 5.5;
-  return svg("svg", { viewBox: `0 0 ${width} ${tall}`, class: "instrument", ...described(isSmall, label) }, svg("g", { "aria-hidden": "true" },
-    errorAxis(y, pane, unit),
-    x.ticks.map((tick) => [svg("path", { class: "gridline", d: `M${tick.at} ${pane.top}V${pane.bottom}` }),
-      svg("text", { class: "label quiet", x: tick.at, y: pane.bottom + 16, "text-anchor": "middle" }, tickText(tick))]),
-    svg("text", { class: "label quiet", x: pane.right, y: tall - 6, "text-anchor": "end" }, timeText),
-    front.length === 0 ? null : svg("path", { class: "front", d: `M${front[0].x} ${pane.top}${front.map((point) => `V${point.y}H${point.x}V${point.y}`).join("")
-      .replace(/^V[^H]*H[^V]*/, "")}H${pane.right}` }),
-    placed.map((point) => svg("g", { "data-method": point.number },
-      isSmall ? null : svg("path", { class: `spread line-${point.number % 7}`, d: `M${point.low} ${point.y}H${point.high}` }),
-      methodMark(point.number, point.standing, point.x, point.y, size),
-      svg("circle", { class: "touch", cx: point.x, cy: point.y, r: isSmall ? 7 : 11 }))),
-    isSmall ? null : pointNames(placed, pane)));
+function traceMarks({ number, methods, places, spread }, x, isSmall) {
+  const d = places.map((at, k) => (at.isThere ? `${places[k - 1]?.isThere ? "L" : "M"}${at.x} ${at.y}` : "")).join("");
+  if (number === null) return svg("path", { class: "condition", d });
+  const every = Math.ceil(LEAST_APART / (x.step ?? LEAST_APART));
+  const size = (isSmall ? 0.6 : 1) * (places.length > 1 ? 3.5 : 5.5);
+  return svg("g", { "data-method": methods },
+    spread && !isSmall ? svg("path", { class: `spread line-${number % 7}`,
+      d: `M${x.place(spread[0])} ${places[0].y}H${x.place(spread[1])}` }) : null,
+    svg("path", { class: `curve line-${number % 7}`, "stroke-dasharray": DASHES[number % DASHES.length], d }),
+    places.filter((at, k) => at.isThere && k % every === 0).map((at) => [
+      methodMark(number, at.standing, at.x, at.y, size),
+      svg("circle", { class: "touch", cx: at.x, cy: at.y, r: 2 * size })]));
 }
 
-/// Those on the front first; a name that finds no room is left to the list of methods.
-function pointNames(placed, { left, right, top, bottom }) {
-  const pane = { x: left + 2, y: top - 6, width: right - left + 10, height: bottom - top + 4 };
-  const taken = placed.map(({ x, y, low, high }) => ({ x: Math.min(x - 6, low), y: y - LABEL_LINE / 2, width: Math.max(12, high - low + 6) }));
-  return [...placed].sort((a, b) => b.isFront - a.isFront).map(({ name, number, x, y, isFront }) => {
-    const text = brief(name, LONGEST_LABEL);
-    const box = freeBox(x, y, LETTER * text.length + 6, pane, taken, BESIDE);
-    if (box === null) return null;
-    taken.push(box);
-    return svg("g", { "data-method": number },
-      box.isApart ? svg("path", { class: "leader", d: `M${box.from}L${box.joint}` }) : null,
-      svg("text", { class: isFront ? "label strong" : "label", x: box.x + 3, y: box.y + 11 }, text));
-  });
-}
-
-/// Curves {name, number, errors: [number, "infinity" or null], standings: [...]}, one of each at
-/// every severity; `condition` is a curve of errors alone.
-export function curvePlot({ curves, condition, severities, current, errors, width, tall, unit, severityText, isSmall, label, classOf, onSeverity }) {
-  const groups = alike(curves, (curve) => JSON.stringify([curve.errors, curve.standings])).map((same) => ({ ...same[0], text: namesText(same),
-    attributes: { "data-method": same.map(({ number }) => number).join(" "), class: classOf?.(same) } }));
-  const named = condition === null ? groups : [...groups, { text: CONDITION, errors: condition, attributes: {} }];
-  const room = isSmall ? 10 : 26 + Math.max(0, ...named.map(({ text }) => text.length)) * LETTER;
-  const pane = { left: isSmall ? 40 : 58, right: width - room, top: isSmall ? 8 : 28, bottom: tall - (isSmall ? 24 : 44) };
-  const y = powerAxis(errors, pane.bottom, pane.top);
-  const step = (pane.right - pane.left) / Math.max(1, severities.length - 1);
-  const x = (k) => pane.left + k * step;
-  const every = Math.ceil((Math.max(...severities.map((text) => String(text).length)) * LETTER + 8) / step);
-  const line = (list) => list.map((error, k) => (error === null ? "" : `${k === 0 || list[k - 1] === null ? "M" : "L"}${x(k).toFixed(1)} ${y.place(error).toFixed(1)}`)).join("");
-  const marked = Math.ceil(LEAST_APART / step);
-  return svg("svg", { viewBox: `0 0 ${width} ${tall}`, class: "instrument", ...described(isSmall, label) }, svg("g", { "aria-hidden": "true" },
-    errorAxis(y, pane, unit),
-    severities.map((severity, k) => (k % every > 0 ? null
-      : svg("text", { class: "label quiet", x: x(k), y: pane.bottom + 16, "text-anchor": "middle" }, severity))),
-    svg("text", { class: "label quiet", x: pane.left, y: tall - 6 }, severityText),
-    current === undefined ? null : svg("path", { class: "current", d: `M${x(current)} ${pane.top - 8}V${pane.bottom}` }),
-    condition === null ? null : svg("path", { class: "condition", d: line(condition) }),
-    groups.map((group) => svg("g", group.attributes,
-      svg("path", { class: `curve line-${group.number % 7}`, "stroke-dasharray": DASHES[group.number % DASHES.length], d: line(group.errors) }),
-      svg("path", { class: "curve touch-line", d: line(group.errors) }),
-      group.errors.map((error, k) => (error === null || k % marked > 0 ? null : methodMark(group.number, group.standings[k], x(k), y.place(error), isSmall ? 2 : 3.5))))),
-    isSmall ? null : endNames(named, pane, x, y),
-    onSeverity === undefined ? null : severities.map((_, k) => svg("rect", { class: "touch", x: x(k) - step / 2, y: 0, width: step, height: tall, click: () => onSeverity(k) }))));
-}
-
-function namesText(same) {
-  const all = same.map(({ name }) => name).join(", ");
-  if (all.length <= LONGEST_LABEL) return all;
-  return brief(same[0].name, LONGEST_LABEL - 12) + (same.length > 1 ? ` and ${same.length - 1} more` : "");
-}
-
-/// Names beside the curves' ends, pushed apart: first downwards, then up from the axis.
-function endNames(groups, { right, top, bottom }, x, y) {
-  const names = groups.map((group) => {
-    const isThere = (k) => (group.errors[k] ?? null) !== null;
-    const joined = group.errors.findLastIndex((_, k) => isThere(k) && isThere(k - 1));
-    const end = joined >= 0 ? joined : group.errors.findLastIndex((_, k) => isThere(k));
-    return { group, end: x(end) + 5, at: y.place(group.errors[end]) };
-  }).sort((a, b) => a.at - b.at);
-  let last = top - LABEL_LINE;
-  for (const name of names) last = name.place = Math.max(name.at, last + LABEL_LINE);
-  let next = bottom + LABEL_LINE;
-  for (const name of names.toReversed()) next = name.place = Math.min(name.place, next - LABEL_LINE);
-  return names.map(({ group, end, at, place }) => svg("g", group.attributes,
-    svg("path", { class: `leader line-${group.number % 7}`, d: `M${end} ${at}H${right + 5}L${right + 16} ${place}` }),
-    svg("text", { class: group.number === undefined ? "label quiet" : "label", x: right + 20, y: place + 4 }, group.text)));
+/// Those of points around them, the front's first; those of curves in a column at their ends, the lowest first.
+function namesBeside(placed, { left, right, top, bottom }, isOfPoints) {
+  const pane = { x: left + 2, y: top - 8, width: isOfPoints ? right - left + 10 : Infinity, height: bottom - top + 16 };
+  const ends = placed.map((trace) => ({ ...trace, at: trace.places.findLast(({ isThere }) => isThere) }));
+  const taken = isOfPoints ? ends.map(({ at }) => ({ x: at.x - 6, y: at.y - LABEL_LINE / 2, width: 12 })) : [];
+  ends.sort((a, b) => (isOfPoints ? b.isFront - a.isFront : b.at.y - a.at.y));
+  return ends.map(({ methods, name, isFront, at }) => svg("g", { "data-method": methods },
+    writeLabel(name, [at.x + (isOfPoints ? 0 : 5), at.y], isFront ? "strong" : "", pane, taken,
+      isOfPoints ? BESIDE : inColumn(right + 16))));
 }

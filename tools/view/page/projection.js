@@ -7,85 +7,40 @@ export const times = (a, k) => [a[0] * k, a[1] * k, a[2] * k];
 export const dotProduct = (a, b) => a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 export const lengthOf = (a) => Math.hypot(a[0], a[1], a[2]); // neither overflows nor underflows
 export const unitOf = (a) => a.map((x) => x / lengthOf(a));
+export const crossProduct = (a, b) =>
+  [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]];
 
-export function crossProduct(a, b) {
-  return [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]];
-}
+/// P of pixel (i, j), of fractions of a pixel too.
+export const pixelPointOf = ({ first, column, row }, i, j) => plus(first, plus(times(column, i), times(row, j)));
 
-/// alpha and beta of a pixel, fractions of a pixel too.
-function onPlane(camera, i, j) {
-  const share = (k, count) => (camera.samples === "edges" ? k / (count - 1) : (k + 0.5) / count);
-  const [first, last] = camera.rows === "top-first" ? [camera.top, camera.bottom] : [camera.bottom, camera.top];
-  const [across, along] = [share(i, camera.width), share(j, camera.height)];
-  return [camera.left + across * (camera.right - camera.left), first + along * (last - first)];
-}
-
-/// The point that is seen at (alpha, beta) of the image plane, at a depth along W.
-export function seenThrough(camera, alpha, beta, depth = camera.near) {
-  const share = depth / camera.near;
-  return plus(times(camera.W, depth), plus(times(camera.U, alpha * share), times(camera.V, beta * share)));
-}
-
-/// P of pixel (i, j), eye-relative.
-export function pixelPointOf(camera, i, j) {
-  return seenThrough(camera, ...onPlane(camera, i, j));
-}
-
-/// The pixel whose cell holds (alpha, beta) of the image plane; null where there is none.
-export function pixelUnder(camera, alpha, beta) {
-  const [alpha0, beta0] = onPlane(camera, -0.5, -0.5);
-  const [alpha1, beta1] = onPlane(camera, camera.width - 0.5, camera.height - 0.5);
-  const i = Math.floor(((alpha - alpha0) / (alpha1 - alpha0)) * camera.width);
-  const j = Math.floor(((beta - beta0) / (beta1 - beta0)) * camera.height);
-  return i >= 0 && i < camera.width && j >= 0 && j < camera.height ? [i, j] : null;
+/// The pixel that is seen from the eye in a direction of these tangents; null where there is none.
+export function pixelUnder({ window: [x0, x1, y0, y1], width, height, rows }, x, y) {
+  const i = Math.floor(((x - x0) / (x1 - x0)) * width);
+  const fromBelow = Math.floor(((y - y0) / (y1 - y0)) * height);
+  const isSeen = i >= 0 && i < width && fromBelow >= 0 && fromBelow < height;
+  return isSeen ? [i, rows === "top-first" ? height - 1 - fromBelow : fromBelow] : null;
 }
 
 // A viewer: position; axes right, up, forward; window [x0, x1, y0, y1], what fills the screen from left to
 // right and from bottom to top, at depth 1 (if parallel, at any depth); nearest, the depth below which lines
 // are clipped; start, the depth of the plane where sight begins (0: at the position).
 
-/// Sees what the camera's picture shows: a whole cell around every sample.
-export function eyeViewer(camera) {
-  const depth = Math.abs(camera.near);
-  const upwards = { ...camera, rows: "bottom-first" };
-  const [x0, y0] = onPlane(upwards, -0.5, -0.5);
-  const [x1, y1] = onPlane(upwards, camera.width - 0.5, camera.height - 0.5);
+/// Sees what the camera's picture shows, enlarged so many times, and what a screen of that aspect has beside it.
+export function eyeViewer({ U, V, W, near, window: [x0, x1, y0, y1], origin }, aspect = 0, enlarged = 1) {
+  const depth = Math.abs(near);
+  const wider = aspect / Math.abs((x1 - x0) / (y1 - y0)) || 1; // than the picture
+  const wide = (low, high, by) => [(low + high - by * (high - low)) / 2, (low + high + by * (high - low)) / 2];
   return {
-    isEye: true, position: [0, 0, 0], axes: [camera.U, camera.V, times(camera.W, Math.sign(camera.near))],
-    window: [x0, x1, y0, y1].map((x) => x / depth), nearest: depth / 128,
-    start: camera.origin === "pixel" ? depth : 0,
+    isEye: true, position: [0, 0, 0], axes: [U, V, times(W, Math.sign(near))], nearest: depth / 128,
+    window: [...wide(x0, x1, enlarged * Math.max(wider, 1)), ...wide(y0, y1, enlarged * Math.max(1 / wider, 1))],
+    start: origin === "pixel" ? depth : 0,
   };
 }
 
-/// The same viewer with a window of the screen's aspect around its own, enlarged.
-export function letterboxed(viewer, aspect, enlarged) {
-  const [x0, x1, y0, y1] = viewer.window;
-  const half = (enlarged * Math.max(Math.abs(y1 - y0), Math.abs(x1 - x0) / aspect)) / 2;
-  const [x, y] = [(x0 + x1) / 2, (y0 + y1) / 2];
-  const [halfX, halfY] = [Math.sign(x1 - x0) * half * aspect, Math.sign(y1 - y0) * half];
-  return { ...viewer, window: [x - halfX, x + halfX, y - halfY, y + halfY] };
-}
-
-const HALF_FIELD = Math.tan(Math.PI / 12);
-
-/// orbit: target, distance, and azimuth and elevation about axes [side, up, back].
-export function orbitViewer({ target, distance, azimuth, elevation, axes: [side, up, back] }, aspect) {
-  const level = plus(times(back, Math.cos(azimuth)), times(side, Math.sin(azimuth)));
-  const outward = plus(times(level, Math.cos(elevation)), times(up, Math.sin(elevation)));
-  const right = plus(times(side, Math.cos(azimuth)), times(back, -Math.sin(azimuth)));
-  const [halfX, halfY] = [HALF_FIELD * Math.max(aspect, 1), HALF_FIELD / Math.min(aspect, 1)];
-  return {
-    position: plus(target, times(outward, distance)),
-    axes: [right, crossProduct(outward, right), times(outward, -1)],
-    window: [-halfX, halfX, -halfY, halfY], nearest: distance / 4096, start: 0,
-  };
-}
-
-/// How far away a ball must be to be seen as a whole.
-export const distanceToFit = (radius) => radius / Math.sin(Math.atan(HALF_FIELD));
-
-export function parallelViewer(axes, middle, halfX, halfY) {
-  return { isParallel: true, position: middle, axes, window: [-halfX, halfX, -halfY, halfY], nearest: 0, start: 0 };
+/// How much of the screen places fill, from its middle; 1 and more where one is outside.
+export function shareSeen(viewer, places) {
+  return Math.max(...places.map((place) => homogeneous(viewer, place))
+    .map(([x, y, w]) => (w > 0 ? Math.max(Math.abs(x), Math.abs(y)) / w : 1)));
 }
 
 /// Coordinates along right, up and forward.
@@ -132,7 +87,7 @@ export function clippedSegment({ viewer }, from, to) {
   return first <= last ? [first > 0 ? between(a, b, first) : a, last < 1 ? between(a, b, last) : b] : null;
 }
 
-/// The strokes that show a segment {from, to, isDashed, hasArrow} on a pane, as pairs of homogeneous points.
+/// The strokes that show a segment {from, to, dashed, arrow} on a pane, as pairs of homogeneous points.
 export function strokesOf(pane, segment) {
   const clipped = clippedSegment(pane, segment.from, segment.to);
   if (clipped === null) return [];
@@ -140,8 +95,8 @@ export function strokesOf(pane, segment) {
   const [[ax, ay], [bx, by]] = [pixelsOf(a, pane), pixelsOf(b, pane)];
   const length = Math.hypot(bx - ax, by - ay);
   if (!(length > 0.05)) return [];
-  const strokes = segment.isDashed ? dashes(a, b, Math.max(1, Math.round(length / 10))) : [clipped];
-  if (!segment.hasArrow || length < 9) return strokes;
+  const strokes = segment.dashed ? dashes(a, b, Math.max(1, Math.round(length / 10))) : [clipped];
+  if (!segment.arrow || length < 9) return strokes;
   return [...strokes, ...arrowHead(b, (bx - ax) / length, (by - ay) / length, pane)];
 }
 

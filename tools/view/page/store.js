@@ -1,12 +1,11 @@
 // What is shown: the document as it came, and the reader's choice of scene, ray, sphere, method.
 
-/// document: as `raycheck view --format json` prints it. `set` takes any of {scenesIndex,
-/// selection, methodShown, layers} and calls every subscriber once with the store and the names of
-/// what was set. A selection given in part keeps the rest, except that another pixel or ray forgets
-/// the sphere; another scene starts where it says. The first scene is the first finding's.
+/// document: as `raycheck view --format json` prints it. `set` takes any of {scenesIndex, selection, methodShown,
+/// layers} and calls every subscriber with the store and the names of what was set; one that is new is called at
+/// once. A selection given in part keeps the rest, except that another pixel or ray forgets the sphere; another
+/// scene starts where it says. The first scene is the first finding's.
 export function createStore(document) {
   const subscribers = [];
-  const numbers = new Map(); // of methods, as they are asked for
   const first = document.findings[0]?.scene ?? 0;
   const store = {
     document,
@@ -22,11 +21,6 @@ export function createStore(document) {
       const here = store.panelsHere();
       return (sphere === null ? here[0] : here.find((panel) => panel.sphere === sphere)) ?? null;
     },
-    /// Which shape and colour a method has, everywhere in the page.
-    methodNumber(name) {
-      if (!numbers.has(name)) numbers.set(name, numbers.size);
-      return numbers.get(name);
-    },
     /// What was found at the chosen place, the worst first.
     findingsHere: () => document.findings.filter((one) => one.scene === store.scenesIndex
       && samePlace(one, store.selection) && [null, store.panel()?.sphere].includes(one.sphere)),
@@ -38,24 +32,28 @@ export function createStore(document) {
         store.scenesIndex = partial.scenesIndex;
         store.selection = { ...store.scene().start };
       }
-      if ("selection" in partial) store.selection = completed(partial.selection, store.selection);
+      if ("selection" in partial) {
+        const chosen = { ...store.selection, ...partial.selection };
+        if (!samePlace(chosen, store.selection) && !("sphere" in partial.selection)) chosen.sphere = null;
+        store.selection = chosen;
+      }
       if ("methodShown" in partial) store.methodShown = partial.methodShown;
-      if ("layers" in partial) store.layers = { ...store.layers, ...partial.layers };
+      Object.assign(store.layers, partial.layers);
       for (const subscriber of subscribers) subscriber(store, Object.keys(partial));
     },
-    subscribe: (subscriber) => subscribers.push(subscriber),
+    subscribe(subscriber) {
+      subscribers.push(subscriber);
+      subscriber(store, []);
+    },
     /// Goes so many pixels right and up in the picture, or rays forth, not beyond its edges.
     walk(right, up) {
       const { camera, rays } = store.scene().figure;
-      if (camera === null) {
-        const ray = within((store.selection.ray ?? 0) + right - up, rays.length);
-        store.set({ selection: { ray } });
-      } else {
-        const [i, j] = store.selection.pixel ?? [0, 0];
-        const rows = camera.rows === "top-first" ? -up : up;
-        const pixel = [within(i + right, camera.width), within(j + rows, camera.height)];
-        store.set({ selection: { pixel } });
-      }
+      const within = (index, count) => Math.min(Math.max(index, 0), count - 1);
+      const { ray, pixel } = store.selection;
+      if (camera === null) return store.set({ selection: { ray: within((ray ?? 0) + right - up, rays.length) } });
+      const [i, j] = pixel ?? [0, 0];
+      const rows = camera.rows === "top-first" ? -up : up;
+      return store.set({ selection: { pixel: [within(i + right, camera.width), within(j + rows, camera.height)] } });
     },
   };
   return store;
@@ -63,15 +61,12 @@ export function createStore(document) {
 
 /// "pixel (9, 8), sphere 0"
 export function placeText({ pixel, ray, sphere }) {
-  const told = [];
-  if (pixel !== null) told.push(`pixel (${pixel[0]}, ${pixel[1]})`);
-  if (ray !== null) told.push(`ray ${ray}`);
-  if (sphere !== null) told.push(`sphere ${sphere}`);
-  return told.join(", ");
+  return [pixel && `pixel (${pixel.join(", ")})`, ray !== null && `ray ${ray}`, sphere !== null && `sphere ${sphere}`]
+    .filter(Boolean).join(", ");
 }
 
 /// The same pixel or ray.
-export function samePlace(a, b) {
+function samePlace(a, b) {
   return a.ray === b.ray && String(a.pixel) === String(b.pixel);
 }
 
@@ -82,17 +77,6 @@ export function walkByKeys(target, store) {
     const step = steps[event.key];
     if (step === undefined || event.altKey || event.ctrlKey || event.metaKey) return;
     event.preventDefault();
-    const wide = event.shiftKey ? 10 : 1;
-    store.walk(step[0] * wide, step[1] * wide);
+    store.walk(...step.map((one) => one * (event.shiftKey ? 10 : 1)));
   });
-}
-
-function completed(partial, before) {
-  const chosen = { ...before, ...partial };
-  if (!samePlace(chosen, before) && !("sphere" in partial)) chosen.sphere = null;
-  return chosen;
-}
-
-function within(index, count) {
-  return Math.min(Math.max(index, 0), count - 1);
 }
