@@ -99,9 +99,9 @@ function smallCharts(state, chart, set) {
     facetPlot({ ...state, facet, severity: ALL }, chart, null, SMALL_WIDTH, facets))));
 }
 
-function titleOf({ facet, quantity, share, severity }, { shares }) {
+function titleOf({ facet, quantity, share, severity }, chart) {
   const where = isTimed(facet) && severity !== ALL ? ` at severity ${facet.severities[severity]}` : "";
-  const error = `${shares[share]} ${facet.quantities[quantity].error}`;
+  const error = `${chart.shares[share]} ${facet.quantities[quantity].error}`;
   return `${facet.title}${where}: ${error} against ${isTimed(facet) ? "run time" : "severity"}`;
 }
 
@@ -140,22 +140,22 @@ function facetPlot(state, chart, dial, width, others) {
 }
 
 /// What a method's mark says, in a sentence.
-function figuresText({ text, points }, { facet, quantity, share, severity }, { shares }) {
+function figuresText({ text, points }, { facet, quantity, share, severity }, chart) {
   const { unit, error } = facet.quantities[quantity];
   const told = (point) => point?.errors[quantity].told[share] ?? "-";
   const all = points.map((point, k) => `${facet.severities[k]}: ${told(point)}`).join(", ");
-  if (!isTimed(facet)) return `${shares[share]} ${error} in ${unit} by severity: ${all}`;
+  if (!isTimed(facet)) return `${chart.shares[share]} ${error} in ${unit} by severity: ${all}`;
   const point = points[severity];
   const judged = point === null ? "" : `, of ${point.errors[quantity].compared}; ${point.text}`;
-  return `${text}; ${shares[share]} ${error} ${told(point)} ${unit}${judged}`;
+  return `${text}; ${chart.shares[share]} ${error} ${told(point)} ${unit}${judged}`;
 }
 
 /// Every method of the facet, every severity, every quantile of the quantity.
-function figuresTable({ facet, quantity }, { shares }) {
+function figuresTable({ facet, quantity }, chart) {
   const { name, unit } = facet.quantities[quantity];
   const row = (one, point, severity) => (point === null ? [] : [[brief(one.name), one.time?.told ?? "-", severity,
     ...point.errors[quantity].told, point.errors[quantity].compared, point.decisions, point.wrong, point.defects]]);
   return table(`${facet.title}: ${name} errors in ${unit}; ${facet.under}`,
-    ["method", "run time", "severity", ...shares, "compared", "decisions", "wrong", "without an excuse"],
+    ["method", "run time", "severity", ...chart.shares, "compared", "decisions", "wrong", "without an excuse"],
     facet.series.flatMap((one) => one.points.flatMap((point, k) => row(one, point, facet.severities[k]))));
 }

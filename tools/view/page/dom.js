@@ -77,15 +77,20 @@ export function choice(id, label, options, chosen, onChoice) {
 }
 
 /// A labelled range of 0 to `last` that tells its value, which its show(k) sets.
-export function rangeField(id, label, last, tell, onInput) {
+export function rangeField(id, label, last, tell, onInput, first = 0) {
   const output = element("output", { for: id });
-  const tellInput = () => onInput(input.valueAsNumber);
-  const input = element("input", { id, type: "range", min: 0, max: last, step: 1, input: tellInput });
-  return Object.assign(labelled(id, label, input, output), { show: (k) => {
+  const input = element("input", { id, type: "range", min: 0, max: last, step: 1 });
+  const show = (k) => {
     input.value = k;
     input.setAttribute("aria-valuetext", tell(k));
     output.replaceChildren(tell(k));
-  } });
+  };
+  input.addEventListener("input", () => {
+    show(input.valueAsNumber);
+    onInput(input.valueAsNumber);
+  });
+  show(first);
+  return Object.assign(labelled(id, label, input, output), { show });
 }
 
 /// A button that copies; where the browser keeps the clipboard to itself, a text to copy from.

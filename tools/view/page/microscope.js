@@ -1,5 +1,5 @@
 // Errors of 1e-16 made visible: the plane through ray and centre, in ulps around the exact point.
-import { atEachWidth, brief, briefSentence, disclosure, element, rangeField, refill, svg, table } from "./dom.js";
+import { atEachWidth, brief, briefSentence, element, rangeField, refill, svg, table } from "./dom.js";
 import { aroundPlace, glyph, writeLabel } from "./marks.js";
 
 const TALLEST = 440; // pixels
@@ -7,42 +7,36 @@ const TOGETHER = 10; // pixels: marks nearer than this share a label
 const NAMES_SHOWN = 3; // of marks that share a label
 const EDGE = 8; // pixels: from the window's edge to what lies beyond it
 const GRID_SPACING = 4; // pixels: a denser grid is not drawn
-const KEY = "The plane through the ray and the sphere's centre. Filled marks: s along the ray; hollow ones: "
-  + "the point Q that a method gives. Lines: the numbers next to s.";
 const LABELS = aroundPlace([2, 6, 1, 3, 7, 5, 0, 4]); // above and below their marks first
 
 export function mountMicroscope(root, store) {
-  const heading = element("h2", { id: "microscope-heading" }, "Microscope");
-  const drawing = element("div", { id: "microscope-view" });
+  const [told, seen, drawing, zoom, answers] = ["told", "shown", "view", "zoom", "answers"]
+    .map((id) => root.querySelector(`#microscope-${id}`));
   let shown = {}; // what is magnified, the method told of, the window
   const draw = () => {
     const width = Math.floor(drawing.clientWidth);
-    if (!shown.now || width === 0) return;
-    drawing.replaceChildren(magnifiedView(shown.now, shown.zoom, width, store));
+    if (shown.now && width > 0) drawing.replaceChildren(magnifiedView(shown.now, shown.zoom, width, store));
+  };
+  const setZoom = (k) => {
+    shown.zoom = k;
+    draw();
   };
   atEachWidth(drawing, draw);
   store.subscribe(() => {
     const now = store.panel()?.microscope ?? null;
-    const told = store.methodTold();
-    if (now !== shown.now || told !== shown.told) shown = { now, told, zoom: now && firstZoom(now, told) };
-    refill(root, heading, now === null ? element("p", {}, "Here is nothing to magnify.") : [
-      now.sentences.map((sentence) => element("p", {}, briefSentence(sentence))), drawing, zoomField(shown, draw),
-      element("p", { class: "quiet" }, KEY), disclosure("All answers as a table",
-        table("Answers around the exact point, in ulp", ["method", "along the ray", "towards the centre", "answer"],
-          now.marks.map(({ name, x, y, text }) => [brief(name), x, y, brief(text)])))]);
+    const method = store.methodTold();
+    if (now !== shown.now || method !== shown.method) shown = { now, method, zoom: now && firstZoom(now, method) };
+    const sentences = now?.sentences ?? ["Here is nothing to magnify."];
+    told.replaceChildren(...sentences.map((sentence) => element("p", {}, briefSentence(sentence))));
+    seen.hidden = now === null;
+    if (now === null) return;
+    const { zooms, marks } = now;
+    const tell = (k) => `\u00b1${zooms[k].half} ulp`;
+    refill(zoom, rangeField("zoom", "Window", zooms.length - 1, tell, setZoom, shown.zoom));
+    answers.replaceChildren(table("Answers around the exact point, in ulp", ["method", "along the ray",
+      "towards the centre", "answer"], marks.map(({ name, x, y, text }) => [brief(name), x, y, brief(text)])));
     draw();
   });
-}
-
-function zoomField(shown, draw) {
-  const { zooms } = shown.now;
-  const field = rangeField("zoom", "Window", zooms.length - 1, (k) => `\u00b1${zooms[k].half} ulp`, (k) => {
-    shown.zoom = k;
-    field.show(k);
-    draw();
-  });
-  field.show(shown.zoom);
-  return field;
 }
 
 /// The narrowest window that shows the answer of the method told of, or any answer where none is.

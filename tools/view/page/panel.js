@@ -107,7 +107,7 @@ function stepView(step, k, store, opened) {
     element("span", { class: "wrong" }, first ? `\u2717 goes wrong here: ${brief(first)}${more}` : "")),
   element("p", { class: "formula" }, symbolOf(step.symbol), " = ", formula(step.formula)), closedForm(step),
   element("p", { class: "quiet" }, step.condition),
-  answers.length === 0 ? null : table(`What methods have for ${step.symbol}`, ["methods", "value", "error"],
+  answers.length === 0 ? null : table(`Step ${k + 1}, ${step.symbol}: what methods have`, ["methods", "value", "error"],
     answers.map((one) => [agreeing(one.names), spoken(one.said),
       [one.off, one.wrong ? element("strong", { class: "wrong" }, " \u2717 goes wrong here") : ""]]), "values"));
   return view;

@@ -5,25 +5,20 @@ import { placeText, walkByKeys } from "./store.js";
 const SMALLEST_RING = 1 / 40; // of the picture's width: so large is the ring even where pixels are small
 
 export function mountPicture(root, store) {
-  if (store.document.scenes.every((scene) => scene.pictures.length === 0)) return;
+  if (store.document.scenes.every((scene) => scene.pictures.length === 0)) {
+    root.replaceChildren();
+    return;
+  }
   const shown = { scene: -1, sides: { left: 0, right: 0 } };
-  const line = svg("line", { class: "divider", y1: "0%", y2: "100%" });
-  const rings = svg("g", {});
-  const overlay = svg("svg", { "aria-hidden": "true" }, line, rings);
-  const images = { left: element("img", {}), right: element("img", {}) };
-  const view = element("div", { id: "picture-view", tabindex: "0", role: "application",
-    "aria-describedby": "picture-place", click: (event) => choosePixelAt(event, view, store) },
-  images.left, images.right, overlay);
-  const place = element("p", { id: "picture-place", class: "quiet" });
-  const [choices, legends] = [element("div", { class: "fields" }), element("div", { id: "legends" })];
-  const tellDivided = (percent) => (percent === 0 ? "all Right" : percent === 100 ? "all Left" : `${percent} % Left`);
-  const divider = rangeField("divider", "Divider", 100, tellDivided, (percent) => divide(percent));
+  const parts = ["choices", "view", "place"].map((id) => root.querySelector(`#picture-${id}`));
+  const [[choices, view, place], images, line] = [parts, root.querySelectorAll("img"), root.querySelector("line")];
   const divide = (percent) => { // the right picture begins there
-    images.right.style.clipPath = `inset(0 0 0 ${percent}%)`;
+    images[1].style.clipPath = `inset(0 0 0 ${percent}%)`;
     for (const end of ["x1", "x2"]) line.setAttribute(end, `${percent}%`);
-    divider.show(percent);
   };
-  root.append(element("h2", { id: "picture-heading" }, "Picture"), choices, view, divider, place, legends);
+  place.before(rangeField("divider", "Divider", 100,
+    (percent) => (percent === 0 ? "all Right" : percent === 100 ? "all Left" : `${percent} % Left`), divide));
+  view.addEventListener("click", (event) => choosePixelAt(event, view, store));
   walkByKeys(view, store);
   divide(0);
 
@@ -35,9 +30,9 @@ export function mountPicture(root, store) {
         shown.sides[side] = Number(value);
         showPictures();
       });
-    Object.values(images).forEach((image, k) => Object.assign(image, { src: both[k].png, alt: brief(both[k].name) }));
+    images.forEach((image, k) => Object.assign(image, { src: both[k].png, alt: brief(both[k].name) }));
     refill(choices, sideChoice("left", "Left"), sideChoice("right", "Right"));
-    legends.replaceChildren(...[...new Set(both)].map(legend));
+    root.querySelector("#legends").replaceChildren(...[...new Set(both)].map(legend));
   };
   store.subscribe(() => {
     const { pictures, figure: { camera }, seen } = store.scene();
@@ -49,10 +44,10 @@ export function mountPicture(root, store) {
       Object.assign(shown, { scene: store.scenesIndex, sides: { left: 0, right } });
       view.setAttribute("aria-label", `Picture, ${camera.width} by ${camera.height} pixels; arrow keys choose one`);
       view.style.aspectRatio = `${camera.width} / ${camera.height}`;
-      overlay.setAttribute("viewBox", `0 0 ${camera.width} ${camera.height}`);
+      view.lastElementChild.setAttribute("viewBox", `0 0 ${camera.width} ${camera.height}`);
       showPictures();
     }
-    rings.replaceChildren(...ringAround(pixel, camera));
+    view.querySelector("g").replaceChildren(...ringAround(pixel, camera));
     const sphere = seen === null ? null : seenAt(seen, pixel[1] * camera.width + pixel[0]);
     place.replaceChildren(placeText({ pixel, ray: null, sphere: null }),
       sphere === null ? "" : sphere < 0 ? " sees no sphere" : ` sees sphere ${sphere}`);
