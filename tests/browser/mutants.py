@@ -37,7 +37,7 @@ MUTANTS = {
     "starts anywhere": ("use", "selection: { ...document.scenes[first].start }", "selection: { pixel: [0, 0], ray: null, sphere: 0 }"),
     "every method always": ("use", "store.methodShown === null || name === store.methodShown", "true"),
     "divider does not move": ("use", "inset(0 0 0 ${percent}%)", "inset(0 0 0 50%)"),
-    "figure does not turn": ("use", "update();", ";"),
+    "figure does not turn": ("use", "    update();", ""),
     "the wheel takes all": ("use", "event.stopImmediatePropagation()", "[]"),
     "left is right": ("use", "shown.sides[side] = Number(value)", "shown.sides.left = Number(value)"),
     "dial stays": ("use", "store.set({ scenesIndex: dial.scenes[k] })", "store.set({ scenesIndex: dial.scenes[0] })"),
