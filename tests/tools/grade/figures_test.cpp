@@ -38,9 +38,31 @@ std::vector<std::string> digits_of_record(const json& hexfloats) {
 json step_of(const json& panel, const std::string& symbol, const std::string& method) {
   for (const json& step : panel["steps"]) {
     if (step["symbol"] != symbol) continue;
-    for (const json& one : step["methods"]) {
-      if (one["name"] == method) return one;
+    for (const json& one : step["answers"]) {
+      const auto names = one["names"].get<std::vector<std::string>>();
+      if (std::find(names.begin(), names.end(), method) != names.end()) return one;
     }
+  }
+  return nullptr;
+}
+
+/// The numbers of what is said, whose wrong digits are apart.
+std::vector<std::string> numbers_of(const json& said) {
+  std::vector<std::string> numbers;
+  bool is_within = false;
+  for (const json& part : said) {
+    const bool is_number = part[0] == "number" || part[0] == "mark";
+    if (is_number && !is_within) numbers.emplace_back();
+    if (is_number) numbers.back() += part[1].get<std::string>();
+    is_within = is_number;
+  }
+  return numbers;
+}
+
+/// The verdict on a method's hit; null where it has none.
+json verdict_of(const json& panel, const std::string& method) {
+  for (const json& one : panel["verdicts"]) {
+    if (one["name"] == method && one["said"][0][0] == "symbol") return one;
   }
   return nullptr;
 }
@@ -106,14 +128,11 @@ TEST_P(EachFigure, HasAFigureWithTheNumbersOfTheItemsText) {
     if (item["name"] != subject.item) continue;
     is_found = true;
     json yours = step_of(panel, answer["symbol"], "yours");
-    if (yours.is_null() && answer["symbol"] == "s") {
-      for (const json& one : panel["verdicts"]) {  // where the ray misses, no step is called s
-        if (one["name"] == "yours" && one["intersects"] == true) yours = one;
-      }
-    }
+    // Where the ray misses, no step is called s.
+    if (yours.is_null() && answer["symbol"] == "s") yours = verdict_of(panel, "yours");
     if (subject.is_a_step) {
       ASSERT_FALSE(yours.is_null()) << answer["symbol"];
-      EXPECT_EQ(yours["value"].get<std::vector<std::string>>(), digits_of_record(answer["got"]));
+      EXPECT_EQ(numbers_of(yours["said"]), digits_of_record(answer["got"]));
     }
     const std::string part = report.substr(report.find(">" + std::string(subject.item) + "<"));
     const std::string own = part.substr(0, part.find("#finding-"));
@@ -176,8 +195,7 @@ TEST(Figures, follow_a_hit_along_the_ray_that_the_submission_made_itself) {
   ASSERT_EQ(document["findings"].size(), 1u);
   const json panel = panel_of(document, document["findings"][0]);
   const json yours = step_of(panel, "Q", "yours");
-  EXPECT_EQ(yours["value"].get<std::vector<std::string>>(),
-            digits_of_record(failing["answer"]["got"]));
+  EXPECT_EQ(numbers_of(yours["said"]), digits_of_record(failing["answer"]["got"]));
   EXPECT_TRUE(contains(panel["text"], "(yours: for the ray that it makes itself)"));
   EXPECT_TRUE(contains(panel["text"], "goes wrong at D (its own ray)")) << panel["text"];
   EXPECT_TRUE(
@@ -197,8 +215,13 @@ TEST(Figures, hold_a_submission_to_what_its_item_tolerates) {
   const json panel = panel_of(document, document["findings"][0]);
   for (const json& verdict : panel["verdicts"]) {
     if (verdict["name"] != "yours") continue;
-    EXPECT_EQ(verdict["goes_wrong_at"], verdict["intersects"] == true ? "s" : "") << verdict;
+    const bool is_of_hit = verdict == verdict_of(panel, "yours");
+    EXPECT_EQ(verdict["wrong"], is_of_hit) << verdict;
+    if (is_of_hit) {
+      EXPECT_EQ(verdict["said"].back(), json::array({"symbol", "s"}));
+    }
   }
+  EXPECT_FALSE(verdict_of(panel, "yours").is_null());
 }
 
 /// A submission whose s is too large, by a mistake that nobody has a name for: no item follows from
