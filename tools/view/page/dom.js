@@ -48,9 +48,7 @@ export function brief(text, longest = LONGEST_NAME) {
   return text.length <= longest ? text : `${text.slice(0, longest)}\u2026 (${text.length} characters)`;
 }
 
-export function briefSentence(text) {
-  return brief(text, LONGEST_SENTENCE);
-}
+export const briefSentence = (text) => brief(text, LONGEST_SENTENCE);
 
 /// A table that scrolls sideways where it is too wide; the first cell of a row is its heading.
 export function table(caption, columns, rows, look = "wide") {

@@ -58,13 +58,9 @@ function addParts({ figure, layers, palette, segments, points, names }, parts, p
 }
 
 /// From red, the first, to magenta, the last, as the lecture has it.
-function rainbow(k, count) {
-  return `hsl(${((300 * k) / Math.max(count - 1, 1)).toFixed(1)}, 100%, 50%)`;
-}
+const rainbow = (k, count) => `hsl(${((300 * k) / Math.max(count - 1, 1)).toFixed(1)}, 100%, 50%)`;
 
-function everyNth(count, step) {
-  return Array.from({ length: Math.ceil(count / step) }, (_, k) => k * step);
-}
+const everyNth = (count, step) => Array.from({ length: Math.ceil(count / step) }, (_, k) => k * step);
 
 function pixelsAt(camera, columns, rows) {
   return rows.flatMap((j) => columns.map((i) => {

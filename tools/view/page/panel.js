@@ -145,9 +145,7 @@ function takeAway({ command, latex, sage, text }, toml) {
     element("pre", { id: "explain-text", tabindex: "0" }, text))];
 }
 
-function symbolOf(text) {
-  return element("i", { class: "symbol" }, formula(text));
-}
+const symbolOf = (text) => element("i", { class: "symbol" }, formula(text));
 
 /// A sentence in parts [kind, text]: a symbol, a number, its wrong digits as a mark, what is wrong, or plain.
 function spoken(parts) {

@@ -64,9 +64,7 @@ function choosePixelAt(event, view, store) {
 }
 
 /// The picture's row, from its top, of pixels j; and the other way round.
-function pictureRow(j, { height, rows }) {
-  return rows === "top-first" ? j : height - 1 - j;
-}
+const pictureRow = (j, { height, rows }) => rows === "top-first" ? j : height - 1 - j;
 
 function ringAround([i, j], camera) {
   const size = Math.max(1, camera.width * SMALLEST_RING);

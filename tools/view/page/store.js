@@ -66,9 +66,7 @@ export function placeText({ pixel, ray, sphere }) {
 }
 
 /// The same pixel or ray.
-function samePlace(a, b) {
-  return a.ray === b.ray && String(a.pixel) === String(b.pixel);
-}
+const samePlace = (a, b) => a.ray === b.ray && String(a.pixel) === String(b.pixel);
 
 /// Arrow keys on `target` walk from pixel to pixel, ten at once with Shift.
 export function walkByKeys(target, store) {
