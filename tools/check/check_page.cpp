@@ -42,12 +42,19 @@ std::string looks_like(const std::vector<properties::Explanation>& explanations)
   return text.empty() ? text : text + ".";
 }
 
+/// Where a discrepancy is looked at that has no place of its own: of the camera, or a failure.
+Selection anywhere_in(const scene::Scene& scene) {
+  if (!scene.camera) return {{}, std::size_t{0}, {}};
+  return {scene::Pixel{scene.camera->width / 2, scene.camera->height / 2}, {}, {}};
+}
+
 std::vector<FindingView> findings_of(const CandidateReport& candidate, const scene::Scene& scene,
                                      std::size_t scene_index) {
   std::vector<FindingView> findings;
   for (const auto& one : candidate.verdict.worst(kMostDiscrepancies)) {
-    const Selection selection = selection_of(one.place, scene);
-    if (!is_of_ray(selection) || !has_place(one.quantity)) continue;
+    Selection selection = selection_of(one.place, scene);
+    const bool is_placed = is_of_ray(selection) && has_place(one.quantity);
+    if (!is_placed) selection = anywhere_in(scene);
     const std::string what = fmt::format("{} {}", info(one.quantity).name, wrongness_text(one));
     const auto known =
         std::find_if(findings.begin(), findings.end(),
@@ -55,9 +62,10 @@ std::vector<FindingView> findings_of(const CandidateReport& candidate, const sce
     if (known != findings.end()) {
       known->sentence += "; " + what;
     } else if (findings.size() < kMostFindings) {
-      findings.push_back({fmt::format("{}: {}", place_text(one.place), what), candidate.name,
-                          method_of(candidate, one.quantity), one.excuse.standing(), scene_index,
-                          selection});
+      findings.push_back(
+          {is_placed ? fmt::format("{}: {}", place_text(one.place), what) : discrepancy_head(one),
+           candidate.name, method_of(candidate, one.quantity), one.excuse.standing(), scene_index,
+           selection});
     }
   }
   for (FindingView& finding : findings) finding.looks_like = looks_like(candidate.explanations);

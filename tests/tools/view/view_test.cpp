@@ -375,7 +375,12 @@ TEST(View, has_the_picture_that_a_renderer_draws_and_where_it_is_wrong) {
 
   const json grey = document_of(ten + renderer("grey"))["scenes"][0]["pictures"];
   EXPECT_EQ(pixels_of(grey[1], "a sphere, not told which"), 124u);
-  const json none = document_of(ten + renderer("crash"))["scenes"][0]["pictures"];
+  const json crash = document_of(ten + renderer("crash"));
+  ASSERT_EQ(crash["findings"].size(), 1u);
+  EXPECT_NE(crash["findings"][0]["sentence"].get<std::string>().find("image: it exited with 1"),
+            std::string::npos)
+      << crash["findings"];
+  const json& none = crash["scenes"][0]["pictures"];
   EXPECT_EQ(pixels_of(none[1], "no answer"), 256u);
   EXPECT_EQ(pixels_of(none[2], "wrong class or sphere: defect"), 256u);
 }
