@@ -91,7 +91,12 @@ const std::map<std::string, std::string> kInside = {{"reference/internal", "refe
                                                     {"tools/external/sandbox", "tools/external"},
                                                     {"tools/external/protocol", "tools/external"},
                                                     {"tools/external/pictures", "tools/external"},
-                                                    {"tools/report/plot", "tools/report"}};
+                                                    {"tools/report/plot", "tools/report"},
+                                                    {"tools/view/chart", "tools/view"},
+                                                    {"tools/view/figure", "tools/view"},
+                                                    {"tools/view/page", "tools/view"},
+                                                    {"tools/view/panel", "tools/view"},
+                                                    {"tools/view/pictures", "tools/view"}};
 
 /// Programs of their own, which may see whatever they measure.
 const Rooms kPrograms = {"tools/bench"};

@@ -13,7 +13,7 @@
 #include "tools/gate_arguments.h"
 #include "tools/report/output_file.h"
 #include "tools/terminal.h"
-#include "tools/view/page.h"
+#include "tools/view/page/page.h"
 
 namespace raycheck::tools {
 namespace {

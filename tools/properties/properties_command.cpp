@@ -9,7 +9,7 @@
 #include "tools/properties/properties_views.h"
 #include "tools/report/output_file.h"
 #include "tools/terminal.h"
-#include "tools/view/page.h"
+#include "tools/view/page/page.h"
 
 namespace raycheck::tools {
 namespace {

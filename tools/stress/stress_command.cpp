@@ -11,7 +11,7 @@
 #include "tools/stress/stress_page.h"
 #include "tools/stress/stress_views.h"
 #include "tools/terminal.h"
-#include "tools/view/page.h"
+#include "tools/view/page/page.h"
 
 namespace raycheck::tools {
 namespace {

@@ -7,7 +7,7 @@
 #include "tools/terminal.h"
 #include "tools/tradeoff/tradeoff_page.h"
 #include "tools/tradeoff/tradeoff_views.h"
-#include "tools/view/page.h"
+#include "tools/view/page/page.h"
 
 namespace raycheck::tools {
 namespace {

@@ -16,7 +16,7 @@
 #include "scene/scene.h"
 #include "tools/explain/explain.h"
 #include "tools/report/picture_file.h"
-#include "tools/view/chart.h"
+#include "tools/view/chart/chart.h"
 
 namespace raycheck::tools {
 

@@ -15,9 +15,9 @@
 #include "tools/report/json.h"
 #include "tools/report/typeset.h"
 #include "tools/report/words.h"
-#include "tools/view/chart_json.h"
-#include "tools/view/figure_json.h"
-#include "tools/view/panel_json.h"
+#include "tools/view/chart/chart_json.h"
+#include "tools/view/figure/figure_json.h"
+#include "tools/view/panel/panel_json.h"
 #include "tools/view/view_words.h"
 
 namespace raycheck::tools {

@@ -11,10 +11,10 @@
 #include "scene/validate.h"
 #include "tools/image/image_paint.h"
 #include "tools/run/in_order.h"
-#include "tools/view/deflate.h"
 #include "tools/view/document_json.h"
-#include "tools/view/figure.h"
-#include "tools/view/panel.h"
+#include "tools/view/figure/figure.h"
+#include "tools/view/page/deflate.h"
+#include "tools/view/panel/panel.h"
 #include "tools/view/view_words.h"
 
 namespace raycheck::tools {

@@ -4,7 +4,7 @@
 #include "properties/run_control.h"
 #include "tools/methods/methods.h"
 #include "tools/view/document.h"
-#include "tools/view/pictures.h"
+#include "tools/view/pictures/pictures.h"
 
 namespace raycheck::tools {
 

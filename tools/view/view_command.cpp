@@ -14,7 +14,7 @@
 #include "tools/stress/dial_page.h"
 #include "tools/terminal.h"
 #include "tools/view/document_json.h"
-#include "tools/view/page.h"
+#include "tools/view/page/page.h"
 #include "tools/view/view_text.h"
 
 namespace raycheck::tools {

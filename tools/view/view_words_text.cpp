@@ -7,7 +7,7 @@
 #include "scene/number.h"
 #include "tools/explain/explain_views.h"
 #include "tools/report/words.h"
-#include "tools/view/microscope.h"
+#include "tools/view/panel/microscope.h"
 #include "tools/view/view_words.h"
 
 namespace raycheck::tools {

@@ -6,7 +6,7 @@
 #include "tools/commands.h"
 #include "tools/report/output_file.h"
 #include "tools/terminal.h"
-#include "tools/view/page.h"
+#include "tools/view/page/page.h"
 #include "tools/worst/worst_page.h"
 #include "tools/worst/worst_views.h"
 

@@ -7,7 +7,7 @@
 
 #include "tests/tools/program.h"
 #include "tools/view/document_json.h"
-#include "tools/view/page.h"
+#include "tools/view/page/page.h"
 
 namespace raycheck::tests {
 namespace {
@@ -38,7 +38,8 @@ TEST(StressPage, HasACurveOfEveryMethodOnEveryFamily) {
     const json& errors = mine["points"][k]["errors"][0];
     EXPECT_EQ(errors["at"][0], *textbook.tally(k)->median());
     EXPECT_EQ(errors["at"][3], *textbook.tally(k)->quantile(0.999));
-    EXPECT_EQ(chart["facets"][0]["condition"][0][3][k], *textbook.tally(k)->condition_quantile(0.999));
+    EXPECT_EQ(chart["facets"][0]["condition"][0][3][k],
+              *textbook.tally(k)->condition_quantile(0.999));
     EXPECT_EQ(mine["points"][k]["defects"], properties::defects(textbook.results[k].inside));
   }
 }

@@ -10,7 +10,7 @@
 #include "tools/grade/pages/views.h"
 #include "tools/grade/pages/wording.h"
 #include "tools/report/words.h"
-#include "tools/view/page.h"
+#include "tools/view/page/page.h"
 
 namespace raycheck::tools {
 namespace {

@@ -1,0 +1,132 @@
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <array>
+#include <limits>
+
+#include "tools/view/figure/figure.h"
+
+namespace raycheck::tools {
+namespace {
+
+using reference::Enclosure;
+using reference::Enclosure3;
+
+/// Whether one of the two roots may be the answer under conventions.
+bool may_count(const reference::ExactRay& ray, const scene::Sphere& sphere,
+               const reference::Intersection& at, const scene::Conventions& conventions) {
+  const bool is_asked =
+      conventions.root == scene::Root::kNearest || at.root == reference::WhichRoot::kSmaller;
+  return is_asked && ray.counts(sphere, at, conventions.valid) == reference::RootCounts::kYes;
+}
+
+/// How the whole line meets a sphere, behind the ray's origin too.
+reference::HitClass class_of_line(const reference::ExactRay& ray, const scene::Sphere& sphere) {
+  scene::Conventions anywhere;
+  anywhere.valid.t_min = std::numeric_limits<double>::lowest();
+  return ray.intersect(sphere, anywhere).hit_class;
+}
+
+/// L + v D
+Enclosure3 foot_of(const reference::ExactRay& ray, const scene::Sphere& sphere, int bits) {
+  const auto enclosed = ray.enclose(bits);
+  const Enclosure3 origin = enclosed.origin(), direction = enclosed.direction();
+  const Enclosure v = enclosed.axial_distance(sphere);
+  return {origin.x + v * direction.x, origin.y + v * direction.y, origin.z + v * direction.z};
+}
+
+/// Both with as many digits as tell them apart, written alike, and six at least.
+std::array<std::string, 2> told_apart(double a, double b) {
+  constexpr int kFewestDigits = 6, kMostDigits = 17;
+  for (int digits = kFewestDigits;; ++digits) {
+    std::array<std::string, 2> told = {fmt::format("{:.{}g}", a, digits),
+                                       fmt::format("{:.{}g}", b, digits)};
+    const auto has_exponent = [](const std::string& text) { return text.find('e') < text.size(); };
+    const bool is_alike = has_exponent(told[0]) == has_exponent(told[1]);
+    if ((told[0] != told[1] && is_alike) || digits == kMostDigits) return told;
+  }
+}
+
+/// A direction square to a ray, towards a centre; where the ray goes through it, any.
+Drawn across(const Drawn& direction, const Drawn& foot, const Drawn& centre, const Drawn& origin) {
+  constexpr double kTooNear = 0x1p-30;  // of the way: less of it may be what rounding left
+  Drawn square;
+  double least = kTooNear * length_of(centre - origin);
+  for (const Drawn& way : {centre - foot, Drawn{0, 1, 0}, Drawn{0, 0, 1}}) {
+    square = way - dot_product(way, direction) * direction;
+    if (length_of(square) > least) break;
+    least = kTooNear;
+  }
+  constexpr double kSteps = 1e6;  // to a unit: it says only from where one looks
+  const Drawn finest = (kSteps / length_of(square)) * square;
+  return {std::round(finest[0]) / kSteps, std::round(finest[1]) / kSteps,
+          std::round(finest[2]) / kSteps};
+}
+
+/// Puts the roots on a ray's line into its drawing.
+void add_roots(const DrawnFrame& frame, const reference::ExactRay& ray, const scene::Sphere& sphere,
+               const scene::Conventions& conventions, PanelDrawing& drawing) {
+  const auto line = class_of_line(ray, sphere);
+  if (line == reference::HitClass::kMiss) return;
+  const auto chosen = ray.intersect(sphere, conventions);
+  const bool is_double = line == reference::HitClass::kTangent;
+  const std::array<reference::Intersection, 2> both = {
+      {{line, reference::WhichRoot::kSmaller}, {line, reference::WhichRoot::kLarger}}};
+  const auto told =
+      told_apart(ray.rounded_parameter(sphere, both[0]), ray.rounded_parameter(sphere, both[1]));
+  for (std::size_t k = 0; k < (is_double ? 1u : 2u); ++k) {
+    const reference::Intersection& at = both[k];
+    const bool is_chosen =
+        chosen.hit_class != reference::HitClass::kMiss && (is_double || chosen.root == at.root);
+    const std::string name = is_double ? "double root" : k == 0 ? "near root" : "far root";
+    const Drawn point = frame.point([&](int bits) { return ray.enclose(bits).point(sphere, at); });
+    drawing.places.emplace_back(name, point);
+    if (is_chosen) drawing.places.emplace_back("answer", point);
+    drawing.names.emplace_back(
+        name, fmt::format("{}, s = {}{}", name, told[k],
+                          is_chosen                                 ? ", the answer"
+                          : may_count(ray, sphere, at, conventions) ? ""
+                                                                    : ", does not count"));
+  }
+}
+
+/// From where to where the line is drawn that holds these places: a little beyond the last.
+void add_ends(PanelDrawing& drawing) {
+  constexpr double kBeyond = 1.2;  // times the way to the last
+  const Drawn origin = drawing.places.front().second;
+  double first = 0, last = 0;
+  Drawn behind = origin;
+  for (const auto& [name, place] : drawing.places) {
+    const double along = dot_product(place - origin, drawing.direction);
+    last = std::max(last, along);
+    if (along < first) behind = place;
+    first = std::min(first, along);
+  }
+  drawing.until = last > 0 ? kBeyond * last : 1;
+  if (first < 0) drawing.places.emplace_back("behind", behind);
+}
+
+}  // namespace
+
+PanelDrawing drawing_of(const DrawnFrame& frame, const reference::ExactRay& ray,
+                        const scene::Sphere* sphere, const scene::Conventions& conventions) {
+  PanelDrawing drawing;
+  drawing.direction = unit(ray.rounded_direction());
+  const Drawn origin = frame.point([&](int bits) { return ray.enclose(bits).origin(); });
+  drawing.places.emplace_back("L", origin);
+  if (sphere != nullptr) {
+    const Drawn foot = frame.point([&](int bits) { return foot_of(ray, *sphere, bits); });
+    drawing.places.emplace_back("foot", foot);
+    drawing.across = across(drawing.direction, foot, frame.point(sphere->centre), origin);
+    add_roots(frame, ray, *sphere, conventions, drawing);
+  }
+  add_ends(drawing);
+  if (ray.source().camera) {
+    drawing.places.emplace_back(
+        "P", frame.point([&](int bits) { return ray.enclose(bits).pixel_point(); }));
+  }
+  std::erase_if(drawing.places, [](const auto& place) { return !is_finite(place.second); });
+  return drawing;
+}
+
+}  // namespace raycheck::tools

@@ -1,0 +1,55 @@
+#ifndef RAYCHECK_TOOLS_VIEW_FIGURE_DRAWN_FRAME_H_
+#define RAYCHECK_TOOLS_VIEW_FIGURE_DRAWN_FRAME_H_
+
+#include <cmath>
+#include <functional>
+
+#include "reference/enclosure.h"
+#include "tools/view/document.h"
+
+namespace raycheck::tools {
+
+/// Where drawn coordinates have their origin, and how they are scaled: by a power of two, which
+/// brings the camera's image plane, or without one the first ray's way to the first sphere, near 1.
+class DrawnFrame {
+ public:
+  explicit DrawnFrame(const scene::Scene& scene);
+
+  const scene::Point3& origin() const { return origin_; }
+  int exponent() const { return exponent_; }
+
+  /// Exact but for one rounding; infinite where the scaled coordinate leaves the double range.
+  Drawn point(const scene::Point3& point) const;
+  double length(double length) const;
+  /// A point that is known by enclosures of any precision, to within 2^-40 of its distance from the
+  /// origin or better.
+  Drawn point(const std::function<reference::Enclosure3(int bits)>& enclose) const;
+
+ private:
+  scene::Point3 origin_;
+  int exponent_ = 0;
+};
+
+/// A direction of length about 1, whatever the length of `v` is.
+Drawn unit(const scene::Vector3& v);
+inline Drawn unit(const scene::UnitVector3& v) { return {v.x, v.y, v.z}; }
+
+inline Drawn operator+(const Drawn& a, const Drawn& b) {
+  return {a[0] + b[0], a[1] + b[1], a[2] + b[2]};
+}
+inline Drawn operator-(const Drawn& a, const Drawn& b) {
+  return {a[0] - b[0], a[1] - b[1], a[2] - b[2]};
+}
+inline Drawn operator*(double k, const Drawn& a) { return {k * a[0], k * a[1], k * a[2]}; }
+inline double dot_product(const Drawn& a, const Drawn& b) {
+  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+/// |a|, which neither overflows nor underflows.
+inline double length_of(const Drawn& a) { return std::hypot(a[0], a[1], a[2]); }
+inline bool is_finite(const Drawn& a) {
+  return std::isfinite(a[0]) && std::isfinite(a[1]) && std::isfinite(a[2]);
+}
+
+}  // namespace raycheck::tools
+
+#endif  // RAYCHECK_TOOLS_VIEW_FIGURE_DRAWN_FRAME_H_

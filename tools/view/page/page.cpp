@@ -1,0 +1,71 @@
+#include "tools/view/page/page.h"
+
+#include <fmt/core.h>
+#include <openssl/evp.h>
+
+#include <array>
+#include <stdexcept>
+#include <string_view>
+#include <utility>
+
+#include "tools/report/data_address.h"
+#include "tools/report/html_text.h"
+#include "tools/view/document_json.h"
+#include "tools/view/page/assets.h"
+#include "tools/view/page/deflate.h"
+
+namespace raycheck::tools {
+namespace {
+
+/// How a content security policy names a script or a style of the page (CSP level 3, 2.3.1).
+std::string hash_source(std::string_view text) {
+  std::array<unsigned char, EVP_MAX_MD_SIZE> bytes{};
+  unsigned size = 0;
+  if (EVP_Digest(text.data(), text.size(), bytes.data(), &size, EVP_sha256(), nullptr) != 1) {
+    throw std::runtime_error("OpenSSL: SHA-256 failed");
+  }
+  return fmt::format("'sha256-{}'", base64({reinterpret_cast<const char*>(bytes.data()), size}));
+}
+
+/// The same in every page, and slow to deflate.
+const std::string& three() {
+  static const std::string text = base64(deflated(kThree));
+  return text;
+}
+
+}  // namespace
+
+std::string page(const ViewDocument& document) {
+  const std::string policy = fmt::format(
+      "default-src 'none'; script-src {} {}; style-src {}; img-src data:; "
+      "base-uri 'none'; form-action 'none'",
+      hash_source(kPageScript), hash_source(kThree), hash_source(kPageStyle));
+  const std::pair<std::string_view, std::string> parts[] = {
+      {"@CSP@", policy},
+      {"@TITLE@", escaped(document.title)},
+      {"@STYLE@", std::string(kPageStyle)},
+      {"@SCRIPT@", std::string(kPageScript)},
+      {"@THREE@", document.scenes.empty() ? "" : three()},
+      {"@DOCUMENT@", base64(deflated(document_line(document)))},
+  };
+  // What is put in is not looked into again.
+  std::string text;
+  std::string_view rest = kPageTemplate;
+  while (true) {
+    std::size_t first = rest.size();
+    const std::pair<std::string_view, std::string>* found = nullptr;
+    for (const auto& part : parts) {
+      const std::size_t at = rest.find(part.first);
+      if (at < first) {
+        first = at;
+        found = &part;
+      }
+    }
+    text += rest.substr(0, first);
+    if (found == nullptr) return text;
+    text += found->second;
+    rest.remove_prefix(first + found->first.size());
+  }
+}
+
+}  // namespace raycheck::tools

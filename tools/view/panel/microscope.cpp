@@ -1,0 +1,270 @@
+#include "tools/view/panel/microscope.h"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <stdexcept>
+
+#include "scene/interruption.h"
+#include "tools/view/view_words.h"
+
+namespace raycheck::tools {
+namespace {
+
+using reference::Enclosure;
+using reference::Enclosure3;
+
+/// Thrown where a precision does not tell a number well enough.
+struct TooWide : std::runtime_error {
+  TooWide() : std::runtime_error("more bits are needed") {}
+};
+
+/// How wide the enclosure of what is told may be. What is less than kNothing of an ulp is told as
+/// 0: no picture shows it.
+constexpr int kToldBits = 34;
+constexpr double kNothing = 0x1p-30;
+
+/// The half width of the first window, in ulp; each further one is so many times as wide.
+constexpr double kFirstHalfWidth = 4;
+constexpr double kZoomFactor = 16;
+constexpr double kLargestHalfWidth = 0x1p60;
+constexpr int kCurveSteps = 8;  ///< Of half a curve.
+/// What bends less than this share of a window is drawn straight.
+constexpr double kStraight = 0x1p-10;
+constexpr int kGridSteps = 8;  ///< Doubles to each side of s.
+
+double middle(const Enclosure& value) {
+  const double low = value.lower(), high = value.upper();
+  if (std::abs(low) < kNothing && std::abs(high) < kNothing) return 0;
+  if (!value.is_within(kToldBits)) throw TooWide();
+  return low / 2 + high / 2;
+}
+
+/// The next number of a format towards another.
+double next_of(double value, double towards, scene::Precision precision) {
+  if (precision == scene::Precision::kDouble) return std::nextafter(value, towards);
+  return std::nextafter(static_cast<float>(value), static_cast<float>(towards));
+}
+
+/// The gap between the numbers of a format around a number.
+double ulp_at(double value, scene::Precision precision) {
+  const double size = std::abs(value);
+  const double above = next_of(size, HUGE_VAL, precision);
+  return std::isfinite(above) ? above - next_of(above, 0, precision)
+                              : size - next_of(size, 0, precision);
+}
+
+Enclosure3 scaled(const Enclosure3& v, const Enclosure& factor) {
+  return {v.x * factor, v.y * factor, v.z * factor};
+}
+
+/// Any unit vector across a unit vector.
+Enclosure3 across(const Enclosure3& d, int bits) {
+  const double x = std::abs(d.x.lower()), y = std::abs(d.y.lower()), z = std::abs(d.z.lower());
+  Enclosure3 least = {Enclosure(0.0, bits), Enclosure(0.0, bits), Enclosure(0.0, bits)};
+  (x <= y && x <= z ? least.x : y <= z ? least.y : least.z) = Enclosure(1.0, bits);
+  const Enclosure3 normal = cross(d, least);
+  return scaled(normal, Enclosure(1.0, bits) / norm(normal));
+}
+
+/// The plane of the microscope at one precision: its origin, its axes and what it counts in.
+class Plane {
+ public:
+  Plane(const reference::ExactRay& ray, const scene::Sphere& sphere,
+        const reference::Intersection& exact, double ulp, int bits)
+      : bits_(bits),
+        hits_(exact.hit_class != reference::HitClass::kMiss),
+        radius_(sphere.radius, bits) {
+    const auto enclosed = ray.enclose(bits);
+    along_ = enclosed.direction();
+    const Enclosure length = ray.source().camera ? Enclosure(1.0, bits) : enclosed.length();
+    unit_ = Enclosure(ulp, bits) * length;
+    const Enclosure3 centre = {Enclosure(sphere.centre.x, bits), Enclosure(sphere.centre.y, bits),
+                               Enclosure(sphere.centre.z, bits)};
+    const Enclosure v = enclosed.axial_distance(sphere);
+    const Enclosure3 ray_origin = enclosed.origin();
+    parameter_ = hits_ ? enclosed.parameter(sphere, exact) : v / length;
+    const Enclosure distance = hits_ ? parameter_ * length : v;
+    const Enclosure3 way = scaled(along_, distance);
+    origin_ = {ray_origin.x + way.x, ray_origin.y + way.y, ray_origin.z + way.z};
+    const Enclosure3 to_foot = scaled(along_, v);
+    const Enclosure3 to_centre = centre - ray_origin - to_foot;
+    const Enclosure b = norm(to_centre);
+    // A line through the centre has no side; that it does, no enclosure tells.
+    const bool is_central = b.contains_zero();
+    if (is_central && bits < kMostMicroscopeBits / 2) throw TooWide();
+    normal_ = is_central ? across(along_, bits) : scaled(to_centre, Enclosure(1.0, bits) / b);
+    centre_x_ = hits_ ? v - distance : Enclosure(0.0, bits);
+    centre_y_ = is_central ? Enclosure(0.0, bits) : b;
+    gap_ = hits_ ? Enclosure(0.0, bits) : centre_y_ - radius_;
+  }
+
+  /// How far a parameter is from the exact one, in ulp.
+  Enclosure x_of(double parameter, double ulp) const {
+    return (Enclosure(parameter, bits_) - parameter_) / Enclosure(ulp, bits_);
+  }
+  std::array<double, 2> place_of(const std::vector<double>& point) const {
+    const Enclosure3 offset = Enclosure3{Enclosure(point[0], bits_), Enclosure(point[1], bits_),
+                                         Enclosure(point[2], bits_)} -
+                              origin_;
+    return {middle(dot(offset, along_) / unit_), middle(dot(offset, normal_) / unit_)};
+  }
+  /// How far the sphere is from the ray, where that misses it.
+  double gap() const { return middle(gap_ / unit_); }
+
+  /// The exact circle in a window: from its point nearest to the middle to both sides, and all of
+  /// it where it is smaller than the window.
+  std::vector<std::array<double, 2>> circle(double half_width) const {
+    const Enclosure r = radius_ / unit_;
+    if (radius_.contains_zero()) return {};
+    if (!hits_ && (gap_ / unit_).lower() > half_width) return {};
+    // From the middle the circle runs along `tangent` and bends along `inward`.
+    const Enclosure zero(0.0, bits_), one(1.0, bits_);
+    const Enclosure inward_x = hits_ ? centre_x_ / radius_ : zero;
+    const Enclosure inward_y = hits_ ? centre_y_ / radius_ : one;
+    const double reach = 1.5 * half_width;
+    const bool whole = r.upper() < reach;
+    std::vector<std::array<double, 2>> points;
+    const auto add = [&](double share, bool far_side) {
+      const Enclosure t = whole ? r * Enclosure(share, bits_) : Enclosure(share * reach, bits_);
+      const Enclosure root = sqrt(r * r - t * t);
+      const Enclosure depth = far_side ? r + root : t * t / (r + root);
+      points.push_back({middle(depth * inward_x - t * inward_y),
+                        middle(gap_ / unit_ + depth * inward_y + t * inward_x)});
+    };
+    const double bend = reach * reach / (2 * r.lower());
+    const int steps = bend < kStraight * half_width ? 1 : kCurveSteps;
+    for (int k = -steps; k <= steps; ++k) {
+      const double share = static_cast<double>(k) / steps;
+      add(whole ? std::sin(share * std::numbers::pi / 2) : share, false);
+    }
+    for (int k = kCurveSteps; whole && k >= -kCurveSteps; --k) {
+      add(std::sin(static_cast<double>(k) / kCurveSteps * std::numbers::pi / 2), true);
+    }
+    return points;
+  }
+
+ private:
+  int bits_;
+  bool hits_;
+  Enclosure radius_, unit_, parameter_, centre_x_, centre_y_, gap_;
+  Enclosure3 along_, normal_, origin_;
+};
+
+/// The place of a method among all of raycheck's; someone else's is behind them.
+std::size_t number_of(const MethodReport& method) {
+  const auto all = all_intersect_methods();
+  return static_cast<std::size_t>(
+      std::find_if(all.begin(), all.end(),
+                   [&](const auto* one) { return one->name == method.name; }) -
+      all.begin());
+}
+
+void add_marks(const ExplainReport& report, const Plane& plane, double ulp, Microscope& scope) {
+  for (const MethodReport& method : report.methods) {
+    if (!method.intersects || !method.parameter || !std::isfinite(*method.parameter)) continue;
+    MicroscopeMark mark;
+    mark.method = method.name;
+    mark.number = number_of(method);
+    mark.is_wrong = !method.goes_wrong_at.empty();
+    mark.text = fmt::format("s = {:.17g}", *method.parameter);
+    mark.x = middle(plane.x_of(*method.parameter, ulp));
+    mark.y = 0;
+    scope.marks.push_back(mark);
+    for (const MethodStep& step : method.steps) {
+      const bool is_point = step.symbol == "Q" && step.value.size() == 3 &&
+                            std::all_of(step.value.begin(), step.value.end(),
+                                        [](double x) { return std::isfinite(x); });
+      if (!is_point) continue;
+      const auto [x, y] = plane.place_of(step.value);
+      mark.is_point = true;
+      mark.text = fmt::format("Q = ({:.17g}, {:.17g}, {:.17g})", step.value[0], step.value[1],
+                              step.value[2]);
+      mark.x = x;
+      mark.y = y;
+      scope.marks.push_back(mark);
+    }
+  }
+}
+
+/// The first window, and of the wider ones those that show what no narrower one does.
+void add_zooms(const Plane& plane, Microscope& scope) {
+  std::vector<double> distances = {0};
+  for (const MicroscopeMark& mark : scope.marks) {
+    distances.push_back(std::max(std::abs(mark.x), std::abs(mark.y)));
+  }
+  if (!scope.is_hit) distances.push_back(std::abs(plane.gap()));
+  double before = -1;
+  for (double half = kFirstHalfWidth; half <= kLargestHalfWidth; half *= kZoomFactor) {
+    const bool shows_more = std::any_of(distances.begin(), distances.end(), [&](double distance) {
+      return distance > before && distance <= half * 0.9;
+    });
+    if (!shows_more) continue;
+    scope.zooms.push_back({half, plane.circle(half)});
+    before = half * 0.9;
+  }
+}
+
+/// A window is at least half as high as it is wide.
+std::size_t window_of(const MicroscopeMark& mark, const std::vector<Microscope::Zoom>& zooms) {
+  const auto found = std::find_if(zooms.begin(), zooms.end(), [&](const Microscope::Zoom& zoom) {
+    return std::abs(mark.x) <= zoom.half_width && std::abs(mark.y) <= zoom.half_width / 2;
+  });
+  const auto index = static_cast<std::size_t>(found - zooms.begin());
+  return zooms.empty() ? 0 : std::min(index, zooms.size() - 1);
+}
+
+Microscope look(const ExplainReport& report, const reference::ExactRay& ray,
+                const scene::Sphere& sphere, int bits) {
+  const SphereReport& exact = report.spheres[*report.sphere];
+  const reference::Intersection& at = exact.intersection;
+  Microscope scope;
+  scope.is_hit = at.hit_class != reference::HitClass::kMiss;
+  const Step* const v = report.find("v");
+  const double length = ray.source().camera ? 1 : ray.enclose(bits).length().lower();
+  scope.parameter = scope.is_hit ? *exact.parameter : v->rounded.front() / length;
+  if (!std::isfinite(scope.parameter)) throw TooWide();
+  const scene::Precision precision = microscope_precision(report);
+  scope.ulp = ulp_at(scope.parameter, precision);
+  if (!std::isfinite(scope.ulp)) throw TooWide();
+  const Plane plane(ray, sphere, at, scope.ulp, bits);
+  add_marks(report, plane, scope.ulp, scope);
+  add_zooms(plane, scope);
+  for (MicroscopeMark& mark : scope.marks) mark.window = window_of(mark, scope.zooms);
+  double neighbour = scope.parameter;
+  for (int k = 0; k < kGridSteps; ++k) neighbour = next_of(neighbour, -HUGE_VAL, precision);
+  for (int k = -kGridSteps; k <= kGridSteps && std::isfinite(neighbour); ++k) {
+    scope.grid.push_back(middle(plane.x_of(neighbour, scope.ulp)));
+    neighbour = next_of(neighbour, HUGE_VAL, precision);
+  }
+  const Step* const s = scope.is_hit ? report.find("s") : nullptr;
+  if (s != nullptr && s->condition && std::isfinite(*s->condition)) {
+    const double unit_roundoff = precision == scene::Precision::kDouble ? 0x1p-53 : 0x1p-24;
+    scope.region = *s->condition * unit_roundoff * std::abs(scope.parameter) / scope.ulp;
+  }
+  scope.sentences = microscope_sentences(scope, report, scope.is_hit ? 0 : plane.gap());
+  return scope;
+}
+
+}  // namespace
+
+scene::Precision microscope_precision(const ExplainReport& report) {
+  return report.other ? report.other->precision : scene::Precision::kDouble;
+}
+
+std::optional<Microscope> microscope_of(const ExplainReport& report, const reference::ExactRay& ray,
+                                        const scene::Sphere& sphere) {
+  constexpr int kFewestBits = 192;
+  for (int bits = kFewestBits; bits <= kMostMicroscopeBits; bits *= 2) {
+    scene::poll();
+    try {
+      return look(report, ray, sphere, bits);
+    } catch (const TooWide&) {
+    }
+  }
+  return std::nullopt;
+}
+
+}  // namespace raycheck::tools

@@ -1,0 +1,217 @@
+#include "tools/view/panel/panel_json.h"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "tools/explain/explain_views.h"
+#include "tools/report/typeset.h"
+#include "tools/report/words.h"
+#include "tools/view/panel/panel.h"
+#include "tools/view/view_words.h"
+
+namespace raycheck::tools {
+namespace {
+
+/// A number that is told: six digits, which are right.
+std::string told(double value) { return fmt::format("{:.6g}", value); }
+
+constexpr int kDigits = 17;
+
+/// How many characters of a value's decimals are right: all of them within an ulp of the exact one,
+/// correctly rounded, and otherwise up to the last digit to which both round alike.
+std::size_t right_characters(double value, double exact) {
+  const std::string text = digits_text(value);
+  const bool is_next = value == std::nextafter(exact, value);
+  if (value == exact || is_next) return text.size();
+  if (!std::isfinite(value) || !std::isfinite(exact) || exact == 0) return 0;
+  int right = kDigits;
+  while (right > 0 &&
+         fmt::format("{:.{}e}", value, right - 1) != fmt::format("{:.{}e}", exact, right - 1)) {
+    --right;
+  }
+  if (right == 0) return 0;
+  std::size_t at = 0;
+  bool is_leading = true;
+  for (; at < text.size() && text[at] != 'e'; ++at) {
+    if (text[at] == '-' || text[at] == '.' || (is_leading && text[at] == '0')) continue;
+    is_leading = false;
+    if (right-- == 0) break;
+  }
+  return at;
+}
+
+/// Puts a part of a spoken text behind the others, where it says anything.
+void add(Json& said, const char* kind, const std::string& text) {
+  if (!text.empty()) said.push_back({kind, text});
+}
+
+/// A value held against the exact one, with the digits that are wrong apart; without an exact one
+/// none is right.
+void add_value(Json& said, double value, const std::optional<double>& exact) {
+  const std::string text = digits_text(value);
+  const std::size_t right = exact ? right_characters(value, *exact) : 0;
+  add(said, "number", text.substr(0, right));
+  add(said, "mark", text.substr(right));
+}
+
+std::string off_text(const MethodStep& step) {
+  std::string text =
+      step.error ? fmt::format("off by {} {}", error_text(step.error), step.unit) : "";
+  if (step.error_alone) text += fmt::format(" ({} alone)", error_text(step.error_alone));
+  return text;
+}
+
+/// What a method has for a step; its name is left to those that agree.
+Json answer_json(const MethodReport& method, const MethodStep& mine, const Step& step) {
+  Json said = Json::array();
+  const std::size_t count = mine.value.size();
+  for (std::size_t k = 0; k < count; ++k) {
+    if (count > 1) add(said, "", k == 0 ? "(" : ", ");
+    add_value(said, mine.value[k],
+              k < step.rounded.size() ? std::optional(step.rounded[k]) : std::nullopt);
+  }
+  if (count != 1) add(said, "", count == 0 ? "a miss" : ")");
+  return {{"names", Json::array()},
+          {"said", std::move(said)},
+          {"off", off_text(mine)},
+          {"wrong", method.goes_wrong_at == step.symbol}};
+}
+
+/// What methods have for a step; those that agree in all of it are one answer.
+Json answers_json(const Step& step, const ExplainReport& report) {
+  Json answers = Json::array();
+  for (const MethodReport& method : report.methods) {
+    for (const MethodStep& mine : method.steps) {
+      if (mine.symbol != step.symbol) continue;
+      const Json answer = answer_json(method, mine, step);
+      const auto same = std::find_if(answers.begin(), answers.end(), [&](const Json& other) {
+        return other["said"] == answer["said"] && other["off"] == answer["off"] &&
+               other["wrong"] == answer["wrong"];
+      });
+      Json& shared = same == answers.end() ? answers.emplace_back(answer) : *same;
+      shared["names"].push_back(method.name);
+    }
+  }
+  return answers;
+}
+
+std::string rounded_text(const std::vector<double>& values) {
+  std::string text;
+  for (const double x : values) text += (text.empty() ? "" : ", ") + digits_text(x);
+  return values.size() > 1 ? "(" + text + ")" : text;
+}
+
+std::string condition_text(const Step& step) {
+  if (!step.condition) return {};
+  std::string text = "condition number " + error_text(step.condition);
+  if (step.condition_alone) {
+    text += ", of this step alone " + error_text(step.condition_alone);
+  }
+  return text;
+}
+
+Json step_json(const Step& step, const ExplainReport& report) {
+  return {{"symbol", step.symbol},
+          {"formula", step.formula},
+          {"mathml", is_typeset(step) ? Json("<math>" + mathml(step.closed_form) + "</math>")
+                                      : Json(nullptr)},
+          {"rounded", rounded_text(step.rounded)},
+          {"condition", condition_text(step)},
+          {"answers", answers_json(step, report)}};
+}
+
+/// What a method comes to, held against the exact answer.
+Json verdict_json(const MethodReport& method, const ExplainReport& report) {
+  Json said = Json::array();
+  if (!method.failure.empty()) {
+    add(said, "wrong", "failed: " + method.failure);
+  } else {
+    if (method.parameter) {
+      add(said, "symbol", "s");
+      add(said, "", " = ");
+      add_value(said, *method.parameter, report.spheres[*report.sphere].parameter);
+    } else if (method.intersects) {
+      add(said, "", "a miss");
+    }
+    add(said, "", answer_remarks(method, report));
+    if (!method.goes_wrong_at.empty()) {
+      add(said, "wrong", "; goes wrong at ");
+      add(said, "symbol", method.goes_wrong_at);
+      add(said, "", wrong_step_remark(method, report));
+    }
+  }
+  return {{"name", method.name},
+          {"said", std::move(said)},
+          {"wrong", !method.goes_wrong_at.empty() || !method.failure.empty()}};
+}
+
+Json exact_json(const ExplainReport& report) {
+  if (!report.sphere) {
+    return {{"class", nullptr}, {"s", nullptr}, {"said", {{"", "no sphere"}}}};
+  }
+  const SphereReport& exact = report.spheres[*report.sphere];
+  Json said = Json::array();
+  if (exact.parameter) {
+    add(said, "symbol", "s");
+    add(said, "", " = ");
+    add(said, "number", digits_text(*exact.parameter));
+    add(said, "", direction_remark(report));
+  } else {
+    add(said, "", fmt::format("a {}", name(exact.intersection.hit_class)));
+  }
+  return {{"class", name(exact.intersection.hit_class)},
+          {"s", exact.parameter ? Json(digits_text(*exact.parameter)) : Json(nullptr)},
+          {"said", std::move(said)}};
+}
+
+}  // namespace
+
+std::string digits_text(double value) {
+  return std::isnan(value) ? "nan" : fmt::format("{:.{}g}", value, kDigits);
+}
+
+Json told_json(const ExplainReport& report) {
+  Json json;
+  json["steps"] = Json::array();
+  for (const Step& step : report.steps) json["steps"].push_back(step_json(step, report));
+  json["verdicts"] = Json::array();
+  for (const MethodReport& method : report.methods) {
+    json["verdicts"].push_back(verdict_json(method, report));
+  }
+  json["exact"] = exact_json(report);
+  return json;
+}
+
+Json microscope_json(const Microscope& microscope) {
+  Json json;
+  json["hit"] = microscope.is_hit;
+  json["sentences"] = microscope.sentences;
+  json["s"] = digits_text(microscope.parameter);
+  json["ulp"] = fmt::format("{:.3g}", microscope.ulp);
+  json["zooms"] = Json::array();
+  for (const Microscope::Zoom& zoom : microscope.zooms) {
+    Json curve = Json::array();
+    for (const auto& [x, y] : zoom.curve) curve.push_back({told(x), told(y)});
+    json["zooms"].push_back({{"half", told(zoom.half_width)}, {"curve", std::move(curve)}});
+  }
+  json["grid"] = Json::array();
+  for (const double x : microscope.grid) json["grid"].push_back(told(x));
+  json["region"] = microscope.region ? Json(told(*microscope.region)) : Json(nullptr);
+  json["marks"] = Json::array();
+  for (const MicroscopeMark& mark : microscope.marks) {
+    json["marks"].push_back({{"name", mark.method},
+                             {"number", mark.number},
+                             {"kind", mark.is_point ? "Q" : "s"},
+                             {"x", told(mark.x)},
+                             {"y", told(mark.y)},
+                             {"wrong", mark.is_wrong},
+                             {"text", mark.text},
+                             {"window", mark.window}});
+  }
+  return json;
+}
+
+}  // namespace raycheck::tools

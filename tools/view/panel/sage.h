@@ -1,0 +1,16 @@
+#ifndef RAYCHECK_TOOLS_VIEW_PANEL_SAGE_H_
+#define RAYCHECK_TOOLS_VIEW_PANEL_SAGE_H_
+
+#include <string>
+
+#include "tools/explain/explain.h"
+
+namespace raycheck::tools {
+
+/// What SageMath computes the same steps from, exactly: the inputs as rationals, then the formulas
+/// of docs/problem.md.
+std::string sage_input(const ExplainReport& report);
+
+}  // namespace raycheck::tools
+
+#endif  // RAYCHECK_TOOLS_VIEW_PANEL_SAGE_H_
