@@ -82,6 +82,11 @@ std::vector<FindingView> findings_of(const CandidateReport& candidate, const sce
                      place_text(tally->second.worst_place)),
          candidate.name, method_of(candidate, quantity), std::nullopt, scene_index, selection});
   }
+  // Of a picture that is right no error is told.
+  if (findings.empty() && candidate.verdict.compared() > 0) {
+    findings.push_back({"no discrepancy", candidate.name, candidate.name, std::nullopt, scene_index,
+                        anywhere_in(scene)});
+  }
   return findings;
 }
 

@@ -120,6 +120,8 @@ ViewDocument dial_document(const StressOptions& options, const properties::RunCo
       view.methods.push_back({curve.method.rays, curve.method.intersect});
     }
   }
+  dial.sentence += fmt::format("; what is shown is, of the first {} cases at each, the worst of {}",
+                               kCasesTried, first->name());
   const std::vector<int>& severities = family.curves.back().severities;
   const auto chosen =
       properties::some_severities(0, static_cast<int>(severities.size()) - 1, kMostScenes);

@@ -134,6 +134,8 @@ void add_panels(const scene::Scene& scene, const SceneViewOptions& options, Scen
   panels.other = options.other;
   panels.others_ray = options.others_ray;
   if (options.is_of_methods) panels.methods = options.methods;
+  // Of a picture there are no steps: those that are right are told.
+  if (options.renderer) panels.methods = {kDefaultMethods};
   panels.scene_argument = options.file;
   if (options.other) panels.more_arguments = options.more_arguments;  // No renderer is explained.
   const std::vector<Selection> list = candidates_for_panels(scene, options);

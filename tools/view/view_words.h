@@ -22,6 +22,9 @@ std::string explain_command(const ExplainReport& report, const Selection& asked,
 /// " --candidate ..." for someone else's implementation, as a shell takes it.
 std::string candidate_words(const std::string& candidate);
 
+/// "; |T|^2 is 1e+16 times as large: ..." of 10^decades times; empty where few digits are lost.
+std::string squares_cancel(double decades);
+
 /// A part of a whole that a page keeps: "3 of 7 spheres".
 struct Kept {
   std::uint64_t shown = 0, all = 0;

@@ -139,6 +139,16 @@ std::vector<std::string> microscope_sentences(const Microscope& microscope,
   return sentences;
 }
 
+std::string squares_cancel(double decades) {
+  constexpr double kFewest = 3, kOfDoubles = 15.95;
+  if (!(decades >= kFewest) || !std::isfinite(decades)) return {};
+  const double left = std::floor(kOfDoubles - decades);
+  return fmt::format(
+      "; |T|^2 is 1e+{:02.0f} times as large as d^2, so that a difference of such squares in "
+      "doubles keeps {} of 16 digits",
+      std::floor(decades), left >= 1 ? fmt::format("{:.0f}", left) : "none");
+}
+
 std::string worst_of(const Kept& places) {
   if (places.all == 1) return ", the only discrepancy here";
   return fmt::format(
@@ -163,6 +173,11 @@ std::vector<std::array<std::string, 2>> words_of_pages() {
        "value"},
       {"u", "half of that gap at 1: the relative error of one rounding"},
       {"goes wrong at", "the first step whose error is more than one step may be expected to have"},
+      {"class", "whether a ray hits a sphere, touches it or misses it"},
+      {"false hit, missed", "a hit where there is none, a miss where there is a hit"},
+      {"parameter", "s: how far along the ray, in multiples of D, the hit is"},
+      {"sphere residual", "how far the answered point Q is from the sphere"},
+      {"direct/quadratic", "rays made by the method direct, intersected by the method quadratic"},
       {"within its bound", "off by no more than what the method documents: its largest error here"},
       {"defect", "wrong, though the problem allows to be right: held against the method"},
       {"excused",

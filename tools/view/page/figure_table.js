@@ -12,7 +12,7 @@ export function figureTable(store, listNow) {
     const named = listNow().names.filter(({ sphere }) => sphere === undefined);
     const all = [...named.map(({ text, at }) => [text, ...inScene(at)]),
       ...spheres.label.map((text, k) => [text, ...inScene(spheres.centre[k])])];
-    const caption = `What is drawn, relative to ${origin}, to six digits`;
+    const caption = `Where each name and centre is drawn, relative to ${origin}, to six digits`;
     folded.replaceChildren(folded.firstChild, table(caption, ["name", "x", "y", "z"], all));
   };
   folded.addEventListener("toggle", fill);

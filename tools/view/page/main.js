@@ -8,7 +8,7 @@ import { mountMicroscope } from "./microscope.js";
 import { followAddress, mountFindings } from "./findings.js";
 import { mountChart } from "./chart.js";
 
-const MADE = "Every number is computed exactly and then rounded; this page only draws.";
+const MADE = "Every number but run times is computed exactly and then rounded; this page only draws.";
 const byId = (id) => document.getElementById(id);
 
 /// What is deflated (zlib, base64) in the element of that id.

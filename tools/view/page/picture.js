@@ -17,7 +17,7 @@ export function mountPicture(root, store) {
     for (const end of ["x1", "x2"]) line.setAttribute(end, `${percent}%`);
   };
   place.before(rangeField("divider", "Divider", 100,
-    (percent) => (percent === 0 ? "all Right" : percent === 100 ? "all Left" : `${percent} % Left`), divide));
+    (percent) => (percent === 0 ? "right alone" : percent === 100 ? "left alone" : `left ${percent} %`), divide));
   view.addEventListener("click", (event) => choosePixelAt(event, view, store));
   walkByKeys(view, store);
   divide(0);

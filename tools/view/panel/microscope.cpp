@@ -28,7 +28,7 @@ constexpr double kNothing = 0x1p-30;
 
 /// The half width of the first window, in ulp; each further one is so many times as wide.
 constexpr double kFirstHalfWidth = 4;
-constexpr double kZoomFactor = 16;
+constexpr double kZoomFactor = 2;
 constexpr double kLargestHalfWidth = 0x1p60;
 constexpr int kCurveSteps = 8;  ///< Of half a curve.
 /// What bends less than this share of a window is drawn straight.

@@ -104,13 +104,24 @@ std::string rounded_text(const std::vector<double>& values) {
   return values.size() > 1 ? "(" + text + ")" : text;
 }
 
-std::string condition_text(const Step& step) {
+/// How much larger what is subtracted is than what is left, where that costs digits.
+std::string cancellation_text(const Step& step, const ExplainReport& report) {
+  const Step* const to_centre = report.find("T");
+  if (step.symbol != "d^2" || to_centre == nullptr || to_centre->rounded.size() != 3) return {};
+  const auto& t = to_centre->rounded;
+  // By square roots, for squares may overflow.
+  const double distance = std::hypot(t[0], t[1], t[2]);
+  const double half_chord = std::sqrt(std::abs(step.rounded.front()));
+  return squares_cancel(2 * std::log10(distance / half_chord));
+}
+
+std::string condition_text(const Step& step, const ExplainReport& report) {
   if (!step.condition) return {};
   std::string text = "condition number " + error_text(step.condition);
   if (step.condition_alone) {
     text += ", of this step alone " + error_text(step.condition_alone);
   }
-  return text;
+  return text + cancellation_text(step, report);
 }
 
 Json step_json(const Step& step, const ExplainReport& report) {
@@ -119,7 +130,7 @@ Json step_json(const Step& step, const ExplainReport& report) {
           {"mathml", is_typeset(step) ? Json("<math>" + mathml(step.closed_form) + "</math>")
                                       : Json(nullptr)},
           {"rounded", rounded_text(step.rounded)},
-          {"condition", condition_text(step)},
+          {"condition", condition_text(step, report)},
           {"answers", answers_json(step, report)}};
 }
 

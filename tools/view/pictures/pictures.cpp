@@ -84,14 +84,20 @@ void answer(const scene::Scene& scene, const properties::Candidate& candidate, s
 }
 
 /// Of a picture that is drawn as a whole no s is known.
-std::vector<LegendEntry> error_legend(const ErrorCounts& counts, bool is_drawn) {
+std::vector<LegendEntry> error_legend(const ErrorCounts& counts, bool is_drawn,
+                                      std::uint64_t pixels) {
   std::vector<LegendEntry> legend;
-  if (is_drawn)
+  for (const std::uint64_t some : counts.pixels) pixels -= some;
+  for (const std::uint64_t some : counts.wrong) pixels -= some;
+  if (is_drawn) {
     legend.push_back({kErrorSteps.front().colour, "as it should be", counts.pixels.front()});
+  } else {
+    legend.push_back({kBackground, "rightly no sphere", pixels});
+  }
   for (std::size_t k = 0; k < kErrorSteps.size() && !is_drawn; ++k) {
     const bool is_last = k + 1 == kErrorSteps.size();
     legend.push_back({kErrorSteps[k].colour,
-                      is_last ? std::string("s off by more")
+                      is_last ? fmt::format("s off by more than {} ulp", kErrorSteps[k - 1].at_most)
                               : fmt::format("s off by up to {} ulp", kErrorSteps[k].at_most),
                       k < counts.pixels.size() ? counts.pixels[k] : 0});
   }
@@ -162,7 +168,7 @@ SceneImages images_of(const scene::Scene& scene, const std::vector<CandidateMake
         picture_of(scene, one.answered, PictureKind::kAnswered, one.candidate.name));
     images.pictures.push_back({PictureKind::kError, one.candidate.name,
                                png_of(scene, std::move(one.errors)),
-                               error_legend(one.counts, one.candidate.image != nullptr)});
+                               error_legend(one.counts, one.candidate.image != nullptr, count)});
   }
   return images;
 }
