@@ -51,7 +51,8 @@ function listen(figure) {
   });
   for (const [happening, isPrinting] of [["beforeprint", true], ["afterprint", false]]) {
     addEventListener(happening, () => {
-      stage.classList.toggle("printed", isPrinting); // on paper its colours are the light ones
+      stage.classList.toggle("printed", isPrinting); // on paper: light colours
+      stage.style.aspectRatio = isPrinting ? `${stage.clientWidth} / ${stage.clientHeight}` : ""; // and its shape
       rebuildFigure(figure);
       drawFigure(figure);
     });
@@ -114,6 +115,7 @@ function drawFigure(figure) {
   if (width === 0 || height === 0) return;
   const isFlat = !painter || figure.view === "flat";
   figure.canvas.hidden = isFlat;
+  for (const drawing of [figure.flat, figure.names]) drawing.setAttribute("viewBox", `0 0 ${width} ${height}`);
   figure.flat.classList.toggle("absent", !isFlat);
   const viewer = isFlat ? null : figure.view === "eye" ? eyeViewer(list.camera, aspectOf(stage), orbit.zoom())
     : orbit.viewer(aspectOf(stage));
