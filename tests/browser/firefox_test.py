@@ -16,7 +16,10 @@ class InFirefox(unittest.TestCase):
     def setUpClass(cls):
         if reason := firefox.missing():
             raise unittest.SkipTest(reason)
-        cls.browser = firefox.Firefox()
+        try:
+            cls.browser = firefox.Firefox()
+        except (OSError, RuntimeError) as problem:
+            raise unittest.SkipTest(f"Firefox does not start here: {problem}") from problem
 
     @classmethod
     def tearDownClass(cls):
