@@ -31,7 +31,7 @@ constexpr Need kNeeds[] = {
     {Needs::kIntersect, [](const Trial& trial) { return bool(trial.candidate().intersect); },
      "the candidate intersects nothing"},
     {Needs::kNearest, [](const Trial& trial) { return bool(trial.candidate().nearest); },
-     "the candidate ranks no spheres"},
+     "the candidate says of no ray which sphere it meets first"},
     {Needs::kVisible, [](const Trial& trial) { return bool(trial.candidate().visible); },
      "the candidate sees nothing"},
     {Needs::kPlan, [](const Trial& trial) { return bool(trial.candidate().plan); },

@@ -55,7 +55,10 @@ std::vector<FindingView> findings_of(const CandidateReport& candidate, const sce
     Selection selection = selection_of(one.place, scene);
     const bool is_placed = is_of_ray(selection) && has_place(one.quantity);
     if (!is_placed) selection = anywhere_in(scene);
-    const std::string what = fmt::format("{} {}", info(one.quantity).name, wrongness_text(one));
+    std::string what = fmt::format("{} {}", info(one.quantity).name, wrongness_text(one));
+    if (one.quantity == Quantity::kNearestSphere) {
+      what += fmt::format(", {} for {}", got_text(one), exact_text(one));
+    }
     const auto known =
         std::find_if(findings.begin(), findings.end(),
                      [&](const FindingView& other) { return other.selection == selection; });

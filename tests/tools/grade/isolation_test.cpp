@@ -341,6 +341,22 @@ TEST(HostileTemporaryFolder, WhereNothingRunsEndsGradingBeforeItBegins) {
   EXPECT_FALSE(fs::exists(grading.path("out/right/result.json")));
 }
 
+TEST(HostileSandbox, WithoutWhatStartsCandidatesIsRefusedAndBlamesNoOne) {
+  const Grading grading;
+  fs::copy_file(RAYCHECK_BINARY, grading.path("raycheck"));
+  const std::string right = grading.submit("right", "rays.py");
+  for (const std::string command :
+       {"grade " + grading.lecture7_with({}) + " " + right + " --out " + grading.path("out"),
+        "check " RAYCHECK_SOURCE_DIR "/scene/examples/optical-axis.toml --candidate source:" +
+            right + "/rays.py"}) {
+    const Outcome outcome = run_bash(
+        grading.write("alone.sh", "exec '" + grading.path("raycheck") + "' " + command + "\n"));
+    EXPECT_EQ(outcome.exit_code, 2) << outcome.out;
+    EXPECT_TRUE(contains(outcome.err, "raycheck-jail: No such file or directory")) << outcome.err;
+    EXPECT_EQ(outcome.out, "");
+  }
+}
+
 TEST(HostileSandbox, NoneIsRefusedToRootWhoDoesNotSayThatHeKnows) {
   const Grading grading;
   const std::string rubric = grading.lecture7_with({});

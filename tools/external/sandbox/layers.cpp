@@ -15,6 +15,7 @@
 #include <utility>
 
 #include "tools/external/sandbox/control_group.h"
+#include "tools/external/sandbox/launch.h"
 #include "tools/external/sandbox/process.h"
 
 namespace raycheck::tools {
@@ -83,6 +84,18 @@ void check_temporary_folder() {
   }
 }
 
+/// Candidates are started by programs that are installed beside raycheck.
+void check_helpers() {
+  for (const char* name : {"raycheck-jail", "raycheck-worker"}) {
+    const fs::path path = program_folder() / name;
+    if (access(path.c_str(), X_OK) == 0) continue;
+    throw std::invalid_argument(
+        fmt::format("{}: {}; raycheck starts candidates by raycheck-jail and raycheck-worker, "
+                    "which have to lie beside it",
+                    path.string(), std::strerror(errno)));
+  }
+}
+
 /// After all others: what keeps a program from files keeps it from those of its group.
 void try_control_group(LayersHere& here) {
   Layers layers = here.layers;
@@ -148,6 +161,7 @@ const LayersHere& layers_here() {
 
 LayersHere chosen_layers(Sandbox sandbox) {
   check_temporary_folder();
+  check_helpers();
   if (sandbox == Sandbox::kNone) return {};
   const LayersHere& here = layers_here();
   if (sandbox == Sandbox::kAvailable || here.missing.empty()) return here;

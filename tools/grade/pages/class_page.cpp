@@ -67,7 +67,7 @@ std::string failing_items(const ClassGrade& graded) {
   std::string html =
       "<h2>Items that fail most</h2>\n<div class=\"wide\"><table>\n<tr><th>item</th><th "
       "class=\"number\">fail</th><th class=\"number\">left out</th><th class=\"number\">asked"
-      "</th><th></th></tr>\n";
+      "</th><th>share that fails</th></tr>\n";
   for (const ItemStatistics& row : rows) {
     html += fmt::format(
         "<tr class=\"head\"><td>{}</td><td class=\"number\">{}</td><td class=\"number\">{}</td><td "
@@ -151,8 +151,9 @@ std::string not_judged(const ClassGrade& graded) {
   }
   html += "</p>\n";
   for (const SubmissionGrade* grade : all) {
-    html += "<details><summary><span class=\"name\">" + link(*grade) + "</span><span>" +
-            escaped(grade->refused->why) + "</span></summary>\n";
+    html += "<details><summary><span class=\"name\">" + escaped(grade->name) + "</span><span>" +
+            escaped(grade->refused->why) + "</span></summary>\n<p>Report: " + link(*grade) +
+            "</p>\n";
     if (!grade->refused->said.empty()) html += "<pre>" + escaped(grade->refused->said) + "</pre>\n";
     html += "</details>\n";
   }

@@ -9,20 +9,20 @@ namespace raycheck::tools {
 namespace {
 
 constexpr std::string_view kStyle = R"(
-:root { color-scheme: light dark; --line: #8886; --good: #1a7f37; --bad: #c62828; --mild: #8a6d00; }
-@media (prefers-color-scheme: dark) { :root { --good: #57c878; --bad: #ff7b72; --mild: #d9b44a; } }
+:root { color-scheme: light dark; --line: #8886; --good: #1a7f37; --bad: #c62828; --mild: #8a6d00; --link: #0550ae; }
+@media (prefers-color-scheme: dark) { :root { --good: #57c878; --bad: #ff7b72; --mild: #d9b44a; --link: #79b8ff; } }
 * { box-sizing: border-box; }
-body { font: 16px/1.5 system-ui, sans-serif; max-width: 60rem; margin: 0 auto; padding: 1rem; }
+body { font: 16px/1.5 system-ui, sans-serif; max-width: 60rem; margin: 0 auto; padding: 1rem; background: Canvas; color: CanvasText; } a { color: var(--link); }
 h1 { font-size: 1.5rem; margin: 0.5rem 0; } h2 { font-size: 1.2rem; margin: 2rem 0 0.5rem; }
 .total { font-size: 2rem; font-weight: 600; } .quiet { opacity: 0.75; }
 details, .item { border: 1px solid var(--line); border-radius: 6px; margin: 0.5rem 0; padding: 0.5rem 0.75rem; }
 summary { cursor: pointer; display: flex; gap: 0.75rem; align-items: baseline; flex-wrap: wrap; }
-summary .name { flex: 1 1 12rem; font-weight: 600; } .points { white-space: nowrap; }
+summary .name { flex: 1 1 12rem; font-size: 1rem; font-weight: 600; margin: 0; } .points { white-space: nowrap; }
 .holds { border-left: 5px solid var(--good); } .fails { border-left: 5px solid var(--bad); }
 .other { border-left: 5px solid var(--mild); }
 .file { padding: 0.1rem 0.5rem; margin: 0.25rem 0; font-size: 0.9rem; } .file summary::before { content: "\25B8"; } .file[open] summary::before { content: "\25BE"; }
 pre.command { margin: 0.1rem 0 0.4rem; padding: 0.3rem 0.5rem; }
-pre { overflow-x: auto; padding: 0.5rem; border: 1px solid var(--line); border-radius: 4px; font-size: 0.85rem; }
+pre { white-space: pre-wrap; overflow-wrap: anywhere; padding: 0.5rem; border: 1px solid var(--line); border-radius: 4px; font-size: 0.85rem; }
 dl { display: grid; grid-template-columns: max-content 1fr; gap: 0.1rem 0.75rem; }
 dt { opacity: 0.75; } dd { margin: 0; overflow-wrap: anywhere; }
 h3 { font-size: 1rem; margin: 1rem 0 0.25rem; } ol { padding-left: 1.5rem; margin: 0.25rem 0; } code { font-size: 0.9em; overflow-wrap: anywhere; }
@@ -49,7 +49,7 @@ std::string page(std::string_view title, std::string_view body) {
   return fmt::format(
       "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
       "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n"
-      "<title>{}</title>\n<style>{}</style>\n</head>\n<body>\n{}</body>\n</html>\n",
+      "<title>{}</title>\n<style>{}</style>\n</head>\n<body>\n<main>\n{}</main>\n</body>\n</html>\n",
       escaped(title), kStyle, body);
 }
 

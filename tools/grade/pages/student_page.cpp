@@ -92,7 +92,7 @@ std::string item_html(const StudentGrade& all, std::size_t k,
   const std::string of =
       fmt::format(" of {}{}", points_text(grade.points), item.bonus ? " (bonus)" : "");
   std::string html = fmt::format(
-      "<details class=\"{}\"{}>\n<summary><span class=\"name\">{}</span><span class=\"points\">"
+      "<details class=\"{}\"{}>\n<summary><h2 class=\"name\">{}</h2><span class=\"points\">"
       "{}</span></summary>\n",
       class_of(grade), fails ? " open" : "", escaped(item.name),
       grade.state == ItemState::kNotAsked ? "not asked" : points_text(grade.score) + of);
