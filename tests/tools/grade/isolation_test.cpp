@@ -345,7 +345,7 @@ TEST(HostileSandbox, WithoutWhatStartsCandidatesIsRefusedAndBlamesNoOne) {
   const Grading grading;
   fs::copy_file(RAYCHECK_BINARY, grading.path("raycheck"));
   const std::string right = grading.submit("right", "rays.py");
-  for (const std::string command :
+  for (const std::string& command :
        {"grade " + grading.lecture7_with({}) + " " + right + " --out " + grading.path("out"),
         "check " RAYCHECK_SOURCE_DIR "/scene/examples/optical-axis.toml --candidate source:" +
             right + "/rays.py"}) {
