@@ -68,6 +68,13 @@ SphereStageConditions stage_conditions(const ExactRay& ray, const scene::Sphere&
                                        const Intersection& intersection,
                                        Arithmetic arithmetic = Arithmetic::kFiltered);
 
+/// Of Q where it is computed as L + s D, which is a step of every method and loses |L|/|Q| of its
+/// own: the condition number of Q and that of the step.
+/// Domain: as condition_of_point.
+double condition_of_computed_point(const ExactRay& ray, const scene::Sphere& sphere,
+                                   const Intersection& intersection,
+                                   Arithmetic arithmetic = Arithmetic::kFiltered);
+
 }  // namespace raycheck::reference
 
 #endif  // RAYCHECK_REFERENCE_CONDITION_H_

@@ -123,4 +123,10 @@ SphereStageConditions stage_conditions(const ExactRay& ray, const scene::Sphere&
   return result;
 }
 
+double condition_of_computed_point(const ExactRay& ray, const scene::Sphere& sphere,
+                                   const Intersection& intersection, Arithmetic arithmetic) {
+  return condition_of_point(ray, sphere, intersection, arithmetic) +
+         hit_point_condition(ray, sphere, intersection, arithmetic);
+}
+
 }  // namespace raycheck::reference

@@ -205,11 +205,7 @@ void judge_hit_point(Trial& trial, Verdict& verdict) {
         verdict, Quantity::kHitPoint, trial.place(at.ray, at.sphere),
         reference::hit_point_error(ray, sphere, *at.exact, at.answer->point),
         trial.bound(Quantity::kHitPoint),
-        // Every method adds s D to L, a step that loses |L|/|Q| of its own.
-        [&] {
-          return reference::condition_of_point(ray, sphere, *at.exact) +
-                 *reference::stage_conditions(ray, sphere, *at.exact).point;
-        },
+        [&] { return reference::condition_of_computed_point(ray, sphere, *at.exact); },
         [&](Discrepancy& d) {
           d.got = numbers(at.answer->point);
           d.exact = numbers(ray.rounded_point(sphere, *at.exact, trial.precision()));

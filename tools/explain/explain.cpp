@@ -165,6 +165,17 @@ SphereReport report_sphere(const Subject& subject, const scene::Sphere& sphere,
   return report;
 }
 
+/// Outside the stated domain of who answered nothing is judged but an exact class that it promises
+/// everywhere, as in a trial.
+MethodReport within_domain(MethodReport report, const properties::Candidate& candidate,
+                           const scene::Scene& scene) {
+  const bool promises_exactly = candidate.exact_class && report.class_error && !scene.camera;
+  if (!report.goes_wrong_at.empty() && !promises_exactly && !is_inside_domain(candidate, scene)) {
+    report.standing = properties::Standing::kNotJudged;
+  }
+  return report;
+}
+
 }  // namespace
 
 const Step* ExplainReport::find(const std::string& symbol) const {
@@ -213,10 +224,13 @@ ExplainReport explain(const ExplainOptions& options) {
     derive_camera(*camera, *subject, pixel, report.steps);
     add_ray_conditions(*subject, &*camera, report.steps);
     for (const auto* method : fast::pixel_ray_methods()) {
-      report.methods.push_back(judge_rays(*method, conventions, *scene.camera, pixel));
+      report.methods.push_back(within_domain(judge_rays(*method, conventions, *scene.camera, pixel),
+                                             candidate_of({method, kDefaultMethods.intersect}),
+                                             scene));
     }
     if (other && (other->frame || other->pixel_points || other->pixel_rays || other->focal_rays)) {
-      report.methods.push_back(judge_others_rays(*other, conventions, *scene.camera, pixel));
+      report.methods.push_back(within_domain(
+          judge_others_rays(*other, conventions, *scene.camera, pixel), *other, scene));
     }
     if (!scene.spheres.empty()) {
       report.ray = ray_by(*options.rays, *scene.camera, conventions, pixel);
@@ -254,13 +268,16 @@ ExplainReport explain(const ExplainOptions& options) {
   if (own != conventions) report.by_every_root = report_sphere(*subject, sphere, own);
   for (const auto* method : fast::intersect_methods()) {
     scene::poll();
-    report.methods.push_back(judge_intersection(*method, report.ray, sphere, own, *subject,
-                                                report.by_every_root.value_or(exact)));
+    report.methods.push_back(
+        within_domain(judge_intersection(*method, report.ray, sphere, own, *subject,
+                                         report.by_every_root.value_or(exact)),
+                      candidate_of({options.rays, method}), scene));
   }
   if (other && other->intersect) {
     const scene::Ray& ray = report.others_ray_is_own ? *options.others_ray : report.ray;
     report.methods.push_back(
-        judge_others_intersection(*other, ray, sphere, conventions, *subject, exact));
+        within_domain(judge_others_intersection(*other, ray, sphere, conventions, *subject, exact),
+                      *other, scene));
   }
   return report;
 }

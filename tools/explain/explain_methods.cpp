@@ -209,13 +209,14 @@ MethodReport judge_answer(const RayAnswered& answer, const scene::Ray& ray,
              answer.max_ulp *
                  properties::bound_growth(reference::condition_of_parameter(own, sphere, own_at)),
              Quantity::kParameter, precision);
-    point = step("Q", point.value,
-                 u_of_doubles * reference::relative_error(
-                                    scene::Point3{point.value[0], point.value[1], point.value[2]},
-                                    own.point(sphere, own_at)),
-                 answer.max_point_ulp *
-                     properties::bound_growth(reference::condition_of_point(own, sphere, own_at)),
-                 Quantity::kHitPoint, precision);
+    point = step(
+        "Q", point.value,
+        u_of_doubles *
+            reference::relative_error(scene::Point3{point.value[0], point.value[1], point.value[2]},
+                                      own.point(sphere, own_at)),
+        answer.max_point_ulp *
+            properties::bound_growth(reference::condition_of_computed_point(own, sphere, own_at)),
+        Quantity::kHitPoint, precision);
     judge_alone(ray, own_at, answer.roots ? &*answer.roots : nullptr, u_of_doubles, s, point);
   }
   if (hit != own_hit) s.wrong = point.wrong = true;

@@ -96,6 +96,21 @@ TEST(Explain, reports_the_step_at_which_the_textbook_goes_wrong) {
     if (method["name"] == "quadratic") {
       EXPECT_EQ(method["standing"], "defect");
     }
+    // What L + s D cancels is the question's fault: of 4e8 u of Q cross, whose s is right, has
+    // none.
+    if (method["name"] == "cross") {
+      EXPECT_EQ(method["goes_wrong_at"], nullptr);
+    }
+  }
+  // 10^8 radii away is more than is judged in floats, and no defect of theirs.
+  for (const json& method : explained("scene/examples/far-sphere.toml --pixel 2,1")["methods"]) {
+    if (method["name"] == "single-quadratic") {
+      EXPECT_EQ(method["goes_wrong_at"], "v");
+      EXPECT_EQ(method["standing"], "not judged");
+    }
+    if (method["name"] == "quadratic") {
+      EXPECT_EQ(method["standing"], "defect");
+    }
   }
 }
 
