@@ -1,10 +1,15 @@
+#include <fmt/core.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <cstdlib>
+#include <map>
 #include <nlohmann/json.hpp>
+#include <random>
 #include <string>
+#include <vector>
 
+#include "scene/scene.h"
 #include "tests/tools/program.h"
 
 namespace raycheck::tests {
@@ -141,6 +146,67 @@ TEST(Explain, reports_a_pixel_of_the_lecture) {
   EXPECT_EQ(centre["nearest"], 0);
   EXPECT_TRUE(centre["spheres"][0]["s"].is_string());
   EXPECT_EQ(centre["spheres"][0]["point"].size(), 3u);
+}
+
+/// Rays to the unit sphere from all distances, past its edge and through it, in any direction.
+std::vector<scene::Ray> rays_from_everywhere(std::size_t count) {
+  std::mt19937_64 generator(1);
+  const auto uniform = [&](double from, double to) {
+    return std::uniform_real_distribution<double>(from, to)(generator);
+  };
+  std::vector<scene::Ray> rays;
+  for (std::size_t k = 0; k < count; ++k) {
+    const double distance = std::pow(10, uniform(0, 12));
+    const double height =
+        k % 3 == 0 ? uniform(0, 1.2) : 1 + (k % 3 == 1 ? -1 : 1) * std::pow(10, uniform(-16, -1));
+    const double turn = uniform(0, 6.28), length = std::pow(10, uniform(-5, 5));
+    const double c = std::cos(turn), s = std::sin(turn);
+    rays.push_back(
+        {{height * c - distance * s, height * s + distance * c, 0}, {length * s, -length * c, 0}});
+  }
+  return rays;
+}
+
+TEST(ExplainAndCheck, call_the_same_answers_wrong) {
+  const auto triple = [](const auto& v) { return fmt::format("{},{},{}", v.x, v.y, v.z); };
+  const std::vector<scene::Ray> rays = rays_from_everywhere(60);
+  std::string toml = "[[sphere]]\ncentre = [0, 0, 0]\nradius = 1\n";
+  for (const scene::Ray& ray : rays) {
+    toml += fmt::format("[[ray]]\norigin = [{}]\ndirection = [{}]\n", triple(ray.origin),
+                        triple(ray.direction));
+  }
+  const std::string path = temporary_file("rays.toml", toml);
+  // Of each method: rays whose answers are wrong, and what the worst of these come to.
+  std::map<std::string, std::map<std::size_t, std::string>> wrong;
+  for (const char* method : {"quadratic", "lecture", "kahan", "perpendicular", "cross", "robust"}) {
+    const Outcome checked =
+        run(fmt::format("check {} --intersect {} --top 1000 --format json", path, method));
+    auto& of_method = wrong[method];
+    const json report = json::parse(checked.out);
+    for (const json& one : report["candidates"][0]["worst"]) {
+      const std::string law = one["law"];
+      if (law != "class" && law != "nearest-root" && law != "parameter" && law != "hit-point") {
+        continue;
+      }
+      if (law == "hit-point" && one["quantity"] != "hit point")
+        continue;  // explain has no residual
+      std::string& standing = of_method[one["ray"]];
+      if (standing != "defect") standing = one["standing"];
+    }
+  }
+  EXPECT_GT(wrong["quadratic"].size(), 10);
+  EXPECT_EQ(wrong["robust"].size(), 0);
+  for (std::size_t k = 0; k < rays.size(); ++k) {
+    const json report = explained(fmt::format("--ray={},{} --sphere 0,0,0,1",
+                                              triple(rays[k].origin), triple(rays[k].direction)));
+    for (const json& method : report["methods"]) {
+      const auto found = wrong.find(method["name"]);
+      if (found == wrong.end()) continue;
+      const auto known = found->second.find(k);
+      const json expected = known == found->second.end() ? json(nullptr) : json(known->second);
+      EXPECT_EQ(method["standing"], expected) << method["name"] << " on ray " << k;
+    }
+  }
 }
 
 TEST(Explain, prints_each_step_in_text) {
