@@ -46,10 +46,13 @@ class Judge {
         spent_(std::move(judged.spent)),
         before_(spent_ ? spent_->seconds() : 0) {
     candidate_.declared = rubric.conventions.over(candidate_.declared);
-    // A domain that a submission states for itself would excuse it from what the rubric asks.
-    candidate_.smallest_length =
+    // Roots that count, or a domain, that a submission states for itself would excuse it from what
+    // the rubric asks.
+    candidate_.declared.valid = rubric.conventions.valid.value_or(scene::ValidRoots{});
+    candidate_.smallest_length = candidate_.smallest_camera_length =
         std::min(candidate_.smallest_length, properties::kSmallestJudgedLength);
-    candidate_.largest_length = std::numeric_limits<double>::infinity();
+    candidate_.largest_length = candidate_.largest_camera_length =
+        std::numeric_limits<double>::infinity();
     candidate_ = judged_in(rubric.precision, std::move(candidate_));
   }
 
