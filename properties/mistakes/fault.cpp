@@ -38,17 +38,20 @@ std::string sentence_of(const Fault& fault) {
 }
 
 bool can_be_together(const Mistake& a, const Mistake& b) {
-  return !(a.makes_rays && b.makes_rays) && !(a.chooses_hits && b.chooses_hits);
+  return !(a.makes_rays && b.makes_rays) && joined(a.hits, b.hits);
 }
 
 FaultyView::FaultyView(const Fault& fault, const scene::Scene& scene)
-    : asked_(scene), taken_(scene), rays_(&right()), hits_(&right()) {
+    : asked_(scene), taken_(scene), rays_(&right()) {
+  HitFormulas hits;
   for (const Mistake* mistake : fault) {
     taken_ = mistaken(*mistake, std::move(taken_));
     if (mistake->pixel) pixels_.push_back(mistake);
     if (mistake->makes_rays) rays_ = &mistake->candidate;
-    if (mistake->chooses_hits) hits_ = &mistake->candidate;
+    hits = joined(std::move(hits), mistake->hits).value();
   }
+  const bool has_formulas = hits.roots || hits.choose || hits.rank;
+  nearest_ = has_formulas ? nearest_by(hits) : right().nearest;
 }
 
 std::vector<std::optional<Ray>> FaultyView::rays(std::span<const Pixel> pixels) const {
@@ -96,7 +99,7 @@ ImageAnswer FaultyView::seen(std::span<const Pixel> pixels, double growth) const
     const double way = std::hypot(x - eye.x, y - eye.y, z - eye.z) + sphere.radius;
     sphere.radius = std::fmax(0, sphere.radius + growth * way);
   }
-  const auto nearest = hits_->nearest(valid, spheres, taken_.conventions);
+  const auto nearest = nearest_(valid, spheres, taken_.conventions);
   for (std::size_t k = 0; k < nearest.size(); ++k) answer[indices[k]] = nearest[k];
   return answer;
 }

@@ -22,7 +22,7 @@ std::string sentence_of(const Fault& fault);
 bool can_be_together(const Mistake& a, const Mistake& b);
 
 /// What a program with a fault shows of a scene, in doubles: the changes of the mistakes one after
-/// the other, rays by the formula of the one that makes them, hits by that of the one that chooses.
+/// the other, rays by the formula of the one that makes them, hits by those of all.
 /// A camera that is left without a meaning shows nothing.
 /// Domain: a valid scene with a camera, which outlives it; mistakes that can be together.
 class FaultyView {
@@ -41,7 +41,7 @@ class FaultyView {
   const scene::Scene& asked_;
   scene::Scene taken_;
   const Candidate* rays_;
-  const Candidate* hits_;
+  NearestSpheres nearest_;
   std::vector<const Mistake*> pixels_;
 };
 

@@ -162,7 +162,7 @@ std::vector<Explanation> explanations(const Causes& causes) {
       say("the picture is black: it shows no sphere");
       break;
     case CauseKind::kUniform:
-      say("every pixel shows a sphere, as where directions are no numbers: axes that are lost");
+      say("the picture is of one colour, whatever the scene");
       break;
     case CauseKind::kBackground:
       say("no pixel is black: where there is no sphere another colour is shown");

@@ -43,9 +43,12 @@ std::optional<std::uint64_t> left(const Fault& fault, const Pictures& pictures,
   std::uint64_t sampled = 0, missed = 0;
   for (const Evidence& one : pictures) {
     scene::poll();
-    missed += one.left_of_sample(FaultyView(fault, one.picture().scene));
-    sampled += one.sample_size();
-    if (missed > kMostLeftOfSample + sampled / 4) return {};
+    const FaultyView view(fault, one.picture().scene);
+    for (const std::vector<scene::Pixel>& part : one.sample()) {
+      missed += one.left_of(part, view);
+      sampled += part.size();
+      if (missed > kMostLeftOfSample + sampled / 4) return {};
+    }
   }
   std::uint64_t count = 0;
   for (const Evidence& one : pictures) {

@@ -197,8 +197,8 @@ TEST(PictureCauses, OfABlackPictureAmongRightOnesMayBeAMistake) {
   std::vector<Scene> scenes = rubric_scenes();
   std::erase_if(scenes, [](const Scene& scene) { return scene.camera->near > -1e-9; });
   scenes.push_back(tiny);
-  const Fault fault = {
-      mistake("hits with an s below about 1e-4 are dropped: the epsilon is too large")};
+  const Fault fault = {mistake(
+      "hits with an s below about 1e-4 (perhaps more) are dropped: the epsilon is too large")};
   const std::vector<ShownPicture> pictures = shown_with(fault, scenes);
   EXPECT_EQ(std::count(pictures.back().image.begin(), pictures.back().image.end(), std::nullopt),
             static_cast<std::ptrdiff_t>(pictures.back().image.size()));
