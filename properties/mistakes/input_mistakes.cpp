@@ -194,9 +194,15 @@ std::vector<Mistake> step_mistakes() {
       camera_mistake("i/w and j/h place the pixels",
                      both(columns_by_width(false), rows_by_height(false))),
       camera_mistake("alpha = left + (i+1)/w (right - left)", columns_by_width(true)),
-      camera_mistake("beta = bottom + (j+1)/h (top - bottom)", rows_by_height(true)),
+      camera_mistake("beta = bottom + (j+1)/h (top - bottom), which is top - j/h (top - bottom) "
+                     "counted from the top",
+                     rows_by_height(true)),
       camera_mistake("(i+1)/w and (j+1)/h place the pixels",
                      both(columns_by_width(true), rows_by_height(true))),
+      camera_mistake("i/w and j/h place the pixels, j counted from the other end",
+                     both(columns_by_width(false), rows_by_height(true))),
+      camera_mistake("(i+1)/w and (j+1)/h place the pixels, j counted from the other end",
+                     both(columns_by_width(true), rows_by_height(false))),
   };
 }
 

@@ -102,6 +102,14 @@ std::uint64_t pixels_exchanged(std::span<const ShownPicture> shown) {
   return pixels;
 }
 
+/// One of each; of two mistakes at once one of all.
+std::vector<std::string> sentences(const std::vector<Fault>& alternatives) {
+  if (alternatives.front().size() > 1) return {sentence_of(alternatives)};
+  std::vector<std::string> all;
+  for (const Fault& fault : alternatives) all.push_back(sentence_of(fault));
+  return all;
+}
+
 }  // namespace
 
 Causes picture_causes(std::span<const ShownPicture> shown) {
@@ -168,8 +176,8 @@ std::vector<Explanation> explanations(const Causes& causes) {
       say("no pixel is black: where there is no sphere another colour is shown");
       break;
     case CauseKind::kExplained:
-      for (const Fault& fault : causes.alternatives) {
-        say(sentence_of(fault) + (roundings.empty() ? "" : "; and " + roundings));
+      for (const std::string& sentence : sentences(causes.alternatives)) {
+        say(sentence + (roundings.empty() ? "" : "; and " + roundings));
       }
       break;
     case CauseKind::kImprecise:
