@@ -63,10 +63,15 @@ bool find_imprecision(const Pictures& pictures, Causes& causes) {
     causes.kind = CauseKind::kImprecise;
     return true;
   }
+  // A formula with more roundings leaves fewer certain, or the same: then it is known what is
+  // found.
+  std::size_t known = pictures.size();
+  std::vector<Suspect> found;
   for (const Arithmetic arithmetic : kArithmetics) {
     const Pictures certain = mostly_certain(pictures, arithmetic);
     if (certain.size() == pictures.size()) continue;
-    const std::vector<Suspect> found = find_suspects(certain);
+    if (certain.size() != known) found = find_suspects(certain);
+    known = certain.size();
     if (found.empty() || !is_found(found.front().fault, arithmetic)) continue;
     for (const Suspect& suspect : found) causes.alternatives.push_back(suspect.fault);
     causes.kind = CauseKind::kExplained;

@@ -16,7 +16,9 @@ constexpr std::size_t kSampled = 24;
 constexpr std::size_t kSampleParts = 3;
 
 /// So many pixels are asked about at a time.
-constexpr std::size_t kPixelsAtATime = std::size_t{1} << 12;
+constexpr std::size_t kPixelsAtATime = std::size_t{1} << 8;
+/// So many of a picture tell what shows in it.
+constexpr std::size_t kSomePixels = std::size_t{1} << 12;
 
 bool shows_nothing(const ImageAnswer& image) {
   return std::none_of(image.begin(), image.end(), [](const auto& sphere) { return bool(sphere); });
@@ -114,7 +116,7 @@ std::uint64_t Evidence::count_otherwise(const FaultyView& view, const std::vecto
   return otherwise.size();
 }
 
-std::vector<Pixel> Evidence::some_pixels() const { return some_of(pixels_, kPixelsAtATime); }
+std::vector<Pixel> Evidence::some_pixels() const { return some_of(pixels_, kSomePixels); }
 
 std::uint64_t Evidence::left_of(const std::vector<Pixel>& part, const FaultyView& view) const {
   return count_otherwise(view, part, false);

@@ -35,11 +35,14 @@ class Suspects {
   std::vector<Suspect> found_;
 };
 
-/// So much more than a quarter of the pixels that are looked at first is not left by a cause.
+/// So much more than a share of the pixels that are looked at first is not left by a cause: one
+/// that may leave a tenth of the wrong ones, or one that explains all.
 constexpr std::uint64_t kMostLeftOfSample = 4;
+constexpr std::uint64_t kShareOfOne = 4, kShareOfTwo = 12;
 
 std::optional<std::uint64_t> left(const Fault& fault, const Pictures& pictures,
                                   std::uint64_t most) {
+  const std::uint64_t share = fault.size() > 1 ? kShareOfTwo : kShareOfOne;
   std::uint64_t sampled = 0, missed = 0;
   for (const Evidence& one : pictures) {
     scene::poll();
@@ -47,7 +50,7 @@ std::optional<std::uint64_t> left(const Fault& fault, const Pictures& pictures,
     for (const std::vector<scene::Pixel>& part : one.sample()) {
       missed += one.left_of(part, view);
       sampled += part.size();
-      if (missed > kMostLeftOfSample + sampled / 4) return {};
+      if (missed > kMostLeftOfSample + sampled / share) return {};
     }
   }
   std::uint64_t count = 0;
