@@ -6,7 +6,6 @@
 #include <vector>
 
 #include "properties/run_control.h"
-#include "scene/files/scene_file.h"
 #include "tools/external/external_candidate.h"
 #include "tools/grade/results/result.h"
 #include "tools/grade/rubric/rubric.h"
