@@ -260,6 +260,14 @@ class ClassRun {
     return one;
   }
 
+  /// What a dry run, if there was one, tells of the form that a renderer reads.
+  static FormKnown form_known(const DriverRule& rule, const std::optional<DryRun>& dry) {
+    const bool is_given = !dry || !rule.tries_others ||
+                          (rule.is_asked_for && dry->shows_a_sphere && dry->driver == rule.form);
+    if (is_given) return FormKnown::kGiven;
+    return dry->shows_a_sphere ? FormKnown::kFound : FormKnown::kNot;
+  }
+
   /// Why the grade is none, for a cause outside the submission; empty: it is one.
   std::string grade_one(const Submission& submission, const RunControl& control, bool alone,
                         SubmissionGrade& grade) {
@@ -277,7 +285,8 @@ class ClassRun {
       judge_all(rubric_,
                 {external_candidate(runnable.external, last_failure),
                  runnable.found.program->kind == CandidateKind::kRenderer,
-                 !dry || dry->shows_a_sphere, last_failure, runnable.external.program.spent},
+                 form_known(rubric_.driver, dry), dry ? dry->driver.dialect : scene::Dialect::kB,
+                 last_failure, runnable.external.program.spent},
                 control, grade);
       grade.judge_seconds = watch.lap();
     } catch (const SubmissionError& error) {
@@ -383,7 +392,7 @@ std::vector<SubmissionGrade> try_rubric(const Rubric& rubric, std::uint64_t seed
     SubmissionGrade grade;
     grade.name = name;
     grade.seed = seed;
-    judge_all(rubric, {candidate, pictures, true, nullptr}, control, grade);
+    judge_all(rubric, {candidate, pictures}, control, grade);
     grades.push_back(std::move(grade));
   };
   if (asks(&Item::functions)) try_on("functions", candidate_of(kDefaultMethods), false);
