@@ -93,6 +93,14 @@ void take_what_was_found(const Preparation& found, SubmissionGrade& grade) {
   for (const std::string& note : found.dry_run->notes) grade.notes.push_back(plain_text(note));
 }
 
+/// Of what holds points it would be false: it shows other scenes than that of the dry run.
+void note_that_nothing_shows(const std::optional<DryRun>& dry, SubmissionGrade& grade) {
+  if (!dry || dry->shows_nothing.empty()) return;
+  const bool has_points = std::any_of(grade.items.begin(), grade.items.end(),
+                                      [](const ItemGrade& item) { return item.score > 0; });
+  if (!has_points) grade.notes.push_back(plain_text(dry->shows_nothing));
+}
+
 std::vector<std::string_view> names_of_class_files() {
   std::vector<std::string_view> names;
   for (const ClassView& file : class_files()) names.push_back(file.name);
@@ -279,6 +287,7 @@ class ClassRun {
                  runnable.found.program->kind == CandidateKind::kRenderer,
                  !dry || dry->shows_a_sphere, last_failure, runnable.external.program.spent},
                 control, grade);
+      note_that_nothing_shows(dry, grade);
       grade.judge_seconds = watch.lap();
     } catch (const SubmissionError& error) {
       grade.build_seconds = watch.lap();

@@ -55,9 +55,11 @@ scene::Scene symmetric_scene() {
   return scene;
 }
 
-scene::Scene one_sphere() {
+/// Of each cross the sphere in the middle.
+scene::Scene middle_spheres() {
   scene::Scene scene = symmetric_scene();
-  scene.spheres.resize(1);
+  const auto& all = scene.spheres;
+  scene.spheres = {all[0], all[5], all[10]};
   return scene;
 }
 
@@ -134,6 +136,8 @@ class DryRunner {
     found.driver = chosen.form;
     found.seconds = chosen.seconds;
     found.shows_a_sphere = chosen.reads();
+    const std::optional<DriverForm> other = form_read_instead(chosen);
+    if (other) found.notes.push_back(unread_note(*other));
     if (!chosen.made) {
       found.refusal = chosen.timed_out ? with_more_time(chosen, found) : chosen.failure;
       return found;
@@ -141,8 +145,7 @@ class DryRunner {
     found.picture_name = chosen.made->other_name;
     if (!found.shows_a_sphere) found.said = chosen.made->said;
     if (rule_.is_asked_for && !(chosen.form == rule_.form)) {
-      found.notes.push_back(fmt::format("it does not read driver files of form {}, but of form {}",
-                                        rule_.form.text(), chosen.form.text()));
+      found.notes.push_back(unread_note(chosen.form));
     }
     if (!chosen.made->other_name.empty()) {
       found.notes.push_back(
@@ -153,11 +156,11 @@ class DryRunner {
           fmt::format("it makes its picture, and then it {}", chosen.made->ended));
     }
     if (!chosen.reads()) {
-      if (is_uniform(chosen.made->picture)) {
-        found.notes.push_back(
+      if (is_uniform(chosen.made->picture) && !other) {
+        found.shows_nothing =
             fmt::format("its picture is {} in {} tried",
                         is_black(chosen.made->picture) ? "black" : "of one colour",
-                        tried_ == 1 ? "the one form" : fmt::format("the {} forms", tried_)));
+                        tried_ == 1 ? "the one form" : fmt::format("the {} forms", tried_));
       }
       return found;
     }
@@ -203,11 +206,14 @@ class DryRunner {
     return made;
   }
 
+  Attempt find_form() {
+    Attempt first = attempt(rule_.form);
+    return first.is_sure() || !rule_.tries_others ? first : best_of_all(std::move(first));
+  }
+
   /// The first form that is surely read; else the one in which the picture is most alike; where
   /// that is nowhere, the rule's if it gives a picture, else the first that does.
-  Attempt find_form() {
-    Attempt best = attempt(rule_.form);
-    if (best.is_sure() || !rule_.tries_others) return best;
+  Attempt best_of_all(Attempt best) {
     for (const DriverForm& form : known_forms(rule_.form)) {
       if (form == rule_.form) continue;
       if (is_late() || timed_out_ >= kMostTimeouts) break;
@@ -217,6 +223,18 @@ class DryRunner {
       if (is_better) best = std::move(next);
     }
     return best;
+  }
+
+  /// Where the rule's form alone counts and is not read.
+  std::optional<DriverForm> form_read_instead(const Attempt& chosen) {
+    if (rule_.tries_others || chosen.reads() || chosen.timed_out) return {};
+    const Attempt other = best_of_all(chosen);
+    if (!other.reads()) return {};
+    return other.form;
+  }
+  std::string unread_note(const DriverForm& other) const {
+    return fmt::format("it does not read driver files of form {}, but of form {}",
+                       rule_.form.text(), other.text());
   }
 
   /// Why a picture is not made in time, and whether more would do.
@@ -232,12 +250,13 @@ class DryRunner {
             {}};
   }
 
-  /// The colour in which it shows a sphere of one; empty where it fails or shows none.
+  /// In which colour it shows spheres of one; empty where it fails or shows none.
   std::optional<Colour> shown(const Colour& colour, const DryRun& found) {
-    const scene::Scene scene = one_sphere();
+    const scene::Scene scene = middle_spheres();
+    const std::vector<Colour> colours(scene.spheres.size(), colour);
     try {
       const ReadPicture picture =
-          rendered(renderer_, driver_text(scene, found.driver, {colour})).picture;
+          rendered(renderer_, driver_text(scene, found.driver, colours)).picture;
       const std::size_t middle = picture.pixels.size() / 2;
       if (picture.pixels.empty() || picture.pixels[middle] == found.colours.background) return {};
       return picture.pixels[middle];
@@ -246,15 +265,20 @@ class DryRunner {
     }
   }
 
-  /// Which channel shows red, green and blue.
+  /// Which channel shows red, green and blue. What shows no sphere in any colour is wrong in
+  /// something else, and says nothing of its colours.
   void find_colours(DryRun& found) {
     constexpr std::array<Colour, 3> kPure = {Colour{255, 0, 0}, {0, 255, 0}, {0, 0, 255}};
+    std::array<std::optional<Colour>, 3> seen;
+    for (std::size_t k = 0; k < kPure.size(); ++k) seen[k] = shown(kPure[k], found);
+    if (std::none_of(seen.begin(), seen.end(), [](const auto& one) { return one.has_value(); })) {
+      return;
+    }
     std::array<std::size_t, 3> channels{};
     for (std::size_t k = 0; k < kPure.size(); ++k) {
-      const std::optional<Colour> colour = shown(kPure[k], found);
       const std::array<int, 3> parts =
-          colour ? std::array<int, 3>{colour->red, colour->green, colour->blue}
-                 : std::array<int, 3>{};
+          seen[k] ? std::array<int, 3>{seen[k]->red, seen[k]->green, seen[k]->blue}
+                  : std::array<int, 3>{};
       const auto most = std::max_element(parts.begin(), parts.end());
       channels[k] = static_cast<std::size_t>(most - parts.begin());
       const auto others = std::count_if(parts.begin(), parts.end(),
