@@ -86,6 +86,7 @@ void refuse(const Rubric& rubric, const Refusal& refusal, SubmissionGrade& grade
 
 void take_what_was_found(const Preparation& found, SubmissionGrade& grade) {
   grade.program = found.program;
+  grade.build_words = found.build_words;
   grade.opaque_files = found.opaque_files;
   for (const std::string& note : found.notes) grade.notes.push_back(plain_text(note));
   if (!found.dry_run) return;

@@ -19,6 +19,9 @@ using Mask = std::vector<bool>;
 /// How much more time a picture is given that is not made in the rubric's.
 constexpr double kMoreTime = 4;
 
+/// So long forms are looked for that would be a note alone.
+constexpr double kNoteSeconds = 5;
+
 /// A picture so much like the truth is made by who reads the form.
 constexpr double kSurelyAlike = 0.95;
 
@@ -228,6 +231,7 @@ class DryRunner {
   /// Where the rule's form alone counts and is not read.
   std::optional<DriverForm> form_read_instead(const Attempt& chosen) {
     if (rule_.tries_others || chosen.reads() || chosen.timed_out) return {};
+    end_ = std::min(end_, spent() + kNoteSeconds);
     const Attempt other = best_of_all(chosen);
     if (!other.reads()) return {};
     return other.form;
