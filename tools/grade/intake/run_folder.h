@@ -13,7 +13,7 @@ namespace raycheck::tools {
 
 /// So many folders and files of a submission lie in the folder of each run at most, those nearer
 /// to the top before others.
-inline constexpr std::size_t kMostInRunFolder = 1000;
+inline constexpr std::size_t kMostInRunFolder = 100;
 /// A file of so many bytes is a copy there while all copies have at most so many; others are links.
 inline constexpr std::size_t kMostOfCopy = std::size_t{64} << 10;
 inline constexpr std::size_t kMostOfCopies = std::size_t{1} << 20;
