@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "properties/mistakes/picture_causes.h"
+#include "tools/grade/intake/dry_scenes.h"
 
 namespace raycheck::tools {
 namespace {
@@ -30,41 +31,6 @@ constexpr double kBackgroundShare = 0.9;
 
 /// A channel of a pure colour is all, or at most this part of that.
 constexpr double kNoChannel = 0.4;
-
-/// Five spheres alike, in a cross, ahead; the same behind the eye and between it and the image
-/// plane, so that programs see the same which see these. The plane is 1 away, where directions are
-/// nearly unit ones and a program that takes d for something else is right. What is ahead has
-/// whole numbers, which programs read that read no others. The picture is the same turned and
-/// mirrored.
-scene::Scene symmetric_scene() {
-  scene::Scene scene;
-  scene::Camera camera;
-  camera.eye = {0, 0, 40};
-  camera.look_at = {0, 0, 0};
-  camera.up = {0, 1, 0};
-  camera.near = -1;
-  camera.left = camera.bottom = -1;
-  camera.right = camera.top = 1;
-  camera.width = camera.height = 25;
-  scene.camera = camera;
-  scene.conventions.rows = scene::Rows::kTopFirst;
-  for (const double distance : {10.0, -10.0, 0.5}) {
-    for (const auto& [x, y] :
-         {std::pair(0.0, 0.0), {0.6, 0.0}, {-0.6, 0.0}, {0.0, 0.6}, {0.0, -0.6}}) {
-      scene.spheres.push_back(
-          {{distance * x, distance * y, 40 - distance}, 0.2 * std::abs(distance)});
-    }
-  }
-  return scene;
-}
-
-/// Of each cross the sphere in the middle.
-scene::Scene middle_spheres() {
-  scene::Scene scene = symmetric_scene();
-  const auto& all = scene.spheres;
-  scene.spheres = {all[0], all[5], all[10]};
-  return scene;
-}
 
 /// What a frame around a picture is nearly everywhere; black where it is not of one colour, or the
 /// picture shows nothing else.
