@@ -12,6 +12,21 @@ namespace {
 
 namespace fs = std::filesystem;
 
+/// Enough to fail by what is wrong with the camera.
+constexpr const char* kFewPictures = R"(
+[[form]]
+has = "*"
+build = "auto"
+candidate = "renderer:{program} {scene} {image}"
+
+[[item]]
+name = "a few pictures"
+points = 10
+[item.pictures]
+judge = "mask"
+scenes = ["lecture7/wide.toml", "lecture7/orientation.toml", "lecture7/edges.toml"]
+)";
+
 /// What stands behind `label` in its first line of a report; empty: nowhere.
 std::string stands_behind(const std::string& report, const std::string& label) {
   const std::size_t at = report.find("\n  " + label);
@@ -23,8 +38,9 @@ std::string stands_behind(const std::string& report, const std::string& label) {
 /// Tries a hand-in with a mistake, and does in a copy of its folder what the report says of the
 /// first item that fails.
 void expect_the_commands_to_work(const Grading& grading, const std::string& hand_in) {
-  const Outcome tried = run("try " + std::string(kLecture7) + " '" + hand_in + "' --out '" +
-                            grading.path("out") + "'");
+  const std::string rubric = grading.write("few.toml", kFewPictures);
+  const Outcome tried =
+      run("try '" + rubric + "' '" + hand_in + "' --out '" + grading.path("out") + "'");
   ASSERT_EQ(tried.exit_code, 1) << tried.err;
   const std::string build =
       stands_behind(tried.out, "Build it as here, in a copy of your folder: ");

@@ -21,7 +21,7 @@ using Mask = std::vector<bool>;
 constexpr double kMoreTime = 4;
 
 /// So long forms are looked for that would be a note alone.
-constexpr double kNoteSeconds = 5;
+constexpr double kNoteSeconds = 20;
 
 /// A picture so much like the truth is made by who reads the form.
 constexpr double kSurelyAlike = 0.95;
