@@ -86,11 +86,20 @@ void refuse(const Rubric& rubric, const Refusal& refusal, SubmissionGrade& grade
 
 void take_what_was_found(const Preparation& found, SubmissionGrade& grade) {
   grade.program = found.program;
+  grade.build_words = found.build_words;
   grade.opaque_files = found.opaque_files;
   for (const std::string& note : found.notes) grade.notes.push_back(plain_text(note));
   if (!found.dry_run) return;
   grade.driver = found.dry_run->driver;
   for (const std::string& note : found.dry_run->notes) grade.notes.push_back(plain_text(note));
+}
+
+/// Of what holds points it would be false: it shows other scenes than that of the dry run.
+void note_that_nothing_shows(const std::optional<DryRun>& dry, SubmissionGrade& grade) {
+  if (!dry || dry->shows_nothing.empty()) return;
+  const bool has_points = std::any_of(grade.items.begin(), grade.items.end(),
+                                      [](const ItemGrade& item) { return item.score > 0; });
+  if (!has_points) grade.notes.push_back(plain_text(dry->shows_nothing));
 }
 
 std::vector<std::string_view> names_of_class_files() {
@@ -288,6 +297,7 @@ class ClassRun {
                  form_known(rubric_.driver, dry), dry ? dry->driver.dialect : scene::Dialect::kB,
                  last_failure, runnable.external.program.spent},
                 control, grade);
+      note_that_nothing_shows(dry, grade);
       grade.judge_seconds = watch.lap();
     } catch (const SubmissionError& error) {
       grade.build_seconds = watch.lap();
