@@ -4,10 +4,12 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <array>
 #include <atomic>
 #include <chrono>
 #include <csignal>
 #include <filesystem>
+#include <fstream>
 #include <string>
 #include <thread>
 #include <vector>
@@ -78,6 +80,21 @@ TEST_P(HostileProcess, LeavesNothingBehindThatRuns) {
       mark + "'])\n    os._exit(0)\ntime.sleep(0.2)\n";
   for (const char* end : {"", "sys.stdout.close()\ntime.sleep(60)", "os.kill(os.getpid(), 9)"}) {
     words_of(renderer("orphans", orphans + end), std::string("--timeout 1 ") + GetParam());
+    EXPECT_EQ(processes_with(mark), 0) << end;
+  }
+}
+
+TEST_P(HostileProcess, LeavesNothingBehindThatStartsAnotherAndEnds) {
+  // Whoever is looked at has ended. What is left after three seconds waits to be counted.
+  const std::string mark = std::to_string(920000000 + getpid());
+  const std::string hops =
+      "for k in range(4):\n  if os.fork() == 0:\n    os.setsid()\n    end = time.time() + 3\n"
+      "    while time.time() < end:\n      if os.fork() != 0: os._exit(0)\n"
+      "    os.execvp('sleep', ['" +
+      mark + "', '9'])\ntime.sleep(0.2)\n";
+  for (const char* end : {"", "time.sleep(60)"}) {
+    words_of(renderer("hops", hops + end), std::string("--timeout 1 ") + GetParam());
+    std::this_thread::sleep_for(std::chrono::seconds(4));
     EXPECT_EQ(processes_with(mark), 0) << end;
   }
 }
@@ -230,6 +247,25 @@ TEST(HostileEnds, OfRaycheckItselfLeaveNothingThatTheNextRunDoesNotRemove) {
   EXPECT_GT(judged(kScene, other)["discrepancies"], 0);
   before.empty() ? unsetenv("TMPDIR") : setenv("TMPDIR", before.c_str(), 1);
   EXPECT_TRUE(folders().empty()) << folders()[0];
+  fs::remove_all(folder);
+}
+
+TEST(HostileEnds, OfRunsRemoveNoFolderThatIsOnlyNamedAsTheirsAre) {
+  const fs::path folder = temporary_file("named", "") + ".d";
+  fs::create_directories(folder);
+  fs::permissions(folder, fs::perms::others_exec, fs::perm_options::add);
+  const std::array<fs::path, 2> own = {folder / "raycheck-run-week3",
+                                       folder / "raycheck-run-abc123"};
+  for (const fs::path& one : own) {
+    fs::create_directories(one);
+    std::ofstream(one / "notes.txt") << "do not lose";
+    fs::last_write_time(one, fs::file_time_type::clock::now() - std::chrono::hours(1));
+  }
+  const std::string before = std::getenv("TMPDIR") == nullptr ? "" : std::getenv("TMPDIR");
+  setenv("TMPDIR", folder.c_str(), 1);
+  EXPECT_GT(judged(kScene, renderer("none", "pass"))["discrepancies"], 0);
+  before.empty() ? unsetenv("TMPDIR") : setenv("TMPDIR", before.c_str(), 1);
+  for (const fs::path& one : own) EXPECT_EQ(contents(one / "notes.txt"), "do not lose") << one;
   fs::remove_all(folder);
 }
 
