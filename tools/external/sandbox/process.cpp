@@ -84,8 +84,9 @@ std::string reason_ended(int status, const Limits& limits) {
   const int signal = signal_of(status);
   // raycheck-jail itself, which ends otherwise by exit codes alone.
   if (WIFSIGNALED(status)) {
-    return fmt::format("its supervisor was killed by signal {} ({}): what it started may be left",
-                       signal, strsignal(signal));
+    return fmt::format(
+        "lost its supervisor, which was killed by signal {} ({}): what it started may be left",
+        signal, strsignal(signal));
   }
   if (signal == 0) return fmt::format("exited with {}", WEXITSTATUS(status));
   const std::string killed = fmt::format("was killed by signal {} ({})", signal, strsignal(signal));

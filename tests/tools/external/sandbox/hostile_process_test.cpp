@@ -1,10 +1,11 @@
 // What a candidate's processes may take together, and what is left of them.
 
 #include <gtest/gtest.h>
+#include <sys/syscall.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
-#include <array>
+#include <algorithm>
 #include <atomic>
 #include <chrono>
 #include <csignal>
@@ -16,6 +17,7 @@
 
 #include "tests/tools/external/judged.h"
 #include "tools/external/sandbox/file_tree.h"
+#include "tools/external/sandbox/process_tree.h"
 
 namespace raycheck::tests {
 namespace {
@@ -212,6 +214,34 @@ TEST(HostileNeighbours, TakeNoneOfACandidatesTime) {
   EXPECT_EQ(report["discrepancies"], 0) << report["worst"].dump(2);
 }
 
+TEST(HostileTree, HasAProcessWhoseFirstThreadHasEnded) {
+  const pid_t child = fork();
+  if (child == 0) {
+    std::thread([] { sleep(60); }).detach();
+    syscall(SYS_exit, 0);
+  }
+  const std::string stat = "/proc/" + std::to_string(child) + "/stat";
+  for (int k = 0; k < 1000 && !says(contents(stat), ") Z "); ++k) usleep(10000);
+  EXPECT_TRUE(says(contents(stat), ") Z "));
+  const std::vector<tools::ProcessState> tree = tools::process_tree(getpid());
+  EXPECT_TRUE(
+      std::any_of(tree.begin(), tree.end(), [&](const auto& one) { return one.pid == child; }));
+  kill(child, SIGKILL);
+  waitpid(child, nullptr, 0);
+}
+
+TEST(HostileSupervisor, ThatIsStoppedIsEnded) {
+  const pid_t child = fork();
+  if (child == 0) {
+    std::signal(SIGTERM, [](int) { _exit(3); });
+    for (;;) raise(SIGSTOP);
+  }
+  int status = 0;
+  ASSERT_EQ(waitpid(child, &status, WUNTRACED), child);
+  EXPECT_TRUE(tools::end_supervised(child));
+  EXPECT_NE(kill(child, 0), 0);
+}
+
 TEST(HostileEnds, OfRaycheckItselfLeaveNothingThatTheNextRunDoesNotRemove) {
   const fs::path folder = temporary_file("left", "") + ".d";
   fs::create_directories(folder);
@@ -254,18 +284,15 @@ TEST(HostileEnds, OfRunsRemoveNoFolderThatIsOnlyNamedAsTheirsAre) {
   const fs::path folder = temporary_file("named", "") + ".d";
   fs::create_directories(folder);
   fs::permissions(folder, fs::perms::others_exec, fs::perm_options::add);
-  const std::array<fs::path, 2> own = {folder / "raycheck-run-week3",
-                                       folder / "raycheck-run-abc123"};
-  for (const fs::path& one : own) {
-    fs::create_directories(one);
-    std::ofstream(one / "notes.txt") << "do not lose";
-    fs::last_write_time(one, fs::file_time_type::clock::now() - std::chrono::hours(1));
-  }
+  const fs::path own = folder / "raycheck-run-week03";
+  fs::create_directories(own);
+  std::ofstream(own / "notes.txt") << "do not lose";
+  fs::last_write_time(own, fs::file_time_type::clock::now() - std::chrono::hours(1));
   const std::string before = std::getenv("TMPDIR") == nullptr ? "" : std::getenv("TMPDIR");
   setenv("TMPDIR", folder.c_str(), 1);
   EXPECT_GT(judged(kScene, renderer("none", "pass"))["discrepancies"], 0);
   before.empty() ? unsetenv("TMPDIR") : setenv("TMPDIR", before.c_str(), 1);
-  for (const fs::path& one : own) EXPECT_EQ(contents(one / "notes.txt"), "do not lose") << one;
+  EXPECT_EQ(contents(own / "notes.txt"), "do not lose");
   fs::remove_all(folder);
 }
 
