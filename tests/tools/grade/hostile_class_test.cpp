@@ -96,6 +96,26 @@ TEST(HostileClass, whose_disk_one_fills_has_the_grades_that_each_has_alone) {
   EXPECT_TRUE(contains(again.out, "its files take more than 60 MiB (disk_mib)")) << again.out;
 }
 
+TEST(HostileClass, of_which_one_uses_up_its_time_says_so_in_the_table_and_the_spreadsheet) {
+  const Grading grading;
+  const std::string rubric = grading.lecture7_with(
+      {{"seconds = 60 ", "seconds = 2 "}, {"reply_seconds = 5", "reply_seconds = 60"}});
+  const std::vector<std::string> both = {grading.submit_built("slow", "hostile.cpp", "slow"),
+                                         grading.submit_built("none", "hostile.cpp", "none")};
+  const Outcome outcome = grading.grade(rubric, both);
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+  const json slow = grading.result("slow");
+  std::string items;
+  for (const json& item : slow["items"]) {
+    if (!item["reason"].is_object() || item["reason"]["kind"] != "time is up") continue;
+    items += (items.empty() ? "" : ", ") + item["name"].get<std::string>();
+  }
+  ASSERT_FALSE(items.empty()) << slow.dump(2);
+  const std::string said = "time is up after 2 s: " + items + " not judged";
+  EXPECT_TRUE(contains(outcome.out, said)) << outcome.out;
+  EXPECT_TRUE(contains(grading.file("", "grades.csv"), said)) << grading.file("", "grades.csv");
+}
+
 TEST(HostileClass, of_which_one_is_killed_from_outside_has_it_judged_again_alone) {
   const Grading grading;
   const std::string mark = "killed_" + std::to_string(getpid());

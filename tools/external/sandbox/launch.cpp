@@ -230,10 +230,7 @@ void await_start(pid_t pid, int said) {
     if (text.find('\0') != std::string::npos) return;
     if (text.size() > kMostSaid) break;
   }
-  kill_below(pid);
-  kill(pid, SIGKILL);
-  while (waitpid(pid, nullptr, 0) < 0 && errno == EINTR) {
-  }
+  end_supervised(pid);
   while (!text.empty() && text.back() == '\n') text.pop_back();
   throw ProcessFailure(FailureKind::kSystem,
                        "could not be started in its sandbox: " + (text.empty() ? "it died" : text));

@@ -23,6 +23,9 @@ namespace fs = std::filesystem;
 namespace {
 
 constexpr const char* kPrefix = "raycheck-run-";
+/// The file by which a run holds its folder. Folders of others may begin with the prefix, and have
+/// none.
+constexpr const char* kHeldBy = "held-by-raycheck";
 
 }  // namespace
 
@@ -79,16 +82,18 @@ fs::path new_folder(const fs::path& begin) {
   return name;
 }
 
-/// Takes hold of a folder until it is closed, or this process ends; -1 where another has it.
-int hold(const fs::path& folder) {
-  const int opened = open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_NOFOLLOW | O_CLOEXEC);
+/// Takes hold of a run's folder until it is closed, or this process ends; -1 where another has it,
+/// or it is no run's. `create`: O_CREAT where it becomes one.
+int hold(const fs::path& folder, int create = 0) {
+  const int opened =
+      open((folder / kHeldBy).c_str(), O_RDWR | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC | create, 0600);
   if (opened >= 0 && flock(opened, LOCK_EX | LOCK_NB) == 0) return opened;
   if (opened >= 0) close(opened);
   return -1;
 }
 
-/// Removes what runs left that were killed: folders of this user that nobody holds, and that are
-/// not so new that they are about to be held.
+/// Removes what runs left that were killed: folders of this user that runs have made and nobody
+/// holds, and that are not so new that they are about to be held.
 void remove_left_overs(const fs::path& where) {
   constexpr time_t kNew = 60;
   std::error_code error;
@@ -107,7 +112,8 @@ void remove_left_overs(const fs::path& where) {
 /// The folder that holds all those of this process, and goes with it.
 class RunFolder {
  public:
-  RunFolder() : path_(new_folder(fs::temp_directory_path() / kPrefix)), held_(hold(path_)) {
+  RunFolder()
+      : path_(new_folder(fs::temp_directory_path() / kPrefix)), held_(hold(path_, O_CREAT)) {
     // Others may enter what they know of, and list nothing.
     fs::permissions(path_, fs::perms::others_exec, fs::perm_options::add);
     remove_left_overs(path_.parent_path());

@@ -75,8 +75,19 @@ int signal_of(int status) {
   return code > kSignalled && code <= kSignalled + SIGRTMAX ? code - kSignalled : 0;
 }
 
+std::string words_left() {
+  return fmt::format("what it started could not be ended within {} s and may be left",
+                     kMostEnding.count());
+}
+
 std::string reason_ended(int status, const Limits& limits) {
   const int signal = signal_of(status);
+  // raycheck-jail itself, which ends otherwise by exit codes alone.
+  if (WIFSIGNALED(status)) {
+    return fmt::format(
+        "lost its supervisor, which was killed by signal {} ({}): what it started may be left",
+        signal, strsignal(signal));
+  }
   if (signal == 0) return fmt::format("exited with {}", WEXITSTATUS(status));
   const std::string killed = fmt::format("was killed by signal {} ({})", signal, strsignal(signal));
   if (signal == SIGXFSZ) {
@@ -165,10 +176,12 @@ Process::Process(const Confined& confined) try : confined_(confined) {
   throw ProcessFailure(FailureKind::kSystem, error.what());
 }
 
-Process::~Process() { kill_all(); }
+Process::~Process() {
+  if (!kill_all()) blame(FailureKind::kSystem, words_left());
+}
 
-/// Whether it has ended by itself; if so nothing of it is left: bubblewrap and raycheck-jail see to
-/// that.
+/// Whether it has ended by itself; if so nothing of it is left: raycheck-jail sees to that, or is
+/// killed.
 bool Process::has_ended(int& status) {
   if (waitpid(pid_, &status, WNOHANG) != pid_) return false;
   pid_ = -1;
@@ -176,18 +189,18 @@ bool Process::has_ended(int& status) {
   return true;
 }
 
-void Process::kill_all() {
+/// Whether nothing of it is left.
+bool Process::kill_all() {
   close_once(input_);
+  bool is_done = true;
   if (pid_ > 0) {
-    // What takes the orphans goes last.
-    if (!group_ || !group_->kill()) kill_below(pid_);
-    kill(pid_, SIGKILL);
-    while (waitpid(pid_, nullptr, 0) < 0 && errno == EINTR) {
-    }
+    if (group_) group_->kill();
+    is_done = end_supervised(pid_);
     pid_ = -1;
   }
   close_once(output_);
   close_once(error_);
+  return is_done;
 }
 
 void Process::blame(FailureKind kind, const std::string& words) const {
@@ -204,9 +217,11 @@ void Process::look(const char* doing) {
 
 void Process::fail(FailureKind kind, const std::string& words) {
   charge();
-  kill_all();
-  blame(kind, words);
-  throw ProcessFailure(kind, words);
+  const bool is_done = kill_all();
+  const FailureKind of = is_done ? kind : FailureKind::kSystem;
+  const std::string all = is_done ? words : words + "; " + words_left();
+  blame(of, all);
+  throw ProcessFailure(of, all);
 }
 
 /// The failure of what ended otherwise than it should.

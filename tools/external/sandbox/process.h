@@ -64,7 +64,7 @@ class Process {
   void look(const char* doing);
   void listen();
   bool has_ended(int& status);
-  void kill_all();
+  bool kill_all();
 
   PrivateFolder folder_;
   Confined confined_;

@@ -2,20 +2,27 @@
 
 #include <dirent.h>
 #include <fcntl.h>
+#include <sys/wait.h>
 #include <unistd.h>
 
 #include <algorithm>
 #include <array>
+#include <cerrno>
 #include <charconv>
+#include <chrono>
 #include <csignal>
 #include <fstream>
 #include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 
 namespace raycheck::tools {
 namespace {
+
+/// Between two looks at whether processes have ended, in microseconds.
+constexpr useconds_t kPauseOfEnding = 500;
 
 /// As much as /proc gives of a file at a time, which is all of the short ones that are read here.
 std::string start_of(const std::string& path) {
@@ -73,11 +80,42 @@ std::optional<ProcessState> state_of(pid_t pid) {
   ProcessState state;
   state.pid = pid;
   state.parent = static_cast<pid_t>(number_of(fields[kParent]));
-  state.is_dead = fields[kState] == "Z" || fields[kState] == "X";
   state.cpu_seconds = static_cast<double>(ticks) / static_cast<double>(sysconf(_SC_CLK_TCK));
   state.threads = number_of(fields[kThreads]);
+  // One whose first thread has ended looks dead while the others run.
+  state.is_dead = fields[kState] == "X" || (fields[kState] == "Z" && state.threads <= 1);
   state.memory = number_of(fields[kMemory]) * static_cast<std::uint64_t>(sysconf(_SC_PAGESIZE));
   return state;
+}
+
+/// The children that a process has now, of all its threads: proc_pid_task_tid_children(5).
+void add_children(pid_t pid, std::vector<pid_t>& to) {
+  const std::string tasks = "/proc/" + std::to_string(pid) + "/task";
+  for_each_number(tasks, [&](pid_t task) {
+    std::ifstream children(tasks + "/" + std::to_string(task) + "/children");
+    for (pid_t child = 0; children >> child;) to.push_back(child);
+  });
+}
+
+/// Kills what a process started, and they, as far as one walk finds them; returns whom. Nobody is
+/// asked for more than is needed to kill him: who starts another and ends is gone by then, and the
+/// other not yet found.
+std::vector<pid_t> kill_below(pid_t root) {
+  std::vector<pid_t> killed;
+  add_children(root, killed);
+  for (std::size_t k = 0; k < killed.size(); ++k) {
+    // From then on it starts no other, so that those found next are all.
+    kill(killed[k], SIGKILL);
+    add_children(killed[k], killed);
+  }
+  if (!killed.empty()) return killed;
+  // None, or the kernel does not list them.
+  for (const ProcessState& one : process_tree(root)) {
+    if (one.pid == root) continue;
+    kill(one.pid, SIGKILL);
+    killed.push_back(one.pid);
+  }
+  return killed;
 }
 
 /// Whether the machine has a thread that waits for a disk.
@@ -149,17 +187,40 @@ MemoryUse memory_together(const std::vector<ProcessState>& processes) {
   return use;
 }
 
-void kill_below(pid_t root) {
-  for (;;) {
-    std::vector<ProcessState> tree = process_tree(root);
-    std::erase_if(tree, [&](const ProcessState& one) { return one.pid == root; });
-    if (tree.empty()) return;
-    // Stopped first, so that none starts another while its neighbour is killed.
-    for (const int signal : {SIGSTOP, SIGKILL}) {
-      for (const ProcessState& one : tree) kill(one.pid, signal);
-    }
-    usleep(500);
+bool end_children() {
+  const auto deadline = std::chrono::steady_clock::now() + kMostEnding;
+  for (std::vector<pid_t> before; std::chrono::steady_clock::now() < deadline;) {
+    std::vector<pid_t> killed = kill_below(getpid());
+    pid_t ended = 0;
+    do {
+      ended = waitpid(-1, nullptr, WNOHANG);
+    } while (ended > 0);
+    if (ended < 0 && errno == ECHILD) return true;
+    // At once where there are new ones, which start others until they are found.
+    if (killed == before) usleep(kPauseOfEnding);
+    before = std::move(killed);
   }
+  return false;
+}
+
+bool end_supervised(pid_t supervisor) {
+  kill(supervisor, SIGTERM);
+  const auto deadline = std::chrono::steady_clock::now() + 2 * kMostEnding;
+  int status = 0;
+  for (;;) {
+    // Whoever may signal it may have stopped it.
+    kill(supervisor, SIGCONT);
+    const pid_t ended = waitpid(supervisor, &status, WNOHANG);
+    if (ended == supervisor) return !WIFSIGNALED(status);
+    if (ended < 0 && errno != EINTR) return true;
+    if (std::chrono::steady_clock::now() >= deadline) break;
+    usleep(kPauseOfEnding);
+  }
+  kill_below(supervisor);
+  kill(supervisor, SIGKILL);
+  while (waitpid(supervisor, nullptr, 0) < 0 && errno == EINTR) {
+  }
+  return false;
 }
 
 }  // namespace raycheck::tools

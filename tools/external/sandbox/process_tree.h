@@ -3,6 +3,7 @@
 
 #include <sys/types.h>
 
+#include <chrono>
 #include <cstdint>
 #include <vector>
 
@@ -37,8 +38,17 @@ struct MemoryUse {
 /// What several have in common counts once.
 MemoryUse memory_together(const std::vector<ProcessState>& processes);
 
-/// Kills all that a process started, and they, until none is left; not the process itself.
-void kill_below(pid_t root);
+/// What is killed has ended after so many seconds, however busy the machine is, or never does.
+inline constexpr std::chrono::seconds kMostEnding{20};
+
+/// Kills all that this process started, and they, until none is left. False where some are after
+/// kMostEnding. Domain: this process takes orphans and waits for nobody else.
+bool end_children();
+
+/// Ends a supervisor, a child of this process that ends all its own when it gets SIGTERM, and waits
+/// for it; twice kMostEnding at most. False where it was killed before it could see to that, or had
+/// to be.
+bool end_supervised(pid_t supervisor);
 
 }  // namespace raycheck::tools
 

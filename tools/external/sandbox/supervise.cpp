@@ -24,6 +24,11 @@ constexpr int kSignalled = 128;
   _exit(WIFSIGNALED(status) ? kSignalled + WTERMSIG(status) : WEXITSTATUS(status));
 }
 
+/// Ends all that is left. Where that cannot be done it is killed itself, so that it shows.
+void end_all() {
+  if (!end_children()) kill(getpid(), SIGKILL);
+}
+
 /// Waits for the child; what it left is killed.
 [[noreturn]] void wait_for(pid_t child, const sigset_t& awaited) {
   // The child's end of these is the end of what it says.
@@ -34,11 +39,11 @@ constexpr int kSignalled = 128;
     int status = 0;
     for (pid_t ended; (ended = waitpid(-1, &status, WNOHANG)) > 0;) {
       if (ended != child) continue;
-      kill_below(getpid());
+      end_all();
       end_as(status);
     }
     if (sigwaitinfo(&awaited, nullptr) == SIGTERM) {
-      kill_below(getpid());
+      end_all();
       _exit(kSignalled + SIGTERM);
     }
   }

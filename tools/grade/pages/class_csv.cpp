@@ -6,6 +6,18 @@
 
 namespace raycheck::tools {
 
+namespace {
+
+std::string csv_note(const SubmissionGrade& grade) {
+  if (!could_be_judged(grade)) return csv_cell(not_judged_text(grade));
+  if (!grade.finished) return "interrupted";
+  const std::string time_up = time_up_text(grade), mistake = mistake_text(grade);
+  const std::string note = time_up + (time_up.empty() || mistake.empty() ? "" : "; ") + mistake;
+  return note.empty() ? "" : csv_cell(note);
+}
+
+}  // namespace
+
 /// A row a submission, a column an item; where it could not be judged no points but those that the
 /// rubric gives for that.
 std::string class_csv(const ClassGrade& graded) {
@@ -21,10 +33,7 @@ std::string class_csv(const ClassGrade& graded) {
       const bool has_points = is_judged && item.state != ItemState::kNotAsked;
       text += "," + (has_points ? points_text(item.score) : "");
     }
-    const std::string note = !is_judged       ? not_judged_text(grade)
-                             : grade.finished ? mistake_text(grade)
-                                              : "interrupted";
-    text += "," + (note.empty() ? "" : csv_cell(note)) + "\n";
+    text += "," + csv_note(grade) + "\n";
   }
   return text;
 }

@@ -38,6 +38,7 @@ std::string submission_lines(const ClassGrade& graded) {
     const auto line = [&](const std::string& words) {
       if (!words.empty()) text += fmt::format("{:<{}}    {}\n", "", width, words);
     };
+    if (is_judged) line(time_up_text(grade));
     line(mistake_text(grade));
     for (const std::string& note : grade.notes) line(line_text(note));
   }

@@ -145,6 +145,18 @@ std::string state_text(const ItemGrade& grade) {
   return reason.empty() ? text : fmt::format("{} ({})", text, reason);
 }
 
+std::string time_up_text(const SubmissionGrade& grade) {
+  std::string items;
+  double seconds = 0;
+  for (const ItemGrade& item : grade.items) {
+    if (item.reason.kind != ItemReason::Kind::kTimeUp) continue;
+    seconds = item.reason.seconds;
+    items += (items.empty() ? "" : ", ") + item.name;
+  }
+  if (items.empty()) return "";
+  return fmt::format("time is up after {} s: {} not judged", seconds, items);
+}
+
 std::string score_text(const SubmissionGrade& grade) {
   return could_be_judged(grade) || grade.score > 0 ? points_text(grade.score) : "-";
 }

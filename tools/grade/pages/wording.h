@@ -37,6 +37,9 @@ std::string mistake_text(const SubmissionGrade& grade);
 /// "holds over 40 cases", "fails 3 of 40 cases", "left out: it needs ..."
 std::string state_text(const ItemGrade& grade);
 
+/// "time is up after 60 s: robustness not judged"; empty where all that it was to be asked was.
+std::string time_up_text(const SubmissionGrade& grade);
+
 /// What a submission has; "-" of one that could not be judged and for which the rubric gives no
 /// points.
 std::string score_text(const SubmissionGrade& grade);

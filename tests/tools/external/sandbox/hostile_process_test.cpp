@@ -1,19 +1,23 @@
 // What a candidate's processes may take together, and what is left of them.
 
 #include <gtest/gtest.h>
+#include <sys/syscall.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <atomic>
 #include <chrono>
 #include <csignal>
 #include <filesystem>
+#include <fstream>
 #include <string>
 #include <thread>
 #include <vector>
 
 #include "tests/tools/external/judged.h"
 #include "tools/external/sandbox/file_tree.h"
+#include "tools/external/sandbox/process_tree.h"
 
 namespace raycheck::tests {
 namespace {
@@ -78,6 +82,21 @@ TEST_P(HostileProcess, LeavesNothingBehindThatRuns) {
       mark + "'])\n    os._exit(0)\ntime.sleep(0.2)\n";
   for (const char* end : {"", "sys.stdout.close()\ntime.sleep(60)", "os.kill(os.getpid(), 9)"}) {
     words_of(renderer("orphans", orphans + end), std::string("--timeout 1 ") + GetParam());
+    EXPECT_EQ(processes_with(mark), 0) << end;
+  }
+}
+
+TEST_P(HostileProcess, LeavesNothingBehindThatStartsAnotherAndEnds) {
+  // Whoever is looked at has ended. What is left after three seconds waits to be counted.
+  const std::string mark = std::to_string(920000000 + getpid());
+  const std::string hops =
+      "for k in range(4):\n  if os.fork() == 0:\n    os.setsid()\n    end = time.time() + 3\n"
+      "    while time.time() < end:\n      if os.fork() != 0: os._exit(0)\n"
+      "    os.execvp('sleep', ['" +
+      mark + "', '9'])\ntime.sleep(0.2)\n";
+  for (const char* end : {"", "time.sleep(60)"}) {
+    words_of(renderer("hops", hops + end), std::string("--timeout 1 ") + GetParam());
+    std::this_thread::sleep_for(std::chrono::seconds(4));
     EXPECT_EQ(processes_with(mark), 0) << end;
   }
 }
@@ -195,6 +214,34 @@ TEST(HostileNeighbours, TakeNoneOfACandidatesTime) {
   EXPECT_EQ(report["discrepancies"], 0) << report["worst"].dump(2);
 }
 
+TEST(HostileTree, HasAProcessWhoseFirstThreadHasEnded) {
+  const pid_t child = fork();
+  if (child == 0) {
+    std::thread([] { sleep(60); }).detach();
+    syscall(SYS_exit, 0);
+  }
+  const std::string stat = "/proc/" + std::to_string(child) + "/stat";
+  for (int k = 0; k < 1000 && !says(contents(stat), ") Z "); ++k) usleep(10000);
+  EXPECT_TRUE(says(contents(stat), ") Z "));
+  const std::vector<tools::ProcessState> tree = tools::process_tree(getpid());
+  EXPECT_TRUE(
+      std::any_of(tree.begin(), tree.end(), [&](const auto& one) { return one.pid == child; }));
+  kill(child, SIGKILL);
+  waitpid(child, nullptr, 0);
+}
+
+TEST(HostileSupervisor, ThatIsStoppedIsEnded) {
+  const pid_t child = fork();
+  if (child == 0) {
+    std::signal(SIGTERM, [](int) { _exit(3); });
+    for (;;) raise(SIGSTOP);
+  }
+  int status = 0;
+  ASSERT_EQ(waitpid(child, &status, WUNTRACED), child);
+  EXPECT_TRUE(tools::end_supervised(child));
+  EXPECT_NE(kill(child, 0), 0);
+}
+
 TEST(HostileEnds, OfRaycheckItselfLeaveNothingThatTheNextRunDoesNotRemove) {
   const fs::path folder = temporary_file("left", "") + ".d";
   fs::create_directories(folder);
@@ -230,6 +277,22 @@ TEST(HostileEnds, OfRaycheckItselfLeaveNothingThatTheNextRunDoesNotRemove) {
   EXPECT_GT(judged(kScene, other)["discrepancies"], 0);
   before.empty() ? unsetenv("TMPDIR") : setenv("TMPDIR", before.c_str(), 1);
   EXPECT_TRUE(folders().empty()) << folders()[0];
+  fs::remove_all(folder);
+}
+
+TEST(HostileEnds, OfRunsRemoveNoFolderThatIsOnlyNamedAsTheirsAre) {
+  const fs::path folder = temporary_file("named", "") + ".d";
+  fs::create_directories(folder);
+  fs::permissions(folder, fs::perms::others_exec, fs::perm_options::add);
+  const fs::path own = folder / "raycheck-run-week03";
+  fs::create_directories(own);
+  std::ofstream(own / "notes.txt") << "do not lose";
+  fs::last_write_time(own, fs::file_time_type::clock::now() - std::chrono::hours(1));
+  const std::string before = std::getenv("TMPDIR") == nullptr ? "" : std::getenv("TMPDIR");
+  setenv("TMPDIR", folder.c_str(), 1);
+  EXPECT_GT(judged(kScene, renderer("none", "pass"))["discrepancies"], 0);
+  before.empty() ? unsetenv("TMPDIR") : setenv("TMPDIR", before.c_str(), 1);
+  EXPECT_EQ(contents(own / "notes.txt"), "do not lose");
   fs::remove_all(folder);
 }
 
