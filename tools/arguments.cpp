@@ -61,6 +61,23 @@ scene::Pixel parse_pixel(const char* option, std::string_view text) {
           parse_index(option, scene::shortest(pixel[1]), 0)};
 }
 
+scene::Pixel parse_pixel(const char* option, std::string_view text, std::string_view path,
+                         const scene::Scene& scene) {
+  const scene::Pixel pixel = parse_pixel(option, text);
+  if (!scene.camera) {
+    throw std::invalid_argument(
+        fmt::format("{} {}: {} has given rays and no camera, so no pixels", option, text, path));
+  }
+  const scene::Camera& camera = *scene.camera;
+  if (pixel.i >= camera.width || pixel.j >= camera.height) {
+    throw std::invalid_argument(
+        fmt::format("{} {}: {} has {} x {} pixels; give a column up to {} and a row up to {}",
+                    option, text, path, camera.width, camera.height, camera.width - 1,
+                    camera.height - 1));
+  }
+  return pixel;
+}
+
 std::optional<scene::Dialect> parse_dialect(const std::string& text) {
   const auto rule = parse_driver(text);
   // A file is of what it shows.

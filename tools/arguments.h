@@ -29,6 +29,9 @@ std::int64_t parse_index(const char* option, std::string_view text, std::int64_t
                          std::int64_t most = kMostIndex);
 /// A pixel, "I,J".
 scene::Pixel parse_pixel(const char* option, std::string_view text);
+/// The same, of a scene's camera; the error names its file, too.
+scene::Pixel parse_pixel(const char* option, std::string_view text, std::string_view path,
+                         const scene::Scene& scene);
 /// What --dialect says of a driver file that is read; empty of an empty text.
 std::optional<scene::Dialect> parse_dialect(const std::string& text);
 /// The form of driver files for renderers that it says, or that each is tried; likewise.

@@ -18,12 +18,19 @@
 #include "tools/commands.h"
 #include "tools/report/json.h"
 #include "tools/report/version.h"
+#include "tools/terminal.h"
+#include "tools/written_files.h"
 
 namespace raycheck::tools {
 namespace {
 
-/// The report of a command that was interrupted before there was anything to say.
+/// The report of a command that was interrupted before there was anything to say, or before all
+/// files were written.
 int end_without_report(const CLI::App& command) {
+  if (has_written_out()) {
+    print_error("raycheck: interrupted before all files were written\n");
+    return exit_code(true, false, false);
+  }
   const CLI::Option* const format = command.get_option_no_throw("--format");
   if (format != nullptr && format->count() > 0 && format->results().back() == "json") {
     Json json = json_header(command.get_name());
@@ -39,6 +46,7 @@ int outcome_of(const Command& command) {
   const std::function<bool()> is_interrupted = interrupted;
   try {
     const scene::Interruptible interruptible(is_interrupted);
+    require_written_apart(*command.app);
     return command.run();
   } catch (const scene::Interrupted&) {
     return end_without_report(*command.app);

@@ -87,14 +87,11 @@ void require_lines_for_sarif(const GateArguments& arguments, const std::string& 
   }
 }
 
-GateFiles::GateFiles(const GateArguments& arguments, const std::vector<std::string>& inputs)
+GateFiles::GateFiles(const GateArguments& arguments)
     : picture_link_(arguments.picture_link),
       baseline_path_(arguments.baseline),
       is_strict_(arguments.strict) {
-  std::vector<std::string> taken = inputs;
   if (!arguments.baseline.empty()) {
-    require_no_input("--baseline", arguments.baseline, inputs);
-    taken.push_back(arguments.baseline);
     const bool is_there = std::filesystem::exists(arguments.baseline);
     if (!is_there && !arguments.updates) {
       throw std::invalid_argument(fmt::format(
@@ -113,11 +110,6 @@ GateFiles::GateFiles(const GateArguments& arguments, const std::vector<std::stri
   for (const std::string& one : arguments.reports) {
     const std::size_t equals = one.find('=');
     const std::string path = one.substr(equals + 1);
-    require_no_input("--report", path, taken);
-    if (std::find(taken.begin(), taken.end(), path) != taken.end()) {
-      throw std::invalid_argument(fmt::format("--report {}: the file is named twice", one));
-    }
-    taken.push_back(path);
     reports_.push_back({one.substr(0, equals), std::make_unique<OutputFile>("--report", path)});
   }
 }

@@ -47,9 +47,8 @@ void require_lines_for_sarif(const GateArguments& arguments, const std::string& 
 /// after.
 class GateFiles {
  public:
-  /// `inputs` are files that the command reads, which are never written.
   /// Errors: std::invalid_argument naming the option, the file and what is wrong with it.
-  GateFiles(const GateArguments& arguments, const std::vector<std::string>& inputs);
+  explicit GateFiles(const GateArguments& arguments);
 
   /// What was found, held against the baseline, which is written where it is to be updated; empty
   /// where there is none.

@@ -25,6 +25,8 @@ namespace {
 std::atomic<int> first_signal = 0;
 static_assert(std::atomic<int>::is_always_lock_free, "set from a signal handler");
 
+bool is_out = false;  ///< Something was written to standard output.
+
 extern "C" void on_signal(int signal) {
   int none = 0;
   first_signal.compare_exchange_strong(none, signal);
@@ -62,7 +64,10 @@ void catch_signals() {
 bool interrupted() { return first_signal != 0; }
 int caught_signal() { return first_signal; }
 
+bool has_written_out() { return is_out; }
+
 void write_out(std::string_view text) {
+  is_out = is_out || !text.empty();
   int waits = 0;
   while (!text.empty()) {
     if (!is_ready(STDOUT_FILENO, POLLOUT)) {

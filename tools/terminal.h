@@ -23,6 +23,7 @@ struct ClosedPipe {};
 /// Writes to standard output. After an interrupt whoever does not read for a second is given up.
 /// Errors: ClosedPipe; std::runtime_error; scene::Interrupted, where it is given up.
 void write_out(std::string_view text);
+bool has_written_out();
 /// Reads what there is on standard input, at most so many bytes; nothing at its end.
 /// Errors: std::runtime_error; scene::Interrupted.
 std::string read_in(std::size_t most);

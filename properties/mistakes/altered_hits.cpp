@@ -1,6 +1,7 @@
 #include "properties/mistakes/altered_hits.h"
 
 #include <span>
+#include <utility>
 
 namespace raycheck::properties {
 
@@ -73,24 +74,38 @@ void answer_by_choice(Candidate& candidate, const MakeRoots& roots, const Choose
   });
 }
 
-void rank_by(Candidate& candidate, const ChooseHit& choose, const RankSphere& rank) {
-  candidate.nearest = [choose, rank](Candidate::Rays rays, Candidate::Spheres spheres,
-                                     const Conventions& conventions) {
-    std::vector<std::optional<std::size_t>> nearest(rays.size());
-    for (std::size_t k = 0; k < rays.size(); ++k) {
-      double least = 0;
-      for (std::size_t index = 0; index < spheres.size(); ++index) {
-        const fast::Roots roots = fast::kCross.roots(rays[k], spheres[index]);
-        const Hit hit = choose(rays[k], roots, conventions);
-        if (!hit) continue;
-        const double its = rank(index, rays[k], spheres[index], roots, hit->parameter);
-        if (nearest[k] && least <= its) continue;
-        nearest[k] = index;
-        least = its;
-      }
-    }
-    return nearest;
+std::optional<HitFormulas> joined(HitFormulas one, const HitFormulas& other) {
+  const auto join = [](auto& its, const auto& others) {
+    const bool is_free = !its || !others;
+    if (others) its = others;
+    return is_free;
   };
+  const bool all_free =
+      join(one.roots, other.roots) && join(one.choose, other.choose) && join(one.rank, other.rank);
+  return all_free ? std::optional(std::move(one)) : std::nullopt;
+}
+
+NearestSpheres nearest_by(const HitFormulas& formulas) {
+  return
+      [roots_of = formulas.roots ? formulas.roots : MakeRoots(fast::kCross.roots),
+       choose = formulas.choose ? formulas.choose : ChooseHit(usual_choice), rank = formulas.rank](
+          Candidate::Rays rays, Candidate::Spheres spheres, const Conventions& conventions) {
+        std::vector<std::optional<std::size_t>> nearest(rays.size());
+        for (std::size_t k = 0; k < rays.size(); ++k) {
+          double least = 0;
+          for (std::size_t index = 0; index < spheres.size(); ++index) {
+            const fast::Roots roots = roots_of(rays[k], spheres[index]);
+            const Hit hit = choose(rays[k], roots, conventions);
+            if (!hit) continue;
+            const double its =
+                rank ? rank(index, rays[k], spheres[index], roots, hit->parameter) : hit->parameter;
+            if (nearest[k] && least <= its) continue;
+            nearest[k] = index;
+            least = its;
+          }
+        }
+        return nearest;
+      };
 }
 
 }  // namespace raycheck::properties

@@ -14,6 +14,7 @@
 namespace raycheck::properties {
 
 using Hit = std::optional<HitAnswer>;
+using NearestSpheres = decltype(Candidate::nearest);
 
 /// s, and Q = L + s D.
 HitAnswer hit_at(const scene::Ray& ray, double s);
@@ -46,9 +47,20 @@ void answer_by_choice(Candidate& candidate, const MakeRoots& roots, const Choose
 using RankSphere = std::function<double(std::size_t index, const scene::Ray&, const scene::Sphere&,
                                         const fast::Roots&, double s)>;
 
-/// Of the spheres that `choose` hits the one of the least rank is the nearest, the earlier in the
-/// file among equals. The hits stay as they are; the roots are those of `cross`.
-void rank_by(Candidate& candidate, const ChooseHit& choose, const RankSphere& rank);
+/// The formulas by which the nearest sphere is found; one that is empty is as a right method has
+/// it, with the roots of `cross`.
+struct HitFormulas {
+  MakeRoots roots = {};
+  ChooseHit choose = {};
+  RankSphere rank = {};
+};
+
+/// The formulas of both, where there are no two for the same thing.
+std::optional<HitFormulas> joined(HitFormulas one, const HitFormulas& other);
+
+/// Of the spheres that are hit the one of the least rank is the nearest, the earlier in the file
+/// among equals.
+NearestSpheres nearest_by(const HitFormulas& formulas);
 
 }  // namespace raycheck::properties
 

@@ -123,6 +123,26 @@ std::uint64_t count_different(const Comparison& comparison, const Answers& expec
   return count;
 }
 
+/// Which of a question's answers, by sphere and ray or by ray, miss a sphere that none meets.
+std::vector<bool> dropped(Step step, const Comparison& comparison) {
+  const auto& [the_case, rays] = *comparison.question;
+  const auto sphere_of = [&](const Answer& answer, std::size_t k) -> std::optional<std::size_t> {
+    if (!answer.choice) return {};
+    return step == Step::kNearest ? *answer.choice : k / rays.size();
+  };
+  std::vector<bool> is_met(the_case.scene.spheres.size());
+  for (std::size_t k = 0; k < comparison.answers.size(); ++k) {
+    const auto sphere = sphere_of(comparison.answers[k], k);
+    if (sphere && *sphere < is_met.size()) is_met[*sphere] = true;
+  }
+  std::vector<bool> found(comparison.answers.size());
+  for (std::size_t k = 0; k < found.size(); ++k) {
+    const auto sphere = sphere_of(comparison.right[k], k);
+    found[k] = sphere && !comparison.answers[k].choice && !is_met[*sphere];
+  }
+  return found;
+}
+
 /// The methods of fast/ beside direct/cross, but for those that are less precise than a candidate.
 std::vector<Candidate> other_right_candidates(const Candidate& candidate) {
   std::vector<Candidate> others;
@@ -201,20 +221,21 @@ DoubtTally Examination::tally(Step step, Arithmetic arithmetic, double tolerance
   for (const Comparison& comparison : at(step)) {
     const auto& [the_case, rays] = *comparison.question;
     const scene::Conventions& conventions = the_case.scene.conventions;
+    const std::vector<bool> is_dropped = dropped(step, comparison);
     for (std::size_t k = 0; k < comparison.answers.size(); ++k) {
       const Answer& answer = comparison.answers[k];
       const bool is_wrong = is_different(comparison, k, comparison.right, tolerance);
       if (step == Step::kNearest) {
         const PossibleSight sight =
             possible_sight(arithmetic, rays[k], the_case.scene.spheres, conventions, answer.choice);
-        all.add(is_wrong, sight.allows, sight.is_doubtful, sight.radii);
+        all.add(is_wrong, is_dropped[k], sight.allows, sight.is_doubtful, sight.radii);
         continue;
       }
       const PossibleHit hit = possible_hit(arithmetic, rays[k % rays.size()],
                                            the_case.scene.spheres[k / rays.size()], conventions);
       const bool is_wide = hit.is_possible && hit.most - hit.least > tolerance * hit.most;
       const auto s = answer.choice ? std::optional(answer.vectors[0].x) : std::nullopt;
-      all.add(is_wrong, hit.allows(s), hit.is_doubtful() || is_wide, hit.radii);
+      all.add(is_wrong, is_dropped[k], hit.allows(s), hit.is_doubtful() || is_wide, hit.radii);
     }
   }
   return all;

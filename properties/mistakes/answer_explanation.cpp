@@ -31,6 +31,25 @@ struct Part {
   Step first, last;
 };
 
+/// Of mistakes that explain a step equally well those that explain best what later steps of the
+/// part have wrong; all, where none does.
+void tell_apart(Examination& examination, Step step, Step last, double tolerance,
+                std::vector<const Mistake*>& suspects) {
+  for (int at = static_cast<int>(step) + 1; at <= static_cast<int>(last); ++at) {
+    const auto later = static_cast<Step>(at);
+    std::uint64_t fewest = most_unexplained(examination.errors(later, tolerance));
+    std::vector<const Mistake*> best;
+    for (const Mistake* mistake : suspects) {
+      const auto left = examination.contradicted(*mistake, later, later, tolerance, fewest);
+      if (left > fewest) continue;
+      if (left < fewest) best.clear();
+      fewest = left;
+      best.push_back(mistake);
+    }
+    if (!best.empty()) suspects = std::move(best);
+  }
+}
+
 /// The mistakes at the first step of a part that has errors, if any.
 struct Finding {
   AnswerCause cause;
@@ -60,6 +79,9 @@ Finding find_cause(Examination& examination, const Part& part) {
       std::uint64_t left = most_unexplained(errors);
       Finding found = {
           {step, {}}, suspects_at(examination, part.first, step, left, tolerance), tolerance};
+      if (found.mistakes.size() > 1) {
+        tell_apart(examination, step, part.last, tolerance, found.mistakes);
+      }
       const bool all_by_mistake = !found.mistakes.empty() && left == 0;
       if (!all_by_mistake && part.first >= Step::kIntersect) {
         if (auto roundings = roundings_at(examination, step, tolerance)) {

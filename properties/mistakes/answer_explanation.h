@@ -30,14 +30,14 @@ struct AnswerCause {
 /// then, on right rays, the hits; then the nearest sphere, where what explains the hits does not
 /// explain it too. Of each part the first step that has wrong answers counts: named is what
 /// explains at least kExplainedShare of these, and contradicts few of the answers there and at the
-/// steps before; of several the best, all where they explain as many, of one family the first. A
-/// Of hits and choices, roundings that allow every wrong answer are named instead of a mistake that
-/// explains but some; where these may be the cause, but are not told, nothing is. A
-/// step that the candidate has no function for is passed over, and so are tangents that are not
-/// judged, cases outside its domain and those that it refuses or fails on. An answer counts as
-/// right where `direct/cross`, or another method of fast/ as precise as the candidate, gives the
-/// same under the conventions that the candidate declares.
-/// Domain: valid scenes, pixels inside their images; otherwise throws std::invalid_argument.
+/// steps before; of several the best, all where they explain as many, and later steps do not tell
+/// them apart, of one family the first. Of hits and choices, roundings that allow every wrong
+/// answer are named instead of a mistake that explains but some; where these may be the cause, but
+/// are not told, nothing is. A step that the candidate has no function for is passed over, and so
+/// are tangents that are not judged, cases outside its domain and those that it refuses or fails
+/// on. An answer counts as right where `direct/cross`, or another method of fast/ as precise as the
+/// candidate, gives the same under the conventions that the candidate declares. Domain: valid
+/// scenes, pixels inside their images; otherwise throws std::invalid_argument.
 std::vector<AnswerCause> answer_causes(std::span<const Case> cases, const Candidate& candidate);
 
 /// The alternatives of all causes.

@@ -210,11 +210,6 @@ fast::Roots roots_of_unit(const Ray& ray, const Sphere& sphere) {
   return {v, half_chord_sq, v - half_chord, v + half_chord};
 }
 
-void take_for_unit(Mistake& mistake) {
-  answer_by_choice(mistake.candidate, roots_of_unit, usual_choice);
-  mistake.chooses_hits = true;
-}
-
 /// Between the eye and the image plane, s in multiples of the way from one to the other.
 Hit before_the_plane(const Ray& ray, const fast::Roots& roots, const Conventions& conventions) {
   const Hit hit = usual_choice(ray, roots, conventions);
@@ -227,8 +222,7 @@ Mistake near_for_far() {
       direction("only what lies between the eye and the image plane is seen: near is taken for far",
                 [](const Camera&, const Point3&, const Vector3& g) { return g; });
   mistake.candidate.pixel_rays = mistake.candidate.focal_rays;
-  answer_by_choice(mistake.candidate, fast::kCross.roots, before_the_plane);
-  mistake.chooses_hits = true;
+  find_hits_by(mistake, {.choose = before_the_plane});
   return mistake;
 }
 
@@ -240,11 +234,9 @@ std::vector<Mistake> ray_mistakes() {
   };
   Mistake not_unit = direction("directions are not normalised: D = P - E",
                                [](const Camera&, const Point3&, const Vector3& g) { return g; });
-  take_for_unit(not_unit);
-  Mistake taken_for_unit = {.sentence = "directions are taken for unit ones, whatever their length",
-                            .step = Step::kIntersect};
-  taken_for_unit.candidate = right_candidate();
-  take_for_unit(taken_for_unit);
+  find_hits_by(not_unit, {.roots = roots_of_unit});
+  const Mistake taken_for_unit = hit_mistake(
+      "directions are taken for unit ones, whatever their length", {.roots = roots_of_unit});
   return {
       of_rays("E is not added: P = nW + alpha U + beta V", Step::kPixelPoint, without_eye),
       not_unit,
@@ -260,6 +252,11 @@ std::vector<Mistake> ray_mistakes() {
       direction(
           "E is not subtracted: D = P/|P|",
           [](const Camera&, const Point3& P, const Vector3&) { return normalised(from_world(P)); }),
+      direction("all rays run straight ahead: D = -W",
+                [](const Camera& c, const Point3&, const Vector3&) {
+                  const UnitVector3 W = fast::camera_frame(c).W;
+                  return Vector3{-W.x, -W.y, -W.z};
+                }),
       direction("E is not subtracted and D not normalised: D = P",
                 [](const Camera&, const Point3& P, const Vector3&) { return from_world(P); }),
   };

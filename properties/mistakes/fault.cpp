@@ -1,5 +1,6 @@
 #include "properties/mistakes/fault.h"
 
+#include <algorithm>
 #include <cmath>
 #include <stdexcept>
 
@@ -26,29 +27,79 @@ bool is_ray(const Ray& ray) {
   return std::isfinite(sum) && (x != 0 || y != 0 || z != 0);
 }
 
+constexpr const char* kAnd = "; and ";
+constexpr const char* kOr = ", or: ";
+
+void add(const std::string& part, const char* between, std::string& text) {
+  text += (text.empty() ? "" : between) + part;
+}
+
+/// The mistakes at each place of some faults, each once.
+std::vector<std::vector<const Mistake*>> all_at(const std::vector<Fault>& faults) {
+  std::vector<std::vector<const Mistake*>> at(faults.front().size());
+  for (const Fault& fault : faults) {
+    for (std::size_t k = 0; k < std::min(at.size(), fault.size()); ++k) {
+      const bool is_known = std::find(at[k].begin(), at[k].end(), fault[k]) != at[k].end();
+      if (!is_known) at[k].push_back(fault[k]);
+    }
+  }
+  return at;
+}
+
+/// Whether faults, which differ, are every one that has a mistake of each place.
+bool are_all_pairs(const std::vector<std::vector<const Mistake*>>& at,
+                   const std::vector<Fault>& faults) {
+  std::size_t pairs = 1;
+  for (const auto& its : at) pairs *= its.size();
+  return pairs == faults.size() && std::all_of(faults.begin(), faults.end(), [&](const Fault& one) {
+           return one.size() == at.size();
+         });
+}
+
 }  // namespace
 
 std::string sentence_of(const Fault& fault) {
   std::string sentence;
-  for (const Mistake* mistake : fault) {
-    if (!sentence.empty()) sentence += "; and ";
-    sentence += mistake->sentence;
+  for (const Mistake* mistake : fault) add(mistake->sentence, kAnd, sentence);
+  return sentence;
+}
+
+std::vector<const Mistake*> mistakes_at(std::size_t place, const std::vector<Fault>& alternatives) {
+  const auto at = all_at(alternatives);
+  return are_all_pairs(at, alternatives) ? at.at(place)
+                                         : std::vector{alternatives.front().at(place)};
+}
+
+std::string sentence_of(const std::vector<Fault>& alternatives) {
+  std::string sentence;
+  const auto at = all_at(alternatives);
+  if (!are_all_pairs(at, alternatives)) {
+    for (const Fault& fault : alternatives) add(sentence_of(fault), kOr, sentence);
+    return sentence;
+  }
+  for (const std::vector<const Mistake*>& part : at) {
+    std::string its;
+    for (const Mistake* mistake : part) add(mistake->sentence, kOr, its);
+    add(its, kAnd, sentence);
   }
   return sentence;
 }
 
 bool can_be_together(const Mistake& a, const Mistake& b) {
-  return !(a.makes_rays && b.makes_rays) && !(a.chooses_hits && b.chooses_hits);
+  return !(a.makes_rays && b.makes_rays) && joined(a.hits, b.hits);
 }
 
 FaultyView::FaultyView(const Fault& fault, const scene::Scene& scene)
-    : asked_(scene), taken_(scene), rays_(&right()), hits_(&right()) {
+    : asked_(scene), taken_(scene), rays_(&right()) {
+  HitFormulas hits;
   for (const Mistake* mistake : fault) {
     taken_ = mistaken(*mistake, std::move(taken_));
     if (mistake->pixel) pixels_.push_back(mistake);
     if (mistake->makes_rays) rays_ = &mistake->candidate;
-    if (mistake->chooses_hits) hits_ = &mistake->candidate;
+    hits = joined(std::move(hits), mistake->hits).value();
   }
+  const bool has_formulas = hits.roots || hits.choose || hits.rank;
+  nearest_ = has_formulas ? nearest_by(hits) : right().nearest;
 }
 
 std::vector<std::optional<Ray>> FaultyView::rays(std::span<const Pixel> pixels) const {
@@ -96,7 +147,7 @@ ImageAnswer FaultyView::seen(std::span<const Pixel> pixels, double growth) const
     const double way = std::hypot(x - eye.x, y - eye.y, z - eye.z) + sphere.radius;
     sphere.radius = std::fmax(0, sphere.radius + growth * way);
   }
-  const auto nearest = hits_->nearest(valid, spheres, taken_.conventions);
+  const auto nearest = nearest_(valid, spheres, taken_.conventions);
   for (std::size_t k = 0; k < nearest.size(); ++k) answer[indices[k]] = nearest[k];
   return answer;
 }

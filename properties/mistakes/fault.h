@@ -18,11 +18,19 @@ using Fault = std::vector<const Mistake*>;
 /// Their sentences in one: "rows are upside down; and top is -bottom".
 std::string sentence_of(const Fault& fault);
 
+/// What a fault's mistake at a place may be: of alternatives that are all pairs of some mistakes
+/// with some others, all at that place; otherwise that of the first alternative.
+std::vector<const Mistake*> mistakes_at(std::size_t place, const std::vector<Fault>& alternatives);
+
+/// The sentence of alternatives: "rows are upside down, or: V has the wrong sign"; of all pairs of
+/// some with others "A, or: B; and C, or: D".
+std::string sentence_of(const std::vector<Fault>& alternatives);
+
 /// Whether one program can make both: they have no two formulas for the same thing.
 bool can_be_together(const Mistake& a, const Mistake& b);
 
 /// What a program with a fault shows of a scene, in doubles: the changes of the mistakes one after
-/// the other, rays by the formula of the one that makes them, hits by that of the one that chooses.
+/// the other, rays by the formula of the one that makes them, hits by those of all.
 /// A camera that is left without a meaning shows nothing.
 /// Domain: a valid scene with a camera, which outlives it; mistakes that can be together.
 class FaultyView {
@@ -41,7 +49,7 @@ class FaultyView {
   const scene::Scene& asked_;
   scene::Scene taken_;
   const Candidate* rays_;
-  const Candidate* hits_;
+  NearestSpheres nearest_;
   std::vector<const Mistake*> pixels_;
 };
 

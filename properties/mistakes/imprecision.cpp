@@ -80,18 +80,20 @@ std::string imprecision_sentence(Arithmetic arithmetic, double radii) {
          std::to_string(power_of_ten(radii)) + " radii away";
 }
 
-void DoubtTally::add(bool is_wrong, bool is_allowed, bool is_doubtful, double its_radii) {
+void DoubtTally::add(bool is_wrong, bool is_dropped, bool is_allowed, bool is_doubtful,
+                     double its_radii) {
   ++answers;
   doubtful += is_doubtful ? 1 : 0;
   if (!is_wrong) return;
   ++wrong;
+  dropped += is_dropped ? 1 : 0;
   not_allowed += is_allowed ? 0 : 1;
   if (is_allowed && its_radii > 0) radii = radii > 0 ? std::min(radii, its_radii) : its_radii;
 }
 
 bool DoubtTally::tells() const {
   const auto in_doubt = static_cast<double>(doubtful);
-  return allows_all() && wrong >= kFewestWrongByRoundings && radii > 0 &&
+  return allows_all() && wrong - dropped >= kFewestWrongByRoundings && radii > 0 &&
          in_doubt <= kMostInDoubt * static_cast<double>(answers) &&
          static_cast<double>(wrong) >= kFewestWrongInDoubt * in_doubt;
 }

@@ -53,8 +53,9 @@ PossibleSight possible_sight(Arithmetic arithmetic, const scene::Ray& ray,
 /// "computed in single precision", where d^2 is lost so many radii away.
 std::string imprecision_sentence(Arithmetic arithmetic, double radii);
 
-/// Roundings are named where they allow every wrong answer, of which there are some, where at most
-/// this share of all answers is in doubt, and at least that share of those in doubt is wrong.
+/// Roundings are named where they allow every wrong answer, of which there are some beside those of
+/// spheres that are not seen at all, where at most this share of all answers is in doubt, and at
+/// least that share of those in doubt is wrong.
 inline constexpr std::uint64_t kFewestWrongByRoundings = 3;
 inline constexpr double kMostInDoubt = 0.5;
 inline constexpr double kFewestWrongInDoubt = 0.05;
@@ -62,9 +63,10 @@ inline constexpr double kFewestWrongInDoubt = 0.05;
 /// Answers, and how the roundings of a formula agree with them.
 struct DoubtTally {
   std::uint64_t answers = 0, doubtful = 0, wrong = 0, not_allowed = 0;
+  std::uint64_t dropped = 0;  ///< Wrong ones of spheres that are not seen at all.
   double radii = 0;  ///< The least way at which a wrong answer is allowed; 0: there is none.
 
-  void add(bool is_wrong, bool is_allowed, bool is_doubtful, double its_radii);
+  void add(bool is_wrong, bool is_dropped, bool is_allowed, bool is_doubtful, double its_radii);
   /// Whether nothing contradicts; and whether it is told from whatever else allows all.
   bool allows_all() const { return wrong > 0 && not_allowed == 0; }
   bool tells() const;

@@ -1,6 +1,7 @@
 // Right answers to another question: another camera, other conventions or another pixel than given.
 
 #include <cmath>
+#include <string>
 #include <utility>
 
 #include "properties/mistakes/changed_question.h"
@@ -29,6 +30,20 @@ Mistake lines_for_columns() {
       });
   mistake.black_outside = true;
   return mistake;
+}
+
+/// i/(w-1) and j/(h-1) as integers: of the pixels all but the last are the first.
+Mistake integer_division(bool from_bottom) {
+  return pixel_mistake(
+      std::string("i/(w-1) and j/(h-1) are integer divisions: all columns but the last lie at the "
+                  "left, all rows but the ") +
+          (from_bottom ? "top one at the bottom" : "bottom one at the top"),
+      [from_bottom](const Camera& its, const Conventions& conventions, const Pixel& p) {
+        const bool is_first_kept = (conventions.rows == scene::Rows::kBottomFirst) != from_bottom;
+        const std::int64_t last = its.height - 1;
+        const std::int64_t row = is_first_kept ? (p.j == 0 ? 0 : last) : p.j == last ? last : 0;
+        return Pixel{p.i == its.width - 1 ? p.i : 0, row};
+      });
 }
 
 std::vector<Mistake> pixel_mistakes() {
@@ -65,7 +80,9 @@ std::vector<Mistake> pixel_mistakes() {
           pixel_mistake("the loops over rows and columns are exchanged: the pixels are written "
                         "column by column, each from its bottom",
                         by_columns(false)),
-          lines_for_columns()};
+          lines_for_columns(),
+          integer_division(true),
+          integer_division(false)};
 }
 
 std::vector<Mistake> convention_mistakes() {
@@ -119,27 +136,37 @@ void stretch_rows(Camera& camera, const Conventions& conventions, double factor)
   last = first + (last - first) * factor;
 }
 
-/// alpha(i) = left + i/w (right - left), from i/(w-1) or from (i+1/2)/w.
-void columns_by_width(Camera& camera, const Conventions& conventions) {
-  const auto width = static_cast<double>(camera.width);
+/// From i/(w-1), or from (i+1/2)/w, to i/w or, one pixel on, to (i+1)/w: where the first and the
+/// last of so many pixels between two bounds come to lie.
+void step_by_count(double& first, double& last, std::int64_t pixels, const Conventions& conventions,
+                   bool is_next) {
+  const double step = (last - first) / static_cast<double>(pixels);
   if (conventions.samples == scene::Samples::kEdges) {
-    stretch_columns(camera, (width - 1) / width);
+    (is_next ? first : last) += is_next ? step : -step;
   } else {
-    const double half = (camera.right - camera.left) / (2 * width);
-    camera.left -= half;
-    camera.right -= half;
+    first += is_next ? step / 2 : -step / 2;
+    last += is_next ? step / 2 : -step / 2;
   }
 }
-void rows_by_height(Camera& camera, const Conventions& conventions) {
-  const auto height = static_cast<double>(camera.height);
-  if (conventions.samples == scene::Samples::kEdges) {
-    stretch_rows(camera, conventions, (height - 1) / height);
-  } else {
+
+/// alpha(i) = left + i/w (right - left), or with i + 1.
+ChangeCamera columns_by_width(bool is_next) {
+  return [is_next](Camera& camera, const Conventions& conventions) {
+    step_by_count(camera.left, camera.right, camera.width, conventions, is_next);
+  };
+}
+ChangeCamera rows_by_height(bool is_next) {
+  return [is_next](Camera& camera, const Conventions& conventions) {
     const bool bottom_first = conventions.rows == scene::Rows::kBottomFirst;
-    const double half = (camera.top - camera.bottom) / (2 * height) * (bottom_first ? 1 : -1);
-    camera.bottom -= half;
-    camera.top -= half;
-  }
+    step_by_count(bottom_first ? camera.bottom : camera.top,
+                  bottom_first ? camera.top : camera.bottom, camera.height, conventions, is_next);
+  };
+}
+ChangeCamera both(const ChangeCamera& one, const ChangeCamera& other) {
+  return [one, other](Camera& camera, const Conventions& conventions) {
+    one(camera, conventions);
+    other(camera, conventions);
+  };
 }
 
 std::vector<Mistake> step_mistakes() {
@@ -162,13 +189,20 @@ std::vector<Mistake> step_mistakes() {
                      })),
       camera_mistake("columns are divided by the height", with_steps(columns_by_rows)),
       camera_mistake("rows are divided by the width", with_steps(rows_by_columns)),
-      camera_mistake("alpha = left + i/w (right - left)", columns_by_width),
-      camera_mistake("beta = bottom + j/h (top - bottom)", rows_by_height),
+      camera_mistake("alpha = left + i/w (right - left)", columns_by_width(false)),
+      camera_mistake("beta = bottom + j/h (top - bottom)", rows_by_height(false)),
       camera_mistake("i/w and j/h place the pixels",
-                     [](Camera& its, const Conventions& c) {
-                       columns_by_width(its, c);
-                       rows_by_height(its, c);
-                     }),
+                     both(columns_by_width(false), rows_by_height(false))),
+      camera_mistake("alpha = left + (i+1)/w (right - left)", columns_by_width(true)),
+      camera_mistake("beta = bottom + (j+1)/h (top - bottom), which is top - j/h (top - bottom) "
+                     "counted from the top",
+                     rows_by_height(true)),
+      camera_mistake("(i+1)/w and (j+1)/h place the pixels",
+                     both(columns_by_width(true), rows_by_height(true))),
+      camera_mistake("i/w and j/h place the pixels, j counted from the other end",
+                     both(columns_by_width(false), rows_by_height(true))),
+      camera_mistake("(i+1)/w and (j+1)/h place the pixels, j counted from the other end",
+                     both(columns_by_width(true), rows_by_height(false))),
   };
 }
 
@@ -185,6 +219,7 @@ std::vector<Mistake> view_mistakes() {
             its.up = {0, 1, 0};
           },
           Step::kFrame),
+      camera_mistake("the image plane is at half of d", [](Camera& its, auto&) { its.near /= 2; }),
       camera_mistake(
           "look-at is taken for the direction of view",
           [](Camera& its, auto&) {
@@ -192,6 +227,23 @@ std::vector<Mistake> view_mistakes() {
                            its.eye.z + its.look_at.z};
           },
           Step::kFrame),
+      camera_mistake(
+          "look-at is ignored: W = (0, 0, 1)",
+          [](Camera& its, auto&) {
+            its.look_at = {its.eye.x, its.eye.y, its.eye.z - 1};
+          },
+          Step::kFrame),
+      camera_mistake(
+          "the eye is ignored: E = (0, 0, 0)", [](Camera& its, auto&) { its.eye = {}; },
+          Step::kFrame),
+      camera_mistake(
+          "the eye is ignored but in W: P = nW + alpha U + beta V, D = P/|P|",
+          [](Camera& its, auto&) {
+            const scene::Vector3 view = its.look_at - its.eye;
+            its.look_at = {view.x, view.y, view.z};
+            its.eye = {};
+          },
+          Step::kPixelPoint),
   };
 }
 

@@ -16,20 +16,11 @@ using scene::Sphere;
 
 double length(const scene::Vector3& v) { return std::hypot(v.x, v.y, v.z); }
 
-Mistake hit_mistake(std::string sentence, Step step, Candidate candidate) {
-  Mistake mistake = {.sentence = std::move(sentence), .step = step};
-  mistake.candidate = std::move(candidate);
-  mistake.chooses_hits = true;
-  return mistake;
-}
-
 Mistake choice(std::string sentence, const ChooseHit& choose) {
-  Candidate candidate = right_candidate();
-  answer_by_choice(candidate, fast::kCross.roots, choose);
-  return hit_mistake(std::move(sentence), Step::kIntersect, std::move(candidate));
+  return hit_mistake(std::move(sentence), {.choose = choose});
 }
 
-/// Hits changed after the fact.
+/// Hits changed after the fact; pictures show nothing of it.
 Mistake value(std::string sentence, const std::function<HitAnswer(const Ray&, HitAnswer)>& change) {
   Candidate candidate = right_candidate();
   answer_by(candidate,
@@ -41,15 +32,31 @@ Mistake value(std::string sentence, const std::function<HitAnswer(const Ray&, Hi
               }
               return hits;
             });
-  return hit_mistake(std::move(sentence), Step::kIntersect, std::move(candidate));
+  return {
+      .sentence = std::move(sentence), .step = Step::kIntersect, .candidate = std::move(candidate)};
 }
 
 Hit wherever_behind(const Ray& ray, const Roots& roots, const Conventions& conventions) {
   return meets(roots, conventions) ? Hit(hit_at(ray, roots.smaller)) : Hit();
 }
 
+/// -v - d and -v + d
+Roots roots_of_turned(const Ray& ray, const Sphere& sphere) {
+  const auto [v, half_chord_sq, smaller, larger] = fast::kCross.roots(ray, sphere);
+  return {-v, half_chord_sq, -larger, -smaller};
+}
+
+/// v - d^2 and v + d^2
+Roots roots_without_root(const Ray& ray, const Sphere& sphere) {
+  const auto [v, half_chord_sq, smaller, larger] = fast::kCross.roots(ray, sphere);
+  const double size = length(ray.direction);
+  return {v, half_chord_sq, (v - half_chord_sq) / size, (v + half_chord_sq) / size};
+}
+
 std::vector<Mistake> root_mistakes() {
   return {
+      hit_mistake("T = L - C: v has the wrong sign", {.roots = roots_of_turned}),
+      hit_mistake("the square root is left out: s = v - d^2", {.roots = roots_without_root}),
       choice("s >= 0 is not tested: spheres behind the origin are hit", wherever_behind),
       choice("the far root is taken for the near one",
              [](const Ray& ray, const Roots& roots, const Conventions& conventions) -> Hit {
@@ -67,11 +74,13 @@ std::vector<Mistake> root_mistakes() {
   };
 }
 
-Mistake winner(std::string sentence, const RankSphere& rank,
-               const ChooseHit& choose = usual_choice) {
-  Candidate candidate = right_candidate();
-  rank_by(candidate, choose, rank);
-  return hit_mistake(std::move(sentence), Step::kNearest, std::move(candidate));
+/// The hits stay as they are.
+Mistake winner(std::string sentence, const RankSphere& rank, const ChooseHit& choose = {}) {
+  Mistake mistake = {.sentence = std::move(sentence), .step = Step::kNearest};
+  mistake.hits = {.choose = choose, .rank = rank};
+  mistake.candidate = right_candidate();
+  mistake.candidate.nearest = nearest_by(mistake.hits);
+  return mistake;
 }
 
 std::vector<Mistake> winner_mistakes() {

@@ -4,6 +4,7 @@
 // The mistakes by subject, each list in the file of that name, and the candidate that they are made
 // from. Internal to properties/.
 
+#include <string>
 #include <vector>
 
 #include "properties/mistakes/mistakes.h"
@@ -12,6 +13,11 @@ namespace raycheck::properties {
 
 /// direct/cross
 Candidate right_candidate();
+
+/// Hits by formulas of its own.
+Mistake hit_mistake(std::string sentence, const HitFormulas& formulas);
+/// The same of a candidate whose rays are made.
+void find_hits_by(Mistake& mistake, const HitFormulas& formulas);
 
 std::vector<Mistake> input_mistakes();
 std::vector<Mistake> number_mistakes();

@@ -11,6 +11,20 @@ namespace raycheck::properties {
 
 Candidate right_candidate() { return fast_candidate(fast::kDirectRays, fast::kCross); }
 
+void find_hits_by(Mistake& mistake, const HitFormulas& formulas) {
+  answer_by_choice(mistake.candidate,
+                   formulas.roots ? formulas.roots : MakeRoots(fast::kCross.roots),
+                   formulas.choose ? formulas.choose : ChooseHit(usual_choice));
+  mistake.hits = formulas;
+}
+
+Mistake hit_mistake(std::string sentence, const HitFormulas& formulas) {
+  Mistake mistake = {.sentence = std::move(sentence), .step = Step::kIntersect};
+  mistake.candidate = right_candidate();
+  find_hits_by(mistake, formulas);
+  return mistake;
+}
+
 std::span<const Mistake> mistakes() {
   static const std::vector<Mistake> kMistakes = [] {
     std::vector<Mistake> all;

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "properties/candidate.h"
+#include "properties/mistakes/altered_hits.h"
 
 namespace raycheck::properties {
 
@@ -39,9 +40,10 @@ struct Mistake {
   /// It makes the mistake and is otherwise right: direct/cross, in doubles. It has the functions
   /// `frame` to `nearest`. A camera that the change makes invalid throws std::invalid_argument.
   Candidate candidate = {};
-  /// Whether its rays, and its choice among hits, come of a formula of its own.
+  /// Whether its rays come of a formula of its own.
   bool makes_rays = false;
-  bool chooses_hits = false;
+  /// Its own formulas for what is hit and what is nearest; none where it answers as right methods.
+  HitFormulas hits = {};
   /// Mistakes of one family differ in a size, and what one does the next does too, and more: of
   /// several that explain the same the first is meant. Empty: it is alone.
   std::string_view family = {};

@@ -173,11 +173,23 @@ std::vector<Mistake> integer_mistakes() {
                         Step::kIntersect, {}, truncate_sphere)};
 }
 
+std::vector<Mistake> radius_mistakes() {
+  const auto with_radius = [](std::string sentence, double (*change)(double)) {
+    return scene_mistake(std::move(sentence), Step::kIntersect, {},
+                         [change](Sphere& sphere) { sphere.radius = change(sphere.radius); });
+  };
+  return {with_radius("the squared radius is squared again: d^2 = r^4 - (|T|^2 - v^2)",
+                      [](double r) { return r * r; }),
+          with_radius("the radius is not squared: d^2 = r - (|T|^2 - v^2)",
+                      [](double r) { return std::sqrt(r); })};
+}
+
 }  // namespace
 
 std::vector<Mistake> number_mistakes() {
   std::vector<Mistake> all = bound_mistakes();
-  for (Mistake& mistake : integer_mistakes()) all.push_back(std::move(mistake));
+  for (auto& more : {integer_mistakes(), radius_mistakes()})
+    all.insert(all.end(), more.begin(), more.end());
   return all;
 }
 

@@ -63,10 +63,15 @@ bool find_imprecision(const Pictures& pictures, Causes& causes) {
     causes.kind = CauseKind::kImprecise;
     return true;
   }
+  // A formula with more roundings leaves fewer certain, or the same: then it is known what is
+  // found.
+  std::size_t known = pictures.size();
+  std::vector<Suspect> found;
   for (const Arithmetic arithmetic : kArithmetics) {
     const Pictures certain = mostly_certain(pictures, arithmetic);
     if (certain.size() == pictures.size()) continue;
-    const std::vector<Suspect> found = find_suspects(certain);
+    if (certain.size() != known) found = find_suspects(certain);
+    known = certain.size();
     if (found.empty() || !is_found(found.front().fault, arithmetic)) continue;
     for (const Suspect& suspect : found) causes.alternatives.push_back(suspect.fault);
     causes.kind = CauseKind::kExplained;
@@ -100,6 +105,14 @@ std::uint64_t pixels_exchanged(std::span<const ShownPicture> shown) {
     }
   }
   return pixels;
+}
+
+/// One of each; of two mistakes at once one of all.
+std::vector<std::string> sentences(const std::vector<Fault>& alternatives) {
+  if (alternatives.front().size() > 1) return {sentence_of(alternatives)};
+  std::vector<std::string> all;
+  for (const Fault& fault : alternatives) all.push_back(sentence_of(fault));
+  return all;
 }
 
 }  // namespace
@@ -162,14 +175,14 @@ std::vector<Explanation> explanations(const Causes& causes) {
       say("the picture is black: it shows no sphere");
       break;
     case CauseKind::kUniform:
-      say("every pixel shows a sphere, as where directions are no numbers: axes that are lost");
+      say("the picture is of one colour, whatever the scene");
       break;
     case CauseKind::kBackground:
       say("no pixel is black: where there is no sphere another colour is shown");
       break;
     case CauseKind::kExplained:
-      for (const Fault& fault : causes.alternatives) {
-        say(sentence_of(fault) + (roundings.empty() ? "" : "; and " + roundings));
+      for (const std::string& sentence : sentences(causes.alternatives)) {
+        say(sentence + (roundings.empty() ? "" : "; and " + roundings));
       }
       break;
     case CauseKind::kImprecise:

@@ -46,7 +46,8 @@ struct Causes {
 
 inline constexpr const char* kSidesExchanged = "width and height of the picture are exchanged";
 
-/// At most so many faults that make the same pictures are named; of more than these none is.
+/// At most so many mistakes that make the same pictures are named, of each of two at once; of more
+/// than these none is.
 inline constexpr std::size_t kMostAlternatives = 3;
 
 /// Fewer wrong pixels, but of black pictures, name no mistake, and fewer than the second no two at
@@ -72,7 +73,8 @@ Causes picture_causes(std::span<const ShownPicture> pictures);
 /// The pixels of a picture that neither a fault nor, beside it, the roundings of a formula make.
 std::uint64_t pixels_left(const ShownPicture& picture, const Fault& fault, Arithmetic arithmetic);
 
-/// What there is to say of the causes: of every alternative its sentence, or the kind in words.
+/// What there is to say of the causes: of every alternative its sentence, of pairs one, or the
+/// kind in words.
 std::vector<Explanation> explanations(const Causes& causes);
 
 }  // namespace raycheck::properties

@@ -13,20 +13,44 @@ using scene::Pixel;
 
 /// Wrong pixels, and right ones, that are looked at before all.
 constexpr std::size_t kSampled = 24;
+constexpr std::size_t kSampleParts = 3;
 
 /// So many pixels are asked about at a time.
-constexpr std::size_t kPixelsAtATime = std::size_t{1} << 12;
+constexpr std::size_t kPixelsAtATime = std::size_t{1} << 8;
+/// So many of a picture tell what shows in it.
+constexpr std::size_t kSomePixels = std::size_t{1} << 12;
 
 bool shows_nothing(const ImageAnswer& image) {
   return std::none_of(image.begin(), image.end(), [](const auto& sphere) { return bool(sphere); });
 }
 
 /// At most so many of the pixels, evenly over them.
-void add_some(const std::vector<Pixel>& pixels, std::size_t most, std::vector<Pixel>& sample) {
+std::vector<Pixel> some_of(const std::vector<Pixel>& pixels, std::size_t most) {
+  std::vector<Pixel> some;
   const std::size_t count = std::min(pixels.size(), most);
   for (std::size_t k = 0; k < count; ++k) {
-    sample.push_back(pixels[(2 * k + 1) * pixels.size() / (2 * count)]);
+    some.push_back(pixels[(2 * k + 1) * pixels.size() / (2 * count)]);
   }
+  return some;
+}
+
+/// Parts of these pixels, each with every so manieth of them.
+void add_parts(const std::vector<Pixel>& pixels, std::vector<std::vector<Pixel>>& parts) {
+  for (std::size_t first = 0; first < std::min(kSampleParts, pixels.size()); ++first) {
+    std::vector<Pixel>& part = parts.emplace_back();
+    for (std::size_t k = first; k < pixels.size(); k += kSampleParts) part.push_back(pixels[k]);
+  }
+}
+
+/// Of so many spheres, those that an image shows somewhere; some sphere is the one expected there.
+std::vector<bool> shown_of(std::size_t spheres, const ImageAnswer& image,
+                           const ImageAnswer& expected) {
+  std::vector<bool> shown(spheres);
+  for (std::size_t k = 0; k < image.size(); ++k) {
+    const auto& sphere = image[k] == kSomeSphere ? expected[k] : image[k];
+    if (sphere && *sphere < spheres) shown[*sphere] = true;
+  }
+  return shown;
 }
 
 }  // namespace
@@ -52,8 +76,8 @@ Evidence::Evidence(const ShownPicture& picture)
   }
   all_errors_ = wrong.size();
   errors_ = count_otherwise(FaultyView({}, picture.scene), wrong, true);
-  add_some(wrong, kSampled, sample_);
-  add_some(right, kSampled, sample_);
+  add_parts(some_of(wrong, kSampled), sample_);
+  add_parts(some_of(right, kSampled), sample_);
 }
 
 bool Evidence::has_something_to_see() const { return !shows_nothing(truth_); }
@@ -92,14 +116,10 @@ std::uint64_t Evidence::count_otherwise(const FaultyView& view, const std::vecto
   return otherwise.size();
 }
 
-std::vector<Pixel> Evidence::some_pixels() const {
-  std::vector<Pixel> some;
-  add_some(pixels_, kPixelsAtATime, some);
-  return some;
-}
+std::vector<Pixel> Evidence::some_pixels() const { return some_of(pixels_, kSomePixels); }
 
-std::uint64_t Evidence::left_of_sample(const FaultyView& view) const {
-  return count_otherwise(view, sample_, false);
+std::uint64_t Evidence::left_of(const std::vector<Pixel>& part, const FaultyView& view) const {
+  return count_otherwise(view, part, false);
 }
 
 void Evidence::tally(const FaultyView& view, Arithmetic arithmetic, DoubtTally& all) const {
@@ -115,13 +135,15 @@ void Evidence::tally(const FaultyView& view, Arithmetic arithmetic, DoubtTally& 
   const auto doubtful = static_cast<std::size_t>(std::count_if(
       sights.begin(), sights.end(), [](const PossibleSight& one) { return one.is_doubtful; }));
   // Where most is in doubt excuses would make everything right.
+  const std::vector<bool> shown = shown_of(taken.spheres.size(), picture_->image, made);
   const bool excuses = 2 * doubtful <= pixels_.size();
   for (std::size_t k = 0; k < pixels_.size(); ++k) {
     const PossibleSight& sight = sights[k];
     const bool is_wrong =
         !is_as(picture_->image[k], made[k]) &&
         ((sight.allows && !excuses) || count_otherwise(view, {pixels_[k]}, true) > 0);
-    all.add(is_wrong, sight.allows, sight.is_doubtful, sight.radii);
+    const bool is_dropped = !picture_->image[k] && made[k] && !shown[*made[k]];
+    all.add(is_wrong, is_dropped, sight.allows, sight.is_doubtful, sight.radii);
   }
 }
 

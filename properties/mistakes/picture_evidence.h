@@ -4,6 +4,7 @@
 // Pictures, and how well a fault agrees with them. Internal to picture_causes.
 
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "properties/mistakes/fault.h"
@@ -33,9 +34,10 @@ class Evidence {
   /// Pixels evenly over the picture, all of one that is not large.
   std::vector<scene::Pixel> some_pixels() const;
 
-  /// Of some of the pixels, half of them wrong ones, those that are otherwise than by the fault.
-  std::uint64_t left_of_sample(const FaultyView& view) const;
-  std::size_t sample_size() const { return sample_.size(); }
+  /// Some of the pixels in parts, each over the whole picture, the wrong ones first; and those of a
+  /// part that are otherwise than by the fault.
+  std::span<const std::vector<scene::Pixel>> sample() const { return sample_; }
+  std::uint64_t left_of(const std::vector<scene::Pixel>& part, const FaultyView& view) const;
 
   /// How the roundings of a formula agree with the pixels, beside the fault; excuses count where
   /// most pixels are certain.
@@ -53,7 +55,8 @@ class Evidence {
 
   const ShownPicture* picture_;
   ImageAnswer truth_;
-  std::vector<scene::Pixel> pixels_, sample_;
+  std::vector<scene::Pixel> pixels_;
+  std::vector<std::vector<scene::Pixel>> sample_;
   std::uint64_t all_errors_ = 0, errors_ = 0;
   bool is_black_ = false;
 };

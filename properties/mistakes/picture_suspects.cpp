@@ -35,17 +35,23 @@ class Suspects {
   std::vector<Suspect> found_;
 };
 
-/// So much more than a quarter of the pixels that are looked at first is not left by a cause.
+/// So much more than a share of the pixels that are looked at first is not left by a cause: one
+/// that may leave a tenth of the wrong ones, or one that explains all.
 constexpr std::uint64_t kMostLeftOfSample = 4;
+constexpr std::uint64_t kShareOfOne = 4, kShareOfTwo = 12;
 
 std::optional<std::uint64_t> left(const Fault& fault, const Pictures& pictures,
                                   std::uint64_t most) {
+  const std::uint64_t share = fault.size() > 1 ? kShareOfTwo : kShareOfOne;
   std::uint64_t sampled = 0, missed = 0;
   for (const Evidence& one : pictures) {
     scene::poll();
-    missed += one.left_of_sample(FaultyView(fault, one.picture().scene));
-    sampled += one.sample_size();
-    if (missed > kMostLeftOfSample + sampled / 4) return {};
+    const FaultyView view(fault, one.picture().scene);
+    for (const std::vector<scene::Pixel>& part : one.sample()) {
+      missed += one.left_of(part, view);
+      sampled += part.size();
+      if (missed > kMostLeftOfSample + sampled / share) return {};
+    }
   }
   std::uint64_t count = 0;
   for (const Evidence& one : pictures) {
@@ -137,6 +143,39 @@ std::vector<const Mistake*> mistakes_that_show(const Pictures& pictures) {
   return shown;
 }
 
+/// A mistake, and what makes the same pictures in its place beside another; where that is too much
+/// to name, a description of what is seen, if there is one.
+std::vector<const Mistake*> alike_beside(const Mistake& other, const Mistake& mistake,
+                                         const Pictures& pictures) {
+  std::vector<const Mistake*> alike = {&mistake};
+  for (const Mistake& one : mistakes()) {
+    const bool is_known =
+        &one == &mistake || &one == &other || (!one.family.empty() && one.family == mistake.family);
+    if (!is_known && can_be_together(one, other) &&
+        make_the_same({&mistake, &other}, {&one, &other}, pictures)) {
+      alike.push_back(&one);
+    }
+  }
+  if (alike.size() <= kMostAlternatives) return alike;
+  std::erase_if(alike, [](const Mistake* one) { return !one->pixel; });
+  return alike.size() == 1 ? alike : std::vector<const Mistake*>();
+}
+
+/// The pairs of what either mistake of a pair may be.
+std::vector<Suspect> with_ties(const Suspect& pair, const Pictures& pictures) {
+  const Mistake& a = *pair.fault.front();
+  const Mistake& b = *pair.fault.back();
+  const std::vector<const Mistake*> others = alike_beside(a, b, pictures);
+  std::vector<Suspect> ties;
+  for (const Mistake* one : alike_beside(b, a, pictures)) {
+    for (const Mistake* other : others) {
+      const bool is_pair = one != other && can_be_together(*one, *other);
+      if (is_pair) ties.push_back({{one, other}, pair.left});
+    }
+  }
+  return ties;
+}
+
 /// So many pixels may be left by what explains all.
 std::uint64_t most_left_of_all(const Pictures& pictures, std::uint64_t errors) {
   return static_cast<std::uint64_t>(static_cast<double>(errors) * kMostLeftOfAll) +
@@ -189,7 +228,10 @@ std::vector<Suspect> find_suspects(const Pictures& pictures) {
   if (shown < kFewestWrongPixels && !one_explains_all) return {};
   if (!one_explains_all && shown >= kFewestWrongPixelsOfTwo) {
     std::vector<Suspect> pairs = pairs_of_suspects(pictures, errors);
-    if (!pairs.empty()) return alternatives(std::move(pairs), pictures);
+    if (!pairs.empty()) {
+      pairs = alternatives(std::move(pairs), pictures);
+      return pairs.size() == 1 ? with_ties(pairs.front(), pictures) : pairs;
+    }
   }
   return singles.empty() ? singles : alternatives(std::move(singles), pictures);
 }

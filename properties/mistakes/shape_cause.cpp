@@ -10,7 +10,6 @@
 namespace raycheck::properties {
 namespace {
 
-using scene::Camera;
 using scene::Scene;
 
 /// Whether some ray misses all that its line meets.
@@ -37,7 +36,11 @@ bool has_ray_with_all_behind(const Scene& scene) {
 struct Shape {
   const char* where;
   bool (*is)(const Scene&);
+  bool is_part = false;  ///< Of the last one before that is none: where that tells, it is meant.
 };
+
+bool is_uneven_across(const Scene& s) { return s.camera->left != -s.camera->right; }
+bool is_uneven_upwards(const Scene& s) { return s.camera->bottom != -s.camera->top; }
 
 constexpr Shape kShapes[] = {
     {"the picture is not square",
@@ -50,10 +53,11 @@ constexpr Shape kShapes[] = {
     {"the picture has one column", [](const Scene& s) { return s.camera->width == 1; }},
     {"the picture has one row", [](const Scene& s) { return s.camera->height == 1; }},
     {"the bounds are not symmetric",
-     [](const Scene& s) {
-       const Camera& c = *s.camera;
-       return c.left != -c.right || c.bottom != -c.top;
-     }},
+     [](const Scene& s) { return is_uneven_across(s) || is_uneven_upwards(s); }},
+    {"left is not -right", is_uneven_across, true},
+    {"bottom is not -top", is_uneven_upwards, true},
+    {"left is not -right and bottom is not -top",
+     [](const Scene& s) { return is_uneven_across(s) && is_uneven_upwards(s); }, true},
     {"the eye is not at the origin",
      [](const Scene& s) { return !(s.camera->eye == scene::Point3{}); }},
     {"what a ray's line meets is all behind the ray's start", has_ray_with_all_behind},
@@ -69,10 +73,13 @@ std::optional<ShapeCause> shape_cause(std::span<const TriedScene> tried) {
       std::count_if(tried.begin(), tried.end(), [](const auto& one) { return one.failed; }));
   if (std::min(failed, tried.size() - failed) < kFewestOfEachOutcome) return {};
   std::optional<ShapeCause> cause;
-  for (const auto& [where, is] : kShapes) {
+  bool whole_tells = false;
+  for (const auto& [where, is, is_part] : kShapes) {
+    if (is_part && whole_tells) continue;
     const bool tells = std::all_of(tried.begin(), tried.end(), [is = is](const TriedScene& one) {
       return is(*one.scene) == one.failed;
     });
+    if (!is_part) whole_tells = tells;
     if (!tells) continue;
     if (cause) return {};
     cause = ShapeCause{"it fails only where " + std::string(where), is};

@@ -1,4 +1,6 @@
-// What is compared with a small number instead of zero: an epsilon that is too large.
+// What is compared with a small number instead of zero, an epsilon that is too large, or with a
+// large one instead of none: a largest s. Of a family the first that makes the same answers is
+// named, which drops the fewest: the number itself may be beyond.
 
 #include <array>
 #include <cstdlib>
@@ -14,23 +16,23 @@ using fast::Roots;
 using scene::Conventions;
 using scene::Ray;
 
-/// The sizes that are told apart.
+/// The sizes that are told apart, from what drops the fewest on.
 constexpr std::array<const char*, 10> kSizes = {"1e-9", "1e-8",  "1e-7", "1e-6", "1e-5",
                                                 "1e-4", "0.001", "0.01", "0.1",  "1"};
+constexpr std::array<const char*, 8> kLargeSizes = {"1e9", "1e8", "1e7",  "1e6",
+                                                    "1e5", "1e4", "1000", "100"};
 
 Mistake threshold(const std::string& before, const std::string& after, const char* size,
                   std::string_view family, const ChooseHit& choose) {
-  Mistake mistake = {.sentence = before + size + after, .step = Step::kIntersect};
-  mistake.candidate = right_candidate();
-  answer_by_choice(mistake.candidate, fast::kCross.roots, choose);
-  mistake.chooses_hits = true;
+  Mistake mistake = hit_mistake(before + size + after, {.choose = choose});
   mistake.family = family;
   return mistake;
 }
 
 Mistake drops_near_hits(const char* size) {
   return threshold(
-      "hits with an s below about ", " are dropped: the epsilon is too large", size, "dropped hits",
+      "hits with an s below about ", " (perhaps more) are dropped: the epsilon is too large", size,
+      "dropped hits",
       [least = std::atof(size)](const Ray& ray, const Roots& roots, const Conventions& c) {
         const Hit hit = usual_choice(ray, roots, c);
         return hit && hit->parameter >= least ? hit : Hit();
@@ -39,8 +41,8 @@ Mistake drops_near_hits(const char* size) {
 
 Mistake takes_far_root(const char* size) {
   return threshold(
-      "where the near root is below about ", " the far one is taken: the epsilon is too large",
-      size, "far roots",
+      "where the near root is below about ",
+      " (perhaps more) the far one is taken: the epsilon is too large", size, "far roots",
       [least = std::atof(size)](const Ray& ray, const Roots& roots, const Conventions& c) -> Hit {
         const Hit hit = usual_choice(ray, roots, c);
         if (!hit || hit->parameter >= least) return hit;
@@ -51,9 +53,20 @@ Mistake takes_far_root(const char* size) {
 
 Mistake drops_small_chords(const char* size) {
   return threshold(
-      "a d^2 below about ", " counts as a miss: the epsilon is too large", size, "dropped chords",
+      "a d^2 below about ", " (perhaps more) counts as a miss: the epsilon is too large", size,
+      "dropped chords",
       [least = std::atof(size)](const Ray& ray, const Roots& roots, const Conventions& c) {
         return roots.half_chord_sq >= least ? usual_choice(ray, roots, c) : Hit();
+      });
+}
+
+Mistake drops_far_hits(const char* size) {
+  return threshold(
+      "hits with an s above about ",
+      " (perhaps less) are dropped: the largest s that counts is too small", size, "far hits",
+      [most = std::atof(size)](const Ray& ray, const Roots& roots, const Conventions& c) {
+        const Hit hit = usual_choice(ray, roots, c);
+        return hit && hit->parameter <= most ? hit : Hit();
       });
 }
 
@@ -64,6 +77,7 @@ std::vector<Mistake> threshold_mistakes() {
   for (const auto& of_size : {drops_near_hits, takes_far_root, drops_small_chords}) {
     for (const char* size : kSizes) all.push_back(of_size(size));
   }
+  for (const char* size : kLargeSizes) all.push_back(drops_far_hits(size));
   return all;
 }
 

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "scene/interruption.h"
+
 namespace raycheck::scene {
 namespace {
 
@@ -21,6 +23,7 @@ std::vector<DriverEntry> driver_entries(std::string_view text) {
   if (text.starts_with(kByteOrderMark)) text.remove_prefix(kByteOrderMark.size());
   std::vector<DriverEntry> entries;
   for (std::size_t line = 1; !text.empty(); ++line) {
+    poll();
     const std::size_t length = std::min(text.find_first_of("\r\n"), text.size());
     std::string_view rest = text.substr(0, length);
     rest = rest.substr(0, rest.find('#'));

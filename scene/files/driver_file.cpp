@@ -7,6 +7,7 @@
 #include "scene/files/driver_entries.h"
 #include "scene/files/located_fields.h"
 #include "scene/files/scene_file.h"
+#include "scene/interruption.h"
 #include "scene/number.h"
 
 namespace raycheck::scene {
@@ -42,7 +43,10 @@ class DriverReader {
   explicit DriverReader(std::string_view file) : located_(file) {}
 
   LoadedScene read(std::string_view text, std::optional<Dialect> asked) {
-    for (Entry& entry : driver_entries(text)) take(std::move(entry));
+    for (Entry& entry : driver_entries(text)) {
+      poll();
+      take(std::move(entry));
+    }
     loaded_.scene.conventions.rows = Rows::kTopFirst;
     loaded_.scene.camera = camera(asked);
     loaded_.not_needed = not_needed();

@@ -1,5 +1,6 @@
 #include "scene/files/scene_file.h"
 #include "scene/files/toml_fields.h"
+#include "scene/interruption.h"
 
 namespace raycheck::scene {
 namespace {
@@ -18,8 +19,14 @@ class SceneReader {
     if (const auto field = fields_.optional(file, "conventions")) {
       read_conventions(fields_, fields_.table(*field), scene.conventions);
     }
-    for (const Table& each : fields_.tables(file, "sphere")) scene.spheres.push_back(sphere(each));
-    for (const Table& each : fields_.tables(file, "ray")) scene.rays.push_back(ray(each));
+    for (const Table& each : fields_.tables(file, "sphere")) {
+      poll();
+      scene.spheres.push_back(sphere(each));
+    }
+    for (const Table& each : fields_.tables(file, "ray")) {
+      poll();
+      scene.rays.push_back(ray(each));
+    }
     fields_.located().require_valid(scene, [&](const std::string& field) {
       // What is wrong with the scene is that it has rays beside a camera.
       const auto given = root.at_path(field == "scene" ? "ray[0]" : field);

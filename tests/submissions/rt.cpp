@@ -1,6 +1,8 @@
 // A student's finished renderer in C++, right as it stands: rt DRIVER IMAGE reads a driver file of
 // dialect B and writes a PPM (P3), the top line first, by ambient light alone. A first line
-// `#define MISTAKE u_flipped` makes it wrong in the one way of that name.
+// `#define MISTAKE u_flipped` makes it wrong in the one way of that name, `#define ALSO mirrored`
+// in another, too, and `#define BOUNDS 0, 2, 1, 3` reads left, right, bottom and top from those
+// places.
 
 #include <algorithm>
 #include <cmath>
@@ -32,8 +34,18 @@ bool has(Mistake mistake) {
   return mistake == made;
 }
 #else
-constexpr bool has(Mistake mistake) { return mistake == Mistake::MISTAKE; }
+#ifndef ALSO
+#define ALSO none
 #endif
+constexpr bool has(Mistake mistake) {
+  return mistake == Mistake::MISTAKE || mistake == Mistake::ALSO;
+}
+#endif
+
+#ifndef BOUNDS
+#define BOUNDS 0, 1, 2, 3
+#endif
+constexpr std::size_t kPlacesOfBounds[] = {BOUNDS};
 
 struct Vector {
   double x = 0, y = 0, z = 0;
@@ -151,10 +163,10 @@ Scene read(const std::string& path) {
   camera.look = triple("look");
   camera.up = triple("up");
   camera.near_plane = view["d"].at(0);
-  camera.left = view["bounds"].at(0);
-  camera.right = view["bounds"].at(1);
-  camera.bottom = view["bounds"].at(2);
-  camera.top = view["bounds"].at(3);
+  camera.left = view["bounds"].at(kPlacesOfBounds[0]);
+  camera.right = view["bounds"].at(kPlacesOfBounds[1]);
+  camera.bottom = view["bounds"].at(kPlacesOfBounds[2]);
+  camera.top = view["bounds"].at(kPlacesOfBounds[3]);
   camera.width = static_cast<int>(view["res"].at(0));
   camera.height = static_cast<int>(view["res"].at(1));
   camera.find_axes();

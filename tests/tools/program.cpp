@@ -10,13 +10,33 @@
 #include <filesystem>
 #include <fstream>
 #include <sstream>
+#include <system_error>
 #include <thread>
 
 namespace raycheck::tests {
 namespace {
 
+/// What the names of this process's temporary files begin with. They are removed when it ends.
+class TemporaryNames {
+ public:
+  ~TemporaryNames() {
+    if (process_ != getpid()) return;  // a child that exits
+    std::error_code error;
+    for (const auto& entry : std::filesystem::directory_iterator(testing::TempDir(), error)) {
+      if (!entry.path().filename().string().starts_with(prefix_)) continue;
+      std::filesystem::remove_all(entry.path(), error);
+    }
+  }
+  const std::string& prefix() const { return prefix_; }
+
+ private:
+  pid_t process_ = getpid();
+  std::string prefix_ = "raycheck_" + std::to_string(getpid()) + "_";
+};
+
 std::string temporary_path(const std::string& name) {
-  return testing::TempDir() + "raycheck_" + std::to_string(getpid()) + "_" + name;
+  static const TemporaryNames names;
+  return testing::TempDir() + names.prefix() + name;
 }
 
 /// `when`: SIGINT is sent once it holds; null: none is.

@@ -36,20 +36,7 @@ struct CheckArguments {
   GateArguments gate;
 };
 
-/// The scene, and every word of a candidate that may be a file.
-std::vector<std::string> files_read(const CheckArguments& arguments) {
-  std::vector<std::string> files = {arguments.scene};
-  for (const std::string& candidate : arguments.external.candidates) {
-    std::istringstream words(candidate.substr(candidate.find(':') + 1));
-    for (std::string word; words >> word;) files.push_back(word);
-  }
-  return files;
-}
-
 int run_check(const CheckArguments& arguments) {
-  if (arguments.certificates) {
-    require_no_input("--certificates", *arguments.certificates, files_read(arguments));
-  }
   CheckOptions options;
   options.path = arguments.scene;
   const std::optional<DriverRule> rule = parse_driver(arguments.dialect);
@@ -77,11 +64,8 @@ int run_check(const CheckArguments& arguments) {
   std::optional<OutputFile> certificates;
   if (arguments.certificates) certificates.emplace("--certificates", *arguments.certificates);
   std::optional<OutputFile> view;
-  if (arguments.view) {
-    require_no_input("--view", *arguments.view, files_read(arguments));
-    view.emplace("--view", *arguments.view);
-  }
-  GateFiles files(arguments.gate, files_read(arguments));
+  if (arguments.view) view.emplace("--view", *arguments.view);
+  GateFiles files(arguments.gate);
   CheckReport report = check(options, run_control(options.path, arguments.threads));
   report.ratchet = files.ratchet(findings_of(report), report.interrupted);
   print_warnings(report.warnings);

@@ -57,14 +57,7 @@ ExplainOptions explain_pixel(const ExplainArguments& arguments) {
                                 ": has given rays and no camera, so no pixels; explain one of "
                                 "its rays by --ray and --sphere");
   }
-  options.pixel = parse_pixel("--pixel", arguments.pixel);
-  const scene::Camera& camera = *options.scene.camera;
-  if (options.pixel->i >= camera.width || options.pixel->j >= camera.height) {
-    throw std::invalid_argument(
-        fmt::format("--pixel {}: {} has {} x {} pixels; give a column up to {} and a row up to {}",
-                    arguments.pixel, arguments.scene, camera.width, camera.height, camera.width - 1,
-                    camera.height - 1));
-  }
+  options.pixel = parse_pixel("--pixel", arguments.pixel, arguments.scene, options.scene);
   if (!arguments.sphere.empty()) {
     options.sphere = static_cast<std::size_t>(parse_index("--sphere", arguments.sphere, 0));
   }

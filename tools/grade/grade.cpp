@@ -86,11 +86,20 @@ void refuse(const Rubric& rubric, const Refusal& refusal, SubmissionGrade& grade
 
 void take_what_was_found(const Preparation& found, SubmissionGrade& grade) {
   grade.program = found.program;
+  grade.build_words = found.build_words;
   grade.opaque_files = found.opaque_files;
   for (const std::string& note : found.notes) grade.notes.push_back(plain_text(note));
   if (!found.dry_run) return;
   grade.driver = found.dry_run->driver;
   for (const std::string& note : found.dry_run->notes) grade.notes.push_back(plain_text(note));
+}
+
+/// Of what holds points it would be false: it shows other scenes than that of the dry run.
+void note_that_nothing_shows(const std::optional<DryRun>& dry, SubmissionGrade& grade) {
+  if (!dry || dry->shows_nothing.empty()) return;
+  const bool has_points = std::any_of(grade.items.begin(), grade.items.end(),
+                                      [](const ItemGrade& item) { return item.score > 0; });
+  if (!has_points) grade.notes.push_back(plain_text(dry->shows_nothing));
 }
 
 std::vector<std::string_view> names_of_class_files() {
@@ -260,6 +269,14 @@ class ClassRun {
     return one;
   }
 
+  /// What a dry run, if there was one, tells of the form that a renderer reads.
+  static FormKnown form_known(const DriverRule& rule, const std::optional<DryRun>& dry) {
+    const bool is_given = !dry || !rule.tries_others ||
+                          (rule.is_asked_for && dry->shows_a_sphere && dry->driver == rule.form);
+    if (is_given) return FormKnown::kGiven;
+    return dry->shows_a_sphere ? FormKnown::kFound : FormKnown::kNot;
+  }
+
   /// Why the grade is none, for a cause outside the submission; empty: it is one.
   std::string grade_one(const Submission& submission, const RunControl& control, bool alone,
                         SubmissionGrade& grade) {
@@ -277,8 +294,10 @@ class ClassRun {
       judge_all(rubric_,
                 {external_candidate(runnable.external, last_failure),
                  runnable.found.program->kind == CandidateKind::kRenderer,
-                 !dry || dry->shows_a_sphere, last_failure, runnable.external.program.spent},
+                 form_known(rubric_.driver, dry), dry ? dry->driver.dialect : scene::Dialect::kB,
+                 last_failure, runnable.external.program.spent},
                 control, grade);
+      note_that_nothing_shows(dry, grade);
       grade.judge_seconds = watch.lap();
     } catch (const SubmissionError& error) {
       grade.build_seconds = watch.lap();
@@ -383,7 +402,7 @@ std::vector<SubmissionGrade> try_rubric(const Rubric& rubric, std::uint64_t seed
     SubmissionGrade grade;
     grade.name = name;
     grade.seed = seed;
-    judge_all(rubric, {candidate, pictures, true, nullptr}, control, grade);
+    judge_all(rubric, {candidate, pictures}, control, grade);
     grades.push_back(std::move(grade));
   };
   if (asks(&Item::functions)) try_on("functions", candidate_of(kDefaultMethods), false);

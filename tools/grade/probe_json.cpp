@@ -34,6 +34,7 @@ Json submission_json(const SubmissionProbe& probe) {
   const auto& dry = probe.found.dry_run;
   if (dry) {
     for (const std::string& note : dry->notes) notes.push_back(plain_text(note));
+    if (!dry->shows_nothing.empty()) notes.push_back(plain_text(dry->shows_nothing));
   }
   Json refused = nullptr;
   if (probe.refusal) {

@@ -57,8 +57,9 @@ std::string notes_text(const SubmissionProbe& probe) {
   };
   for (const std::string& note : probe.found.notes) add(note);
   if (!probe.functions.empty()) add(fmt::format("offers {}", fmt::join(probe.functions, ", ")));
-  if (const auto& dry = probe.found.dry_run; dry && !probe.refusal) {
+  if (const auto& dry = probe.found.dry_run) {
     for (const std::string& note : dry->notes) add(note);
+    add(dry->shows_nothing);
     if (!dry->said.empty()) add("it said:\n" + indented(dry->said, "  "));
   }
   if (probe.refusal) {

@@ -87,7 +87,6 @@ int run_image(const ImageArguments& arguments) {
   }
   const std::vector<StagedMethod> others = find_others(arguments.external);
   if (!others.empty()) options.other = others.front().other;
-  require_no_input("--out", arguments.out, {arguments.scene});
   PictureFile file("--out", arguments.out);
   const ImageReport report =
       make_image(options, file, run_control(options.path, arguments.threads));

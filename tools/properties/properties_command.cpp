@@ -68,7 +68,7 @@ int run_properties_command(const PropertiesArguments& arguments) {
   }
   std::optional<OutputFile> view;
   if (arguments.view) view.emplace("--view", *arguments.view);
-  GateFiles files(arguments.gate, {});
+  GateFiles files(arguments.gate);
   PropertiesReport report = run_properties(options, run_control("laws"));
   report.ratchet = files.ratchet(findings_of(report), report.interrupted);
   print_view(kPropertiesViews, arguments.format, report);

@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "properties/cases/random.h"
+#include "scene/interruption.h"
 #include "tools/report/words.h"
 #include "tools/stress/stress_page.h"
 #include "tools/view/scene_view.h"
@@ -97,6 +98,7 @@ ViewDocument dial_document(const StressOptions& options, const properties::RunCo
     throw std::invalid_argument("family: a dial is one family's; name one");
   }
   const StressReport report = run_stress(options, control);
+  if (report.interrupted) throw scene::Interrupted();
   const FamilyReport& family = report.families.front();
   if (family.curves.empty()) {
     throw std::invalid_argument("method: asks nothing of this family");

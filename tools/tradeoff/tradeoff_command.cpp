@@ -29,15 +29,9 @@ int run_tradeoff(TradeoffArguments& arguments) {
     throw std::invalid_argument("tradeoff: give one of SCENE, --family and --all-families");
   }
   options.dialect = parse_dialect(arguments.dialect);
-  if (!arguments.plot.empty()) {
-    require_plottable(arguments.plot);
-    require_no_input("--plot", arguments.plot, {options.scene});
-  }
+  if (!arguments.plot.empty()) require_plottable(arguments.plot);
   std::optional<OutputFile> view;
-  if (arguments.view) {
-    require_no_input("--view", *arguments.view, {options.scene});
-    view.emplace("--view", *arguments.view);
-  }
+  if (arguments.view) view.emplace("--view", *arguments.view);
   options.others = find_others(arguments.external);
   const TradeoffReport report = run_tradeoff(options, run_control("tradeoff"));
   print_warnings(report.warnings);

@@ -44,13 +44,12 @@ struct Size {
   double rays = 0, spheres = 0;
 };
 
-Size size_of(const ViewArguments& arguments) {
-  const auto loaded = scene::load_scene(arguments.scene, parse_dialect(arguments.dialect));
-  const auto& camera = loaded.scene.camera;
+Size size_of(const scene::Scene& scene) {
+  const auto& camera = scene.camera;
   const double rays = camera
                           ? static_cast<double>(camera->width) * static_cast<double>(camera->height)
-                          : static_cast<double>(loaded.scene.rays.size());
-  return {rays, static_cast<double>(loaded.scene.spheres.size())};
+                          : static_cast<double>(scene.rays.size());
+  return {rays, static_cast<double>(scene.spheres.size())};
 }
 
 /// Where nobody is asked for: every intersection method of a scene that is small enough, or cross.
@@ -64,14 +63,14 @@ std::vector<MethodPair> default_methods(const Size& size) {
   return pairs;
 }
 
-std::vector<Selection> wanted(const ViewArguments& arguments) {
+std::vector<Selection> wanted(const ViewArguments& arguments, const scene::Scene& scene) {
   std::vector<Selection> list;
   std::optional<std::size_t> sphere;
   if (!arguments.sphere.empty()) {
     sphere = static_cast<std::size_t>(parse_index("--sphere", arguments.sphere, 0));
   }
   for (const std::string& text : arguments.pixels) {
-    list.push_back({parse_pixel("--pixel", text), {}, sphere});
+    list.push_back({parse_pixel("--pixel", text, arguments.scene, scene), {}, sphere});
   }
   if (sphere && list.empty()) {
     throw std::invalid_argument("--sphere: goes with --pixel I,J");
@@ -79,12 +78,11 @@ std::vector<Selection> wanted(const ViewArguments& arguments) {
   return list;
 }
 
-CheckOptions check_options(const ViewArguments& arguments) {
+CheckOptions check_options(const ViewArguments& arguments, const Size& size) {
   CheckOptions options;
   options.path = arguments.scene;
   if (const auto dialect = parse_dialect(arguments.dialect)) options.driver = {.dialect = *dialect};
   options.contestants = find_contestants(arguments.external);
-  const Size size = size_of(arguments);
   if (size.rays * size.spheres > kMostJudged) {
     options.pixels = static_cast<std::int64_t>(std::max(kMostJudged / size.spheres, 256.0));
   }
@@ -98,9 +96,10 @@ CheckOptions check_options(const ViewArguments& arguments) {
 }
 
 ViewDocument of_scene(const ViewArguments& arguments, const properties::RunControl& control) {
-  const CheckPageOptions options = {wanted(arguments),
+  const auto loaded = scene::load_scene(arguments.scene, parse_dialect(arguments.dialect));
+  const CheckPageOptions options = {wanted(arguments, loaded.scene),
                                     !arguments.methods.empty() || !arguments.rays.empty()};
-  const CheckReport report = check(check_options(arguments), control);
+  const CheckReport report = check(check_options(arguments, size_of(loaded.scene)), control);
   print_warnings(report.warnings);
   return check_document(report, options, control);
 }
@@ -128,10 +127,7 @@ int run_view(const ViewArguments& arguments) {
     throw std::invalid_argument("view: give --out FILE.html, or --format json");
   }
   std::optional<OutputFile> out;
-  if (!arguments.out.empty()) {
-    if (!arguments.scene.empty()) require_no_input("--out", arguments.out, {arguments.scene});
-    out.emplace("--out", arguments.out);
-  }
+  if (!arguments.out.empty()) out.emplace("--out", arguments.out);
   const auto control = run_control("view", arguments.threads);
   const ViewDocument document =
       arguments.family.empty() ? of_scene(arguments, control) : of_family(arguments, control);

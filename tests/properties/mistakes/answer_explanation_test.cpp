@@ -28,9 +28,16 @@ std::vector<Case> cases_of(std::initializer_list<const char*> sources, std::uint
   return cases;
 }
 
+/// Some of whose lengths are of each size that is told apart.
 const std::vector<Case>& fixed_cases() {
-  static const std::vector<Case> kCases =
-      cases_of({"cameras", "plain-cameras", "crowds", "rays", "ties", "inside"}, 40);
+  static const std::vector<Case> kCases = [] {
+    std::vector<Case> cases =
+        cases_of({"cameras", "plain-cameras", "crowds", "rays", "ties", "inside"}, 40);
+    for (int power = 4; power <= 36; power += 2) {
+      cases.push_back(find_case_source("scale")->make(power, static_cast<std::uint64_t>(power)));
+    }
+    return cases;
+  }();
   return kCases;
 }
 

@@ -34,6 +34,15 @@ TEST(ShapeCause, IsWhatAllFailuresHaveInCommonAndNothingElse) {
                                  s.camera->bottom != -s.camera->top;
                         }),
             "it fails only where the bounds are not symmetric");
+  // Bounds uneven one way alone.
+  std::vector<scene::Scene> uneven = scenes;
+  for (int k = 0; k < 4; ++k) {
+    uneven.push_back(scenes.front());
+    (k % 2 == 0 ? uneven.back().camera->left : uneven.back().camera->top) *= 0.75;
+  }
+  EXPECT_EQ(
+      cause_where(uneven, [](const scene::Scene& s) { return s.camera->left != -s.camera->right; }),
+      "it fails only where left is not -right");
   EXPECT_EQ(cause_where(scenes, [](const scene::Scene& s) { return s.camera->eye.x != 0; }),
             "it fails only where the eye is not at the origin");
   // These have spheres before the image plane, or behind the eye, on the lines of rays.

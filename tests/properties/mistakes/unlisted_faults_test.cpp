@@ -52,8 +52,8 @@ constexpr ChangeScene kScenes[] = {
     },
     [](Scene& s, FaultSizes&) { each(s, [](Sphere& one) { one.radius *= 2; }); },
     [](Scene& s, FaultSizes& z) { each(s, [&](Sphere& one) { one.radius *= z.factor; }); },
-    [](Scene& s, FaultSizes&) { each(s, [](Sphere& one) { one.radius *= one.radius; }); },
-    [](Scene& s, FaultSizes&) { each(s, [](Sphere& one) { one.radius = std::sqrt(one.radius); }); },
+    [](Scene& s, FaultSizes&) { each(s, [](Sphere& one) { one.radius += 0.25; }); },
+    [](Scene& s, FaultSizes&) { each(s, [](Sphere& one) { one.radius = 1; }); },
     [](Scene& s, FaultSizes& z) {
       each(s, [&](Sphere& one) {
         one.centre.x += z.across;

@@ -87,7 +87,8 @@ cases = 20
   EXPECT_EQ(item["reason"]["quantity"], "class");
 }
 
-/// Lengths that a submission states would take it out of what the rubric asks.
+/// What a submission states of itself would take it out of what the rubric asks: lengths, and roots
+/// that count.
 TEST(DullSubmission, that_states_a_domain_without_any_case_has_no_points) {
   const Grading grading;
   const std::string rubric = grading.write("rays.toml", R"(
@@ -103,18 +104,38 @@ laws = ["class"]
 rays = "given"
 sources = ["rays"]
 cases = 20
+
+[[item]]
+name = "frames"
+points = 10
+[item.functions]
+laws = ["frame"]
+sources = ["cameras"]
+cases = 20
 )");
-  grading.write(
-      "misses/rays.py",
-      "import raycheck_candidate as rc\n"
-      "rc.run('dull', intersect=lambda ray, sphere, asked: None, lengths=(1e-300, 1e-9))\n");
-  const Outcome outcome =
-      grading.grade(rubric, {grading.path("misses")}, "out", "--format json --seed 1");
+  const std::vector<std::string> states = {"lengths=(1e-300, 1e-9)", "lengths=(1e290, 1e300)",
+                                           "roots=rc.Roots('[]', 1e300, 2e300, 'absolute', 'none')",
+                                           "roots=rc.Roots('()', 0, 1e-300, 'radius', 'none')"};
+  std::vector<std::string> submissions;
+  for (const std::string& stated : states) {
+    const std::string name = "dull" + std::to_string(submissions.size());
+    grading.write(name + "/rays.py",
+                  "import raycheck_candidate as rc\n"
+                  "rc.run('dull', intersect=lambda ray, sphere, asked: None,\n"
+                  "       frame=lambda camera: ((0, 0, 1), (0, 1, 0), (1, 0, 0)), " +
+                      stated + ")\n");
+    submissions.push_back(grading.path(name));
+  }
+  const Outcome outcome = grading.grade(rubric, submissions, "out", "--format json --seed 1");
   ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
-  const json item = json::parse(outcome.out)["submissions"][0]["items"][0];
-  EXPECT_EQ(item["state"], "fails") << item.dump(2);
-  EXPECT_EQ(item["score"], 0);
-  EXPECT_EQ(item["failing"]["law"], "class");
+  const json report = json::parse(outcome.out);
+  ASSERT_EQ(report["submissions"].size(), states.size());
+  for (const json& submission : report["submissions"]) {
+    for (const json& item : submission["items"]) {
+      EXPECT_EQ(item["state"], "fails") << item.dump(2);
+      EXPECT_EQ(item["score"], 0);
+    }
+  }
 }
 
 TEST(RightSubmission, in_python_has_full_marks) {

@@ -202,6 +202,49 @@ TEST_F(Intake, builds_by_cmake) {
   EXPECT_TRUE(contains(result["program"], "shiny")) << result["program"];
 }
 
+/// A program of a likelier name than the renderer's, which draws nothing.
+const std::string kChecks =
+    "#include <cstdio>\nint main() { std::puts(\"all is well\"); return 0; }\n";
+
+TEST_F(Intake, runs_of_several_programs_that_are_built_the_one_that_draws) {
+  const auto result = expect_full(
+      "several", with(kSources, {{"CMakeLists.txt",
+                                  "cmake_minimum_required(VERSION 3.10)\nproject(shiny CXX)\n"
+                                  "add_executable(rt checks.cpp)\nset(NAME ${PROJECT_NAME})\n"
+                                  "add_executable(${NAME} rt.cpp white.cpp)\n"},
+                                 {"checks.cpp", kChecks}}));
+  EXPECT_TRUE(contains(result["program"], "./raycheck-build/shiny ")) << result["program"];
+  EXPECT_EQ(result["notes"][0], "2 programs are built; ./raycheck-build/shiny is run");
+  const auto again = graded("several", "title = \"again, from the store\"\n");
+  EXPECT_EQ(again["build_is_stored"], true);
+  EXPECT_EQ(again["score"], 10) << again.dump(2);
+  expect_full("makes", with(kSources, {{"Makefile",
+                                        "all: rt shiny\nrt: checks.cpp\n\tg++ -o rt checks.cpp\n"
+                                        "shiny: rt.cpp white.cpp\n\tg++ -o shiny $^\n"},
+                                       {"checks.cpp", kChecks}}));
+}
+
+TEST_F(Intake, tries_programs_that_are_called_tests_last) {
+  // This one draws, too.
+  const auto result = expect_full(
+      "tests", with(kSources,
+                    {{"CMakeLists.txt",
+                      "cmake_minimum_required(VERSION 3.10)\nproject(shiny CXX)\n"
+                      "add_subdirectory(unit)\nadd_executable(shiny rt.cpp white.cpp)\n"},
+                     {"unit/CMakeLists.txt", "add_executable(test_rt ../rt.cpp ../white.cpp)\n"}}));
+  EXPECT_TRUE(contains(result["program"], "./raycheck-build/shiny ")) << result["program"];
+}
+
+TEST_F(Intake, says_of_several_programs_what_the_likeliest_says_where_none_draws) {
+  expect_refused("none",
+                 {{"CMakeLists.txt",
+                   "cmake_minimum_required(VERSION 3.10)\nproject(shiny CXX)\n"
+                   "add_executable(checks checks.cpp)\nadd_executable(rt rt.cpp)\n"},
+                  {"checks.cpp", kChecks},
+                  {"rt.cpp", "#include <cstdio>\nint main() { std::puts(\"no such key\"); }\n"}},
+                 {"it made no picture {image}; it said: no such key"});
+}
+
 TEST_F(Intake, compiles_plain_sources_wherever_they_lie) {
   expect_full("plain", {{"Main.CPP", kCpp},
                         {"source/white.cc", kWhiteSource},

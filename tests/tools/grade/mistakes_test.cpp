@@ -92,7 +92,7 @@ const std::vector<Mistake> kOfPictures = {
      0,
      {kFrame, kBoundary, kSize, kPixelZero, kUnit, kOrigin, kHit, kRoot, kNearest, kScenes,
       kRobust},
-     "every pixel shows a sphere, as where directions are no numbers: axes that are lost",
+     "the picture is of one colour, whatever the scene",
      11},
     {"float_directions", 110, {}, "", 0},
     {"near_root_only", 110, {}, "", 0},
@@ -161,6 +161,36 @@ TEST_P(EachGradedMistake, CostsWhatItDeservesAndIsNamed) {
 
 INSTANTIATE_TEST_SUITE_P(Lecture7, EachGradedMistake, testing::ValuesIn(all_submissions()),
                          [](const auto& the_test) { return test_name(the_test.param); });
+
+/// What a renderer with these first lines is said to do wrong by a rubric.
+std::string said_of(const std::string& lines, const std::string& preset) {
+  const Grading grading;
+  const Outcome outcome =
+      grading.grade(grading.lecture7_with({{"preset = \"auto\"", "preset = \"" + preset + "\""}}),
+                    {grading.submit("one", "rt.cpp", lines)});
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+  return outcome.out;
+}
+
+/// No form of driver files is seen to be read where directions are not normalised.
+TEST(GradedMistakes, two_at_once_are_both_named_whatever_form_is_read) {
+  const std::string said =
+      said_of("#define MISTAKE normalize_discarded\n#define ALSO upside_down", "auto");
+  EXPECT_TRUE(contains(said, "rows are upside down; and directions are not normalised: D = P - E"))
+      << said;
+}
+
+TEST(GradedMistakes, bounds_in_another_order_are_that_in_a_form_that_is_given) {
+  const std::string lines = "#define BOUNDS 0, 2, 1, 3";
+  const std::string given = said_of(lines, "2019");
+  EXPECT_TRUE(contains(given, "right is taken from bottom and bottom from right")) << given;
+  const std::string found = said_of(lines, "auto");
+  EXPECT_TRUE(contains(found,
+                       "near is d itself, as in driver files from 2019 on, but the bounds "
+                       "are read in the order of 2017 and 2018"))
+      << found;
+  EXPECT_FALSE(contains(found, "near has the wrong sign")) << found;
+}
 
 /// The names of the list MISTAKES of a file.
 std::vector<std::string> mistakes_of(const std::string& file) {

@@ -148,6 +148,29 @@ TEST_F(HostileOut, ThatIsAFileWhichIsReadIsRefused) {
           is_read);
   const std::string plot = grading_.write("scene.svg", contents(scene));
   refuses("tradeoff" + named(plot) + " --plot" + named(plot), is_read);
+  const std::string candidate = " --candidate" + named("source:" + source);
+  refuses("properties --cases 3" + candidate + " --view" + named(source), is_read);
+  refuses("properties --cases 3" + candidate + " --report" + named("json=" + source), is_read);
+  refuses("stress --family distance" + candidate + " --view" + named(source), is_read);
+  refuses("tradeoff --cases 9" + candidate + " --view" + named(source), is_read);
+  refuses("worst --family distance" + candidate + " --save" + named(source), is_read);
+  refuses("worst --family distance" + candidate + " --view" + named(source), is_read);
+  refuses("view" + named(scene) + " --out" + named(scene), is_read);
+  refuses("view --family distance" + candidate + " --out" + named(source), is_read);
+  const std::string known = grading_.write("known.baseline", "");
+  refuses("check" + named(scene) + " --baseline" + named(known) + " --view" + named(known),
+          is_read);
+}
+
+TEST_F(HostileOut, IsNamedOnce) {
+  const std::string scene = std::string(RAYCHECK_SOURCE_DIR) + "/scene/examples/far-sphere.toml";
+  const std::string one = grading_.path("x"), same = grading_.path("./x");
+  const std::string twice = ": the file is named twice";
+  refuses("check " + scene + " --view " + one + " --report json=" + same, twice);
+  refuses("check " + scene + " --certificates " + one + " --view " + same, twice);
+  refuses("check " + scene + " --baseline " + one + " --update-baseline --view " + same, twice);
+  refuses("worst --method cross --family distance --save " + one + " --view " + one, twice);
+  refuses("stress --family distance --plot " + one + ".svg --view " + same + ".svg", twice);
 }
 
 }  // namespace

@@ -157,6 +157,91 @@ TEST_F(Probe, repeats_a_programs_own_words_where_its_picture_is_missing_empty_or
   EXPECT_TRUE(contains(text, "    it said:\n      line 4: I do not know that word\n")) << text;
 }
 
+TEST_F(Probe, names_the_form_that_is_read_where_another_is_asked_for) {
+  // Its driver file says recursionlevel, which this one refuses.
+  const std::string note =
+      "it does not read driver files of form B, spheres of 16 numbers, recursionlevel 0, a light, "
+      "but of form B, spheres of 13 numbers, a light";
+  const std::string rubric = grading_.lecture7_with({{"preset = \"auto\"", "preset = \"2019\""}});
+  const json refuses = probed(of_class("kofi"), rubric);
+  EXPECT_EQ(refuses["refused"]["why"], "it exited with 1");
+  EXPECT_EQ(refuses["notes"], json({note}));
+  EXPECT_TRUE(contains(probe(rubric, {of_class("kofi")}).out, "    " + note + "\n"));
+  // What only shows nothing is judged in the form that was asked for.
+  const std::string farid = of_class("farid");
+  ASSERT_EQ(grading_.grade(kLecture7, {farid}, "asked", "--dialect C").exit_code, 0);
+  const json asked = grading_.result("farid", "asked");
+  EXPECT_TRUE(contains(asked["notes"].dump(), "it does not read driver files of form C, "))
+      << asked;
+  EXPECT_EQ(asked["driver"]["dialect"], "C");
+  EXPECT_EQ(asked["score"], 0);
+}
+
+/// Draws the spheres it is given, in the colours they have, where they have one.
+std::string drawing_renderer(const std::string& more) {
+  return R"(import math, sys
+spheres = []
+for line in open(sys.argv[1]):
+    word, *rest = line.split()
+    if word == 'eye': eye = list(map(float, rest))
+    if word == 'look': look = list(map(float, rest))
+    if word == 'd': d = float(rest[0])
+    if word == 'bounds': left, right, bottom, top = map(float, rest)
+    if word == 'res': w, h = map(int, rest)
+    if word == 'sphere': spheres.append(list(map(float, rest[:7])))
+BLACK = [0, 0, 0]
+)" + more +
+         R"(
+print_to = open(sys.argv[2], 'w')
+print_to.write(f'P3 {w} {h} 255\n')
+for j in range(h):
+    for i in range(w):
+        x, y = left + (right - left) * i / (w - 1), top + (bottom - top) * j / (h - 1)
+        length = math.sqrt(x * x + y * y + d * d)
+        D = [x / length, y / length, d / length]
+        best, colour = math.inf, BLACK
+        for sphere in spheres:
+            T = [sphere[k] - eye[k] for k in range(3)]
+            v = sum(T[k] * D[k] for k in range(3))
+            square = sphere[3] ** 2 - sum(t * t for t in T) + v * v
+            if square >= 0 and SEEN(v) and v < best:
+                best, colour = v, sphere[4:]
+        print_to.write(' '.join(str(int(255 * c)) for c in SHOWN(colour)) + '\n')
+)";
+}
+
+TEST_F(Probe, says_of_colours_what_they_tell_and_nothing_where_spheres_are_not_shown) {
+  const std::string note = "its colours do not tell which sphere is seen";
+  const auto notes_of = [&](const std::string& name, const std::string& more) {
+    const json one = probed(hand_in(name, "rt.py", drawing_renderer(more)));
+    EXPECT_EQ(one["dry_run"]["shows_a_sphere"], true) << name << one;
+    return one["notes"].dump();
+  };
+  const std::string as_they_are = "SHOWN = lambda c: c\n";
+  EXPECT_FALSE(contains(notes_of("right", as_they_are + "SEEN = lambda v: v > 0\n"), note));
+  EXPECT_FALSE(contains(notes_of("behind", as_they_are + "SEEN = lambda v: v < 0\n"), note));
+  // Of fewer spheres than five it shows none.
+  EXPECT_FALSE(contains(
+      notes_of("many", as_they_are + "SEEN = lambda v: v > 0 and len(spheres) > 5\n"), note));
+  EXPECT_TRUE(contains(
+      notes_of("grey", "SHOWN = lambda c: [sum(c) / 3] * 3\nSEEN = lambda v: v > 0\n"), note));
+  EXPECT_TRUE(
+      contains(notes_of("red", "SHOWN = lambda c: [c[0], 0, 0]\nSEEN = lambda v: v > 0\n"), note));
+}
+
+TEST_F(Probe, does_not_call_pictures_black_of_what_has_points) {
+  // It shows the spheres of every scene but of the dry run's, which has fifteen.
+  const std::string odd =
+      hand_in("odd", "rt.py",
+              drawing_renderer("SHOWN = lambda c: c\n"
+                               "SEEN = lambda v: v > 0 and len(spheres) < 15\n"));
+  EXPECT_TRUE(contains(probed(odd)["notes"].dump(), "its picture is black in the "));
+  grading_.grade(kLecture7, {odd});
+  const json result = grading_.result("odd");
+  EXPECT_GT(result["score"], 0);
+  EXPECT_FALSE(contains(result["notes"].dump(), "its picture is black")) << result["notes"];
+}
+
 TEST_F(Probe, says_how_much_time_a_slow_renderer_needs) {
   const std::string folder =
       hand_in("slow", "rt.py", "import sys, time\ntime.sleep(1.5)\n" + kBlackPicture);

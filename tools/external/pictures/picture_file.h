@@ -13,10 +13,10 @@ struct FoundPicture {
   bool is_named = true;
 };
 
-/// The picture that a program left in its folder, which held the driver file `scene` and nothing
-/// else: the one of the name it was told; else one of a usual name (that of the driver file, out,
-/// output, image, picture, result); else the newest. PPM and PNG count, links do not.
-/// Empty where there is none.
+/// The picture that a program left in its folder, which held the driver file `scene` and no
+/// picture: the one of the name it was told; else one of a usual name (that of the driver file,
+/// out, output, image, picture, result); else the newest. PPM and PNG count, links do not. Empty
+/// where there is none.
 std::optional<FoundPicture> found_picture(const std::filesystem::path& folder,
                                           const std::string& named, const std::string& scene);
 

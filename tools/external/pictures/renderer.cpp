@@ -17,9 +17,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr const char* kSceneFile = "scene.txt";
-constexpr const char* kImageFile = "image.ppm";
-
 /// What a picture may have at most, whatever the scene's size.
 constexpr std::int64_t kMostPicturePixels = std::int64_t{1} << 26;
 

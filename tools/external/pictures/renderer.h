@@ -17,6 +17,10 @@ namespace raycheck::tools {
 /// After so many silences someone else's implementation is not asked any more.
 inline constexpr int kMostSilences = 3;
 
+/// What the driver file and the picture are called in the folder of a run.
+inline constexpr const char* kSceneFile = "scene.txt";
+inline constexpr const char* kImageFile = "image.ppm";
+
 /// A finished renderer: words that start it once a picture, {scene} standing for a driver file and
 /// {image} for the picture that it is to make (PPM or PNG).
 struct Renderer {

@@ -14,6 +14,7 @@
 
 #include "tools/external/sandbox/layers.h"
 #include "tools/external/sandbox/spent_time.h"
+#include "tools/external/sandbox/starting_folder.h"
 #include "tools/external/sandbox/surroundings.h"
 
 namespace raycheck::tools {
@@ -49,6 +50,8 @@ struct Confined {
   Limits limits;
   /// What lies in its folder at the start: names and contents.
   std::vector<std::pair<std::string, std::string>> files = {};
+  /// And besides; null: nothing.
+  std::shared_ptr<const StartingFolder> start = {};
   /// Who is told where it fails for a cause outside it; null: nobody.
   std::shared_ptr<Surroundings> surroundings = {};
   /// Where its time is added up, together with that of its copies.

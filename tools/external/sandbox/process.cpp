@@ -151,6 +151,7 @@ Process::Process(const Confined& confined) try : confined_(confined) {
     const auto id = static_cast<uid_t>(user_);
     if (chown(folder_.path().c_str(), id, id) != 0) fail_to_start("its folder");
   }
+  if (confined.start) lay_out(*confined.start, folder_.path(), user_);
   for (const auto& [name, content] : confined.files) {
     const fs::path path = folder_.path() / name;
     std::ofstream file(path, std::ios::binary);

@@ -6,19 +6,24 @@
 #include <array>
 #include <chrono>
 #include <cmath>
-#include <optional>
+#include <set>
 #include <tuple>
+#include <vector>
 
 #include "tools/external/compile.h"
 #include "tools/external/sandbox/file_tree.h"
 #include "tools/grade/intake/build_plan.h"
 #include "tools/grade/intake/quoting.h"
+#include "tools/grade/intake/sources.h"
 
 namespace raycheck::tools {
 namespace {
 
 namespace fs = std::filesystem;
 using Clock = std::chrono::steady_clock;
+
+/// Of more programs that a build made the others are not tried.
+constexpr std::size_t kMostPrograms = 8;
 
 /// The first bytes of a file, enough to tell what kind of program it is.
 std::string head_of(const fs::path& path) {
@@ -32,27 +37,33 @@ bool is_executable(const fs::path& path) {
          is_program_here(head_of(path));
 }
 
-/// The program that a build made, of those in its folder: of the likeliest name, else the newest.
-/// Empty: there is none.
-std::string made_program(const fs::path& folder, const std::vector<std::string>& likely) {
-  std::optional<std::tuple<std::ptrdiff_t, fs::file_time_type::duration, std::string>> best;
+/// The programs that a build made, those in its folder: tests last, names that the recipe has in
+/// its order, likelier names, newer ones.
+std::vector<std::string> made_programs(const fs::path& folder,
+                                       const std::vector<std::string>& likely) {
+  std::set<std::tuple<bool, std::ptrdiff_t, int, fs::file_time_type::duration, std::string>> found;
   for (const auto& entry : fs::recursive_directory_iterator(folder)) {
     if (!entry.is_regular_file() || !is_executable(entry.path())) continue;
     const std::string name = entry.path().filename().string();
-    const std::tuple here(std::find(likely.begin(), likely.end(), name) - likely.begin(),
-                          -entry.last_write_time().time_since_epoch(),
-                          fs::relative(entry.path(), folder).string());
-    if (!best || here < *best) best = here;
+    const std::string path = fs::relative(entry.path(), folder).string();
+    const int rank = likelihood_rank(name);
+    found.emplace(rank == kHardlyARenderer || is_aside(path),
+                  std::find(likely.begin(), likely.end(), name) - likely.begin(), rank,
+                  -entry.last_write_time().time_since_epoch(), path);
   }
-  return best ? std::get<2>(*best) : "";
+  std::vector<std::string> programs;
+  for (const auto& one : found) {
+    if (programs.size() < kMostPrograms) programs.push_back(std::get<std::string>(one));
+  }
+  return programs;
 }
 
-/// One way; the words that start what it made.
-std::string tried(const BuildAttempt& attempt, const fs::path& folder, const fs::path& to,
-                  const RunOptions& options) {
+/// One way; the words that start what it made, likelier ones first.
+std::vector<std::string> tried(const BuildAttempt& attempt, const fs::path& folder,
+                               const fs::path& to, const RunOptions& options) {
   if (attempt.words.empty()) {
     fs::copy(folder, to, fs::copy_options::recursive);
-    return attempt.program;
+    return {attempt.program};
   }
   const bool makes_program = attempt.program == kMade;
   BuildWords words{attempt.words, attempt.shown};
@@ -64,10 +75,11 @@ std::string tried(const BuildAttempt& attempt, const fs::path& folder, const fs:
     };
   }
   build(folder, words, to, options);
-  if (!makes_program) return attempt.program;
-  const std::string made = made_program(to, attempt.made);
+  if (!makes_program) return {attempt.program};
+  std::vector<std::string> made = made_programs(to, attempt.made);
   if (made.empty()) throw CandidateError(fmt::format("'{}' makes no program", attempt.shown));
-  return candidate_word("./" + made);
+  for (std::string& program : made) program = candidate_word("./" + program);
+  return made;
 }
 
 void empty(const fs::path& folder) {

@@ -45,11 +45,11 @@ Built Building::run(const fs::path& to, const RunOptions& options) const {
     build(folder_, {words(), words()}, from, options);
     open_to_others(from);
   }
-  if (!is_source) return {{}, form_.build.empty() ? "" : words()};
+  if (!is_source) return {{""}, form_.build.empty() ? "" : words()};
   std::error_code error;
   const fs::path source = fs::canonical(from / program_.what, error);
   if (error) throw CandidateError(fmt::format("{}: {}", program_.what, error.message()));
-  return {compile(source, to, options).filename(), form_.build.empty() ? "" : words()};
+  return {{compile(source, to, options).filename()}, form_.build.empty() ? "" : words()};
 }
 
 std::string Building::key(const Layers& layers) const {

@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "properties/mistakes/picture_causes.h"
+#include "tools/grade/intake/dry_scenes.h"
 
 namespace raycheck::tools {
 namespace {
@@ -19,6 +20,9 @@ using Mask = std::vector<bool>;
 /// How much more time a picture is given that is not made in the rubric's.
 constexpr double kMoreTime = 4;
 
+/// So long forms are looked for that would be a note alone.
+constexpr double kNoteSeconds = 20;
+
 /// A picture so much like the truth is made by who reads the form.
 constexpr double kSurelyAlike = 0.95;
 
@@ -27,39 +31,6 @@ constexpr double kBackgroundShare = 0.9;
 
 /// A channel of a pure colour is all, or at most this part of that.
 constexpr double kNoChannel = 0.4;
-
-/// Five spheres alike, in a cross, ahead; the same behind the eye and between it and the image
-/// plane, so that programs see the same which see these. The plane is 1 away, where directions are
-/// nearly unit ones and a program that takes d for something else is right. What is ahead has
-/// whole numbers, which programs read that read no others. The picture is the same turned and
-/// mirrored.
-scene::Scene symmetric_scene() {
-  scene::Scene scene;
-  scene::Camera camera;
-  camera.eye = {0, 0, 40};
-  camera.look_at = {0, 0, 0};
-  camera.up = {0, 1, 0};
-  camera.near = -1;
-  camera.left = camera.bottom = -1;
-  camera.right = camera.top = 1;
-  camera.width = camera.height = 25;
-  scene.camera = camera;
-  scene.conventions.rows = scene::Rows::kTopFirst;
-  for (const double distance : {10.0, -10.0, 0.5}) {
-    for (const auto& [x, y] :
-         {std::pair(0.0, 0.0), {0.6, 0.0}, {-0.6, 0.0}, {0.0, 0.6}, {0.0, -0.6}}) {
-      scene.spheres.push_back(
-          {{distance * x, distance * y, 40 - distance}, 0.2 * std::abs(distance)});
-    }
-  }
-  return scene;
-}
-
-scene::Scene one_sphere() {
-  scene::Scene scene = symmetric_scene();
-  scene.spheres.resize(1);
-  return scene;
-}
 
 /// What a frame around a picture is nearly everywhere; black where it is not of one colour, or the
 /// picture shows nothing else.
@@ -134,6 +105,8 @@ class DryRunner {
     found.driver = chosen.form;
     found.seconds = chosen.seconds;
     found.shows_a_sphere = chosen.reads();
+    const std::optional<DriverForm> other = form_read_instead(chosen);
+    if (other) found.notes.push_back(unread_note(*other));
     if (!chosen.made) {
       found.refusal = chosen.timed_out ? with_more_time(chosen, found) : chosen.failure;
       return found;
@@ -141,8 +114,7 @@ class DryRunner {
     found.picture_name = chosen.made->other_name;
     if (!found.shows_a_sphere) found.said = chosen.made->said;
     if (rule_.is_asked_for && !(chosen.form == rule_.form)) {
-      found.notes.push_back(fmt::format("it does not read driver files of form {}, but of form {}",
-                                        rule_.form.text(), chosen.form.text()));
+      found.notes.push_back(unread_note(chosen.form));
     }
     if (!chosen.made->other_name.empty()) {
       found.notes.push_back(
@@ -153,11 +125,11 @@ class DryRunner {
           fmt::format("it makes its picture, and then it {}", chosen.made->ended));
     }
     if (!chosen.reads()) {
-      if (is_uniform(chosen.made->picture)) {
-        found.notes.push_back(
+      if (is_uniform(chosen.made->picture) && !other) {
+        found.shows_nothing =
             fmt::format("its picture is {} in {} tried",
                         is_black(chosen.made->picture) ? "black" : "of one colour",
-                        tried_ == 1 ? "the one form" : fmt::format("the {} forms", tried_)));
+                        tried_ == 1 ? "the one form" : fmt::format("the {} forms", tried_));
       }
       return found;
     }
@@ -203,11 +175,14 @@ class DryRunner {
     return made;
   }
 
+  Attempt find_form() {
+    Attempt first = attempt(rule_.form);
+    return first.is_sure() || !rule_.tries_others ? first : best_of_all(std::move(first));
+  }
+
   /// The first form that is surely read; else the one in which the picture is most alike; where
   /// that is nowhere, the rule's if it gives a picture, else the first that does.
-  Attempt find_form() {
-    Attempt best = attempt(rule_.form);
-    if (best.is_sure() || !rule_.tries_others) return best;
+  Attempt best_of_all(Attempt best) {
     for (const DriverForm& form : known_forms(rule_.form)) {
       if (form == rule_.form) continue;
       if (is_late() || timed_out_ >= kMostTimeouts) break;
@@ -217,6 +192,19 @@ class DryRunner {
       if (is_better) best = std::move(next);
     }
     return best;
+  }
+
+  /// Where the rule's form alone counts and is not read.
+  std::optional<DriverForm> form_read_instead(const Attempt& chosen) {
+    if (rule_.tries_others || chosen.reads() || chosen.timed_out) return {};
+    end_ = std::min(end_, spent() + kNoteSeconds);
+    const Attempt other = best_of_all(chosen);
+    if (!other.reads()) return {};
+    return other.form;
+  }
+  std::string unread_note(const DriverForm& other) const {
+    return fmt::format("it does not read driver files of form {}, but of form {}",
+                       rule_.form.text(), other.text());
   }
 
   /// Why a picture is not made in time, and whether more would do.
@@ -232,12 +220,13 @@ class DryRunner {
             {}};
   }
 
-  /// The colour in which it shows a sphere of one; empty where it fails or shows none.
+  /// In which colour it shows spheres of one; empty where it fails or shows none.
   std::optional<Colour> shown(const Colour& colour, const DryRun& found) {
-    const scene::Scene scene = one_sphere();
+    const scene::Scene scene = middle_spheres();
+    const std::vector<Colour> colours(scene.spheres.size(), colour);
     try {
       const ReadPicture picture =
-          rendered(renderer_, driver_text(scene, found.driver, {colour})).picture;
+          rendered(renderer_, driver_text(scene, found.driver, colours)).picture;
       const std::size_t middle = picture.pixels.size() / 2;
       if (picture.pixels.empty() || picture.pixels[middle] == found.colours.background) return {};
       return picture.pixels[middle];
@@ -246,15 +235,20 @@ class DryRunner {
     }
   }
 
-  /// Which channel shows red, green and blue.
+  /// Which channel shows red, green and blue. What shows no sphere in any colour is wrong in
+  /// something else, and says nothing of its colours.
   void find_colours(DryRun& found) {
     constexpr std::array<Colour, 3> kPure = {Colour{255, 0, 0}, {0, 255, 0}, {0, 0, 255}};
+    std::array<std::optional<Colour>, 3> seen;
+    for (std::size_t k = 0; k < kPure.size(); ++k) seen[k] = shown(kPure[k], found);
+    if (std::none_of(seen.begin(), seen.end(), [](const auto& one) { return one.has_value(); })) {
+      return;
+    }
     std::array<std::size_t, 3> channels{};
     for (std::size_t k = 0; k < kPure.size(); ++k) {
-      const std::optional<Colour> colour = shown(kPure[k], found);
       const std::array<int, 3> parts =
-          colour ? std::array<int, 3>{colour->red, colour->green, colour->blue}
-                 : std::array<int, 3>{};
+          seen[k] ? std::array<int, 3>{seen[k]->red, seen[k]->green, seen[k]->blue}
+                  : std::array<int, 3>{};
       const auto most = std::max_element(parts.begin(), parts.end());
       channels[k] = static_cast<std::size_t>(most - parts.begin());
       const auto others = std::count_if(parts.begin(), parts.end(),

@@ -23,6 +23,9 @@ struct DryRun {
   /// That a picture takes, where the rubric's reply_seconds are too few.
   std::optional<double> needed_seconds = {};
   std::vector<std::string> notes;  ///< What is unlike what the rubric says, a sentence each.
+  /// That its pictures are black, or of one colour; false of it where it is judged on more than
+  /// this scene and has points.
+  std::string shows_nothing = {};
   std::optional<Refusal> refusal;  ///< Why nothing can be judged.
 };
 
@@ -32,7 +35,8 @@ inline constexpr double kShownAlike = 0.6;
 
 /// Has a few small pictures made, of a scene on which most mistakes do not show: symmetric and
 /// square, its numbers whole. The forms other than `rule`'s first are tried only where that one is
-/// not read. `seconds`: after so many no further form is tried.
+/// not read; where the rule asks for that one, no other is taken, and a note says which one is
+/// read. `seconds`: after so many no further form is tried.
 DryRun dry_run(Renderer renderer, const DriverRule& rule, double seconds,
                const properties::RunControl& control = {});
 

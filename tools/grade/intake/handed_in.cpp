@@ -43,12 +43,13 @@ bool is_left_behind(const fs::path& path, bool is_folder) {
 
 }  // namespace
 
-std::map<std::string, fs::path> files_of(const fs::path& path, const IntakeLimits& limits) {
+HandedInPaths paths_of(const fs::path& path, const IntakeLimits& limits) {
   const std::uintmax_t most = limits.mib << 20;
-  std::map<std::string, fs::path> files;
+  HandedInPaths found;
+  auto& [files, folders] = found;
   const fs::file_status status = fs::symlink_status(path);
   if (fs::is_regular_file(status) && fs::file_size(path) <= most) {
-    return {{path.filename().string(), path}};
+    return {{{path.filename().string(), path}}, {}};
   }
   if (!fs::is_directory(status)) {
     throw std::invalid_argument(
@@ -59,8 +60,14 @@ std::map<std::string, fs::path> files_of(const fs::path& path, const IntakeLimit
   std::uintmax_t bytes = 0;
   for (fs::recursive_directory_iterator entry(path), end; entry != end; ++entry) {
     const fs::file_status own = entry->symlink_status();
-    if (fs::is_directory(own) && is_left_behind(entry->path(), true)) {
-      entry.disable_recursion_pending();
+    if (fs::is_directory(own)) {
+      if (is_left_behind(entry->path(), true)) {
+        entry.disable_recursion_pending();
+      } else if (folders.push_back(entry->path().lexically_relative(path).string());
+                 folders.size() > limits.files) {
+        throw std::invalid_argument(
+            fmt::format("it has more than {} folders (files)", limits.files));
+      }
     }
     if (!fs::is_regular_file(own) || is_left_behind(entry->path(), false)) continue;
     files.emplace(entry->path().lexically_relative(path).string(), entry->path());
@@ -73,7 +80,8 @@ std::map<std::string, fs::path> files_of(const fs::path& path, const IntakeLimit
           fmt::format("it has more than {} MiB (submission_mib)", limits.mib));
     }
   }
-  return files;
+  std::sort(folders.begin(), folders.end());
+  return found;
 }
 
 fs::path innermost(fs::path path) {
@@ -90,9 +98,9 @@ fs::path innermost(fs::path path) {
   return path;
 }
 
-std::string digest_of(const std::map<std::string, fs::path>& files) {
-  std::vector<std::string> texts;
-  for (const auto& [name, path] : files) {
+std::string digest_of(const HandedInPaths& paths) {
+  std::vector<std::string> texts = paths.folders;
+  for (const auto& [name, path] : paths.files) {
     texts.push_back(name);
     const bool runs = (fs::status(path).permissions() & fs::perms::owner_exec) != fs::perms::none;
     texts.emplace_back(runs ? "runs" : "");

@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <map>
 #include <string>
+#include <vector>
 
 namespace raycheck::tools {
 
@@ -23,19 +24,24 @@ struct HandedInFile {
 /// By their paths in the submission: "src/rt.cpp".
 using HandedInFiles = std::map<std::string, HandedInFile>;
 
-/// The regular files of a submission by their paths in it, without what archives, editors and
+/// What is taken of a submission.
+struct HandedInPaths {
+  std::map<std::string, std::filesystem::path> files;  ///< By their paths in it.
+  std::vector<std::string> folders;  ///< Their paths in it, in which there may be nothing.
+};
+
+/// The regular files of a submission, and its folders, without what archives, editors and
 /// compilers leave behind: __MACOSX, .git, virtual environments, objects, precompiled headers.
 /// Links are not followed: they may lead to what is not the submission's.
 /// Errors: std::invalid_argument with what is wrong: no file or folder, or too large.
-std::map<std::string, std::filesystem::path> files_of(const std::filesystem::path& path,
-                                                      const IntakeLimits& limits);
+HandedInPaths paths_of(const std::filesystem::path& path, const IntakeLimits& limits);
 
 /// Where a folder has nothing but another, as unpacked archives do, that; what is left behind
 /// aside.
 std::filesystem::path innermost(std::filesystem::path path);
 
-/// A digest of files: their names, contents, and which are programs.
-std::string digest_of(const std::map<std::string, std::filesystem::path>& files);
+/// A digest of files, their names, contents, and which are programs, and of folders.
+std::string digest_of(const HandedInPaths& paths);
 
 /// Files with their contents.
 HandedInFiles read_files(const std::map<std::string, std::filesystem::path>& paths);

@@ -11,8 +11,9 @@ namespace fs = std::filesystem;
 
 struct Beginning {
   std::string_view bytes;
-  const char* kind;
+  std::string_view kind;
 };
+constexpr std::string_view kPicture = "picture";
 constexpr Beginning kBeginnings[] = {{"\x7f"
                                       "ELF",
                                       "program or library"},
@@ -25,10 +26,10 @@ constexpr Beginning kBeginnings[] = {{"\x7f"
                                      {"\xfd"
                                       "7zXZ",
                                       "compressed"},
-                                     {"\x89PNG", "picture"},
-                                     {"\xff\xd8\xff", "picture"},
-                                     {"GIF8", "picture"},
-                                     {"BM", "picture"}};
+                                     {"\x89PNG", kPicture},
+                                     {"\xff\xd8\xff", kPicture},
+                                     {"GIF8", kPicture},
+                                     {"BM", kPicture}};
 
 /// The beginnings of PNG and of PPM in Base64.
 constexpr std::string_view kEmbedded[] = {"iVBORw0KGgo", "UDYK", "UDMK"};
@@ -51,9 +52,9 @@ bool has_long_line(std::string_view text) {
 /// Empty where there is nothing to say of it.
 std::string kind_of(std::string_view text, std::uintmax_t bytes) {
   for (const Beginning& one : kBeginnings) {
-    if (text.starts_with(one.bytes)) return one.kind;
+    if (text.starts_with(one.bytes)) return std::string(one.kind);
   }
-  if (is_portable_picture(text)) return "picture";
+  if (is_portable_picture(text)) return std::string(kPicture);
   const bool has_picture = std::any_of(
       std::begin(kEmbedded), std::end(kEmbedded),
       [&](std::string_view begin) { return text.find(begin) != std::string_view::npos; });
@@ -63,6 +64,13 @@ std::string kind_of(std::string_view text, std::uintmax_t bytes) {
 }
 
 }  // namespace
+
+bool is_picture(std::string_view text) {
+  return is_portable_picture(text) ||
+         std::any_of(std::begin(kBeginnings), std::end(kBeginnings), [&](const Beginning& one) {
+           return one.kind == kPicture && text.starts_with(one.bytes);
+         });
+}
 
 std::vector<OpaqueFile> opaque_files(const HandedInFiles& files,
                                      const std::map<std::string, fs::path>& paths) {

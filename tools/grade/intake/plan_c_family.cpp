@@ -125,24 +125,6 @@ std::vector<std::string> made_by(const std::string& makefile) {
   return names;
 }
 
-/// The names of add_executable(NAME ...).
-std::vector<std::string> executables_of(const HandedInFiles& files) {
-  constexpr std::string_view kCall = "add_executable";
-  std::vector<std::string> names;
-  for (const auto& [path, file] : files) {
-    if (base_of(path) != "CMakeLists.txt") continue;
-    const std::string text = lower_case(file.text);
-    for (std::size_t at = 0; (at = text.find(kCall, at)) != std::string::npos;) {
-      at += kCall.size();
-      const std::size_t begin = text.find_first_not_of(" \t\r\n(", at);
-      const std::size_t end = text.find_first_of(" \t\r\n)", begin);
-      if (begin == std::string::npos || end == std::string::npos) break;
-      names.push_back(file.text.substr(begin, end - begin));
-    }
-  }
-  return names;
-}
-
 /// What some sources are linked with besides.
 std::string libraries_of(const HandedInFiles& files, const std::vector<std::string>& sources) {
   std::string libraries = "-pthread -lm";
@@ -179,12 +161,13 @@ BuildAttempt compiled(const HandedInFiles& files, const CSources& c,
   const std::string first = has_cpp ? "c++20" : "gnu17";
   const std::string rest = fmt::format("-O2 -w -fmax-errors=20 {} -o {} {} {}", c.flags(), kProgram,
                                        shell_words(sources), libraries_of(files, sources));
-  std::string words = removal_words(files) + repair_words(c.repairs);
-  words += fmt::format("{} -std={} {} 2> raycheck-said", compiler, first, rest);
-  for (const char* const older : {"gnu++17", "gnu++14"}) {
-    if (has_cpp) words += fmt::format(" || {} -std={} {} 2> /dev/null", compiler, older, rest);
-  }
-  words += " || { cat raycheck-said >&2; false; }";
+  const std::string standards = has_cpp ? first + " gnu++17 gnu++14" : first;
+  const std::string words = removal_words(files) + repair_words(c.repairs) +
+                            fmt::format(
+                                "rm -f {0}; for standard in {1}; do {2} -std=$standard {3} "
+                                "2> raycheck-said-$standard && break; done; "
+                                "test -e {0} || {{ cat raycheck-said-{4} >&2; false; }}",
+                                kProgram, standards, compiler, rest, first);
   return {"its sources", fmt::format("{} -O2 -std={} {}", compiler, first, names_shown(sources)),
           words,         std::string(kMade),
           {kProgram},    c.notes()};
@@ -238,11 +221,14 @@ void plan_cmake(const HandedInFiles& files, BuildPlan& plan) {
   if (path.empty()) return;
   const std::string folder = folder_of(path).empty() ? "." : folder_of(path);
   plan.attempts.push_back(
-      {"its " + path, "cmake",
+      {"its " + path,
+       "cmake",
        removal_words(files) + repair_words(c.repairs) + c.search_path() + "cmake -S " +
            single_quoted(folder) +
            " -B raycheck-build -DCMAKE_BUILD_TYPE=Release && make -C raycheck-build",
-       std::string(kMade), executables_of(files), c.notes()});
+       std::string(kMade),
+       {},
+       c.notes()});
 }
 
 void plan_c_family(const HandedInFiles& files, BuildPlan& plan) {

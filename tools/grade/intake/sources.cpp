@@ -31,24 +31,6 @@ std::vector<std::string> folders_of(const std::string& path) {
 
 bool is_word(char c) { return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_'; }
 
-/// How likely a file of this name starts a renderer: less is likelier.
-int rank(const std::string& path) {
-  std::string stem = lower_case(base_of(path));
-  stem.resize(std::min(stem.rfind('.'), stem.size()));
-  for (const char* const other : {"test", "old", "backup", "copy", "example", "demo", "convert",
-                                  "compare", "setup", "plot"}) {
-    if (stem.find(other) != std::string::npos) return 4;
-  }
-  constexpr std::array<std::string_view, 8> kFirst = {
-      "rt", "raytracer", "ray_tracer", "raytrace", "raycaster", "renderer", "render", "tracer"};
-  if (is_one_of(kFirst, stem)) return 0;
-  if (stem == "main" || stem == "__main__" || stem == "index" || stem == "app") return 1;
-  for (const char* const other : {"ray", "trace", "render", "main"}) {
-    if (stem.find(other) != std::string::npos) return 2;
-  }
-  return 3;
-}
-
 }  // namespace
 
 std::string folder_of(const std::string& path) {
@@ -179,9 +161,26 @@ bool is_aside(const std::string& path) {
   return false;
 }
 
+int likelihood_rank(const std::string& path) {
+  std::string stem = lower_case(base_of(path));
+  stem.resize(std::min(stem.rfind('.'), stem.size()));
+  for (const char* const other : {"test", "old", "backup", "copy", "example", "demo", "convert",
+                                  "compare", "setup", "plot"}) {
+    if (stem.find(other) != std::string::npos) return kHardlyARenderer;
+  }
+  constexpr std::array<std::string_view, 8> kFirst = {
+      "rt", "raytracer", "ray_tracer", "raytrace", "raycaster", "renderer", "render", "tracer"};
+  if (is_one_of(kFirst, stem)) return 0;
+  if (stem == "main" || stem == "__main__" || stem == "index" || stem == "app") return 1;
+  for (const char* const other : {"ray", "trace", "render", "main"}) {
+    if (stem.find(other) != std::string::npos) return 2;
+  }
+  return 3;
+}
+
 void sort_by_likelihood(std::vector<std::string>& names) {
   const auto key = [](const std::string& name) {
-    return std::tuple(rank(name), std::count(name.begin(), name.end(), '/'), name);
+    return std::tuple(likelihood_rank(name), std::count(name.begin(), name.end(), '/'), name);
   };
   std::sort(names.begin(), names.end(),
             [&](const std::string& a, const std::string& b) { return key(a) < key(b); });

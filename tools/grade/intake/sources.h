@@ -51,6 +51,11 @@ std::vector<std::string> own_sources(const HandedInFiles& files, const Vendored&
 /// Whether it lies below a folder of builds, tests or examples.
 bool is_aside(const std::string& path);
 
+/// How likely a file of this name starts a renderer, 0 for rt and raytracer; less is likelier.
+/// kHardlyARenderer for what is called test, backup, example and the like.
+inline constexpr int kHardlyARenderer = 4;
+int likelihood_rank(const std::string& path);
+
 /// The names in the order in which a renderer is likely called so: main, rt, raytracer first, tests
 /// last, then those closer to the top.
 void sort_by_likelihood(std::vector<std::string>& names);

@@ -7,7 +7,6 @@
 #include <chrono>
 #include <fstream>
 #include <iterator>
-#include <limits>
 #include <map>
 #include <memory>
 #include <set>
@@ -19,15 +18,14 @@
 #include "tools/grade/intake/notebook.h"
 #include "tools/grade/intake/opaque_files.h"
 #include "tools/grade/intake/quoting.h"
+#include "tools/grade/intake/run_folder.h"
+#include "tools/grade/intake/starting.h"
 #include "tools/grade/rubric/digest.h"
 
 namespace raycheck::tools {
 namespace {
 
 namespace fs = std::filesystem;
-
-/// A dry run tries no further form after so many.
-constexpr double kDryRunSeconds = 60;
 
 [[noreturn]] void refuse(const std::string& why) { throw SubmissionError({why, ""}, {}); }
 
@@ -52,6 +50,7 @@ namespace {
 
 struct CopiedFiles {
   HandedInFiles files;
+  std::vector<std::string> folders;
   std::string digest;  ///< Of those that were handed in.
   std::vector<OpaqueFile> opaque;
 };
@@ -59,13 +58,16 @@ struct CopiedFiles {
 /// Copies a submission to a folder; a Jupyter notebook lies there as a module of Python too.
 CopiedFiles copied(const Submission& submission, const SubmissionLimits& limits,
                    const fs::path& folder) {
-  std::map<std::string, fs::path> copies;
-  for (const auto& [name, path] : files_of(innermost(submission.path), intake_limits(limits))) {
+  HandedInPaths handed_in = paths_of(innermost(submission.path), intake_limits(limits));
+  HandedInPaths in_copy{{}, std::move(handed_in.folders)};
+  auto& copies = in_copy.files;
+  for (const auto& [name, path] : handed_in.files) {
     const fs::path to = folder / name;
     fs::create_directories(to.parent_path());
     fs::copy_file(path, to);
     copies.emplace(name, to);
   }
+  for (const std::string& name : in_copy.folders) fs::create_directories(folder / name);
   HandedInFiles files = read_files(copies);
   std::vector<OpaqueFile> opaque = opaque_files(files, copies);
   for (const auto& [name, path] : copies) {
@@ -76,7 +78,8 @@ CopiedFiles copied(const Submission& submission, const SubmissionLimits& limits,
       files[module] = {*code, false};
     }
   }
-  return {std::move(files), digest_of(copies), std::move(opaque)};
+  std::string digested = digest_of(in_copy);
+  return {std::move(files), std::move(in_copy.folders), std::move(digested), std::move(opaque)};
 }
 
 std::vector<std::string> top_files(const HandedInFiles& files) {
@@ -103,36 +106,6 @@ std::pair<const Form*, std::string> form_of(const fs::path& folder, const Rubric
   for (const Form& form : rubric.forms) asked += (asked.empty() ? "" : ", ") + form.has;
   refuse(asked.empty() ? "the rubric has no [[form]] of submissions"
                        : fmt::format("it has none of the files that are asked for: {}", asked));
-}
-
-/// The reason in one line; what a program said, in lines of its own.
-Refusal in_one_line(Refusal refusal) {
-  constexpr std::string_view kIntroduction = "; it said:";
-  const std::size_t line = refusal.why.find('\n');
-  if (line == std::string::npos) return refusal;
-  refusal.said = refusal.why.substr(line + 1) + (refusal.said.empty() ? "" : "\n" + refusal.said);
-  refusal.why.resize(line);
-  if (refusal.why.ends_with(kIntroduction)) {
-    refusal.why.resize(line - kIntroduction.size());
-  }
-  return refusal;
-}
-
-/// From the dry run on a renderer is asked as it reads and shows.
-void ask_in_its_form(RunnableSubmission& runnable, const Rubric& rubric,
-                     const properties::RunControl& control) {
-  Renderer renderer = *runnable.external.renderer;
-  const DryRun& found =
-      runnable.found.dry_run.emplace(dry_run(renderer, rubric.driver, kDryRunSeconds, control));
-  if (found.refusal) throw SubmissionError(in_one_line(*found.refusal), runnable.found);
-  renderer.driver = found.driver;
-  renderer.colours = found.colours;
-  // All that it is asked has an end of its own, the rubric's `seconds`.
-  renderer.most_silences = std::numeric_limits<int>::max();
-  External asked = rendering(runnable.external.name, std::move(renderer));
-  asked.folder = runnable.external.folder;
-  asked.bounds = runnable.external.bounds;
-  runnable.external = std::move(asked);
 }
 
 }  // namespace
@@ -167,7 +140,7 @@ std::vector<Submission> find_submissions(const std::vector<std::string>& paths,
 
 std::string digest(const Submission& submission, const SubmissionLimits& limits) {
   try {
-    return digest_of(files_of(submission.path, intake_limits(limits)));
+    return digest_of(paths_of(submission.path, intake_limits(limits)));
   } catch (const std::system_error& error) {
     if (is_of_the_machine(error.code())) throw;
     return digest({error.what()});
@@ -180,7 +153,7 @@ RunnableSubmission prepare(const Submission& submission, const Rubric& rubric,
                            const Confinement& confinement, const properties::RunControl& control,
                            Store* store) try {
   const auto& [layers, surroundings] = confinement;
-  auto folder = std::make_shared<PrivateFolder>();
+  std::shared_ptr<const PrivateFolder> folder = std::make_shared<PrivateFolder>();
   CopiedFiles files = copied(submission, rubric.limits, folder->path());
   const auto [form, file] = form_of(folder->path(), rubric);
   CandidateSpec program = form->program;
@@ -202,44 +175,29 @@ RunnableSubmission prepare(const Submission& submission, const Rubric& rubric,
                     .files = top_files(files.files),
                     .as_it_comes = form->builds_as_it_comes(),
                     .opaque_files = std::move(files.opaque)};
+  BuiltSubmission built{rubric, program, std::move(found), options, store};
+  built.start = run_folder(files.files, files.folders, folder);
   const auto begin = std::chrono::steady_clock::now();
   try {
     const Building building(*form, file, program, copy, files.files, std::move(files.digest));
-    Built made;
-    bool is_stored = false;
     if (building.is_needed()) {
       auto to = std::make_shared<PrivateFolder>();
       const auto build = [&] { return building.run(to->path(), options); };
-      made = store ? store->built(building.key(layers), to->path(), build, is_stored) : build();
+      built.made =
+          store ? store->built(building.key(layers), to->path(), build, built.is_stored) : build();
       folder = std::move(to);
       open_to_others(folder->path());
     }
-    if (form->builds_as_it_comes()) {
-      program.what = with_mark(program.what, "{program}", made.program);
-    }
-    if (store) {
-      options.answers = store->answers(answers_key(building.key(layers), program, options.limits));
-    }
-    options.folder = folder->path();
-    found.program = program;
-    found.build_words = std::move(made.words);
-    found.notes = std::move(made.notes);
-    const bool is_compiled = program.kind == CandidateKind::kSource;
-    External external = is_compiled
-                            ? compiled_external(program, folder->path() / made.program, options)
-                            : find_external(program, options);
-    found.build_seconds =
-        std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
-    // The rubric says in which format it is judged, whatever it declares.
-    external.precision = scene::Precision::kDouble;
-    RunnableSubmission runnable{std::move(external), std::move(found), is_stored};
-    // The program's folder lasts as long as it; a library has one of its own.
-    if (!runnable.external.folder) runnable.external.folder = std::move(folder);
-    if (runnable.external.renderer) ask_in_its_form(runnable, rubric, control);
-    return runnable;
+    if (store) built.key = building.key(layers);
   } catch (const CandidateError& error) {
-    throw SubmissionError({error.why(), error.said()}, found);
+    throw SubmissionError({error.why(), error.said()}, built.found);
   }
+  built.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+  built.found.build_words = built.made.words;
+  const auto& notes = built.made.notes;
+  built.found.notes.insert(built.found.notes.end(), notes.begin(), notes.end());
+  built.folder = std::move(folder);
+  return likeliest(built, control);
 } catch (const SubmissionError&) {
   throw;
 } catch (const fs::filesystem_error& error) {

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <array>
 #include <string>
 #include <utility>
 
@@ -108,23 +109,64 @@ Causes causes_of(const Rubric& rubric, const std::vector<ItemTrial>& trials) {
   return is_more ? ordinary : all;
 }
 
-/// Whether a mistake in reading a driver file might make the same: of bounds, of d, of positions.
+/// A camera whose numbers differ, and what a mistake reads of it.
+scene::Camera numbered_camera() {
+  scene::Camera camera;
+  camera.near = -3;
+  camera.left = -1.25;
+  camera.right = 2.5;
+  camera.bottom = -0.75;
+  camera.top = 1.75;
+  camera.width = 5;
+  camera.height = 4;
+  return camera;
+}
+
+/// How a mistake takes near and the bounds.
+struct Reading {
+  bool turns_near = false;     ///< near has another sign.
+  bool orders_bounds = false;  ///< The bounds are those given, in another order.
+};
+
+Reading reading_of(const Mistake& mistake) {
+  if (!mistake.camera) return {};
+  const scene::Camera given = numbered_camera();
+  scene::Camera read = given;
+  mistake.camera(read, {});
+  const std::array<double, 4> bounds = {given.left, given.right, given.bottom, given.top};
+  const std::array<double, 4> taken = {read.left, read.right, read.bottom, read.top};
+  if (taken == bounds) return {read.near == -given.near, false};
+  return {false, std::is_permutation(taken.begin(), taken.end(), bounds.begin())};
+}
+
+/// Whether who reads another form of driver files rightly might show the same: dialects differ in
+/// the sign of d and in the order of the bounds.
 bool is_of_driver_files(const Causes& causes) {
   return std::any_of(causes.alternatives.begin(), causes.alternatives.end(),
                      [](const Fault& fault) {
                        return std::any_of(fault.begin(), fault.end(), [](const Mistake* mistake) {
-                         return mistake->step < properties::Step::kRay;
+                         const Reading reading = reading_of(*mistake);
+                         return reading.turns_near || reading.orders_bounds;
                        });
                      });
 }
 
-/// The alternatives in one sentence.
-std::string any_sentence(const std::vector<Fault>& alternatives) {
-  std::string text;
-  for (const Fault& fault : alternatives) {
-    text += (text.empty() ? "" : ", or: ") + properties::sentence_of(fault);
-  }
-  return text;
+/// A near of the wrong sign in files of one dialect is that of the other, whose bounds are in
+/// another order: of who was found to read a dialect only both are known.
+const Mistake* worded_for(scene::Dialect dialect, const Mistake* mistake) {
+  if (!reading_of(*mistake).turns_near) return mistake;
+  const auto worded = [&](const char* sentence) {
+    Mistake other = *mistake;
+    other.sentence = sentence;
+    return other;
+  };
+  static const Mistake kBoundsOfA = worded(
+      "near is d itself, as in driver files from 2019 on, but the bounds are read in the order of "
+      "2017 and 2018");
+  static const Mistake kBoundsOfB = worded(
+      "near is -d, as in driver files of 2017 and 2018, but the bounds are read in the order of "
+      "2019 and later");
+  return dialect == scene::Dialect::kA ? &kBoundsOfA : &kBoundsOfB;
 }
 
 /// Of an item that fails.
@@ -167,7 +209,8 @@ ItemCause name_imprecision(const Causes& causes, bool masks_only, ItemTrial& tri
     if (left > 0) continue;
     const std::string sentence = causes.imprecision->sentence();
     const std::string whole =
-        fault.empty() ? sentence : any_sentence(causes.alternatives) + "; and " + sentence;
+        fault.empty() ? sentence
+                      : properties::sentence_of(causes.alternatives) + "; and " + sentence;
     trial.grade.mistakes.push_back({whole, wrong, wrong});
     return {fault, {sentence}, true};
   }
@@ -189,9 +232,16 @@ ItemCause name_cause(const Causes& causes, bool is_shown, bool masks_only, ItemT
   cause.is_all = cause.is_all || is_shown;
   const Agreement found = agreement(cause.fault, trial, masks_only);
   // A part of a fault has its own sentence, the whole one all that could be meant.
-  const std::string sentence = cause.fault.size() == fault.size()
-                                   ? any_sentence(causes.alternatives)
-                                   : properties::sentence_of(cause.fault);
+  std::vector<Fault> alternatives = causes.alternatives;
+  if (cause.fault.size() < fault.size()) {
+    alternatives.clear();
+    const auto place = std::find(fault.begin(), fault.end(), cause.fault.front()) - fault.begin();
+    for (const Mistake* one :
+         properties::mistakes_at(static_cast<std::size_t>(place), causes.alternatives)) {
+      alternatives.push_back({one});
+    }
+  }
+  const std::string sentence = properties::sentence_of(alternatives);
   trial.grade.mistakes.push_back(
       {sentence, found.wrong, found.wrong - std::min(found.wrong, found.left)});
   return cause;
@@ -204,14 +254,19 @@ bool fails_on_all(const properties::ShapeCause& shape, const std::vector<scene::
 
 }  // namespace
 
-std::vector<ItemCause> causes_of_pictures(const Rubric& rubric, bool form_is_read,
-                                          std::vector<ItemTrial>& trials) {
+std::vector<ItemCause> causes_of_pictures(const Rubric& rubric, FormKnown form_known,
+                                          scene::Dialect dialect, std::vector<ItemTrial>& trials) {
   std::vector<ItemCause> item_causes(trials.size());
-  const Causes causes = causes_of(rubric, trials);
-  if (!form_is_read && is_of_driver_files(causes)) return item_causes;
+  Causes causes = causes_of(rubric, trials);
+  if (form_known == FormKnown::kNot && is_of_driver_files(causes)) return item_causes;
+  if (form_known == FormKnown::kFound) {
+    for (Fault& fault : causes.alternatives) {
+      for (const Mistake*& mistake : fault) mistake = worded_for(dialect, mistake);
+    }
+  }
   const bool is_shown =
       causes.kind == CauseKind::kExplained && shows_enough(causes.alternatives.front(), trials);
-  const auto shape = form_is_read ? shape_of_failures(trials) : std::nullopt;
+  const auto shape = form_known == FormKnown::kNot ? std::nullopt : shape_of_failures(trials);
   for (std::size_t k = 0; k < trials.size(); ++k) {
     ItemTrial& trial = trials[k];
     if (trial.grade.state != ItemState::kFails || trial.failed.empty()) continue;

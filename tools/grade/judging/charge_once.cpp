@@ -58,7 +58,9 @@ void charge_once(const Rubric& rubric, const std::vector<ItemCause>& causes,
   for (std::size_t k = 0; k < trials.size(); ++k) {
     ItemGrade& grade = trials[k].grade;
     const std::vector<Charge> its = charges(causes[k]);
-    const bool follows = grade.state == ItemState::kFails && causes[k].is_all && !its.empty() &&
+    // What is given besides is earned by right answers alone.
+    const bool follows = grade.state == ItemState::kFails && !rubric.items[k].bonus &&
+                         causes[k].is_all && !its.empty() &&
                          std::all_of(its.begin(), its.end(), [&](const Charge& one) {
                            return charged.at(one.sentence) != k;
                          });

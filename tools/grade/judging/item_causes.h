@@ -10,6 +10,7 @@
 #include "properties/mistakes/fault.h"
 #include "properties/mistakes/shape_cause.h"
 #include "tools/grade/judging/item_trial.h"
+#include "tools/grade/judging/judge.h"
 #include "tools/grade/rubric/rubric.h"
 
 namespace raycheck::tools {
@@ -26,10 +27,11 @@ struct ItemCause {
 std::optional<properties::Step> step_of(const Item& item);
 
 /// What the wrong pictures of a renderer come of, all items together, and names it in each.
-/// `form_is_read`: it is known to read the form of its driver files; otherwise nothing is named
-/// that another form might make. Domain: a trial for each item of the rubric.
-std::vector<ItemCause> causes_of_pictures(const Rubric& rubric, bool form_is_read,
-                                          std::vector<ItemTrial>& trials);
+/// Nothing is named that another form of driver files makes where it is not known which one is
+/// read; where it was found, one mistake in it may be another in another form, and is worded as
+/// both. Domain: a trial for each item of the rubric.
+std::vector<ItemCause> causes_of_pictures(const Rubric& rubric, FormKnown form_known,
+                                          scene::Dialect dialect, std::vector<ItemTrial>& trials);
 
 /// The same of functions.
 std::vector<ItemCause> causes_of_functions(const Rubric& rubric,

@@ -41,15 +41,19 @@ class Judge {
         control_(control),
         last_failure_(std::move(judged.last_failure)),
         pictures_(judged.pictures),
-        form_is_read_(judged.form_is_read),
+        form_known_(judged.form_known),
+        dialect_(judged.dialect),
         seed_(seed),
         spent_(std::move(judged.spent)),
         before_(spent_ ? spent_->seconds() : 0) {
     candidate_.declared = rubric.conventions.over(candidate_.declared);
-    // A domain that a submission states for itself would excuse it from what the rubric asks.
-    candidate_.smallest_length =
+    // Roots that count, or a domain, that a submission states for itself would excuse it from what
+    // the rubric asks.
+    candidate_.declared.valid = rubric.conventions.valid.value_or(scene::ValidRoots{});
+    candidate_.smallest_length = candidate_.smallest_camera_length =
         std::min(candidate_.smallest_length, properties::kSmallestJudgedLength);
-    candidate_.largest_length = std::numeric_limits<double>::infinity();
+    candidate_.largest_length = candidate_.largest_camera_length =
+        std::numeric_limits<double>::infinity();
     candidate_ = judged_in(rubric.precision, std::move(candidate_));
   }
 
@@ -58,7 +62,7 @@ class Judge {
     for (std::size_t k = 0; k < rubric_.items.size(); ++k) trials.push_back(try_item_at(k));
     std::vector<ItemCause> causes(trials.size());
     try {
-      causes = pictures_ ? causes_of_pictures(rubric_, form_is_read_, trials)
+      causes = pictures_ ? causes_of_pictures(rubric_, form_known_, dialect_, trials)
                          : causes_of_functions(rubric_, candidate_, trials);
     } catch (const scene::Interrupted&) {
       // They are not known, then.
@@ -178,7 +182,8 @@ class Judge {
   const properties::RunControl& control_;
   LastFailure last_failure_;
   bool pictures_;
-  bool form_is_read_;
+  FormKnown form_known_;
+  scene::Dialect dialect_;
   std::uint64_t seed_;
   std::shared_ptr<const SpentTime> spent_;
   double before_;

@@ -12,12 +12,20 @@
 
 namespace raycheck::tools {
 
+/// What is known of the form of a renderer's driver files.
+enum class FormKnown {
+  kGiven,  ///< It is the one that the rubric asks for: to read another is a mistake.
+  kFound,  ///< Of several it is the one in which a picture shows the scene.
+  kNot     ///< None was found that is read.
+};
+
 /// Who is judged.
 struct Judged {
   properties::Candidate candidate;
-  bool pictures = false;               ///< It is asked for pictures, otherwise for functions.
-  bool form_is_read = true;            ///< It is known to read the form of its driver files.
-  LastFailure last_failure = nullptr;  ///< Set where the candidate fails.
+  bool pictures = false;  ///< It is asked for pictures, otherwise for functions.
+  FormKnown form_known = FormKnown::kGiven;
+  scene::Dialect dialect = scene::Dialect::kB;  ///< Of its driver files.
+  LastFailure last_failure = nullptr;           ///< Set where the candidate fails.
   /// Of its processes; null: its time is not limited.
   std::shared_ptr<const SpentTime> spent = nullptr;
 };

@@ -17,8 +17,8 @@ struct HomeCommand {
   std::string words;
 };
 
-/// Those that repeat the failing case of item k, its files beside the submission's; empty where it
-/// has none.
+/// Those that build the submission as it was built here, and repeat the failing case of item k, its
+/// files beside the submission's; empty where it has none.
 std::vector<HomeCommand> commands_for_case(const StudentGrade& grade, std::size_t k);
 
 /// What grades the submission again, as far as it is shown, in its folder.

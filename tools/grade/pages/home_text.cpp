@@ -27,6 +27,10 @@ std::vector<HomeCommand> commands_for_case(const StudentGrade& grade, std::size_
   const std::string name = file_name(item.name);
   const bool is_renderer = program->kind == CandidateKind::kRenderer;
   std::vector<HomeCommand> commands;
+  if (!grade.submission.build_words.empty()) {
+    commands.push_back(
+        {"Build it as here, in a copy of your folder", "(" + grade.submission.build_words + ")"});
+  }
   if (is_renderer) {
     commands.push_back({"Draw it", replaced(replaced(program->what, "{scene}", name + ".txt"),
                                             "{image}", "out.ppm")});

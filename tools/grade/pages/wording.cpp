@@ -98,23 +98,35 @@ std::string mistake_text(const ItemGrade& grade, const ExplainingMistake& mistak
 }
 
 std::string mistake_text(const SubmissionGrade& grade) {
-  std::vector<std::pair<std::string_view, int>> counts;
+  struct Said {
+    std::string_view sentence;
+    int items = 0;
+    bool costs = false;  ///< Some item its points.
+  };
+  std::vector<Said> all;
   for (const ItemGrade& item : grade.items) {
     for (const ExplainingMistake& mistake : item.mistakes) {
-      const auto known = std::find_if(counts.begin(), counts.end(), [&](const auto& entry) {
-        return entry.first == mistake.sentence;
-      });
-      if (known == counts.end()) {
-        counts.emplace_back(mistake.sentence, 1);
-      } else {
-        ++known->second;
-      }
+      auto known = std::find_if(all.begin(), all.end(),
+                                [&](const Said& one) { return one.sentence == mistake.sentence; });
+      if (known == all.end()) known = all.insert(known, Said{mistake.sentence});
+      ++known->items;
+      known->costs = known->costs || item.state == ItemState::kFails;
     }
   }
-  const auto most =
-      std::max_element(counts.begin(), counts.end(),
-                       [](const auto& a, const auto& b) { return a.second < b.second; });
-  return most == counts.end() ? "" : std::string(most->first);
+  std::stable_sort(all.begin(), all.end(),
+                   [](const Said& a, const Said& b) { return a.items > b.items; });
+  // The most frequent is named, and what costs points besides.
+  std::size_t told = 0;
+  std::erase_if(all, [&](const Said& one) { return told++ > 0 && !one.costs; });
+  std::string text;
+  for (const Said& one : all) {
+    const bool is_within = std::any_of(all.begin(), all.end(), [&](const Said& other) {
+      return other.sentence.size() > one.sentence.size() &&
+             other.sentence.find(one.sentence) != std::string_view::npos;
+    });
+    if (!is_within) text += (text.empty() ? "" : "; and ") + std::string(one.sentence);
+  }
+  return text;
 }
 
 std::string state_text(const ItemGrade& grade) {

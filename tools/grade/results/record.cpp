@@ -240,6 +240,7 @@ std::string record_text(const SubmissionGrade& grade) {
   Json json = {
       {"name", grade.name},
       {"program", or_null(grade.program, [](const CandidateSpec& spec) { return spec.text(); })},
+      {"build", grade.build_words},
       {"driver", driver_json(grade.driver)},
       {"notes", grade.notes},
       {"opaque_files", Json::array()},
@@ -273,6 +274,7 @@ SubmissionGrade read_record(std::string_view text) {
   grade.program = if_any(json.at("program"), [](const Json& program) {
     return parse_candidate(program.get<std::string>());
   });
+  grade.build_words = json.at("build");
   grade.driver = driver_of(json.at("driver"));
   grade.notes = json.at("notes").get<std::vector<std::string>>();
   grade.refused = if_any(json.at("refused"), [](const Json& refused) {

@@ -172,7 +172,10 @@ struct SubmissionGrade {
   std::string key;  ///< Of all that the grade depends on.
   GradeInputs inputs;
   std::optional<CandidateSpec> program;  ///< As it was run; absent where none was found.
-  DriverForm driver = {};                ///< Of a renderer: how its driver files are written.
+  /// The shell words that built it, in a copy of its folder; empty: nothing was to build, or
+  /// raycheck compiled it.
+  std::string build_words = {};
+  DriverForm driver = {};  ///< Of a renderer: how its driver files are written.
   /// What the dry run found out, and what is worth knowing of how it was built, a sentence each.
   std::vector<std::string> notes = {};
   std::vector<OpaqueFile> opaque_files = {};  ///< For instructors to look at.

@@ -98,7 +98,7 @@ std::optional<Built> Store::find(const std::string& key, const fs::path& to) con
     if (digest({made.dump()}) != record.at("digest")) return {};
     const auto digests = made.at("files").get<std::map<std::string, std::string>>();
     if (copy_files(folder / kFiles, to) == digests) {
-      return Built{made.at("program"), made.at("words"),
+      return Built{made.at("programs").get<std::vector<std::string>>(), made.at("words"),
                    made.at("notes").get<std::vector<std::string>>()};
     }
   } catch (const std::exception&) {
@@ -113,7 +113,7 @@ void Store::keep(const std::string& key, const fs::path& from, const Built& buil
   const fs::path beside = fmt::format("{}.{}", folder.string(), getpid());
   fs::remove_all(beside);
   fs::create_directories(beside / kFiles);
-  const Json made = {{"program", built.program},
+  const Json made = {{"programs", built.programs},
                      {"words", built.words},
                      {"notes", built.notes},
                      {"files", copy_files(from, beside / kFiles)}};
