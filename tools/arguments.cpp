@@ -70,10 +70,9 @@ scene::Pixel parse_pixel(const char* option, std::string_view text, std::string_
   }
   const scene::Camera& camera = *scene.camera;
   if (pixel.i >= camera.width || pixel.j >= camera.height) {
-    throw std::invalid_argument(
-        fmt::format("{} {}: {} has {} x {} pixels; give a column up to {} and a row up to {}",
-                    option, text, path, camera.width, camera.height, camera.width - 1,
-                    camera.height - 1));
+    throw std::invalid_argument(fmt::format(
+        "{} {}: {} has {} x {} pixels; give a column up to {} and a row up to {}", option, text,
+        path, camera.width, camera.height, camera.width - 1, camera.height - 1));
   }
   return pixel;
 }
