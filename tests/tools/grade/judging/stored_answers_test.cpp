@@ -196,8 +196,7 @@ TEST_P(HostileTable, OfPicturesEarnsNextToNothing) {
   const properties::RunControl control;
   double score = 0, points = 0;
   std::string earned;
-  for (const tools::ItemGrade& item :
-       tools::judge(lecture7(), {candidate, true}, seed, control)) {
+  for (const tools::ItemGrade& item : tools::judge(lecture7(), {candidate, true}, seed, control)) {
     score += item.score;
     points += item.bonus ? 0 : item.points;
     earned += item.score > 0 ? " " + item.name + ":" + std::to_string(item.score) : "";
