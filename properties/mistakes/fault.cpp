@@ -70,18 +70,25 @@ std::vector<const Mistake*> mistakes_at(std::size_t place, const std::vector<Fau
                                          : std::vector{alternatives.front().at(place)};
 }
 
-std::string sentence_of(const std::vector<Fault>& alternatives) {
-  std::string sentence;
+std::vector<std::string> sentences_of(const std::vector<Fault>& alternatives) {
   const auto at = all_at(alternatives);
+  std::vector<std::string> all;
   if (!are_all_pairs(at, alternatives)) {
-    for (const Fault& fault : alternatives) add(sentence_of(fault), kOr, sentence);
-    return sentence;
+    std::string any;
+    for (const Fault& fault : alternatives) add(sentence_of(fault), kOr, any);
+    return {any};
   }
   for (const std::vector<const Mistake*>& part : at) {
-    std::string its;
-    for (const Mistake* mistake : part) add(mistake->sentence, kOr, its);
-    add(its, kAnd, sentence);
+    for (const Mistake* mistake : part) {
+      add(mistake->sentence, kOr, mistake == part.front() ? all.emplace_back() : all.back());
+    }
   }
+  return all;
+}
+
+std::string sentence_of(const std::vector<Fault>& alternatives) {
+  std::string sentence;
+  for (const std::string& its : sentences_of(alternatives)) add(its, kAnd, sentence);
   return sentence;
 }
 

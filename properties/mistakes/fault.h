@@ -25,6 +25,8 @@ std::vector<const Mistake*> mistakes_at(std::size_t place, const std::vector<Fau
 /// The sentence of alternatives: "rows are upside down, or: V has the wrong sign"; of all pairs of
 /// some with others "A, or: B; and C, or: D".
 std::string sentence_of(const std::vector<Fault>& alternatives);
+/// The same in parts, "A, or: B" and "C, or: D"; one of alternatives that have none in common.
+std::vector<std::string> sentences_of(const std::vector<Fault>& alternatives);
 
 /// Whether one program can make both: they have no two formulas for the same thing.
 bool can_be_together(const Mistake& a, const Mistake& b);

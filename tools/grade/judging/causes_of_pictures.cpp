@@ -211,7 +211,12 @@ ItemCause name_imprecision(const Causes& causes, bool masks_only, ItemTrial& tri
     const std::string whole =
         fault.empty() ? sentence
                       : properties::sentence_of(causes.alternatives) + "; and " + sentence;
-    trial.grade.mistakes.push_back({whole, wrong, wrong});
+    std::vector<std::string> each = {sentence};
+    if (!fault.empty()) {
+      each = properties::sentences_of(causes.alternatives);
+      each.push_back(sentence);
+    }
+    trial.grade.mistakes.push_back({whole, wrong, wrong, std::move(each)});
     return {fault, {sentence}, true};
   }
   return {};
@@ -242,8 +247,9 @@ ItemCause name_cause(const Causes& causes, bool is_shown, bool masks_only, ItemT
     }
   }
   const std::string sentence = properties::sentence_of(alternatives);
-  trial.grade.mistakes.push_back(
-      {sentence, found.wrong, found.wrong - std::min(found.wrong, found.left)});
+  trial.grade.mistakes.push_back({sentence, found.wrong,
+                                  found.wrong - std::min(found.wrong, found.left),
+                                  properties::sentences_of(alternatives)});
   return cause;
 }
 

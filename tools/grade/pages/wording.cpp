@@ -99,32 +99,28 @@ std::string mistake_text(const ItemGrade& grade, const ExplainingMistake& mistak
 
 std::string mistake_text(const SubmissionGrade& grade) {
   struct Said {
-    std::string_view sentence;
+    std::string sentence;
     int items = 0;
     bool costs = false;  ///< Some item its points.
   };
   std::vector<Said> all;
   for (const ItemGrade& item : grade.items) {
     for (const ExplainingMistake& mistake : item.mistakes) {
-      auto known = std::find_if(all.begin(), all.end(),
-                                [&](const Said& one) { return one.sentence == mistake.sentence; });
-      if (known == all.end()) known = all.insert(known, Said{mistake.sentence});
-      ++known->items;
-      known->costs = known->costs || item.state == ItemState::kFails;
+      for (const std::string& sentence : mistake.each()) {
+        auto known = std::find_if(all.begin(), all.end(),
+                                  [&](const Said& one) { return one.sentence == sentence; });
+        if (known == all.end()) known = all.insert(known, Said{sentence});
+        ++known->items;
+        known->costs = known->costs || item.state == ItemState::kFails;
+      }
     }
   }
   std::stable_sort(all.begin(), all.end(),
                    [](const Said& a, const Said& b) { return a.items > b.items; });
   // The most frequent is named, and what costs points besides.
-  std::size_t told = 0;
-  std::erase_if(all, [&](const Said& one) { return told++ > 0 && !one.costs; });
   std::string text;
   for (const Said& one : all) {
-    const bool is_within = std::any_of(all.begin(), all.end(), [&](const Said& other) {
-      return other.sentence.size() > one.sentence.size() &&
-             other.sentence.find(one.sentence) != std::string_view::npos;
-    });
-    if (!is_within) text += (text.empty() ? "" : "; and ") + std::string(one.sentence);
+    if (text.empty() || one.costs) text += (text.empty() ? "" : "; and ") + one.sentence;
   }
   return text;
 }

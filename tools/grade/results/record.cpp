@@ -178,8 +178,10 @@ ItemReason reason_of(const Json& json) {
 Json item_json(const ItemGrade& item) {
   Json mistakes = Json::array();
   for (const ExplainingMistake& one : item.mistakes) {
-    mistakes.push_back(
-        {{"sentence", one.sentence}, {"wrong", one.wrong}, {"explained", one.explained}});
+    mistakes.push_back({{"sentence", one.sentence},
+                        {"wrong", one.wrong},
+                        {"explained", one.explained},
+                        {"each", one.each()}});
   }
   return {{"name", item.name},
           {"state", name(item.state)},
@@ -209,7 +211,8 @@ ItemGrade item_of(const Json& json) {
   item.held = json.at("held");
   item.comparisons = json.at("comparisons");
   for (const Json& one : json.at("mistakes")) {
-    item.mistakes.push_back({one.at("sentence"), one.at("wrong"), one.at("explained")});
+    item.mistakes.push_back(
+        {one.at("sentence"), one.at("wrong"), one.at("explained"), one.at("each")});
   }
   item.failing = if_any(json.at("failing"), failing_of);
   item.first_wrong = if_any(json.at("first_wrong"), first_wrong_of);

@@ -84,6 +84,12 @@ struct FirstWrongAnswer {
 struct ExplainingMistake {
   std::string sentence;
   std::uint64_t wrong = 0, explained = 0;
+  /// Where it is several mistakes at once, the sentence of each.
+  std::vector<std::string> parts = {};
+
+  std::vector<std::string> each() const {
+    return parts.empty() ? std::vector<std::string>{sentence} : parts;
+  }
 };
 
 /// What became of an item.

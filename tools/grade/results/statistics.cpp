@@ -13,6 +13,24 @@ std::pair<std::size_t, std::int64_t> size_of(const FailingCase& failing) {
   return {scene.spheres.size(), scene.camera ? scene.camera->width * scene.camera->height : 0};
 }
 
+/// Counts an item of a student that a mistake explains.
+void add(const std::string& sentence, const ItemGrade& item, const SubmissionGrade& grade,
+         std::vector<MistakeStatistics>& all) {
+  auto known = std::find_if(all.begin(), all.end(), [&](const MistakeStatistics& other) {
+    return other.sentence == sentence;
+  });
+  if (known == all.end()) known = all.insert(all.end(), MistakeStatistics{sentence, {}});
+  if (known->students.empty() || known->students.back() != &grade) {
+    known->students.push_back(&grade);
+  }
+  const bool is_smaller =
+      item.failing &&
+      (known->smallest == nullptr || size_of(*item.failing) < size_of(*known->smallest->failing));
+  if (!is_smaller) return;
+  known->smallest = &item;
+  known->whose = &grade;
+}
+
 }  // namespace
 
 Submissions submissions_that(const ClassGrade& graded, bool are_judged) {
@@ -56,20 +74,7 @@ std::vector<MistakeStatistics> mistake_statistics(const ClassGrade& graded) {
   for (const SubmissionGrade& grade : graded.submissions) {
     for (const ItemGrade& item : grade.items) {
       for (const ExplainingMistake& mistake : item.mistakes) {
-        auto known = std::find_if(all.begin(), all.end(), [&](const MistakeStatistics& other) {
-          return other.sentence == mistake.sentence;
-        });
-        if (known == all.end())
-          known = all.insert(all.end(), MistakeStatistics{mistake.sentence, {}});
-        if (known->students.empty() || known->students.back() != &grade) {
-          known->students.push_back(&grade);
-        }
-        const bool is_smaller =
-            item.failing && (known->smallest == nullptr ||
-                             size_of(*item.failing) < size_of(*known->smallest->failing));
-        if (!is_smaller) continue;
-        known->smallest = &item;
-        known->whose = &grade;
+        for (const std::string& sentence : mistake.each()) add(sentence, item, grade, all);
       }
     }
   }
