@@ -20,6 +20,10 @@ print("line 4: I do not know that word")
 with open(sys.argv[2], "w") as image:
     image.write("P3 25 25 255\n" + "0 0 0 " * 625)
 )";
+const std::string kSky = R"(import sys
+with open(sys.argv[2], "w") as image:
+    image.write("P3 25 25 255\n" + " ".join(f"{9 * i} {7 * j} 255" for j in range(25) for i in range(25)))
+)";
 const std::string kSilentlyMissing = R"(import sys
 print("first words", file=sys.stderr)
 print("last words", file=sys.stderr)
@@ -155,6 +159,12 @@ TEST_F(Probe, repeats_a_programs_own_words_where_its_picture_is_missing_empty_or
   EXPECT_TRUE(contains(black["notes"].dump(), "its picture is black"));
   const std::string text = probe(one_form(), {folder}).out;
   EXPECT_TRUE(contains(text, "    it said:\n      line 4: I do not know that word\n")) << text;
+}
+
+TEST_F(Probe, judges_nothing_before_a_background_of_many_colours) {
+  const json sky = probed(hand_in("sky", "rt.py", kSky), one_form());
+  ASSERT_FALSE(sky["refused"].is_null());
+  EXPECT_TRUE(contains(sky["refused"]["why"], "its background is not of one colour")) << sky;
 }
 
 TEST_F(Probe, names_the_form_that_is_read_where_another_is_asked_for) {

@@ -29,31 +29,56 @@ constexpr double kSurelyAlike = 0.95;
 /// A frame of one colour is a background.
 constexpr double kBackgroundShare = 0.9;
 
+/// A frame of so many colours, none of them more than a share of it, is a sky.
+constexpr std::size_t kShadedColours = 12;
+constexpr double kShadedShare = 0.3;
+
 /// A channel of a pure colour is all, or at most this part of that.
 constexpr double kNoChannel = 0.4;
+
+/// The colours of the frame around a picture.
+struct Frame {
+  std::size_t colours = 0, pixels = 0;
+  Colour most;  ///< The most frequent one, of so many pixels.
+  std::size_t of_most = 0;
+
+  explicit Frame(const ReadPicture& picture) {
+    const auto less = [](const Colour& a, const Colour& b) {
+      return std::tie(a.red, a.green, a.blue) < std::tie(b.red, b.green, b.blue);
+    };
+    std::map<Colour, std::size_t, decltype(less)> counts(less);
+    for (std::int64_t y = 0; y < picture.height; ++y) {
+      for (std::int64_t x = 0; x < picture.width; ++x) {
+        if (x != 0 && y != 0 && x + 1 != picture.width && y + 1 != picture.height) continue;
+        ++counts[picture.pixels[static_cast<std::size_t>(y * picture.width + x)]];
+        ++pixels;
+      }
+    }
+    for (const auto& [colour, count] : counts) {
+      if (count > of_most) most = colour, of_most = count;
+    }
+    colours = counts.size();
+  }
+  double share_of_most() const {
+    return static_cast<double>(of_most) / static_cast<double>(pixels);
+  }
+};
 
 /// What a frame around a picture is nearly everywhere; black where it is not of one colour, or the
 /// picture shows nothing else.
 Colour background_of(const ReadPicture& picture) {
-  const auto less = [](const Colour& a, const Colour& b) {
-    return std::tie(a.red, a.green, a.blue) < std::tie(b.red, b.green, b.blue);
-  };
-  std::map<Colour, int, decltype(less)> counts(less);
-  int frame = 0;
-  for (std::int64_t y = 0; y < picture.height; ++y) {
-    for (std::int64_t x = 0; x < picture.width; ++x) {
-      const bool is_frame = x == 0 || y == 0 || x + 1 == picture.width || y + 1 == picture.height;
-      if (!is_frame) continue;
-      ++counts[picture.pixels[static_cast<std::size_t>(y * picture.width + x)]];
-      ++frame;
-    }
-  }
-  const auto most = std::max_element(counts.begin(), counts.end(),
-                                     [](auto& a, auto& b) { return a.second < b.second; });
-  if (most == counts.end() || most->second < kBackgroundShare * frame) return {};
+  const Frame frame(picture);
+  if (frame.share_of_most() < kBackgroundShare) return {};
   const bool shows_more = std::any_of(picture.pixels.begin(), picture.pixels.end(),
-                                      [&](const Colour& c) { return !(c == most->first); });
-  return shows_more ? most->first : Colour{};
+                                      [&](const Colour& c) { return !(c == frame.most); });
+  return shows_more ? frame.most : Colour{};
+}
+
+/// Whether what lies around the spheres changes from pixel to pixel, as a sky does: nothing tells
+/// it from a sphere.
+bool is_shaded_around(const ReadPicture& picture) {
+  const Frame frame(picture);
+  return frame.colours >= kShadedColours && frame.share_of_most() < kShadedShare;
 }
 
 Mask mask_of(const ReadPicture& picture, const Colour& background) {
@@ -125,7 +150,12 @@ class DryRunner {
           fmt::format("it makes its picture, and then it {}", chosen.made->ended));
     }
     if (!chosen.reads()) {
-      if (is_uniform(chosen.made->picture) && !other) {
+      if (is_shaded_around(chosen.made->picture)) {
+        found.refusal = Refusal{
+            "its background is not of one colour: where a ray meets nothing every pixel has to "
+            "show the same, or nobody can tell what shows a sphere",
+            {}};
+      } else if (is_uniform(chosen.made->picture) && !other) {
         found.shows_nothing =
             fmt::format("its picture is {} in {} tried",
                         is_black(chosen.made->picture) ? "black" : "of one colour",
