@@ -180,7 +180,7 @@ std::string said_of(const std::string& lines, const std::string& preset) {
 TEST(GradedMistakes, two_at_once_are_both_named_whatever_form_is_read) {
   const std::string said =
       said_of("#define MISTAKE normalize_discarded\n#define ALSO upside_down", "auto");
-  EXPECT_TRUE(contains(said, "rows are upside down; and directions are not normalised: D = P - E"))
+  EXPECT_TRUE(contains(said, "directions are not normalised: D = P - E; and rows are upside down"))
       << said;
 }
 
