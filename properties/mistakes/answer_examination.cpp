@@ -126,9 +126,10 @@ std::uint64_t count_different(const Comparison& comparison, const Answers& expec
 /// Which of a question's answers, by sphere and ray or by ray, miss a sphere that none meets.
 std::vector<bool> dropped(Step step, const Comparison& comparison) {
   const auto& [the_case, rays] = *comparison.question;
+  const std::size_t count = rays.size();
   const auto sphere_of = [&](const Answer& answer, std::size_t k) -> std::optional<std::size_t> {
     if (!answer.choice) return {};
-    return step == Step::kNearest ? *answer.choice : k / rays.size();
+    return step == Step::kNearest ? *answer.choice : k / count;
   };
   std::vector<bool> is_met(the_case.scene.spheres.size());
   for (std::size_t k = 0; k < comparison.answers.size(); ++k) {
