@@ -24,11 +24,11 @@
 namespace raycheck::tools {
 namespace {
 
-/// The report of a command that was interrupted before there was anything to say, or before all
-/// files were written.
+/// The report of a command that was interrupted before there was anything to say, or before all of
+/// it was written.
 int end_without_report(const CLI::App& command) {
   if (has_written_out()) {
-    print_error("raycheck: interrupted before all files were written\n");
+    print_error("raycheck: interrupted before all was written\n");
     return exit_code(true, false, false);
   }
   const CLI::Option* const format = command.get_option_no_throw("--format");

@@ -5,6 +5,7 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <filesystem>
+#include <iterator>
 #include <sstream>
 #include <stdexcept>
 #include <string>
@@ -21,6 +22,15 @@ namespace fs = std::filesystem;
 /// Options whose value is a file to be written; of --report it is behind the kind.
 constexpr const char* kWriting[] = {"--certificates", "--out",  "--package", "--plot",
                                     "--report",       "--save", "--view"};
+
+/// Those whose value is a file that is read, besides what a command takes without an option.
+constexpr const char* kReading[] = {"--baseline", "--candidate", "--secret-file"};
+
+bool reads(const CLI::Option& option) {
+  return option.get_positional() ||
+         std::any_of(std::begin(kReading), std::end(kReading),
+                     [&](const char* name) { return option.check_name(name); });
+}
 
 struct Written {
   const CLI::Option* option;
@@ -81,9 +91,10 @@ void require_written_apart(const CLI::App& command) {
     std::error_code error;
     if (!fs::is_regular_file(one->path, error)) continue;
     for (const CLI::Option* option : command.get_options()) {
-      const bool is_read = std::none_of(
+      const bool is_written = std::any_of(
           all.begin(), all.end(), [&](const Written& other) { return other.option == option; });
-      if (is_read) require_no_input(one->named_by, one->path, files_of(*option));
+      if (is_written || !reads(*option)) continue;
+      require_no_input(one->named_by, one->path, files_of(*option));
     }
   }
 }

@@ -162,6 +162,17 @@ TEST_F(HostileOut, ThatIsAFileWhichIsReadIsRefused) {
           is_read);
 }
 
+TEST_F(HostileOut, MayBeCalledAsAMethodIs) {
+  const std::string words =
+      "cd '" + grading_.path(".") +
+      "' && exec '" RAYCHECK_BINARY
+      "' worst --method cross --family distance --cases 9 --steps 3 --save cross\n";
+  for (int run = 0; run < 2; ++run) {
+    const Outcome outcome = run_bash(grading_.write("save.sh", words));
+    EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+  }
+}
+
 TEST_F(HostileOut, IsNamedOnce) {
   const std::string scene = std::string(RAYCHECK_SOURCE_DIR) + "/scene/examples/far-sphere.toml";
   const std::string one = grading_.path("x"), same = grading_.path("./x");
