@@ -149,6 +149,11 @@ struct Promises {
   double unit_roundoff = kDoubleRoundoff;
 };
 
+/// Whether the class is promised of every ray of a scene, wherever the scene lies.
+inline bool promises_exact_class(const Promises& promises, const scene::Scene& scene) {
+  return promises.exact_class && !scene.camera;
+}
+
 /// The bound promised on a quantity of a scene with a camera or of given rays; empty: none.
 std::optional<double> documented_bound(const Promises& promises, Quantity quantity,
                                        bool has_camera);

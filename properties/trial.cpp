@@ -337,7 +337,7 @@ Excuse Trial::excuse(std::initializer_list<RayAnswer> answers) const {
 }
 
 bool Trial::promises_exactly(Quantity quantity) const {
-  return candidate_.exact_class && quantity == Quantity::kClass && !case_.scene.camera;
+  return quantity == Quantity::kClass && promises_exact_class(candidate_, case_.scene);
 }
 
 void Trial::convict(Verdict& verdict, Quantity quantity, Question question, const Place& place,

@@ -169,7 +169,7 @@ SphereReport report_sphere(const Subject& subject, const scene::Sphere& sphere,
 /// everywhere, as in a trial.
 MethodReport within_domain(MethodReport report, const properties::Candidate& candidate,
                            const scene::Scene& scene) {
-  const bool promises_exactly = candidate.exact_class && report.class_error && !scene.camera;
+  const bool promises_exactly = report.class_error && promises_exact_class(candidate, scene);
   if (!report.goes_wrong_at.empty() && !promises_exactly && !is_inside_domain(candidate, scene)) {
     report.standing = properties::Standing::kNotJudged;
   }

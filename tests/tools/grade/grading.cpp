@@ -119,6 +119,27 @@ json Grading::figures(const std::string& submission, const std::string& out) con
   return read.exit_code == 0 ? json::parse(read.out) : json();
 }
 
+std::string full_rubric(int pictures, const std::string& head) {
+  std::string scenes;
+  for (int k = 0; k < pictures; ++k) scenes += "\"full.toml\", ";
+  return head + R"(
+[driver]
+preset = "B"
+
+[[form]]
+has = "*"
+build = "auto"
+candidate = "renderer:{program} {scene} {image}"
+
+[[item]]
+name = "all"
+points = 10
+[item.pictures]
+judge = "mask"
+scenes = [)" +
+         scenes + "]\n";
+}
+
 std::string mistake_line(const std::string& file, const std::string& mistake) {
   return file.ends_with(".py") ? "MISTAKE = \"" + mistake + "\"" : "#define MISTAKE " + mistake;
 }

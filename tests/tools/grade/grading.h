@@ -68,6 +68,27 @@ candidate = "renderer:./{file} {scene} {image}"
 
 )";
 
+/// A sphere that fills the picture: a program that reads the size and writes white is right.
+inline constexpr const char* kFullScene = R"([camera]
+eye = [0, 0, 0]
+look_at = [0, 0, -1]
+up = [0, 1, 0]
+near = -1
+left = -1
+right = 1
+bottom = -1
+top = 1
+width = 9
+height = 7
+
+[[sphere]]
+centre = [0, 0, -102]
+radius = 100
+)";
+
+/// A rubric of one item of renderers as they come, so many pictures of full.toml, after a head.
+std::string full_rubric(int pictures, const std::string& head = "");
+
 /// The line that makes a file of tests/submissions wrong.
 std::string mistake_line(const std::string& file, const std::string& mistake);
 

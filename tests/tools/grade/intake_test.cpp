@@ -15,43 +15,6 @@ namespace {
 namespace fs = std::filesystem;
 using Files = std::vector<std::pair<std::string, std::string>>;
 
-/// A sphere that fills the picture: a program that reads the size and writes white is right.
-constexpr const char* kFullScene = R"([camera]
-eye = [0, 0, 0]
-look_at = [0, 0, -1]
-up = [0, 1, 0]
-near = -1
-left = -1
-right = 1
-bottom = -1
-top = 1
-width = 9
-height = 7
-
-[[sphere]]
-centre = [0, 0, -102]
-radius = 100
-)";
-
-std::string rubric_with(const std::string& head) {
-  return head + R"(
-[driver]
-preset = "B"
-
-[[form]]
-has = "*"
-build = "auto"
-candidate = "renderer:{program} {scene} {image}"
-
-[[item]]
-name = "all"
-points = 10
-[item.pictures]
-judge = "mask"
-scenes = ["full.toml"]
-)";
-}
-
 /// White pictures of the size that the driver file says.
 const std::string kCpp = R"(#include <fstream>
 #include <string>
@@ -133,7 +96,7 @@ class Intake : public testing::Test {
     return grading_.path("class/" + name);
   }
   nlohmann::json graded(const std::string& name, const std::string& head = "") const {
-    const std::string rubric = grading_.write("auto.toml", rubric_with(head));
+    const std::string rubric = grading_.write("auto.toml", full_rubric(1, head));
     const Outcome outcome = grading_.grade(rubric, {grading_.path("class/" + name)});
     EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
     return grading_.result(name);

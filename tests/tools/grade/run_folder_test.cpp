@@ -12,40 +12,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// One picture of a sphere that fills it: a white picture of its size is right.
-constexpr const char* kWhiteScene = R"([camera]
-eye = [0, 0, 0]
-look_at = [0, 0, -1]
-up = [0, 1, 0]
-near = -1
-left = -1
-right = 1
-bottom = -1
-top = 1
-width = 9
-height = 7
-
-[[sphere]]
-centre = [0, 0, -102]
-radius = 100
-)";
-constexpr const char* kWhiteRubric = R"(
-[driver]
-preset = "B"
-
-[[form]]
-has = "*"
-build = "auto"
-candidate = "renderer:{program} {scene} {image}"
-
-[[item]]
-name = "all"
-points = 10
-[item.pictures]
-judge = "mask"
-scenes = ["full.toml", "full.toml", "full.toml"]
-)";
-
 /// Reads the size, does what it is asked to, and writes white to the file `to`.
 std::string white_renderer(const std::string& before, const std::string& to = "sys.argv[2]") {
   return "import os, sys\n"
@@ -58,8 +24,8 @@ std::string white_renderer(const std::string& before, const std::string& to = "s
 class RunFolder : public testing::Test {
  protected:
   void SetUp() override {
-    grading_.write("full.toml", kWhiteScene);
-    rubric_ = grading_.write("rubric.toml", kWhiteRubric);
+    grading_.write("full.toml", kFullScene);
+    rubric_ = grading_.write("rubric.toml", full_rubric(3));
   }
   void hand_in(const std::string& file, const std::string& text) const {
     grading_.write("mine/" + file, text);
