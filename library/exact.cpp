@@ -7,8 +7,8 @@
 #include <utility>
 
 #include "library/conversions.h"
-#include "reference/closed_form.h"
-#include "reference/condition.h"
+#include "reference/account/closed_form.h"
+#include "reference/account/condition.h"
 #include "reference/enclosure.h"
 #include "reference/error_measure.h"
 #include "reference/exact_camera.h"

@@ -5,7 +5,7 @@
 #include <cstddef>
 #include <string_view>
 
-#include "reference/nearby_answer.h"
+#include "reference/account/nearby_answer.h"
 
 namespace raycheck::properties {
 

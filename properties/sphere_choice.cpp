@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "reference/nearby_choice.h"
+#include "reference/account/nearby_choice.h"
 
 namespace raycheck::properties {
 

@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "properties/rounded_case.h"
-#include "reference/nearby_valid.h"
+#include "reference/account/nearby_valid.h"
 #include "reference/ray_error.h"
 #include "scene/interruption.h"
 #include "scene/validate.h"

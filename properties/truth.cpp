@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "reference/condition.h"
+#include "reference/account/condition.h"
 #include "scene/interruption.h"
 
 namespace raycheck::properties {

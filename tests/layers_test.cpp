@@ -30,10 +30,14 @@ const std::map<std::string, Rooms> kSees = {
     {"scene/files", {"scene"}},
     {"scene/plan", {"scene"}},
     {"reference", {"scene"}},
+    {"reference/account", {"scene", "reference"}},
     {"reference/visibility", {"scene", "scene/plan", "reference"}},
     {"fast", {"scene", "scene/plan"}},
-    {"properties", {"scene", "scene/plan", "reference", "reference/visibility"}},
-    {"properties/laws", {"scene", "scene/plan", "reference", "reference/visibility", "properties"}},
+    {"properties",
+     {"scene", "scene/plan", "reference", "reference/account", "reference/visibility"}},
+    {"properties/laws",
+     {"scene", "scene/plan", "reference", "reference/account", "reference/visibility",
+      "properties"}},
     {"properties/cases", {"scene", "scene/files", "properties"}},
     {"properties/candidates", {"scene", "reference", "reference/visibility", "fast", "properties"}},
     {"properties/mistakes",
@@ -41,16 +45,18 @@ const std::map<std::string, Rooms> kSees = {
       "properties/candidates"}},
     {"properties/search", {"scene", "properties", "properties/laws", "properties/cases"}},
     {"library",
-     {"scene", "scene/files", "reference", "fast", "properties", "properties/laws",
-      "properties/cases", "properties/candidates", "properties/mistakes", "properties/search",
-      "tools/report"}},
+     {"scene", "scene/files", "reference", "reference/account", "fast", "properties",
+      "properties/laws", "properties/cases", "properties/candidates", "properties/mistakes",
+      "properties/search", "tools/report"}},
     {"tools/run", {"scene", "properties"}},
     {"tools/report",
-     {"scene", "scene/files", "reference", "reference/visibility", "properties", "properties/laws",
-      "properties/mistakes"}},
+     {"scene", "scene/files", "reference", "reference/account", "reference/visibility",
+      "properties", "properties/laws", "properties/mistakes"}},
     {"tools/gates", {"scene", "properties", "tools/report"}},
     {"tools/methods", {"fast", "properties/candidates", "properties/search", "tools/peers"}},
-    {"tools/external", {"scene", "scene/files", "properties", "tools/methods", "tools/report"}},
+    {"tools/external",
+     {"scene", "scene/files", "properties", "properties/mistakes", "tools/methods",
+      "tools/report"}},
     {"tools/manual", {}},
     {"tools/peers", {"scene", "fast"}},
     {"tools/grade/rubric",
@@ -61,8 +67,8 @@ const std::map<std::string, Rooms> kSees = {
       "tools/grade/rubric"}},
     {"tools/grade/store", {"tools/report", "tools/external", "tools/grade/rubric"}},
     {"tools/grade/intake",
-     {"properties", "properties/mistakes", "tools/report", "tools/external", "tools/grade/rubric",
-      "tools/grade/results", "tools/grade/store"}},
+     {"properties", "tools/report", "tools/external", "tools/grade/rubric", "tools/grade/results",
+      "tools/grade/store"}},
     {"tools/grade/judging",
      {"scene", "properties", "properties/laws", "properties/cases", "properties/mistakes",
       "properties/search", "tools/methods", "tools/external", "tools/grade/rubric",
@@ -85,18 +91,36 @@ const std::map<std::string, Rooms> kCommandsThatSee = {
 
 /// Folders that are part of the room around them: `internal` ones are for that room's .cpp files
 /// and for each other; of `reference` one room more may look inside.
-const std::map<std::string, std::string> kInside = {{"reference/internal", "reference"},
-                                                    {"fast/internal", "fast"},
-                                                    {"fast/methods", "fast"},
-                                                    {"tools/external/sandbox", "tools/external"},
-                                                    {"tools/external/protocol", "tools/external"},
-                                                    {"tools/external/pictures", "tools/external"},
-                                                    {"tools/report/plot", "tools/report"},
-                                                    {"tools/view/chart", "tools/view"},
-                                                    {"tools/view/figure", "tools/view"},
-                                                    {"tools/view/page", "tools/view"},
-                                                    {"tools/view/panel", "tools/view"},
-                                                    {"tools/view/pictures", "tools/view"}};
+const std::map<std::string, std::string> kInside = {
+    {"reference/internal", "reference"},
+    {"reference/account/internal", "reference/account"},
+    {"fast/internal", "fast"},
+    {"fast/methods", "fast"},
+    {"tools/external/sandbox", "tools/external"},
+    {"tools/external/protocol", "tools/external"},
+    {"tools/external/pictures", "tools/external"},
+    {"tools/report/plot", "tools/report"},
+    {"tools/view/chart", "tools/view"},
+    {"tools/view/figure", "tools/view"},
+    {"tools/view/page", "tools/view"},
+    {"tools/view/panel", "tools/view"},
+    {"tools/view/pictures", "tools/view"}};
+
+/// What every program may link of tools/: what judges one scene.
+const Rooms kJudgesOneScene = {"tools/run",     "tools/report",   "tools/gates",
+                               "tools/methods", "tools/external", "tools/explain",
+                               "tools/image",   "tools/view",     "tools/check"};
+
+/// What else each program may, by the name that the table of commands has for it.
+const std::map<std::string, Rooms> kMayLink = {
+    {"check", {}},
+    {"study",
+     {"tools/properties", "tools/stress", "tools/tradeoff", "tools/worst", "tools/plan",
+      "tools/exchange", "tools/list"}},
+    {"grade",
+     {"tools/grade", "tools/grade/rubric", "tools/grade/results", "tools/grade/store",
+      "tools/grade/intake", "tools/grade/judging", "tools/grade/pages", "tools/try",
+      "tools/rubric"}}};
 
 /// Programs of their own, which may see whatever they measure.
 const Rooms kPrograms = {"tools/bench"};
@@ -323,11 +347,53 @@ TEST(Rooms, LinkWhatTheySeeAndNoMore) {
   }
 }
 
+/// The rooms that files of the edge include, and all that these see.
+Rooms needed_by(const std::set<std::string>& files) {
+  Rooms needed;
+  std::vector<std::string> found;
+  for (const Include& include : includes()) {
+    const std::string room = room_of(include.target);
+    if (include.quoted && files.contains(include.from) && room != kEdge) found.push_back(room);
+  }
+  while (!found.empty()) {
+    const std::string room = found.back();
+    found.pop_back();
+    if (!needed.insert(room).second || !sees().contains(room)) continue;
+    found.insert(found.end(), sees().at(room).begin(), sees().at(room).end());
+  }
+  return needed;
+}
+
+TEST(Programs, NeedWhatTheyMayLinkAndNoMore) {
+  std::map<std::string, std::set<std::string>> files;  // of each program
+  const std::string table = text_of(root() / "tools/commands.h");
+  const std::regex row("\n  ROW\\((\\w+), (\\w+),");
+  for (std::sregex_iterator at(table.begin(), table.end(), row), end; at != end; ++at) {
+    files[(*at)[2]].insert((*at)[1].str() + "_command.cpp");
+  }
+  EXPECT_EQ(files.size(), kMayLink.size());
+  for (auto& [program, of_program] : files) {
+    std::set<std::string> edge;
+    for (const std::string& file : sources()) {
+      const bool is_shared = folder_of(file) == kEdge && !file.ends_with("/write_manual.cpp");
+      if (is_shared || of_program.contains(file.substr(file.rfind('/') + 1))) edge.insert(file);
+    }
+    ASSERT_TRUE(kMayLink.contains(program)) << program;
+    Rooms of_tools;
+    for (const std::string& room : needed_by(edge)) {
+      if (room.starts_with("tools/") && !kJudgesOneScene.contains(room)) of_tools.insert(room);
+    }
+    of_tools.erase("tools/peers");
+    EXPECT_EQ(of_tools, kMayLink.at(program)) << program;
+  }
+}
+
 TEST(Rooms, ShowNoInternalHeader) {
   for (const Include& include : includes()) {
     const std::string folder = folder_of(include.target);
     if (!include.quoted || !folder.ends_with("/internal")) continue;
-    EXPECT_EQ(room_of(include.from), room_of(include.target))
+    const bool is_account_of_it = room_of(include.from) == room_of(include.target) + "/account";
+    EXPECT_TRUE(room_of(include.from) == room_of(include.target) || is_account_of_it)
         << include.from << " includes " << include.target;
   }
 }
@@ -342,15 +408,17 @@ TEST(Rooms, KeepCgalInsideReference) {
   for (const Include& include : includes_of({"CGAL/"})) {
     if (include.from == "tools/peers/core.cpp") continue;
     ++found;
-    EXPECT_EQ(room_of(include.from), "reference") << include.from;
-    EXPECT_TRUE(!is_header(include.from) || folder_of(include.from) == "reference/internal")
+    EXPECT_TRUE(room_of(include.from) == "reference" ||
+                room_of(include.from) == "reference/account")
+        << include.from;
+    EXPECT_TRUE(!is_header(include.from) || folder_of(include.from).ends_with("/internal"))
         << include.from;
   }
   EXPECT_GT(found, 0u);
   for (const Include& include : includes()) {
     if (folder_of(include.target) != "reference/internal") continue;
     const bool shown =
-        is_header(include.from) && (folder_of(include.from) != "reference/internal" ||
+        is_header(include.from) && (!folder_of(include.from).ends_with("/internal") ||
                                     kPlainInternalHeaders.contains(include.from));
     EXPECT_TRUE(!shown || kPlainInternalHeaders.contains(include.target))
         << include.from << " shows " << include.target;

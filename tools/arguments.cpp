@@ -17,9 +17,9 @@
 
 #include "scene/number.h"
 #include "scene/text.h"
-#include "tools/command_line.h"
+#include "tools/exit_codes.h"
+#include "tools/external/pictures/dry_run.h"
 #include "tools/external/staged.h"
-#include "tools/grade/intake/dry_run.h"
 #include "tools/report/words.h"
 
 namespace raycheck::tools {

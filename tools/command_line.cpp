@@ -15,7 +15,7 @@
 
 #include "scene/interruption.h"
 #include "tools/arguments.h"
-#include "tools/commands.h"
+#include "tools/exit_codes.h"
 #include "tools/report/json.h"
 #include "tools/report/version.h"
 #include "tools/terminal.h"
@@ -72,34 +72,34 @@ int exit_of(const CLI::ParseError& said, const CLI::App& app) {
 
 }  // namespace
 
-std::vector<Command> make_program(CLI::App& program) {
+std::vector<Command> make_program(CLI::App& program, std::span<const LinkedCommand> linked) {
   program.description("An exact reference for camera rays and ray-sphere intersections");
   program.set_version_flag("--version", std::string(kVersion));
   program.require_subcommand(1);
-  return {
-#define RAYCHECK_ADD(name) add_##name(program),
-      RAYCHECK_COMMANDS(RAYCHECK_ADD)
-#undef RAYCHECK_ADD
-  };
+  std::vector<Command> commands;
+  for (const CommandRow& row : kCommands) {
+    CLI::App& app = *program.add_subcommand(std::string(row.name), std::string(row.sentence));
+    const auto found = std::find_if(linked.begin(), linked.end(),
+                                    [&](const auto& command) { return command.name == row.name; });
+    if (found != linked.end()) commands.push_back({&app, found->add(app)});
+  }
+  return commands;
 }
 
-int run_command_line(int argc, char** argv) {
+int run_command_line(int argc, char** argv, std::span<const LinkedCommand> linked) {
   catch_signals();
   CLI::App app;
-  const std::vector<Command> commands = make_program(app);
+  const std::vector<Command> commands = make_program(app, linked);
   for (const Command& command : commands) {
     for (CLI::Option* option : command.app->get_options()) {
       if (option->get_items_expected_max() > 0) option->check(kGiven);
     }
   }
   const std::string first = argc > 1 ? argv[1] : "";
-  const bool is_command =
-      std::any_of(commands.begin(), commands.end(),
-                  [&](const Command& command) { return command.app->get_name() == first; });
-  if (!first.empty() && first.front() != '-' && !is_command) {
+  if (!first.empty() && first.front() != '-' && find_command(first) == nullptr) {
     std::string known;
-    for (const Command& command : commands) {
-      known += (known.empty() ? "" : ", ") + command.app->get_name();
+    for (const CommandRow& row : kCommands) {
+      known += (known.empty() ? "" : ", ") + std::string(row.name);
     }
     print_error(
         fmt::format("raycheck: there is no command '{}'; the commands are {}\n", first, known));
@@ -111,9 +111,12 @@ int run_command_line(int argc, char** argv) {
     } catch (const CLI::ParseError& error) {
       return exit_of(error, app);
     }
-    const auto chosen = std::find_if(commands.begin(), commands.end(),
-                                     [](const Command& command) { return command.app->parsed(); });
-    return outcome_of(*chosen);
+    for (const Command& command : commands) {
+      if (command.app->parsed()) return outcome_of(command);
+    }
+    print_error(fmt::format("raycheck: {} is a command of another program; start it by raycheck\n",
+                            app.get_subcommands().front()->get_name()));
+    return kExitBadInput;
   } catch (const ClosedPipe&) {
     return kExitOfSignal + SIGPIPE;
   } catch (const scene::Interrupted&) {  // the reader of a report did not wait for it

@@ -1,18 +1,31 @@
 #ifndef RAYCHECK_TOOLS_COMMAND_LINE_H_
 #define RAYCHECK_TOOLS_COMMAND_LINE_H_
 
+#include <span>
+#include <string_view>
+#include <vector>
+
+#include "tools/commands.h"
+
 namespace raycheck::tools {
 
-// What the program's exit codes mean.
-inline constexpr int kExitNothingFound = 0;
-inline constexpr int kExitDiscrepancy = 1;
-inline constexpr int kExitBadInput = 2;
-inline constexpr int kExitNothingChecked = 4;
-/// And the signal: of one that interrupted it, and of SIGPIPE where nobody reads what it prints.
-inline constexpr int kExitOfSignal = 128;
+/// A command that is linked into a program.
+struct LinkedCommand {
+  std::string_view name;
+  CommandRun (*add)(CLI::App& command);
+};
 
-/// The program: reads its arguments, prints its report, returns its exit code.
-int run_command_line(int argc, char** argv);
+/// One of them, with its options.
+struct Command {
+  CLI::App* app;
+  CommandRun run;
+};
+
+/// Says what raycheck is, and adds all commands to it; those that are linked have their options.
+std::vector<Command> make_program(CLI::App& program, std::span<const LinkedCommand> linked);
+
+/// A program: reads its arguments, prints its report, returns its exit code.
+int run_command_line(int argc, char** argv, std::span<const LinkedCommand> linked);
 
 }  // namespace raycheck::tools
 

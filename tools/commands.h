@@ -1,45 +1,67 @@
 #ifndef RAYCHECK_TOOLS_COMMANDS_H_
 #define RAYCHECK_TOOLS_COMMANDS_H_
 
-// The program's commands, each in the file of its name. Internal to the command line.
+// The commands, and the programs that have them: raycheck starts these, as git does. CMake and run
+// read the rows.
 
-#include <CLI/CLI.hpp>
 #include <functional>
-#include <vector>
+#include <iterator>
+#include <string_view>
+
+namespace CLI {
+class App;
+}
 
 namespace raycheck::tools {
 
-/// A command: `app` holds its options, and run() does what they ask for and returns the exit code.
-struct Command {
-  CLI::App* app;
-  std::function<int()> run;
-};
+/// What a command does once its options are given; its exit code.
+using CommandRun = std::function<int()>;
 
-/// The commands, in the order of --help: NAME is that of tools/NAME/NAME_command.cpp, where
-/// add_NAME adds it to the program.
+// clang-format off
+/// The commands, in the order of --help: NAME is that of tools/ROOM/NAME_command.cpp, where add_NAME
+/// gives it its options, PROGRAM is the raycheck-PROGRAM that has it.
 #define RAYCHECK_COMMANDS(ROW) \
-  ROW(check)                   \
-  ROW(properties)              \
-  ROW(explain)                 \
-  ROW(stress)                  \
-  ROW(tradeoff)                \
-  ROW(worst)                   \
-  ROW(image)                   \
-  ROW(view)                    \
-  ROW(plan)                    \
-  ROW(grade)                   \
-  ROW(try)                     \
-  ROW(rubric)                  \
-  ROW(generate)                \
-  ROW(verify)                  \
-  ROW(list)
+  ROW(check, check, "Judge methods on every pixel of a scene")                                      \
+  ROW(properties, study, "Try the laws on random cases, shrinking what breaks them")                \
+  ROW(explain, study, "Derive one ray step by step, exactly and by every method")                   \
+  ROW(stress, study, "Judge methods, each stage alone, on families of cases of growing severity")   \
+  ROW(tradeoff, study, "Compare methods by certified error and measured time on the same inputs")   \
+  ROW(worst, study, "Search for the input on which a method's certified error is worst")            \
+  ROW(image, study, "Write the picture of a scene, every pixel of it decided exactly")              \
+  ROW(view, study, "Show a scene, its rays and where methods go wrong, in a page for a browser")    \
+  ROW(plan, study, "Show what a scene needs and what can be left out, and measure what that saves") \
+  ROW(grade, grade, "Grade submissions by a rubric; without any, try the rubric")                   \
+  ROW(try, grade, "Grade your own submission by a rubric, as your instructors will")                \
+  ROW(rubric, grade, "Print or copy a rubric that comes with raycheck; without a name, list them")  \
+  ROW(generate, study, "Print questions, one a line, for a program to answer")                      \
+  ROW(verify, study, "Judge a program's answers to the questions of generate, from standard input") \
+  ROW(list, study, "Show methods, laws, sources and conventions")
+// clang-format on
 
-#define RAYCHECK_DECLARE(name) Command add_##name(CLI::App& program);
+#define RAYCHECK_DECLARE(name, program, sentence) CommandRun add_##name(CLI::App& command);
 RAYCHECK_COMMANDS(RAYCHECK_DECLARE)
 #undef RAYCHECK_DECLARE
 
-/// Says what the program is, and adds all commands to it.
-std::vector<Command> make_program(CLI::App& program);
+struct CommandRow {
+  std::string_view name, program, sentence;
+};
+inline constexpr CommandRow kCommands[] = {
+#define RAYCHECK_ROW(name, program, sentence) {#name, "raycheck-" #program, sentence},
+    RAYCHECK_COMMANDS(RAYCHECK_ROW)
+#undef RAYCHECK_ROW
+};
+
+/// The row of a command; null: there is none of that name.
+constexpr const CommandRow* find_command(std::string_view name) {
+  for (const CommandRow& row : kCommands) {
+    if (row.name == name) return &row;
+  }
+  return nullptr;
+}
+
+/// Who asks the front for its own --help, --version or a command that there is not is answered by
+/// this program.
+inline constexpr std::string_view kAnswersForAll = find_command("check")->program;
 
 }  // namespace raycheck::tools
 

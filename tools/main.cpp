@@ -1,3 +1,41 @@
-#include "tools/command_line.h"
+// raycheck: starts the program that has the command asked for.
 
-int main(int argc, char** argv) { return raycheck::tools::run_command_line(argc, argv); }
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstdio>
+#include <cstring>
+#include <filesystem>
+#include <string>
+
+#include "tools/commands.h"
+#include "tools/exit_codes.h"
+
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Beside this one where it is built, below libexec where it is installed.
+fs::path found(const fs::path& folder, const std::string& program) {
+  const fs::path beside = folder / program;
+  std::error_code error;
+  return fs::exists(beside, error) ? beside
+                                   : folder.parent_path() / "libexec" / "raycheck" / program;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  using namespace raycheck::tools;
+  const CommandRow* const row = argc > 1 ? find_command(argv[1]) : nullptr;
+  std::error_code error;
+  const fs::path self = fs::read_symlink("/proc/self/exe", error);
+  const std::string program(row != nullptr ? row->program : kAnswersForAll);
+  const fs::path path = found(self.parent_path(), program);
+  execv(path.c_str(), argv);
+  std::fprintf(
+      stderr,
+      "raycheck: %s: %s; %s is a program that has to be built, or installed, with raycheck\n",
+      path.c_str(), std::strerror(errno), program.c_str());
+  return kExitBadInput;
+}

@@ -11,7 +11,7 @@
 #include <string>
 #include <vector>
 
-#include "tools/commands.h"
+#include "tools/command_line.h"
 #include "tools/manual/manual.h"
 #include "tools/report/version.h"
 
@@ -40,9 +40,15 @@ ManualCommand manual_of(const CLI::App& command) {
   return manual;
 }
 
+constexpr LinkedCommand kAll[] = {
+#define RAYCHECK_LINKED(name, program, sentence) {#name, add_##name},
+    RAYCHECK_COMMANDS(RAYCHECK_LINKED)
+#undef RAYCHECK_LINKED
+};
+
 std::vector<ManualFile> files() {
   CLI::App app;
-  const std::vector<Command> added = make_program(app);
+  const std::vector<Command> added = make_program(app, kAll);
   std::vector<ManualCommand> commands;
   for (const Command& command : added) commands.push_back(manual_of(*command.app));
   return manual_files(manual_of(app), std::string(kVersion), commands);

@@ -2,7 +2,7 @@
 #include <limits>
 
 #include "properties/laws/law_list.h"
-#include "reference/condition.h"
+#include "reference/account/condition.h"
 #include "reference/error_measure.h"
 
 namespace raycheck::properties {

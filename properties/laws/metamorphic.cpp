@@ -7,7 +7,7 @@
 #include <string>
 
 #include "properties/laws/law_list.h"
-#include "reference/condition.h"
+#include "reference/account/condition.h"
 #include "reference/error_measure.h"
 #include "reference/ray_error.h"
 #include "scene/scene_scalars.h"

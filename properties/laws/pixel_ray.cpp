@@ -1,5 +1,5 @@
 #include "properties/laws/law_list.h"
-#include "reference/condition.h"
+#include "reference/account/condition.h"
 #include "reference/error_measure.h"
 #include "reference/ray_error.h"
 

@@ -110,9 +110,9 @@ void judge_rectangles(Trial& trial, Verdict& verdict) {
 }
 
 /// The rays from the eye through a pixel and away from it: their line meets what one of them meets.
-class Line {
+class BothWays {
  public:
-  Line(const scene::Camera& camera, const scene::Conventions& conventions)
+  BothWays(const scene::Camera& camera, const scene::Conventions& conventions)
       : forwards_(camera, from_eye(conventions)),
         backwards_(opposite(camera), from_eye(conventions)) {}
 
@@ -140,7 +140,7 @@ class Line {
 void judge_roots(Trial& trial, Verdict& verdict) {
   const PlanStatements statements(trial);
   const ExactCamera camera(*trial.scene().camera, trial.conventions());
-  const Line line(*trial.scene().camera, trial.conventions());
+  const BothWays line(*trial.scene().camera, trial.conventions());
   const auto& spheres = trial.scene().spheres;
   for (std::size_t k = 0; k < spheres.size(); ++k) {
     for (const PlanStatement& statement : statements.of(k)) {

@@ -9,7 +9,7 @@ namespace raycheck::properties {
 namespace {
 
 constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
+constexpr double kInfinite = std::numeric_limits<double>::infinity();
 
 /// One way to spoil a camera, a sphere or a ray, by the name of what becomes wrong with it.
 template <class Thing>
@@ -20,7 +20,7 @@ struct Spoiling {
 
 constexpr Spoiling<scene::Camera> kCameraSpoilings[] = {
     {"eye is not a number", [](scene::Camera& c) { c.eye.x = kNaN; }},
-    {"look_at is infinite", [](scene::Camera& c) { c.look_at.y = kInfinity; }},
+    {"look_at is infinite", [](scene::Camera& c) { c.look_at.y = kInfinite; }},
     {"up is not a number", [](scene::Camera& c) { c.up.z = kNaN; }},
     {"look_at equals eye", [](scene::Camera& c) { c.look_at = c.eye; }},
     {"up is zero", [](scene::Camera& c) { c.up = {}; }},
@@ -35,13 +35,13 @@ constexpr Spoiling<scene::Camera> kCameraSpoilings[] = {
 /// What the frame does not see, but pixels do.
 constexpr Spoiling<scene::Camera> kPlaneSpoilings[] = {
     {"near is zero", [](scene::Camera& c) { c.near = 0; }},
-    {"left is infinite", [](scene::Camera& c) { c.left = -kInfinity; }},
+    {"left is infinite", [](scene::Camera& c) { c.left = -kInfinite; }},
     {"right equals left", [](scene::Camera& c) { c.right = c.left; }},
     {"top equals bottom", [](scene::Camera& c) { c.top = c.bottom; }},
     {"near is not a number", [](scene::Camera& c) { c.near = kNaN; }},
-    {"right is infinite", [](scene::Camera& c) { c.right = kInfinity; }},
+    {"right is infinite", [](scene::Camera& c) { c.right = kInfinite; }},
     {"bottom is not a number", [](scene::Camera& c) { c.bottom = kNaN; }},
-    {"top is infinite", [](scene::Camera& c) { c.top = kInfinity; }},
+    {"top is infinite", [](scene::Camera& c) { c.top = kInfinite; }},
     {"width is zero", [](scene::Camera& c) { c.width = 0; }},
     {"height is negative", [](scene::Camera& c) { c.height = -1; }},
 };
@@ -49,14 +49,14 @@ constexpr Spoiling<scene::Camera> kPlaneSpoilings[] = {
 constexpr Spoiling<scene::Sphere> kSphereSpoilings[] = {
     {"radius is negative", [](scene::Sphere& s) { s.radius = -1; }},
     {"radius is not a number", [](scene::Sphere& s) { s.radius = kNaN; }},
-    {"radius is infinite", [](scene::Sphere& s) { s.radius = kInfinity; }},
-    {"centre is infinite", [](scene::Sphere& s) { s.centre.z = kInfinity; }},
+    {"radius is infinite", [](scene::Sphere& s) { s.radius = kInfinite; }},
+    {"centre is infinite", [](scene::Sphere& s) { s.centre.z = kInfinite; }},
 };
 
 constexpr Spoiling<scene::Ray> kRaySpoilings[] = {
     {"ray direction is zero", [](scene::Ray& r) { r.direction = {}; }},
     {"ray origin is not a number", [](scene::Ray& r) { r.origin.x = kNaN; }},
-    {"ray direction is infinite", [](scene::Ray& r) { r.direction.y = kInfinity; }},
+    {"ray direction is infinite", [](scene::Ray& r) { r.direction.y = kInfinite; }},
 };
 
 void expect_refusal(Trial& trial, Verdict& verdict, const std::string& what,

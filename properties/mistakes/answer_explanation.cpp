@@ -51,7 +51,7 @@ void tell_apart(Examination& examination, Step step, Step last, double tolerance
 }
 
 /// The mistakes at the first step of a part that has errors, if any.
-struct Finding {
+struct FoundCause {
   AnswerCause cause;
   std::vector<const Mistake*> mistakes;
   double tolerance = 0;
@@ -70,14 +70,14 @@ std::optional<AnswerCause> roundings_at(Examination& examination, Step step, dou
   return {};
 }
 
-Finding find_cause(Examination& examination, const Part& part) {
+FoundCause find_cause(Examination& examination, const Part& part) {
   for (const double tolerance : kAnswerTolerances) {
     for (int at = static_cast<int>(part.first); at <= static_cast<int>(part.last); ++at) {
       const auto step = static_cast<Step>(at);
       const std::uint64_t errors = examination.errors(step, tolerance);
       if (errors == 0) continue;
       std::uint64_t left = most_unexplained(errors);
-      Finding found = {
+      FoundCause found = {
           {step, {}}, suspects_at(examination, part.first, step, left, tolerance), tolerance};
       if (found.mistakes.size() > 1) {
         tell_apart(examination, step, part.last, tolerance, found.mistakes);
@@ -101,7 +101,7 @@ Finding find_cause(Examination& examination, const Part& part) {
 }
 
 /// Whether what is wrong with one part explains what is wrong at a step of another.
-bool explains(Examination& examination, const Finding& found, Step step) {
+bool explains(Examination& examination, const FoundCause& found, Step step) {
   const std::uint64_t errors = examination.errors(step, found.tolerance);
   const std::uint64_t most = most_unexplained(errors);
   if (found.cause.roundings) {
@@ -117,11 +117,11 @@ bool explains(Examination& examination, const Finding& found, Step step) {
 
 std::vector<AnswerCause> answer_causes(std::span<const Case> cases, const Candidate& candidate) {
   Examination examination(cases, candidate);
-  std::vector<Finding> findings = {find_cause(examination, {Step::kFrame, Step::kRay})};
+  std::vector<FoundCause> findings = {find_cause(examination, {Step::kFrame, Step::kRay})};
   for (const Step step : {Step::kIntersect, Step::kNearest}) {
-    const bool is_known = std::any_of(findings.begin(), findings.end(), [&](const Finding& found) {
-      return explains(examination, found, step);
-    });
+    const bool is_known =
+        std::any_of(findings.begin(), findings.end(),
+                    [&](const FoundCause& found) { return explains(examination, found, step); });
     if (is_known) continue;
     // Where the hits are right, or not asked, they say what the nearest is not.
     const bool hits_are_right =
@@ -135,7 +135,7 @@ std::vector<AnswerCause> answer_causes(std::span<const Case> cases, const Candid
     }
   }
   std::vector<AnswerCause> causes;
-  for (const Finding& found : findings) {
+  for (const FoundCause& found : findings) {
     if (found.is_known()) causes.push_back(found.cause);
   }
   return causes;

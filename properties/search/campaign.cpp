@@ -42,33 +42,33 @@ struct Asking {
   bool shrinks = false;
 };
 
-struct Answer {
+struct CampaignAnswer {
   CampaignPart part;
   std::optional<Failure> failure;
 };
 
 /// What a law says of a case.
-struct Judged {
+struct CaseVerdict {
   bool inside_domain = true;
   bool given_rays = false;
   Verdict verdict;
 };
 
-Judged judge(const Law& law, Trial& trial) {
+CaseVerdict verdict_on(const Law& law, Trial& trial) {
   const bool judged = trial.is_judged(law.quantity);
   return {judged, false, judged ? apply(law, trial) : Verdict(law.name)};
 }
 
-Judged judge(const Law& law, const Candidate& candidate, const Case& the_case,
-             std::optional<double> max_error, FailureSearch* search = nullptr) {
+CaseVerdict verdict_on(const Law& law, const Candidate& candidate, const Case& the_case,
+                       std::optional<double> max_error, FailureSearch* search = nullptr) {
   if (!is_problem(the_case, candidate.declared)) return {false, false, Verdict(law.name)};
   const TrialOptions options = {.max_error = max_error, .search = search};
   Trial trial(the_case, candidate, options);
-  if (!wants_given_rays(law, trial)) return judge(law, trial);
+  if (!wants_given_rays(law, trial)) return verdict_on(law, trial);
   const auto given = given_rays(the_case, trial.conventions(), candidate.precision);
-  if (!given) return judge(law, trial);
+  if (!given) return verdict_on(law, trial);
   Trial on_given(given->the_case, candidate, options);
-  Judged judged = judge(law, on_given);
+  CaseVerdict judged = verdict_on(law, on_given);
   judged.given_rays = true;
   judged.verdict.relocate([&](const Place& place) { return given->place(place); });
   return judged;
@@ -87,7 +87,7 @@ std::optional<Failure> failed_question(const Law& law, const Candidate& candidat
   const std::vector<Discrepancy> worst = found.worst(1);
   if (worst.empty() || worst.front().wrong != Wrong::kFailed || fails_in_vain(found)) return {};
   FailureSearch search;
-  const Verdict verdict = judge(law, candidate, the_case, asking.max_error, &search).verdict;
+  const Verdict verdict = verdict_on(law, candidate, the_case, asking.max_error, &search).verdict;
   for (Discrepancy& one : verdict.worst(kKeptDiscrepancies)) {
     if (one.failed.blame != Blame::kQuestion) continue;
     Case question{*one.failed.scene, {}};
@@ -106,13 +106,13 @@ std::optional<Failure> failed_question(const Law& law, const Candidate& candidat
 /// Judges cases, whose seeds `choose` draws, until one breaks the law, and shrinks that where it is
 /// to be: to the first simpler one that fails, too; that again, until none does.
 template <class Choose>
-Answer ask(const Law& law, const Candidate& candidate, const Asking& asking,
-           const RunControl& control, Choose choose) {
-  Answer answer;
+CampaignAnswer ask(const Law& law, const Candidate& candidate, const Asking& asking,
+                   const RunControl& control, Choose choose) {
+  CampaignAnswer answer;
   CampaignPart& part = answer.part;
   part.source = asking.source;
   const auto breaks = [&](const Case& the_case, const Provenance& from) {
-    auto [judged, given, verdict] = judge(law, candidate, the_case, asking.max_error);
+    auto [judged, given, verdict] = verdict_on(law, candidate, the_case, asking.max_error);
     if (!answer.failure) {  // what follows a failure is shrinking
       ++part.counts.cases;
       part.counts.given_rays += given ? 1 : 0;
@@ -177,8 +177,8 @@ CampaignPart run_part(const Law& law, const Candidate& candidate, const Asking& 
 }
 
 /// The case of a replay alone.
-Answer ask_again(const Replay& replay, const Candidate& candidate, std::optional<double> max_error,
-                 bool strict) {
+CampaignAnswer ask_again(const Replay& replay, const Candidate& candidate,
+                         std::optional<double> max_error, bool strict) {
   const Asking once = {replay.source, 1, 0, max_error, strict, true};
   return ask(*replay.law, candidate, once, {}, [seed = replay.seed](rc::Random&) { return seed; });
 }
@@ -386,7 +386,7 @@ CampaignResult run_case(const Law& law, const Candidate& candidate, const Case& 
     result.counts = {.cases = 1, .left_out = 1, .reason = rounded.reason};
     return result;
   }
-  auto [judged, given, verdict] = judge(law, candidate, *rounded.the_case, max_error);
+  auto [judged, given, verdict] = verdict_on(law, candidate, *rounded.the_case, max_error);
   result.counts = {1, 0, judged ? 0 : 1, given ? 1 : 0, std::string(verdict.reason_left_out())};
   result.verdict = std::move(verdict);
   if (result.verdict.holds(strict)) return result;
@@ -394,7 +394,7 @@ CampaignResult run_case(const Law& law, const Candidate& candidate, const Case& 
   failure.shrunk =
       smallest(*rounded.the_case, std::numeric_limits<int>::max(), [&](const Case& simpler) {
         if (!is_of_format(simpler.scene, candidate.precision)) return false;
-        Verdict of_simpler = judge(law, candidate, simpler, max_error).verdict;
+        Verdict of_simpler = verdict_on(law, candidate, simpler, max_error).verdict;
         if (of_simpler.holds(strict)) return false;
         failure.verdict = std::move(of_simpler);
         return true;
@@ -405,7 +405,7 @@ CampaignResult run_case(const Law& law, const Candidate& candidate, const Case& 
 
 CampaignResult run_replay(const Replay& replay, const Candidate& candidate,
                           std::optional<double> max_error, bool strict) {
-  Answer answer = ask_again(replay, candidate, max_error, strict);
+  CampaignAnswer answer = ask_again(replay, candidate, max_error, strict);
   CampaignResult result;
   result.fewest_right = 0;
   result.level = replay.source.level();

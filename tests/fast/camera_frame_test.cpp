@@ -9,7 +9,7 @@
 
 #include "properties/cases/case_source.h"
 #include "properties/quantity.h"
-#include "reference/condition.h"
+#include "reference/account/condition.h"
 #include "reference/error_measure.h"
 
 namespace raycheck::fast {

@@ -12,9 +12,9 @@
 #include "properties/cases/case_source.h"
 #include "properties/domain.h"
 #include "properties/quantity.h"
-#include "reference/condition.h"
+#include "reference/account/condition.h"
+#include "reference/account/nearby_answer.h"
 #include "reference/error_measure.h"
-#include "reference/nearby_answer.h"
 #include "reference/ray_error.h"
 #include "tests/method_names.h"
 

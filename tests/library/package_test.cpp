@@ -62,8 +62,10 @@ class Package : public testing::Test {
   /// The newest of what packages are made of.
   static fs::file_time_type newest() {
     const fs::path source = RAYCHECK_SOURCE_DIR, build = RAYCHECK_BUILD;
-    std::vector<fs::path> paths = {build / "tools/raycheck", build / "tools/raycheck-jail",
-                                   build / "tools/raycheck-worker", build / "CPackConfig.cmake"};
+    std::vector<fs::path> paths = {build / "tools/raycheck",       build / "tools/raycheck-check",
+                                   build / "tools/raycheck-study", build / "tools/raycheck-grade",
+                                   build / "tools/raycheck-jail",  build / "tools/raycheck-worker",
+                                   build / "CPackConfig.cmake"};
     for (const fs::path& below : {source / "include", source / "examples", source / "packaging",
                                   source / "library/cmake", source / "tools/grade/rubrics",
                                   source / "tools/external/adapters", build / "tools/manual"}) {
@@ -136,9 +138,9 @@ class Package : public testing::Test {
 TEST_F(Package, HasWhatItIsFor) {
   const std::string programs = contents("raycheck"), library = contents("libraycheck0"),
                     development = contents("libraycheck-dev");
-  for (const char* file : {"bin/raycheck\n", "bin/raycheck-jail\n", "man1/raycheck-jail.1.gz\n",
-                           "man1/raycheck-check.1.gz\n", "bash-completion/completions/raycheck\n",
-                           "share/raycheck/rubrics/"}) {
+  for (const char* file : {"bin/raycheck\n", "libexec/raycheck/raycheck-check\n",
+                           "libexec/raycheck/raycheck-jail\n", "man1/raycheck-check.1.gz\n",
+                           "bash-completion/completions/raycheck\n", "share/raycheck/rubrics/"}) {
     EXPECT_NE(programs.find(file), std::string::npos) << file << programs;
   }
   EXPECT_EQ(programs.find("libraycheck"), std::string::npos) << programs;

@@ -7,7 +7,7 @@
 #include <cstddef>
 #include <vector>
 
-#include "reference/nearby_choice.h"
+#include "reference/account/nearby_choice.h"
 
 namespace raycheck::reference {
 

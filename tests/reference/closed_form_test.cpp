@@ -1,4 +1,4 @@
-#include "reference/closed_form.h"
+#include "reference/account/closed_form.h"
 
 #include <gtest/gtest.h>
 

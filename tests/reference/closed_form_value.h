@@ -6,7 +6,7 @@
 #include <string>
 #include <string_view>
 
-#include "reference/closed_form.h"
+#include "reference/account/closed_form.h"
 #include "tests/reference/big_float.h"
 
 namespace raycheck::reference {

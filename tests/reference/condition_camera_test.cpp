@@ -8,7 +8,7 @@
 #include <functional>
 #include <vector>
 
-#include "reference/condition.h"
+#include "reference/account/condition.h"
 #include "tests/reference/condition_cases.h"
 #include "tests/reference/random_cases.h"
 

@@ -9,7 +9,7 @@
 #include <limits>
 #include <string>
 
-#include "reference/condition.h"
+#include "reference/account/condition.h"
 #include "tests/reference/big_float.h"
 
 namespace raycheck::reference {

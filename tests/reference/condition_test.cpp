@@ -1,6 +1,6 @@
 // Condition numbers of given rays, against closed forms of their derivatives.
 
-#include "reference/condition.h"
+#include "reference/account/condition.h"
 
 #include <gtest/gtest.h>
 

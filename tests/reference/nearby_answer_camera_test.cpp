@@ -7,7 +7,7 @@
 #include <optional>
 #include <vector>
 
-#include "reference/nearby_answer.h"
+#include "reference/account/nearby_answer.h"
 #include "tests/reference/random_cases.h"
 
 namespace raycheck::reference {

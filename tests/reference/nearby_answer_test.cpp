@@ -1,6 +1,6 @@
 // Witnesses and refutations of wrong answers, against rational arithmetic.
 
-#include "reference/nearby_answer.h"
+#include "reference/account/nearby_answer.h"
 
 #include <gtest/gtest.h>
 

@@ -6,7 +6,7 @@
 #include <optional>
 #include <vector>
 
-#include "reference/nearby_choice.h"
+#include "reference/account/nearby_choice.h"
 #include "tests/reference/random_cases.h"
 
 namespace raycheck::reference {

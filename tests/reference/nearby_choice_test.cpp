@@ -1,6 +1,6 @@
 // Witnesses and refutations of wrong choices among spheres, against rational arithmetic.
 
-#include "reference/nearby_choice.h"
+#include "reference/account/nearby_choice.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "reference/proof.h"
+#include "reference/account/proof.h"
 
 #include <gtest/gtest.h>
 

@@ -5,7 +5,7 @@
 #include <array>
 #include <cmath>
 
-#include "reference/condition.h"
+#include "reference/account/condition.h"
 #include "tests/reference/condition_cases.h"
 #include "tests/reference/lecture_formulas.h"
 #include "tests/reference/random_cases.h"

@@ -10,10 +10,10 @@
 #include <thread>
 #include <vector>
 
-#include "reference/closed_form.h"
-#include "reference/condition.h"
+#include "reference/account/closed_form.h"
+#include "reference/account/condition.h"
+#include "reference/account/nearby_answer.h"
 #include "reference/error_measure.h"
-#include "reference/nearby_answer.h"
 #include "tests/reference/random_cases.h"
 
 namespace raycheck::reference {

@@ -5,8 +5,8 @@
 #include <cmath>
 #include <limits>
 
+#include "reference/account/nearby_valid.h"
 #include "reference/exact_ray.h"
-#include "reference/nearby_valid.h"
 #include "tests/numbers.h"
 #include "tests/reference/random_cases.h"
 

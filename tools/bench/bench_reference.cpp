@@ -5,7 +5,7 @@
 
 #include <vector>
 
-#include "reference/condition.h"
+#include "reference/account/condition.h"
 #include "reference/error_measure.h"
 #include "reference/exact_ray.h"
 #include "tools/bench/bench_scenes.h"

@@ -85,10 +85,9 @@ int run_check(const CheckArguments& arguments) {
 
 }  // namespace
 
-Command add_check(CLI::App& program) {
+CommandRun add_check(CLI::App& command) {
   const auto given = std::make_shared<CheckArguments>();
   CheckArguments& arguments = *given;
-  CLI::App& command = *program.add_subcommand("check", "Judge methods on every pixel of a scene");
   command.add_option("SCENE", arguments.scene, "a TOML scene, or a driver file of the course")
       ->required();
   command.add_option("--dialect", arguments.dialect,
@@ -116,7 +115,7 @@ Command add_check(CLI::App& program) {
   add_view(command, arguments.view, "the scene and its worst discrepancies");
   add_format(command, arguments.format, kCheckViews);
   add_gate(command, arguments.gate, kCheckViews);
-  return {&command, [given] { return run_check(*given); }};
+  return [given] { return run_check(*given); };
 }
 
 }  // namespace raycheck::tools

@@ -14,7 +14,7 @@ namespace {
 /// The longer side of the picture, whatever the image has.
 constexpr std::int64_t kLongerSide = 320;
 
-constexpr Colour kNothing = {244, 244, 246};
+constexpr Colour kUnseen = {244, 244, 246};
 constexpr Colour kSeen = {176, 184, 196};
 /// By standing: red, purple, pink, grey.
 constexpr std::array<Colour, properties::kStandingCount> kMarks = {
@@ -40,7 +40,7 @@ void draw_silhouettes(Canvas& canvas, scene::Scene scene) {
     const std::int64_t line = top_first ? j : canvas.height - 1 - j;
     for (std::int64_t i = 0; i < canvas.width; ++i) {
       const bool is_seen = seen[static_cast<std::size_t>(j * canvas.width + i)] >= 0;
-      canvas.pixels[static_cast<std::size_t>(line * canvas.width + i)] = is_seen ? kSeen : kNothing;
+      canvas.pixels[static_cast<std::size_t>(line * canvas.width + i)] = is_seen ? kSeen : kUnseen;
     }
   }
 }
@@ -76,13 +76,13 @@ void mark(Canvas& canvas, const scene::Scene& scene, const scene::Pixel& pixel,
 
 std::string check_picture(const CheckReport& report, const ViewOptions& /*options*/) {
   Canvas canvas;
-  canvas.pixels.assign(1, kNothing);
+  canvas.pixels.assign(1, kUnseen);
   if (report.scene.camera) {
     const scene::Camera& camera = *report.scene.camera;
     const std::int64_t longer = std::max(camera.width, camera.height);
     canvas.width = std::max<std::int64_t>(camera.width * kLongerSide / longer, 2);
     canvas.height = std::max<std::int64_t>(camera.height * kLongerSide / longer, 2);
-    canvas.pixels.assign(static_cast<std::size_t>(canvas.width * canvas.height), kNothing);
+    canvas.pixels.assign(static_cast<std::size_t>(canvas.width * canvas.height), kUnseen);
     draw_silhouettes(canvas, report.scene);
     for (const CandidateReport& candidate : report.candidates) {
       auto worst = candidate.verdict.worst(properties::kKeptDiscrepancies);

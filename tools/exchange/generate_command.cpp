@@ -34,14 +34,12 @@ int run_generate(const GenerateArguments& arguments) {
 
 }  // namespace
 
-Command add_generate(CLI::App& program) {
+CommandRun add_generate(CLI::App& command) {
   const auto given = std::make_shared<GenerateArguments>();
-  CLI::App& command =
-      *program.add_subcommand("generate", "Print questions, one a line, for a program to answer");
   command.add_option("--family", given->family, "where rays come from: FAMILY or FAMILY@SEVERITY")
       ->required();
   add_exchanged(command, given->cases, given->seed, given->precision);
-  return {&command, [given] { return run_generate(*given); }};
+  return [given] { return run_generate(*given); };
 }
 
 }  // namespace raycheck::tools

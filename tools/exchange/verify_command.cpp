@@ -30,11 +30,9 @@ int run_verify(const VerifyArguments& arguments) {
 
 }  // namespace
 
-Command add_verify(CLI::App& program) {
+CommandRun add_verify(CLI::App& command) {
   const auto given = std::make_shared<VerifyArguments>();
   VerifyOptions& options = given->options;
-  CLI::App& command = *program.add_subcommand(
-      "verify", "Judge a program's answers to the questions of generate, from standard input");
   command
       .add_option("--family", given->family,
                   "as generate was given it: its questions are what is to be answered, no others")
@@ -49,7 +47,7 @@ Command add_verify(CLI::App& program) {
       ->check(kBound);
   add_strict(command, options.strict);
   add_format(command, given->format, kVerifyViews);
-  return {&command, [given] { return run_verify(*given); }};
+  return [given] { return run_verify(*given); };
 }
 
 }  // namespace raycheck::tools

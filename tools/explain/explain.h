@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "properties/excuse.h"
-#include "reference/closed_form.h"
+#include "reference/account/closed_form.h"
 #include "reference/exact_ray.h"
 #include "scene/scene.h"
 #include "tools/methods/methods.h"

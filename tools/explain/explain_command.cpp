@@ -81,11 +81,9 @@ int run_explain(const ExplainArguments& arguments) {
 
 }  // namespace
 
-Command add_explain(CLI::App& program) {
+CommandRun add_explain(CLI::App& command) {
   const auto given = std::make_shared<ExplainArguments>();
   ExplainArguments& arguments = *given;
-  CLI::App& command = *program.add_subcommand(
-      "explain", "Derive one ray step by step, exactly and by every method");
   command.add_option("SCENE", arguments.scene, "a scene with a camera");
   command.add_option("--dialect", arguments.dialect,
                      "of a driver file: A, B or C, or a year, 2017 to 2020");
@@ -98,7 +96,7 @@ Command add_explain(CLI::App& program) {
                      "cx,cy,cz,r");
   add_external(command, arguments.external);
   add_format(command, arguments.format, kExplainViews);
-  return {&command, [given] { return run_explain(*given); }};
+  return [given] { return run_explain(*given); };
 }
 
 }  // namespace raycheck::tools

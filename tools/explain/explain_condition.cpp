@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "reference/condition.h"
+#include "reference/account/condition.h"
 #include "tools/explain/explain_methods.h"
 
 namespace raycheck::tools {

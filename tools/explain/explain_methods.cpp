@@ -9,9 +9,9 @@
 #include "fast/camera_frame.h"
 #include "properties/quantity.h"
 #include "properties/trial.h"
-#include "reference/condition.h"
+#include "reference/account/condition.h"
+#include "reference/account/nearby_answer.h"
 #include "reference/error_measure.h"
-#include "reference/nearby_answer.h"
 #include "reference/ray_error.h"
 #include "scene/validate.h"
 

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "reference/closed_form.h"
+#include "reference/account/closed_form.h"
 #include "reference/exact_ray.h"
 #include "tools/explain/explain.h"
 

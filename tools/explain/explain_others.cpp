@@ -4,7 +4,7 @@
 
 #include "properties/quantity.h"
 #include "properties/rounded_case.h"
-#include "reference/condition.h"
+#include "reference/account/condition.h"
 #include "reference/error_measure.h"
 #include "scene/validate.h"
 #include "tools/explain/explain_methods.h"

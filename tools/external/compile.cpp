@@ -86,7 +86,7 @@ Confined compiler(const RunOptions& options) {
 }  // namespace
 
 fs::path include_folder() {
-  const fs::path installed = program_folder().parent_path() / "include";
+  const fs::path installed = prefix() / "include";
   return readable_copy(fs::exists(installed / "raycheck" / "candidate.h")
                            ? installed
                            : fs::path(kSourceFolder) / "include");

@@ -10,8 +10,8 @@
 
 #include "scene/files/file_text.h"
 #include "tools/arguments.h"
-#include "tools/command_line.h"
 #include "tools/commands.h"
+#include "tools/exit_codes.h"
 #include "tools/grade/grade.h"
 #include "tools/grade/package.h"
 #include "tools/grade/pages/views.h"
@@ -144,11 +144,9 @@ int run_grade(const GradeArguments& arguments) {
 
 }  // namespace
 
-Command add_grade(CLI::App& program) {
+CommandRun add_grade(CLI::App& command) {
   const auto given = std::make_shared<GradeArguments>();
   GradeArguments& arguments = *given;
-  CLI::App& command = *program.add_subcommand(
-      "grade", "Grade submissions by a rubric; without any, try the rubric");
   command
       .add_option("RUBRIC", arguments.options.rubric,
                   "a TOML file, or one that comes with raycheck: lecture7.toml")
@@ -173,7 +171,7 @@ Command add_grade(CLI::App& program) {
   for (const ClassView& view : printed_views()) formats.emplace_back(view.name);
   for (const ResultsFormat& format : results_formats()) formats.emplace_back(format.name);
   add_format(command, arguments.format, formats);
-  return {&command, [given] { return run_grade(*given); }};
+  return [given] { return run_grade(*given); };
 }
 
 }  // namespace raycheck::tools

@@ -34,7 +34,7 @@ if command -v apt-get > /dev/null && [ "$(id -u)" -eq 0 ]; then
     bubblewrap cmake g++ libeigen3-dev make openjdk-17-jdk-headless python3
 fi
 here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
-if ! "$here/raycheck/bin/raycheck" --version; then
+if ! "$here/raycheck/bin/raycheck" rubric > /dev/null; then
   echo "raycheck does not run here: choose a newer base image (Debian 12 or Ubuntu 24.04)" >&2
   exit 1
 fi
@@ -156,9 +156,12 @@ void write_package(const Rubric& rubric, std::uint64_t seed, const std::string& 
       fmt::format(kRun, fmt::arg("rubric", rubric_name), fmt::arg("seed", seed)), true};
   parts["rubric/" + rubric_name] = {read(rubric_path)};
   for (const auto& [name, scene] : rubric.scene_files) parts["rubric/" + name] = {read(scene)};
-  for (const char* program : {"raycheck", "raycheck-jail", "raycheck-worker"}) {
+  const fs::path beside = program_folder() / "raycheck";
+  parts["raycheck/bin/raycheck"] = {
+      read(fs::exists(beside) ? beside : prefix() / "bin" / "raycheck"), true};
+  for (const char* program : {"raycheck-grade", "raycheck-jail", "raycheck-worker"}) {
     const fs::path from = program_folder() / program;
-    parts[std::string("raycheck/bin/") + program] = {read(from), true};
+    parts[std::string("raycheck/libexec/raycheck/") + program] = {read(from), true};
     for (const auto& [name, library] : libraries_of(from)) {
       parts["raycheck/lib/" + name] = {read(library)};
     }

@@ -93,17 +93,17 @@ std::string driver_part(const ProbeReport& report) {
 }
 
 /// Submissions that the same words build and start.
-struct Alike {
+struct BuiltAlike {
   std::string build, candidate;
   Probes members;
 };
 
-std::vector<Alike> built_alike(const ProbeReport& report) {
-  std::vector<Alike> found;
+std::vector<BuiltAlike> built_alike(const ProbeReport& report) {
+  std::vector<BuiltAlike> found;
   for (const SubmissionProbe& probe : report.submissions) {
     if (probe.refusal || !probe.found.as_it_comes) continue;
     const std::string candidate = probe.found.program->text();
-    auto known = std::find_if(found.begin(), found.end(), [&](const Alike& one) {
+    auto known = std::find_if(found.begin(), found.end(), [&](const BuiltAlike& one) {
       return one.build == probe.found.build_words && one.candidate == candidate;
     });
     if (known == found.end()) {
@@ -111,7 +111,7 @@ std::vector<Alike> built_alike(const ProbeReport& report) {
     }
     known->members.push_back(&probe);
   }
-  std::stable_sort(found.begin(), found.end(), [](const Alike& a, const Alike& b) {
+  std::stable_sort(found.begin(), found.end(), [](const BuiltAlike& a, const BuiltAlike& b) {
     return a.members.size() > b.members.size();
   });
   return found;
@@ -123,7 +123,7 @@ bool has_file(const SubmissionProbe& probe, const std::string& name) {
 }
 
 /// The name of a file by which a form fits these and no others; empty where there is none.
-std::string distinguishing_file(const Alike& alike, const ProbeReport& report) {
+std::string distinguishing_file(const BuiltAlike& alike, const ProbeReport& report) {
   for (const std::string& name : alike.members.front()->found.files) {
     const bool is_what_it_is_of =
         alike.build.find(name) != std::string::npos ||
@@ -162,7 +162,7 @@ std::string names_of(const Probes& members) {
 std::string suggestion(const ProbeReport& report) {
   std::string text = driver_part(report);
   bool any_as_it_comes = false;
-  for (const Alike& alike : built_alike(report)) {
+  for (const BuiltAlike& alike : built_alike(report)) {
     any_as_it_comes = true;
     const std::string has = distinguishing_file(alike, report);
     if (has.empty()) continue;

@@ -103,11 +103,9 @@ int run_image(const ImageArguments& arguments) {
 
 }  // namespace
 
-Command add_image(CLI::App& program) {
+CommandRun add_image(CLI::App& command) {
   const auto given = std::make_shared<ImageArguments>();
   ImageArguments& arguments = *given;
-  CLI::App& command = *program.add_subcommand(
-      "image", "Write the picture of a scene, every pixel of it decided exactly");
   command.add_option("SCENE", arguments.scene, "a scene with a camera")->required();
   command.add_option("--out", arguments.out, "the picture, .png or .ppm")
       ->required()
@@ -134,7 +132,7 @@ Command add_image(CLI::App& program) {
   command.get_option("--candidate")->excludes(command.get_option("--intersect"));
   add_format(command, arguments.format, kImageViews);
   command.footer(legend());
-  return {&command, [given] { return run_image(*given); }};
+  return [given] { return run_image(*given); };
 }
 
 }  // namespace raycheck::tools

@@ -95,12 +95,4 @@ std::string command_page(const ManualCommand& command, const std::string& versio
   return text + kExitCodes + ".SH SEE ALSO\n\\fBraycheck\\fR(1)\n";
 }
 
-std::string helper_page(const ManualHelper& helper, const std::string& version) {
-  return header(helper.name, version) +
-         fmt::format(
-             ".SH NAME\n{0} \\- {1}\n.SH DESCRIPTION\n\\fB{0}\\fR is started by \\fBraycheck\\fR, "
-             "beside which it lies, and by nobody else.\n.SH SEE ALSO\n\\fBraycheck\\fR(1)\n",
-             roff(helper.name), roff(helper.sentence));
-}
-
 }  // namespace raycheck::tools

@@ -9,8 +9,6 @@ namespace raycheck::tools {
 
 std::string program_page(const ManualCommand& program, const std::string& version,
                          std::span<const ManualCommand> commands);
-/// Of a program that only raycheck starts.
-std::string helper_page(const ManualHelper& helper, const std::string& version);
 std::string command_page(const ManualCommand& command, const std::string& version);
 
 }  // namespace raycheck::tools

@@ -4,13 +4,6 @@
 #include "tools/manual/man_page.h"
 
 namespace raycheck::tools {
-namespace {
-
-const ManualHelper kHelpers[] = {
-    {"raycheck-jail", "keeps someone else's program to limits and system calls"},
-    {"raycheck-worker", "loads someone else's shared library, in a process of its own"}};
-
-}  // namespace
 
 std::vector<ManualFile> manual_files(const ManualCommand& program, const std::string& version,
                                      std::span<const ManualCommand> commands) {
@@ -21,9 +14,6 @@ std::vector<ManualFile> manual_files(const ManualCommand& program, const std::st
       {"fish/vendor_completions.d/raycheck.fish", fish_completion(program, commands)}};
   for (const ManualCommand& command : commands) {
     files.push_back({"man/man1/raycheck-" + command.name + ".1", command_page(command, version)});
-  }
-  for (const ManualHelper& helper : kHelpers) {
-    files.push_back({"man/man1/" + helper.name + ".1", helper_page(helper, version)});
   }
   return files;
 }

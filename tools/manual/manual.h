@@ -22,12 +22,6 @@ struct ManualCommand {
   std::vector<ManualOption> options;
 };
 
-/// A program that is installed beside raycheck, and started by it alone.
-struct ManualHelper {
-  std::string name;  ///< "raycheck-jail"
-  std::string sentence;
-};
-
 /// What is installed for people and shells, made of the program's own options.
 struct ManualFile {
   std::string path;  ///< Below share: "man/man1/raycheck-check.1"

@@ -13,7 +13,6 @@
 namespace raycheck::tools {
 namespace {
 
-using scene::LeftOut;
 using scene::SpherePlan;
 
 /// "sphere 3", "spheres 3, 7, 12 and 41 more"
@@ -42,8 +41,8 @@ class Accountant {
 
   /// In the order of kPlanItems; the filter's is counted where pixels are decided.
   std::vector<ItemReport> items() const {
-    return {spheres_left_out(LeftOut::kOutsideView, "no ray of the image meets it"),
-            spheres_left_out(LeftOut::kBehind, "all of it is behind where rays start"),
+    return {spheres_left_out(scene::LeftOut::kOutsideView, "no ray of the image meets it"),
+            spheres_left_out(scene::LeftOut::kBehind, "all of it is behind where rays start"),
             hidden(),
             rectangles(),
             constants(),
@@ -64,7 +63,7 @@ class Accountant {
     return indices;
   }
 
-  ItemReport spheres_left_out(LeftOut how, const std::string& why) const {
+  ItemReport spheres_left_out(scene::LeftOut how, const std::string& why) const {
     const auto found = which([how](const SpherePlan& s) { return s.left_out == how; });
     return {found.size(), plan_.spheres.size(), "spheres",
             found.empty() ? "there is none" : spheres_text(found) + ": " + why};
@@ -72,7 +71,7 @@ class Accountant {
 
   ItemReport hidden() const {
     ItemReport item =
-        spheres_left_out(LeftOut::kHidden, "a ray that meets it meets another no later");
+        spheres_left_out(scene::LeftOut::kHidden, "a ray that meets it meets another no later");
     if (plan_.wanted != scene::Wanted::kNearest) {
       item.why = "only where nothing but the nearest sphere is wanted";
     }

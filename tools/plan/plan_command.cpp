@@ -29,11 +29,9 @@ int run_plan(PlanArguments& arguments) {
 
 }  // namespace
 
-Command add_plan(CLI::App& program) {
+CommandRun add_plan(CLI::App& command) {
   const auto given = std::make_shared<PlanArguments>();
   PlanArguments& arguments = *given;
-  CLI::App& command = *program.add_subcommand(
-      "plan", "Show what a scene needs and what can be left out, and measure what that saves");
   command.add_option("SCENE", arguments.options.path, "a scene with a camera")->required();
   command
       .add_option("--wanted", arguments.wanted,
@@ -48,7 +46,7 @@ Command add_plan(CLI::App& program) {
   command.add_option("--dialect", arguments.dialect,
                      "of a driver file: A, B or C, or a year, 2017 to 2020");
   add_format(command, arguments.format, kPlanViews);
-  return {&command, [given] { return run_plan(*given); }};
+  return [given] { return run_plan(*given); };
 }
 
 }  // namespace raycheck::tools

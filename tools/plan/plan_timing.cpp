@@ -77,10 +77,10 @@ class Workload {
   std::vector<double> parameter_, x_, y_, z_;
 };
 
-/// The rows of an image in parts, in an order whose every beginning is spread over the image.
-class Parts {
+/// The rows of an image in bands, in an order whose every beginning is spread over the image.
+class Bands {
  public:
-  Parts(std::int64_t height, std::int64_t rows) : height_(height), rows_(rows) {
+  Bands(std::int64_t height, std::int64_t rows) : height_(height), rows_(rows) {
     constexpr double kGoldenSection = 0.6180339887498949;
     std::vector<std::pair<double, std::int64_t>> order;
     for (std::int64_t k = 0; k * rows < height; ++k) {
@@ -122,31 +122,31 @@ double time_rows(const Visibility& visibility, Workload& workload,
   return seconds_since(start) / repetitions;
 }
 
-/// Seconds of several visibilities, each the sum over the first parts of the image of medians of
+/// Seconds of several visibilities, each the sum over the first bands of the image of medians of
 /// several passes. They take turns, so that what slows the machine slows all of them. As many
-/// parts as fit into the time allowed, and one at least.
+/// bands as fit into the time allowed, and one at least.
 struct PartTimes {
   std::vector<double> seconds;
-  std::size_t parts = 0;
+  std::size_t bands = 0;
 };
 PartTimes time_parts(const std::vector<const Visibility*>& all, Workload& workload,
-                     const Parts& parts) {
+                     const Bands& bands) {
   const Clock::time_point start = Clock::now();
   std::vector<std::vector<std::vector<double>>> passes(all.size());
-  for (auto& of : passes) of.resize(parts.count());
-  PartTimes times{std::vector<double>(all.size()), parts.count()};
+  for (auto& of : passes) of.resize(bands.count());
+  PartTimes times{std::vector<double>(all.size()), bands.count()};
   for (int pass = 0; pass < kMostPasses; ++pass) {
     if (pass > 0 && seconds_since(start) > kItemSeconds) break;
-    for (std::size_t part = 0; part < times.parts; ++part) {
+    for (std::size_t part = 0; part < times.bands; ++part) {
       for (std::size_t k = 0; k < all.size(); ++k) {
-        passes[k][part].push_back(time_rows(*all[k], workload, parts[part]));
+        passes[k][part].push_back(time_rows(*all[k], workload, bands[part]));
       }
       // Half of the time for the first pass, so that there is a second one.
-      if (pass == 0 && seconds_since(start) > kItemSeconds / 2) times.parts = part + 1;
+      if (pass == 0 && seconds_since(start) > kItemSeconds / 2) times.bands = part + 1;
     }
   }
   for (std::size_t k = 0; k < all.size(); ++k) {
-    for (std::size_t part = 0; part < times.parts; ++part) {
+    for (std::size_t part = 0; part < times.bands; ++part) {
       times.seconds[k] += median(passes[k][part]);
     }
   }
@@ -208,19 +208,19 @@ void time_plan(PlanReport& report) {
   const Visibility planned(scene, plan);
   const double band = width * Visibility::kBandRows;
   const bool by_rows = band * spheres > kMostPairs || band > kMostPixelsAtATime;
-  const Parts parts(scene.camera->height, by_rows ? 1 : Visibility::kBandRows);
-  Workload workload(scene, plan.wanted, parts.most_rows());
+  const Bands bands(scene.camera->height, by_rows ? 1 : Visibility::kBandRows);
+  Workload workload(scene, plan.wanted, bands.most_rows());
   const auto whole_image_ms = [&](double seconds, std::size_t timed) {
-    return 1e3 * seconds * height / static_cast<double>(parts.rows_of_first(timed));
+    return 1e3 * seconds * height / static_cast<double>(bands.rows_of_first(timed));
   };
   const auto pixels_of = [&](std::size_t timed) {
-    return parts.rows_of_first(timed) * static_cast<std::uint64_t>(scene.camera->width);
+    return bands.rows_of_first(timed) * static_cast<std::uint64_t>(scene.camera->width);
   };
-  const PartTimes times = time_parts({&planned}, workload, parts);
-  report.image_ms = whole_image_ms(times.seconds[0], times.parts);
-  report.pixels_timed = pixels_of(times.parts);
-  for (std::size_t k = 0; k < times.parts; ++k) {
-    report.decided_by += workload.run(planned, parts[k].first, parts[k].second);
+  const PartTimes times = time_parts({&planned}, workload, bands);
+  report.image_ms = whole_image_ms(times.seconds[0], times.bands);
+  report.pixels_timed = pixels_of(times.bands);
+  for (std::size_t k = 0; k < times.bands; ++k) {
+    report.decided_by += workload.run(planned, bands[k].first, bands[k].second);
   }
   for (std::size_t k = 0; k < kPlanItems.size(); ++k) {
     if (seconds_since(start) > kAllSeconds) return;
@@ -238,12 +238,12 @@ void time_plan(PlanReport& report) {
     const bool is_asked = plan.wanted != Wanted::kClass || (items.constants && items.quantities);
     if (item.left_out == 0 || !is_asked) continue;
     const scene::ScenePlan without = scene::plan_scene(scene, plan.conventions, plan.wanted, items);
-    const double part_share = static_cast<double>(parts.most_rows()) / height;
+    const double part_share = static_cast<double>(bands.most_rows()) / height;
     if (pairs_asked(without) * part_share > kMostPairs) continue;
     const Visibility unplanned(scene, without);
-    const PartTimes both = time_parts({&planned, &unplanned}, workload, parts);
-    item.time = PlanTime{whole_image_ms(both.seconds[0], both.parts),
-                         whole_image_ms(both.seconds[1], both.parts), pixels_of(both.parts)};
+    const PartTimes both = time_parts({&planned, &unplanned}, workload, bands);
+    item.time = PlanTime{whole_image_ms(both.seconds[0], both.bands),
+                         whole_image_ms(both.seconds[1], both.bands), pixels_of(both.bands)};
   }
 }
 

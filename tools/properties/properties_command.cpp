@@ -85,11 +85,9 @@ int run_properties_command(const PropertiesArguments& arguments) {
 
 }  // namespace
 
-Command add_properties(CLI::App& program) {
+CommandRun add_properties(CLI::App& command) {
   const auto given = std::make_shared<PropertiesArguments>();
   PropertiesArguments& arguments = *given;
-  CLI::App& command = *program.add_subcommand(
-      "properties", "Try the laws on random cases, shrinking what breaks them");
   command.add_option("--filter", arguments.filter, "laws whose name contains this");
   command
       .add_option("--cases", arguments.cases,
@@ -127,7 +125,7 @@ Command add_properties(CLI::App& program) {
       ->check(kBound);
   add_format(command, arguments.format, kPropertiesViews);
   add_gate(command, arguments.gate, kPropertiesViews);
-  return {&command, [given] { return run_properties_command(*given); }};
+  return [given] { return run_properties_command(*given); };
 }
 
 }  // namespace raycheck::tools

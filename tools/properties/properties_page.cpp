@@ -17,8 +17,6 @@ namespace {
 
 /// Cases that a page has room for, one a law and candidate.
 constexpr std::size_t kMostCasesShown = 40;
-/// Of the panels of all of them together.
-constexpr std::size_t kPanelBytes = 720 << 10;
 
 void add_candidate(const CampaignReport& campaign, SceneViewOptions& view) {
   if (!campaign.external) {

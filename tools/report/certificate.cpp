@@ -9,8 +9,8 @@
 #include <utility>
 
 #include "properties/laws/law.h"
+#include "reference/account/proof.h"
 #include "reference/error_measure.h"
-#include "reference/proof.h"
 #include "tools/report/words.h"
 
 namespace raycheck::tools {

@@ -4,7 +4,7 @@
 #include <span>
 #include <string>
 
-#include "reference/closed_form.h"
+#include "reference/account/closed_form.h"
 
 namespace raycheck::tools {
 

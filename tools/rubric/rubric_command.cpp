@@ -3,8 +3,8 @@
 #include <string>
 
 #include "tools/arguments.h"
-#include "tools/command_line.h"
 #include "tools/commands.h"
+#include "tools/exit_codes.h"
 #include "tools/rubric/rubric_views.h"
 
 namespace raycheck::tools {
@@ -25,16 +25,14 @@ std::string rubric_report(const RubricArguments& arguments) {
 
 }  // namespace
 
-Command add_rubric(CLI::App& program) {
+CommandRun add_rubric(CLI::App& command) {
   const auto given = std::make_shared<RubricArguments>();
-  CLI::App& command = *program.add_subcommand(
-      "rubric", "Print or copy a rubric that comes with raycheck; without a name, list them");
   command.add_option("NAME", given->name, "lecture7");
   command.add_option("--out", given->out, "the folder that takes a copy of it and its scenes");
-  return {&command, [given] {
-            print_report(rubric_report(*given));
-            return kExitNothingFound;
-          }};
+  return [given] {
+    print_report(rubric_report(*given));
+    return kExitNothingFound;
+  };
 }
 
 }  // namespace raycheck::tools

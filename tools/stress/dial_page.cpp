@@ -24,8 +24,6 @@ using properties::StressResult;
 constexpr int kMostScenes = 18;
 /// Cases at a severity, of which the scene shows the worst.
 constexpr int kCasesTried = 20;
-/// Of the panels of all scenes together.
-constexpr std::size_t kPanelBytes = 720 << 10;
 
 /// How bad an answer is: wrong decisions before errors.
 double badness(const StressResult& result, properties::Quantity quantity) {

@@ -5,7 +5,6 @@
 #include <stdexcept>
 
 #include "tools/arguments.h"
-#include "tools/command_line.h"
 #include "tools/commands.h"
 #include "tools/report/output_file.h"
 #include "tools/stress/stress_page.h"
@@ -59,11 +58,9 @@ int run_stress(StressArguments& arguments) {
 
 }  // namespace
 
-Command add_stress(CLI::App& program) {
+CommandRun add_stress(CLI::App& command) {
   const auto given = std::make_shared<StressArguments>();
   StressOptions& options = given->options;
-  CLI::App& command = *program.add_subcommand(
-      "stress", "Judge methods, each stage alone, on families of cases of growing severity");
   command.add_option("--family", options.families, "only these families, separated by commas")
       ->delimiter(',');
   command
@@ -84,7 +81,7 @@ Command add_stress(CLI::App& program) {
   add_view(command, given->view, "error against severity, every family and quantile");
   add_certificates(command, given->certificates);
   add_format(command, given->format, kStressViews);
-  return {&command, [given] { return run_stress(*given); }};
+  return [given] { return run_stress(*given); };
 }
 
 }  // namespace raycheck::tools

@@ -44,11 +44,9 @@ int run_tradeoff(TradeoffArguments& arguments) {
 
 }  // namespace
 
-Command add_tradeoff(CLI::App& program) {
+CommandRun add_tradeoff(CLI::App& command) {
   const auto given = std::make_shared<TradeoffArguments>();
   TradeoffOptions& options = given->options;
-  CLI::App& command = *program.add_subcommand(
-      "tradeoff", "Compare methods by certified error and measured time on the same inputs");
   command.add_option("SCENE", options.scene,
                      "a scene: only what it needs is compared (default: ordinary cases)");
   command.add_option("--dialect", given->dialect,
@@ -73,7 +71,7 @@ Command add_tradeoff(CLI::App& program) {
   add_view(command, given->view, "error against run time, every source, severity and quantile");
   add_external(command, given->external);
   add_format(command, given->format, kTradeoffViews);
-  return {&command, [given] { return run_tradeoff(*given); }};
+  return [given] { return run_tradeoff(*given); };
 }
 
 }  // namespace raycheck::tools

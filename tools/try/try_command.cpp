@@ -2,7 +2,6 @@
 #include <string>
 
 #include "tools/arguments.h"
-#include "tools/command_line.h"
 #include "tools/commands.h"
 #include "tools/terminal.h"
 #include "tools/try/try_views.h"
@@ -25,11 +24,9 @@ int run_try(const TryArguments& arguments) {
 
 }  // namespace
 
-Command add_try(CLI::App& program) {
+CommandRun add_try(CLI::App& command) {
   const auto given = std::make_shared<TryArguments>();
   TryArguments& arguments = *given;
-  CLI::App& command = *program.add_subcommand(
-      "try", "Grade your own submission by a rubric, as your instructors will");
   command
       .add_option("RUBRIC", arguments.options.rubric,
                   "a TOML file, or one that comes with raycheck: lecture7.toml")
@@ -41,7 +38,7 @@ Command add_try(CLI::App& program) {
   add_rubric_dialect(command, arguments.options.dialect);
   add_seed(command, arguments.options.seed);
   add_sandbox(command, arguments.sandbox);
-  return {&command, [given] { return run_try(*given); }};
+  return [given] { return run_try(*given); };
 }
 
 }  // namespace raycheck::tools

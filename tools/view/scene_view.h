@@ -8,12 +8,15 @@
 
 namespace raycheck::tools {
 
+/// Of the panels of all scenes of a page together.
+inline constexpr std::size_t kPanelBytes = 720 << 10;
+
 /// How much of a scene a page keeps.
 struct PageLimits {
   std::size_t spheres = 10'000;           ///< Drawn in the figure.
   std::int64_t picture_pixels = 1 << 20;  ///< Of a picture; larger images are shown smaller.
   std::size_t panels = 4000;
-  std::size_t panel_bytes = 720 << 10;     ///< Of all panels, deflated.
+  std::size_t panel_bytes = kPanelBytes;   ///< Of all panels, deflated.
   std::uint64_t answered_pairs = 1 << 24;  ///< Rays times spheres that are asked for pictures.
 };
 

@@ -10,6 +10,7 @@
 #include "tools/arguments.h"
 #include "tools/check/check_page.h"
 #include "tools/commands.h"
+#include "tools/exit_codes.h"
 #include "tools/report/output_file.h"
 #include "tools/stress/dial_page.h"
 #include "tools/terminal.h"
@@ -145,11 +146,9 @@ int run_view(const ViewArguments& arguments) {
 
 }  // namespace
 
-Command add_view(CLI::App& program) {
+CommandRun add_view(CLI::App& command) {
   const auto given = std::make_shared<ViewArguments>();
   ViewArguments& arguments = *given;
-  CLI::App& command = *program.add_subcommand(
-      "view", "Show a scene, its rays and where methods go wrong, in a page for a browser");
   command.add_option("SCENE", arguments.scene, "a TOML scene, or a driver file of the course");
   command.add_option("--family", arguments.family,
                      "a stress family in place of a scene: its dial, a scene at each severity");
@@ -171,7 +170,7 @@ Command add_view(CLI::App& program) {
   add_external(command, arguments.external);
   add_threads(command, arguments.threads, "the page");
   add_format(command, arguments.format, {"text", "json"});
-  return {&command, [given] { return run_view(*given); }};
+  return [given] { return run_view(*given); };
 }
 
 }  // namespace raycheck::tools

@@ -45,11 +45,9 @@ int run_worst(WorstArguments& arguments) {
 
 }  // namespace
 
-Command add_worst(CLI::App& program) {
+CommandRun add_worst(CLI::App& command) {
   const auto given = std::make_shared<WorstArguments>();
   WorstOptions& options = given->options;
-  CLI::App& command = *program.add_subcommand(
-      "worst", "Search for the input on which a method's certified error is worst");
   CLI::Option* const method =
       command.add_option("--method", options.method, "the method, of either kind");
   command
@@ -78,7 +76,7 @@ Command add_worst(CLI::App& program) {
   add_external(command, given->external);
   command.get_option("--candidate")->excludes(method);
   add_format(command, given->format, kWorstViews);
-  return {&command, [given] { return run_worst(*given); }};
+  return [given] { return run_worst(*given); };
 }
 
 }  // namespace raycheck::tools

@@ -9,7 +9,7 @@
 #include <string>
 
 #include "properties/quantity.h"
-#include "reference/condition.h"
+#include "reference/account/condition.h"
 #include "reference/error_measure.h"
 #include "reference/exact_ray.h"
 #include "tests/method_expectations.h"

@@ -1,6 +1,6 @@
 // Linear programs over a box, against points of it and against their own duals.
 
-#include "reference/internal/box_optimum.h"
+#include "reference/account/internal/box_optimum.h"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
 // How long vectors are over a box, against points of it.
 
-#include "reference/internal/vector_length.h"
+#include "reference/account/internal/vector_length.h"
 
 #include <gtest/gtest.h>
 

@@ -112,9 +112,9 @@ TEST_F(Package, brings_the_libraries_that_only_raycheck_needs) {
                                                "linux-vdso.so.1",
                                                "/lib64/ld-linux-x86-64.so.2",
                                                "/lib/ld-linux-aarch64.so.1"};
-  const std::string bin = grading.path("root/source/raycheck/bin/");
+  const std::string bin = grading.path("root/source/raycheck/libexec/raycheck/");
   std::size_t brought = 0;
-  for (const char* program : {"raycheck", "raycheck-jail", "raycheck-worker"}) {
+  for (const char* program : {"raycheck-grade", "raycheck-jail", "raycheck-worker"}) {
     std::istringstream lines(said_by("ldd '" + bin + program + "'"));
     for (std::string line; std::getline(lines, line);) {
       std::istringstream words(line);

@@ -13,10 +13,10 @@
 
 #include "properties/cases/random.h"
 #include "properties/quantity.h"
-#include "reference/condition.h"
+#include "reference/account/condition.h"
+#include "reference/account/nearby_answer.h"
 #include "reference/error_measure.h"
 #include "reference/exact_ray.h"
-#include "reference/nearby_answer.h"
 #include "tests/method_expectations.h"
 #include "tests/method_names.h"
 

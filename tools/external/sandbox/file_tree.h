@@ -16,6 +16,9 @@ std::string file_bytes(const std::filesystem::path& file,
 /// followed. Whether nothing is left.
 bool remove_tree(const std::filesystem::path& folder);
 
+/// Removes all that lies in a folder.
+void empty_folder(const std::filesystem::path& folder);
+
 /// Files and folders that are added up at most.
 inline constexpr int kMostFiles = 32'768;
 

@@ -54,8 +54,10 @@ fs::path helper(const std::string& name) { return readable_copy(program_folder()
 
 fs::path program_folder() { return fs::read_symlink("/proc/self/exe").parent_path(); }
 
+fs::path prefix() { return program_folder().parent_path().parent_path(); }
+
 fs::path adapters() {
-  const fs::path installed = program_folder().parent_path() / "share" / "raycheck";
+  const fs::path installed = prefix() / "share" / "raycheck";
   return readable_copy(fs::exists(installed) ? installed
                                              : fs::path(kSourceFolder) / "tools/external/adapters");
 }

@@ -86,8 +86,10 @@ inline constexpr std::string_view kProgramPath = "/usr/local/bin:/usr/bin:/bin";
 /// raycheck-jail or raycheck-worker.
 std::filesystem::path helper(const std::string& name);
 
-/// The folder in which raycheck and its helpers (raycheck-jail, raycheck-worker) lie.
+/// The folder in which this program and its helpers (raycheck-jail, raycheck-worker) lie.
 std::filesystem::path program_folder();
+/// Of programs that are installed, which lie below libexec/raycheck, what that lies below.
+std::filesystem::path prefix();
 
 /// Where the adapters of other languages are: beside an installed program, or in the sources that
 /// it was built of.

@@ -48,7 +48,7 @@ void for_each_number(const std::string& folder, const What& what) {
 }
 
 /// The fields of proc(5)'s /proc/PID/stat from the third on: names may hold anything before.
-std::vector<std::string_view> fields_of(std::string_view line) {
+std::vector<std::string_view> stat_fields(std::string_view line) {
   const std::size_t name_end = line.rfind(')');
   std::vector<std::string_view> fields;
   if (name_end == std::string_view::npos) return fields;
@@ -73,7 +73,7 @@ std::optional<ProcessState> state_of(pid_t pid) {
   // Counted from the third field: state, ppid, utime to cstime, num_threads, rss.
   constexpr std::size_t kState = 0, kParent = 1, kTimes = 11, kThreads = 17, kMemory = 21;
   const std::string line = start_of("/proc/" + std::to_string(pid) + "/stat");
-  const std::vector<std::string_view> fields = fields_of(line);
+  const std::vector<std::string_view> fields = stat_fields(line);
   if (fields.size() <= kMemory) return {};
   std::uint64_t ticks = 0;
   for (std::size_t k = 0; k < 4; ++k) ticks += number_of(fields[kTimes + k]);
@@ -159,7 +159,7 @@ Waiting waiting_of(const std::vector<ProcessState>& processes) {
     const std::string tasks = "/proc/" + std::to_string(process.pid) + "/task";
     for_each_number(tasks, [&](pid_t task) {
       const std::string line = start_of(tasks + "/" + std::to_string(task) + "/stat");
-      const std::vector<std::string_view> fields = fields_of(line);
+      const std::vector<std::string_view> fields = stat_fields(line);
       runs = runs || (!fields.empty() && fields[0] == "R");
       sleeps = sleeps || (!fields.empty() && fields[0] == "D");
     });

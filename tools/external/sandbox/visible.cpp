@@ -28,15 +28,33 @@ std::vector<fs::path> system_paths() {
   return paths;
 }
 
-std::vector<fs::path> own_paths() { return {adapters(), program_folder().parent_path() / "lib"}; }
+std::vector<fs::path> own_paths() { return {adapters(), prefix() / "lib"}; }
+
+namespace {
+
+/// Raycheck's programs in a folder, but for those that run what someone else made.
+void add_programs(const fs::path& folder, std::vector<fs::path>& programs) {
+  std::error_code ignored;
+  for (const auto& entry : fs::directory_iterator(folder, ignored)) {
+    const std::string name = entry.path().filename();
+    const bool is_helper = name == "raycheck-jail" || name == "raycheck-worker";
+    if (name.starts_with("raycheck") && !is_helper && entry.is_regular_file(ignored)) {
+      programs.push_back(entry.path());
+    }
+  }
+}
+
+}  // namespace
 
 std::vector<fs::path> hidden_paths() {
-  std::vector<fs::path> named = {fs::read_symlink("/proc/self/exe"),
-                                 program_folder().parent_path() / "share" / "raycheck" / "rubrics"};
+  std::vector<fs::path> named = {prefix() / "share" / "raycheck" / "rubrics"};
+  add_programs(program_folder(), named);
   std::string_view folders = kProgramPath;
   while (!folders.empty()) {
     const std::size_t end = std::min(folders.find(':'), folders.size());
-    named.push_back(fs::path(folders.substr(0, end)) / "raycheck");
+    const fs::path folder(folders.substr(0, end));
+    named.push_back(folder / "raycheck");
+    add_programs(folder.parent_path() / "libexec" / "raycheck", named);
     folders.remove_prefix(std::min(end + 1, folders.size()));
   }
   std::vector<fs::path> found;

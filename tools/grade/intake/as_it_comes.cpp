@@ -27,8 +27,8 @@ constexpr std::size_t kMostPrograms = 8;
 
 /// The first bytes of a file, enough to tell what kind of program it is.
 std::string head_of(const fs::path& path) {
-  constexpr std::size_t kHead = 64;
-  return file_bytes(path, kHead);
+  constexpr std::size_t kFirstBytes = 64;
+  return file_bytes(path, kFirstBytes);
 }
 
 bool is_executable(const fs::path& path) {
@@ -82,10 +82,6 @@ std::vector<std::string> tried(const BuildAttempt& attempt, const fs::path& fold
   return made;
 }
 
-void empty(const fs::path& folder) {
-  for (const auto& entry : fs::directory_iterator(folder)) fs::remove_all(entry.path());
-}
-
 }  // namespace
 
 Built build_as_it_comes(const fs::path& folder, const HandedInFiles& files, const fs::path& to,
@@ -118,7 +114,7 @@ Built build_as_it_comes(const fs::path& folder, const HandedInFiles& files, cons
                             error.said().empty() ? "" : ":\n", error.said());
       }
       if (failed.empty() || failed.back() != attempt.what) failed.push_back(attempt.what);
-      empty(to);
+      empty_folder(to);
     }
   }
   throw CandidateError(why, said);

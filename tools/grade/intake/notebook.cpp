@@ -1,14 +1,13 @@
 #include "tools/grade/intake/notebook.h"
 
 #include <cctype>
-#include <nlohmann/json.hpp>
 #include <sstream>
 #include <vector>
 
+#include "tools/report/json.h"
+
 namespace raycheck::tools {
 namespace {
-
-using Json = nlohmann::json;
 
 /// A text, or a list of its lines.
 std::string joined(const Json& source) {

@@ -16,8 +16,8 @@ bool is_one_of(const std::array<std::string_view, N>& names, const std::string& 
 }
 
 constexpr std::array<std::string_view, 5> kCpp = {".cpp", ".cc", ".cxx", ".c++", ".C"};
-constexpr std::array<std::string_view, 7> kHeaders = {".h",   ".hh",  ".hpp", ".hxx",
-                                                      ".h++", ".ipp", ".inl"};
+constexpr std::array<std::string_view, 7> kHeaderEndings = {".h",   ".hh",  ".hpp", ".hxx",
+                                                            ".h++", ".ipp", ".inl"};
 
 /// The parts of a path's folder, in small letters.
 std::vector<std::string> folders_of(const std::string& path) {
@@ -53,7 +53,7 @@ bool is_cpp(const std::string& path) { return is_one_of(kCpp, ending_of(path)); 
 bool is_c_or_cpp(const std::string& path) { return is_cpp(path) || ending_of(path) == ".c"; }
 
 bool is_c_family(const std::string& path) {
-  return is_c_or_cpp(path) || is_one_of(kHeaders, ending_of(path));
+  return is_c_or_cpp(path) || is_one_of(kHeaderEndings, ending_of(path));
 }
 
 std::string without_comments(std::string_view text) {

@@ -7,8 +7,8 @@
 #include <string_view>
 #include <utility>
 
+#include "tools/external/pictures/dry_run.h"
 #include "tools/grade/intake/building.h"
-#include "tools/grade/intake/dry_run.h"
 #include "tools/grade/intake/quoting.h"
 
 namespace raycheck::tools {

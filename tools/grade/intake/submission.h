@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "tools/external/locate.h"
-#include "tools/grade/intake/dry_run.h"
+#include "tools/external/pictures/dry_run.h"
 #include "tools/grade/results/result.h"
 #include "tools/grade/rubric/rubric.h"
 #include "tools/grade/store/store.h"

@@ -15,12 +15,13 @@ using properties::AnswerCause;
 using properties::Candidate;
 using properties::Case;
 using properties::Explanation;
-using properties::Step;
 using properties::Trial;
 
 /// Steps whose mistakes show in each other's answers: a camera's, then the hits, then the choice
 /// among them.
-int part_of(Step step) { return step < Step::kIntersect ? 0 : step == Step::kIntersect ? 1 : 2; }
+int part_of(properties::Step step) {
+  return step < properties::Step::kIntersect ? 0 : step == properties::Step::kIntersect ? 1 : 2;
+}
 
 std::vector<Case> cases_of(const ItemTrial& trial) {
   std::vector<Case> cases;

@@ -7,14 +7,13 @@ namespace raycheck::tools {
 
 using properties::Mistake;
 using properties::Quantity;
-using properties::Step;
 
 namespace {
 
 /// What costs one item its points.
 struct Charge {
   std::string sentence;
-  std::optional<Step> step = {};  ///< Where it is made, if it is made at one.
+  std::optional<properties::Step> step = {};  ///< Where it is made, if it is made at one.
 };
 
 std::vector<Charge> charges(const ItemCause& cause) {
@@ -26,21 +25,21 @@ std::vector<Charge> charges(const ItemCause& cause) {
 
 }  // namespace
 
-std::optional<Step> step_of(const Item& item) {
+std::optional<properties::Step> step_of(const Item& item) {
   if (!item.functions) return {};
   switch (item.functions->laws.front()->quantity) {
     case Quantity::kFrame:
-      return Step::kFrame;
+      return properties::Step::kFrame;
     case Quantity::kPixelPoint:
-      return Step::kPixelPoint;
+      return properties::Step::kPixelPoint;
     case Quantity::kDirection:
     case Quantity::kUnitDefect:
     case Quantity::kRayOrigin:
-      return Step::kRay;
+      return properties::Step::kRay;
     case Quantity::kNearestSphere:
-      return Step::kNearest;
+      return properties::Step::kNearest;
     default:
-      return Step::kIntersect;
+      return properties::Step::kIntersect;
   }
 }
 

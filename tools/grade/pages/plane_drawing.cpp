@@ -16,8 +16,8 @@ constexpr double kMargin = 26;                 ///< Around what it shows, for na
 constexpr double kAbove = -9, kBelow = 18;     ///< A name is so far below its mark.
 constexpr double kSeen = 8;                    ///< Marks so far apart are told apart.
 constexpr double kHalfLetter = 3.5;
-constexpr double kRing = 5, kArm = 5;       ///< Of marks.
-constexpr double kHead = 9, kHalfHead = 4;  ///< Of arrows: how long, and half how wide.
+constexpr double kRing = 5, kArm = 5;            ///< Of marks.
+constexpr double kArrowHead = 9, kHalfHead = 4;  ///< Of arrows: how long, and half how wide.
 
 }  // namespace
 
@@ -65,7 +65,7 @@ void PlaneDrawing::arrow(const char* kind, const PlanePoint& from, const PlanePo
   const double length = std::hypot(x(to) - x(from), y(to) - y(from));
   if (length < 1) return;
   const double right = (x(to) - x(from)) / length, down = (y(to) - y(from)) / length;
-  const double neck_x = x(to) - kHead * right, neck_y = y(to) - kHead * down;
+  const double neck_x = x(to) - kArrowHead * right, neck_y = y(to) - kArrowHead * down;
   svg_ += fmt::format("<path class=\"{}\" d=\"M{:.1f},{:.1f}L{:.1f},{:.1f}L{:.1f},{:.1f}\"/>", kind,
                       neck_x - kHalfHead * down, neck_y + kHalfHead * right, x(to), y(to),
                       neck_x + kHalfHead * down, neck_y - kHalfHead * right);

@@ -17,7 +17,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::string_view kHead =
+constexpr std::string_view kHeading =
     "# What raycheck wrote here: digests of names and contents. It replaces no other files.";
 
 std::string digest_of(const fs::path& name, const std::string& text) {
@@ -38,7 +38,7 @@ OwnFiles::OwnFiles(fs::path out) : out_(std::move(out)) {
   std::ifstream file(path, std::ios::binary);
   std::string line;
   if (!fs::is_regular_file(fs::symlink_status(path)) || !std::getline(file, line) ||
-      line != kHead) {
+      line != kHeading) {
     throw std::invalid_argument(fmt::format(
         "out {}: {} is not raycheck's list of the files that it wrote; move it away, or "
         "give another folder",
@@ -71,7 +71,7 @@ void OwnFiles::list(const std::string& digest) {
   const fs::path path = out_ / kOwnFilesList;
   const bool is_new = !is_there(path);
   std::ofstream file(path, std::ios::binary | std::ios::app);
-  if (is_new) file << kHead << "\n";
+  if (is_new) file << kHeading << "\n";
   file << digest << "\n";
   if (!file.flush()) {
     throw std::runtime_error(fmt::format("out {}: could not be written", path.string()));

@@ -16,6 +16,7 @@
 #include "properties/verdict.h"
 #include "tools/external/candidate_spec.h"
 #include "tools/external/pictures/driver_form.h"
+#include "tools/external/refusal.h"
 #include "tools/external/sandbox/process.h"
 
 namespace raycheck::tools {
@@ -149,12 +150,6 @@ struct ItemGrade {
   std::vector<ExplainingMistake> mistakes;
   std::optional<FailingCase> failing;
   std::optional<FirstWrongAnswer> first_wrong;
-};
-
-/// Why nothing of a submission could be run.
-struct Refusal {
-  std::string why;   ///< One line.
-  std::string said;  ///< What a compiler said of it, or empty.
 };
 
 /// A file of a submission that cannot be seen through by reading it.

@@ -15,7 +15,7 @@
 #include "properties/laws/law.h"
 #include "scene/files/scene_file.h"
 #include "tools/external/candidate_spec.h"
-#include "tools/grade/rubric/driver_table.h"
+#include "tools/external/pictures/driver_rule.h"
 #include "tools/methods/methods.h"
 
 namespace raycheck::tools {

@@ -12,7 +12,7 @@ namespace fs = std::filesystem;
 
 /// Beside the installed program, or in the sources.
 fs::path shipped_folder() {
-  fs::path installed = program_folder().parent_path() / "share/raycheck/rubrics";
+  fs::path installed = prefix() / "share/raycheck/rubrics";
   return fs::is_directory(installed) ? installed : fs::path(kSourceFolder) / "tools/grade/rubrics";
 }
 

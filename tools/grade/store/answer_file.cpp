@@ -16,7 +16,7 @@
 namespace raycheck::tools {
 namespace {
 
-constexpr std::string_view kHead = "raycheck answers 2";
+constexpr std::string_view kFirstLine = "raycheck answers 2";
 constexpr int kQuickly = 1;  ///< zlib's level
 /// More than kMostKept bytes of answers and their heads take.
 constexpr std::size_t kMostUnpacked = 2 * AnswerFile::kMostKept;
@@ -76,7 +76,7 @@ std::map<std::string, StoredAnswer> answers_in(const std::filesystem::path& path
   std::ifstream file(path, std::ios::binary);
   std::string head, digested;
   std::size_t size = 0;
-  if (!std::getline(file, head) || head != kHead) return {};
+  if (!std::getline(file, head) || head != kFirstLine) return {};
   if (!(file >> digested >> size) || file.get() != '\n' || size > kMostUnpacked) return {};
   const std::string bytes{std::istreambuf_iterator<char>(file), {}};
   if (digest({bytes, std::to_string(size)}) != digested) return {};
@@ -96,7 +96,7 @@ AnswerFile::~AnswerFile() {
     const std::string text = text_of(answers_);
     const std::string bytes = packed(text);
     OutputFile("out", path_)
-        .write(fmt::format("{}\n{} {}\n", kHead, digest({bytes, std::to_string(text.size())}),
+        .write(fmt::format("{}\n{} {}\n", kFirstLine, digest({bytes, std::to_string(text.size())}),
                            text.size()) +
                bytes);
   } catch (const std::exception&) {

@@ -43,10 +43,6 @@ std::map<std::string, std::string> copy_files(const fs::path& from, const fs::pa
   return digests;
 }
 
-void empty(const fs::path& folder) {
-  for (const auto& entry : fs::directory_iterator(folder)) fs::remove_all(entry.path());
-}
-
 }  // namespace
 
 Store::Store(const fs::path& out) {
@@ -104,7 +100,7 @@ std::optional<Built> Store::find(const std::string& key, const fs::path& to) con
   } catch (const std::exception&) {
     // It is not as it was kept.
   }
-  empty(to);
+  empty_folder(to);
   return {};
 }
 

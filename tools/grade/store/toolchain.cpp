@@ -21,8 +21,8 @@ constexpr const char* kFolders[] = {"/usr/local/bin", "/usr/bin"};
 constexpr const char* kPrograms[] = {"g++",   "gcc",  "c++",  "cc",     "clang++",
                                      "clang", "ld",   "make", "cmake",  "ninja",
                                      "javac", "java", "node", "python3"};
-constexpr const char* kHeaders[] = {"/usr/include/eigen3/Eigen/src/Core/util/Macros.h",
-                                    "/usr/include/glm/detail/setup.hpp"};
+constexpr const char* kVersionHeaders[] = {"/usr/include/eigen3/Eigen/src/Core/util/Macros.h",
+                                           "/usr/include/glm/detail/setup.hpp"};
 
 /// Empty where there is no such file.
 std::vector<std::string> identity(const fs::path& path) {
@@ -43,7 +43,7 @@ std::string toolchain() {
   for (const char* const folder : kFolders) {
     for (const char* const program : kPrograms) add(fs::path(folder) / program);
   }
-  for (const char* const header : kHeaders) add(header);
+  for (const char* const header : kVersionHeaders) add(header);
   return digest(texts);
 }
 

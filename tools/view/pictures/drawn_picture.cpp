@@ -13,10 +13,10 @@ namespace {
 using properties::Discrepancy;
 
 /// Pixels that are judged at a time: of so few a verdict keeps every discrepancy.
-constexpr std::size_t kChunk = 512;
-static_assert(kChunk <= properties::kKeptDiscrepancies);
+constexpr std::size_t kPixelsAtOnce = 512;
+static_assert(kPixelsAtOnce <= properties::kKeptDiscrepancies);
 
-std::int32_t shown(const std::optional<std::size_t>& pixel) {
+std::int32_t pixel_of(const std::optional<std::size_t>& pixel) {
   return !pixel                              ? reference::kNoSphere
          : *pixel == properties::kSomeSphere ? kSomePixel
                                              : static_cast<std::int32_t>(*pixel);
@@ -32,8 +32,8 @@ class DrawnErrorPainter : public Painter {
 
   void paint(const SeenBand& band, std::span<Colour> pixels, ErrorCounts& errors) const override {
     errors.pixels.resize(kErrorSteps.size());
-    for (std::size_t first = 0; first < pixels.size(); first += kChunk) {
-      const std::size_t end = std::min(first + kChunk, pixels.size());
+    for (std::size_t first = 0; first < pixels.size(); first += kPixelsAtOnce) {
+      const std::size_t end = std::min(first + kPixelsAtOnce, pixels.size());
       paint_chunk(band.j_begin, first, pixels.subspan(first, end - first), errors);
     }
   }
@@ -58,7 +58,7 @@ class DrawnErrorPainter : public Painter {
     properties::Trial trial(chunk, candidate_);
     for (const properties::Law* law : laws_) {
       const properties::Verdict verdict = properties::apply(*law, trial);
-      for (const Discrepancy& one : verdict.worst(kChunk)) {
+      for (const Discrepancy& one : verdict.worst(kPixelsAtOnce)) {
         if (one.wrong == properties::Wrong::kFailed) {
           for (std::size_t k = 0; k < pixels.size(); ++k) mark(k, one.excuse.standing());
           if (errors.failed == 0) errors.first_failure = one.what;
@@ -87,7 +87,7 @@ std::vector<std::int32_t> drawn_picture(const scene::Scene& scene,
     const properties::ImageAnswer answer =
         candidate.image(scene, candidate.declared.over(scene.conventions));
     if (answer.size() == count) {
-      std::transform(answer.begin(), answer.end(), picture.begin(), shown);
+      std::transform(answer.begin(), answer.end(), picture.begin(), pixel_of);
     }
   } catch (const std::runtime_error&) {  // The findings say how it failed.
   }

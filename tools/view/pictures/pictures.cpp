@@ -36,7 +36,7 @@ std::string png_of(const scene::Scene& scene, std::vector<Colour> pixels) {
   return png_bytes(camera.width, camera.height, pixels);
 }
 
-Colour colour_of(std::int32_t sphere) {
+Colour pixel_colour(std::int32_t sphere) {
   if (sphere == kFailedPixel) return kFailedColour;
   if (sphere == kSomePixel) return kHitColour;
   return sphere == kNoSphere ? kBackground : sphere_colour(static_cast<std::size_t>(sphere));
@@ -48,12 +48,12 @@ ScenePicture picture_of(const scene::Scene& scene, const std::vector<std::int32_
   constexpr std::size_t kMostEntries = 24;
   ScenePicture picture{kind, std::move(candidate), {}, {}};
   std::vector<Colour> pixels(seen.size());
-  std::transform(seen.begin(), seen.end(), pixels.begin(), colour_of);
+  std::transform(seen.begin(), seen.end(), pixels.begin(), pixel_colour);
   std::map<std::int32_t, std::uint64_t> counts;
   for (const std::int32_t sphere : seen) ++counts[sphere];
   for (const auto& [sphere, count] : counts) {
     if (picture.legend.size() == kMostEntries) break;
-    picture.legend.push_back({colour_of(sphere),
+    picture.legend.push_back({pixel_colour(sphere),
                               sphere == kFailedPixel ? "no answer"
                               : sphere == kSomePixel ? "a sphere, not told which"
                               : sphere == kNoSphere  ? "no sphere"

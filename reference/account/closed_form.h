@@ -1,0 +1,98 @@
+#ifndef RAYCHECK_REFERENCE_ACCOUNT_CLOSED_FORM_H_
+#define RAYCHECK_REFERENCE_ACCOUNT_CLOSED_FORM_H_
+
+#include <array>
+#include <memory>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "reference/exact_ray.h"
+#include "scene/camera.h"
+#include "scene/conventions.h"
+#include "scene/geometry.h"
+
+namespace raycheck::reference {
+
+/// An exact number: a sum of terms, in the order in which they are written; 0 has none.
+struct ClosedForm {
+  /// A positive integer.
+  struct Natural {
+    std::string digits = "1";  ///< In decimal.
+    /// Of odd * 2^twos where twos >= kFewestTwos and odd <= kLargestOdd; otherwise both are 0.
+    unsigned odd = 0, twos = 0;
+
+    bool is_one() const { return digits == "1"; }
+    bool is_short_product() const { return twos != 0; }
+  };
+  /// numerator/denominator in lowest terms, negated where it is `negative`, times all `sums`, times
+  /// the square roots of all `radicands`.
+  struct Term {
+    bool negative = false;
+    Natural numerator = {}, denominator = {};
+    std::vector<ClosedForm> sums = {};
+    std::vector<ClosedForm> radicands = {};
+
+    bool is_rational() const { return sums.empty() && radicands.empty(); }
+  };
+  std::vector<Term> terms = {};
+
+  bool is_zero() const { return terms.empty(); }
+  /// As SageMath prints it: "-1/5*sqrt(109) + 28/5", "0".
+  std::string text() const;
+};
+
+/// Which integers also say how they are a product of a short odd number and a power of two: those
+/// of ten digits and more.
+inline constexpr unsigned kFewestTwos = 32, kLargestOdd = 999;
+
+/// The coordinates of a point or vector, each as a closed form.
+using ClosedForm3 = std::array<ClosedForm, 3>;
+
+/// The text of each.
+std::vector<std::string> texts(std::span<const ClosedForm> forms);
+
+struct ClosedFormFrame {
+  ClosedForm3 U, V, W;
+};
+
+/// The camera axes as sums of rationals times square roots of integers, larger radicands first, as
+/// SageMath orders them. Square factors are taken out of every radicand (those with
+/// a prime below kLargestTrialPrime, and a cofactor that is itself a square); terms that are 0 are
+/// dropped. Domain: as ExactCamera.
+ClosedFormFrame closed_form_frame(const scene::Camera& camera);
+
+/// The largest prime that is tried as a factor of a radicand.
+inline constexpr int kLargestTrialPrime = 1 << 16;
+
+/// One ray's values in closed form; same names and domain as EnclosedRay. Values of a hit outside
+/// the field keep one nested root: B*sqrt(C) + A with A, B, C in closed form.
+class ClosedFormRay {
+ public:
+  struct Impl;
+  ClosedFormRay(const scene::Camera& camera, const scene::Conventions& conventions,
+                const scene::Pixel& pixel);
+  explicit ClosedFormRay(const scene::Ray& ray);
+
+  ClosedForm alpha() const;  ///< Only of a camera's ray, like beta and pixel_point.
+  ClosedForm beta() const;
+  ClosedForm3 pixel_point() const;
+  ClosedForm3 origin() const;
+  ClosedForm3 direction() const;
+  ClosedForm length() const;
+
+  ClosedForm3 to_centre(const scene::Sphere& sphere) const;      ///< T = C - L
+  ClosedForm axial_distance(const scene::Sphere& sphere) const;  ///< v = T.D
+  ClosedForm half_chord_sq(const scene::Sphere& sphere) const;   ///< d^2
+  ClosedForm parameter(const scene::Sphere& sphere, const Intersection& intersection) const;
+  /// v - d or v + d: the parameter for the unit direction, a length.
+  ClosedForm distance(const scene::Sphere& sphere, const Intersection& intersection) const;
+  ClosedForm3 point(const scene::Sphere& sphere, const Intersection& intersection) const;
+
+ private:
+  std::shared_ptr<const Impl> impl_;
+};
+
+}  // namespace raycheck::reference
+
+#endif  // RAYCHECK_REFERENCE_ACCOUNT_CLOSED_FORM_H_

@@ -1,0 +1,83 @@
+#ifndef RAYCHECK_REFERENCE_ACCOUNT_INTERNAL_ANSWER_BOX_H_
+#define RAYCHECK_REFERENCE_ACCOUNT_INTERNAL_ANSWER_BOX_H_
+
+// The neighbourhood of a ray, a sphere and an answer as the box [-1, 1]^n. Internal to reference/.
+
+#include <array>
+#include <cstddef>
+#include <optional>
+#include <vector>
+
+#include "reference/account/internal/answer_decider.h"
+#include "reference/account/internal/vector_length.h"
+#include "reference/account/nearby_answer.h"
+
+namespace raycheck::reference {
+
+/// A point t of the box changes input k by the share t_k of the relative change that the
+/// neighbourhood allows; its last coordinate moves the answer's s over where s may be. An answer
+/// that is a miss has an s of 0 that does not move.
+class AnswerBox {
+ public:
+  AnswerBox(const ExactRay& ray, const scene::Sphere& sphere, const Neighbourhood& around,
+            const std::optional<double>& answer);
+
+  const Neighbourhood& around() const { return around_; }
+  const std::optional<double>& answer() const { return answer_; }
+  std::vector<double> middle() const;
+  /// Of the inputs, without the answer's s.
+  std::vector<double> sizes() const;
+
+  /// How a decider varies over the whole box, by the mean-value form: what it cannot be there it is
+  /// nowhere.
+  const Variation& variation(Decider decider);
+  /// Vectors that tell more where the neighbourhood is not small: f x g and r |g|, which the line
+  /// misses where the vector is longer; and the way from the point at s to the centre, and r.
+  VectorAndLength moment() const;
+  VectorAndLength from_answer() const;
+  /// g, in doubles.
+  std::array<double, 3> direction() const;
+
+  /// To first order about a point.
+  Variation variation_at(Decider decider, const std::vector<double>& t) const;
+  Enclosure value_at(Decider decider, const std::vector<double>& t) const;
+  /// |b - a mu| at most, and the root of the discriminant at most, where the answer is near a
+  /// double root: both roots lie within sqrt(R/a) of s, R what the neighbourhood changes |T - mu
+  /// g|^2 - r^2 by.
+  Enclosure most_near_double_root();
+
+  InputChange change_at(const std::vector<double>& t) const;
+  /// Whether the answer is certainly right for changed inputs.
+  bool is_right(const InputChange& change) const;
+
+ private:
+  template <class Lift>
+  LineAndSphere<typename Lift::Kernel> pair_of(const Lift& lift,
+                                               const Line<typename Lift::Kernel>& line) const;
+  template <std::size_t N, class BaseLift, class Values>
+  std::array<std::vector<Enclosure>, N> reaches_of(const Values& values, const BaseLift& base,
+                                                   const Enclosure& s, const Enclosure& off) const;
+  template <class BaseLift>
+  std::vector<Enclosure> reach_of(Decider decider, const BaseLift& base, const Enclosure& s,
+                                  const Enclosure& off) const;
+  template <class Vector, class Length>
+  VectorAndLength over_box(const Vector& vector, const Length& length) const;
+  static bool moves_answer(Decider decider) { return decider != Decider::kMiddleOffAnswer; }
+  Enclosure at_answer() const;
+  Enclosure slack_of_answer() const;
+  Enclosure parameter_at(const std::vector<double>& t) const;
+  Enclosure value_of_changed(Decider decider, const InputChange& change, const Enclosure& s) const;
+
+  const ExactRay& ray_;
+  const scene::Sphere& sphere_;
+  const Neighbourhood& around_;
+  std::optional<double> answer_;
+  // Of the answer's s: how far it may be off, and the middle and half the width of where it may be.
+  Enclosure slack_, middle_, half_width_;
+  Enclosure reach_;  ///< What the neighbourhood changes |T - mu g|^2 - r^2 by, to first order.
+  std::array<std::optional<Variation>, kDeciderCount> variations_;
+};
+
+}  // namespace raycheck::reference
+
+#endif  // RAYCHECK_REFERENCE_ACCOUNT_INTERNAL_ANSWER_BOX_H_

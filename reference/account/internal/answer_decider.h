@@ -1,0 +1,153 @@
+#ifndef RAYCHECK_REFERENCE_ACCOUNT_INTERNAL_ANSWER_DECIDER_H_
+#define RAYCHECK_REFERENCE_ACCOUNT_INTERNAL_ANSWER_DECIDER_H_
+
+// What makes an answer about a ray and a sphere right, as functions of changed inputs. Internal to
+// reference/.
+
+#include <cstddef>
+#include <optional>
+#include <vector>
+
+#include "reference/account/internal/box_optimum.h"
+#include "reference/account/nearby_answer.h"
+#include "reference/internal/formulas.h"
+
+namespace raycheck::reference {
+
+/// Precisions of the balls that verify a witness.
+inline constexpr int kFirstWitnessBits = 256;
+inline constexpr int kLastWitnessBits = 4096;
+
+/// Of the balls that say how what decides varies over a neighbourhood.
+inline constexpr int kVariationBits = 192;
+
+/// Lifts doubles to balls of the changed inputs, in their order from the `first` on; one serves one
+/// evaluation. Inputs beyond those of the change are as they were.
+class ChangedLift {
+ public:
+  using Kernel = EnclosureKernel;
+
+  ChangedLift(int bits, const InputChange& change, std::size_t first = 0)
+      : bits_(bits), change_(change), next_(first) {}
+
+  Enclosure operator()(double value) const {
+    const Enclosure x(value, bits_);
+    const std::size_t k = next_++;
+    if (k >= change_.size() || change_[k] == 0) return x;
+    return x * (Enclosure(1) + Enclosure(change_[k], bits_));
+  }
+  Enclosure constant(double value) const { return Enclosure(value, bits_); }
+
+ private:
+  int bits_;
+  const InputChange& change_;
+  mutable std::size_t next_;
+};
+
+/// What an answer is right or wrong by, as functions of the inputs: the coefficients, and for a hit
+/// at s, with mu g the way from the origin to there: |T - mu g|^2 - r^2, which is 0 where s is a
+/// root; b - a mu, not negative where that is the smaller one; the same with s as it was answered;
+/// and a mu - 2 b, not negative where the other root (2 b/a - mu, by Vieta) is not positive.
+enum class Decider {
+  kDiscriminant,
+  kConstant,
+  kLinear,
+  kAtAnswer,
+  kBeforeMiddle,
+  kMiddleOffAnswer,
+  kOtherBehind
+};
+inline constexpr std::size_t kDeciderCount = 7;
+
+/// s in multiples of g.
+template <class K>
+typename K::FT in_multiples_of_g(const LineAndSphere<K>& pair, const typename K::FT& s) {
+  using FT = typename K::FT;
+  return pair.line.is_unit ? FT(s / ray_length(pair.line)) : s;
+}
+
+/// The way from the point at s to the centre.
+template <class K>
+typename K::Vector_3 from_point_at(const LineAndSphere<K>& pair, const typename K::FT& s) {
+  return to_centre(pair) - in_multiples_of_g(pair, s) * pair.line.g;
+}
+
+template <class K>
+typename K::FT value_of(Decider decider, const LineAndSphere<K>& pair, const typename K::FT& s) {
+  using FT = typename K::FT;
+  const auto mu = [&] { return in_multiples_of_g(pair, s); };
+  switch (decider) {
+    case Decider::kDiscriminant:
+      return discriminant(pair);
+    case Decider::kConstant:
+      return constant_coefficient(pair);
+    case Decider::kLinear:
+      return linear_coefficient(pair);
+    case Decider::kAtAnswer: {
+      const typename K::Vector_3 off = from_point_at(pair, s);
+      return FT(off * off) - pair.radius * pair.radius;
+    }
+    case Decider::kBeforeMiddle:
+    case Decider::kMiddleOffAnswer:
+      return linear_coefficient(pair) - pair.line.a * mu();
+    default: {
+      const FT b = linear_coefficient(pair);
+      return pair.line.a * mu() - b - b;
+    }
+  }
+}
+
+/// A decider over the neighbourhood, a box: value + sum_k t_k reach_k with every t_k in [-1, 1]
+/// holds what it is where input k changes by the share t_k of what it may; or, to first order only,
+/// what it is near another point of the box, value + sum_k (t_k - at_k) reach_k. The last is the
+/// answer's s.
+struct Variation {
+  Enclosure value;
+  std::vector<Enclosure> reach;
+  Enclosure most = Enclosure(0);        ///< The sum of |reach|.
+  std::vector<double> at = {};          ///< Empty: the middle of the box.
+  std::optional<Enclosure> range = {};  ///< What it lies in, too.
+
+  bool may_be_positive() const { return (value + most).certain_sign().value_or(1) > 0; }
+  bool may_be_at_least_zero() const { return (value + most).certain_sign().value_or(1) >= 0; }
+  bool may_be_negative() const { return (value - most).certain_sign().value_or(-1) < 0; }
+  bool may_be_at_most_zero() const { return (value - most).certain_sign().value_or(-1) <= 0; }
+  bool may_be_zero() const { return may_be_at_least_zero() && may_be_at_most_zero(); }
+  bool is_finite() const {
+    return arb_is_finite(value.ball()) != 0 && arb_is_finite(most.ball()) != 0;
+  }
+};
+
+inline Enclosure sum_of_sizes(const std::vector<Enclosure>& terms) {
+  Enclosure sum(0);
+  for (const Enclosure& term : terms) sum += abs(term);
+  return sum;
+}
+
+/// `shift` plus or minus a variation, by `sign`.
+inline Variation shifted(const Variation& variation, int sign, const Enclosure& shift) {
+  Variation result = variation;
+  if (sign < 0) {
+    result.value = -result.value;
+    for (Enclosure& reach : result.reach) reach = -reach;
+  }
+  result.value += shift;
+  result.range.reset();
+  return result;
+}
+
+/// The same in doubles, as a share of what it can reach, and at most.
+inline LinearForm linear_form(const Variation& variation) {
+  const auto share = [&](const Enclosure& part) {
+    return variation.most.certain_sign() == 1 ? (part / variation.most).upper() : 0;
+  };
+  LinearForm form{share(variation.value), {}};
+  for (const Enclosure& reach : variation.reach) form.slope.push_back(share(reach));
+  for (std::size_t k = 0; k < variation.at.size(); ++k)
+    form.value -= form.slope[k] * variation.at[k];
+  return form;
+}
+
+}  // namespace raycheck::reference
+
+#endif  // RAYCHECK_REFERENCE_ACCOUNT_INTERNAL_ANSWER_DECIDER_H_

@@ -1,0 +1,28 @@
+#ifndef RAYCHECK_REFERENCE_ACCOUNT_INTERNAL_ANSWER_PLACES_H_
+#define RAYCHECK_REFERENCE_ACCOUNT_INTERNAL_ANSWER_PLACES_H_
+
+// Where an answer may be right, to first order. Internal to reference/.
+
+#include <functional>
+#include <vector>
+
+#include "reference/account/internal/answer_conditions.h"
+
+namespace raycheck::reference {
+
+/// How a decider varies, about one point or over the box.
+using VariationOf = std::function<Variation(Decider)>;
+
+/// Points of the box [-1, 1]^n where the conditions are met if they are anywhere, but for what is
+/// not linear.
+std::vector<std::vector<double>> places(const AnswerBox& box, const std::vector<Condition>& all,
+                                        const VariationOf& variation_of);
+
+/// Moves one coordinate, that which needs the least of those that can, so that the decider is 0 to
+/// the last bits of it.
+std::vector<double> on_zero(const AnswerBox& box, Decider decider, const Variation& variation,
+                            std::vector<double> t);
+
+}  // namespace raycheck::reference
+
+#endif  // RAYCHECK_REFERENCE_ACCOUNT_INTERNAL_ANSWER_PLACES_H_

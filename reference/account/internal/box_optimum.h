@@ -1,0 +1,48 @@
+#ifndef RAYCHECK_REFERENCE_ACCOUNT_INTERNAL_BOX_OPTIMUM_H_
+#define RAYCHECK_REFERENCE_ACCOUNT_INTERNAL_BOX_OPTIMUM_H_
+
+// Linear programs over a box, of at most one equation or of several inequalities, in doubles: where
+// to look, which proves nothing. Internal to reference/.
+
+#include <optional>
+#include <vector>
+
+namespace raycheck::reference {
+
+/// value + sum_k slope_k t_k over the box [-1, 1]^n.
+struct LinearForm {
+  double value = 0;
+  std::vector<double> slope;
+
+  double at(const std::vector<double>& t) const;
+};
+
+/// A point of the box, and the multiplier that proves it optimal.
+struct BoxOptimum {
+  std::vector<double> t;
+  double multiplier = 0;
+};
+
+/// Where a form is largest; 0 in each t_k that does not matter.
+std::vector<double> highest(const LinearForm& f);
+
+/// Where f is largest among the points of the box at which g = 0; empty where there is none. f +
+/// multiplier g is nowhere in the box larger than f is there.
+/// Source: the dual's breakpoints, as in G. B. Dantzig's fractional knapsack.
+std::optional<BoxOptimum> highest_where_zero(const LinearForm& f, const LinearForm& g);
+
+/// A point of the box, and multipliers, not negative and of sum 1, that prove it optimal.
+struct LeastOptimum {
+  std::vector<double> t;
+  double least = 0;  ///< The least of the forms there.
+  std::vector<double> multipliers;
+};
+
+/// Where the least of at least one form of one dimension is largest: nowhere in the box is the sum
+/// of the forms, each times its multiplier, larger than it is there.
+/// Source: the simplex method with bounded variables (G. B. Dantzig).
+LeastOptimum highest_least(const std::vector<LinearForm>& forms);
+
+}  // namespace raycheck::reference
+
+#endif  // RAYCHECK_REFERENCE_ACCOUNT_INTERNAL_BOX_OPTIMUM_H_

@@ -1,0 +1,105 @@
+#ifndef RAYCHECK_REFERENCE_ACCOUNT_INTERNAL_CHOICE_FORMS_H_
+#define RAYCHECK_REFERENCE_ACCOUNT_INTERNAL_CHOICE_FORMS_H_
+
+// What must be so of a ray and some spheres for one of them to be met first, over parts of a
+// neighbourhood. Internal to reference/.
+
+#include <cstddef>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "reference/account/internal/answer_decider.h"
+#include "reference/account/internal/condition_impl.h"
+
+namespace raycheck::reference {
+
+/// The inputs of a ray and two spheres.
+inline constexpr int kTwoSpheresInputs = kCameraInputs + kSphereInputs;
+
+/// What is asked of a ray and a sphere: that `sign` times `what` is not negative, or that it is
+/// positive. Of the last three, with s at the sphere's `root` (-1 the smaller, 1 the larger) and s'
+/// at the favourite's, `what` is a positive number times: s - s'; or the sphere's quadratic at s'
+/// times minus `root`, and the middle of the sphere's roots minus s', which together are not
+/// negative where s - s' is not, and which know no root of the sphere's own.
+struct ChoiceCondition {
+  enum class What { kDiscriminant, kConstant, kLinear, kAfter, kOutside, kBeforeMiddle };
+  What what;
+  std::size_t sphere;
+  int sign = 1;
+  bool is_strict = false;
+  std::size_t favourite = 0;
+  int root = 0;
+  int favourite_root = 0;
+};
+
+/// A part of the box [-1, 1]^n, a point t of which changes input k by t_k times the relative change
+/// of the neighbourhood: a box about a middle, or the middle alone.
+struct Part {
+  std::vector<double> middle;
+  std::vector<double> half_width;  ///< Empty: the middle alone.
+};
+
+/// Lifts doubles to balls of what they are in a part of the neighbourhood: a ray's inputs first,
+/// then those from where it is moved to.
+class PartLift {
+ public:
+  using Kernel = EnclosureKernel;
+
+  PartLift(int bits, double relative_change, const Part& part)
+      : bits_(bits), change_(relative_change, bits), part_(&part) {}
+
+  Enclosure operator()(double value) const;
+  Enclosure constant(double value) const { return Enclosure(value, bits_); }
+  void move_to(std::size_t next) const { next_ = next; }
+
+ private:
+  int bits_;
+  Enclosure change_;
+  const Part* part_;
+  mutable std::size_t next_ = 0;
+};
+
+/// A ray and the spheres whose inputs the box is of, in their order.
+struct ChoiceNumbers {
+  ChoiceNumbers(const ExactRay& its_ray, std::span<const scene::Sphere> its_spheres,
+                double its_relative_change);
+
+  std::size_t dimension() const { return values.size(); }
+  std::size_t of_ray() const { return first_of(0); }
+  std::size_t first_of(std::size_t sphere) const {
+    return values.size() - kSphereInputs * (spheres.size() - sphere);
+  }
+
+  const ExactRay& ray;
+  std::vector<scene::Sphere> spheres;
+  double relative_change;
+  std::vector<double> values;  ///< Of the inputs, as they are.
+};
+
+/// How conditions vary over a part.
+class ChoiceForms {
+ public:
+  ChoiceForms(const ChoiceNumbers& inputs, const Part& part);
+  ChoiceForms(const ChoiceForms&) = delete;
+  ChoiceForms& operator=(const ChoiceForms&) = delete;
+
+  Variation of(const ChoiceCondition& condition) const;
+
+ private:
+  using Lift = DualLift<PartLift, kTwoSpheresInputs>;
+
+  std::optional<Enclosure> some_off(const ChoiceCondition& condition) const;
+
+  const ChoiceNumbers& inputs_;
+  Part part_;
+  Part middle_;
+  Lift lift_;
+  Line<Lift::Kernel> line_;
+  PartLift middle_lift_;
+  std::optional<Line<EnclosureKernel>> middle_line_;  ///< Empty: the part is a point.
+};
+
+}  // namespace raycheck::reference
+
+#endif  // RAYCHECK_REFERENCE_ACCOUNT_INTERNAL_CHOICE_FORMS_H_

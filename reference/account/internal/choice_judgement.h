@@ -1,0 +1,37 @@
+#ifndef RAYCHECK_REFERENCE_ACCOUNT_INTERNAL_CHOICE_JUDGEMENT_H_
+#define RAYCHECK_REFERENCE_ACCOUNT_INTERNAL_CHOICE_JUDGEMENT_H_
+
+// Whether a ray meets first what it is said to, as it is or at changed inputs. Internal to
+// reference/.
+
+#include <cstddef>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "reference/account/nearby_choice.h"
+
+namespace raycheck::reference {
+
+struct ChoiceQuestion {
+  const ExactRay& ray;
+  std::span<const scene::Sphere> spheres;
+  std::vector<std::size_t> contenders;  ///< The spheres that matter.
+  const Neighbourhood& around;
+  const FirstMet& claim;
+};
+
+/// Whether a claim is right, or a sphere that makes it wrong, or neither where nothing can tell.
+struct Judgement {
+  bool is_right = false;
+  std::optional<std::size_t> offender;
+};
+
+/// By exact decisions.
+Judgement judge(const ChoiceQuestion& question);
+/// By balls.
+Judgement judge_changed(const ChoiceQuestion& question, const InputChange& change);
+
+}  // namespace raycheck::reference
+
+#endif  // RAYCHECK_REFERENCE_ACCOUNT_INTERNAL_CHOICE_JUDGEMENT_H_

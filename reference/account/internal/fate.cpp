@@ -1,0 +1,66 @@
+#include "reference/account/internal/fate.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "reference/account/internal/answer_decider.h"
+
+namespace raycheck::reference {
+namespace {
+
+/// The largest |coordinate|, between bounds.
+Interval largest(const IntervalKernel::Vector_3& v) {
+  const Interval size[] = {CGAL::abs(v.x()), CGAL::abs(v.y()), CGAL::abs(v.z())};
+  return {std::max({size[0].inf(), size[1].inf(), size[2].inf()}),
+          std::max({size[0].sup(), size[1].sup(), size[2].sup()})};
+}
+
+}  // namespace
+
+Fate fate_of(const LineAndSphere<IntervalKernel>& pair, scene::Root root) {
+  const Interval squared_root = discriminant(pair);
+  if (squared_root.sup() < 0) return {};
+  const Interval c = constant_coefficient(pair);
+  const Interval b = linear_coefficient(pair);
+  const Interval half = CGAL::sqrt(squared_root);
+  const bool is_nearest = root == scene::Root::kNearest;
+  Fate fate;
+  fate.may_miss = !(squared_root.inf() > 0) || (!(c.inf() > 0) && !is_nearest) ||
+                  (!(c.sup() < 0) && !(b.inf() > 0));
+  const auto may_be_at = [&](const Interval& s) {
+    fate.may_hit = true;
+    // A bound that is no number, where intervals overflow, is none.
+    fate.earliest = std::min(fate.earliest, s.inf() >= 0 ? s.inf() : 0);
+    fate.latest = s.sup() >= fate.latest   ? s.sup()
+                  : s.sup() <= fate.latest ? fate.latest
+                                           : std::numeric_limits<double>::infinity();
+  };
+  if (!(c.sup() < 0) && !(b.sup() < 0)) may_be_at(b - half);
+  if (!(c.inf() > 0) && is_nearest) may_be_at(b + half);
+  return fate;
+}
+
+bool is_far_from_right(const ExactRay& ray, const scene::Sphere& sphere,
+                       const Neighbourhood& around, const std::optional<double>& answer) {
+  const IntervalGuard guard;
+  const ChangedIntervalLift lift(around.relative_change);
+  const auto line = lifted_line(lift, ray.source());
+  const auto pair = line_and_sphere(line, lift_sphere<IntervalKernel>(lift, sphere));
+  const Fate fate = fate_of(pair, around.root);
+  if (!answer) return !fate.may_miss;
+  if (!fate.may_hit) return true;
+  const Interval s(*answer);
+  const Interval length = line.is_unit ? ray_length(line) : Interval(1);
+  const Interval roots = Interval(fate.earliest, fate.latest) * length / line.a;
+  const bool is_beyond = s.inf() > roots.sup();
+  const Interval gap = is_beyond ? s - Interval(roots.sup()) : Interval(roots.inf()) - s;
+  const Interval scale = line.is_unit ? Interval(1) : largest(line.g);
+  const Interval slack = (s + largest(to_centre(pair)) / scale) * Interval(around.relative_change);
+  // Half as wide as its interval what is 0 at a root does vary, or less.
+  const Interval at_answer = value_of(Decider::kAtAnswer, pair, s);
+  const Interval reach = Interval(at_answer.sup()) - Interval(at_answer.inf());
+  const Interval apart = gap / length;
+  return gap.inf() > slack.sup() && (line.a * apart * apart).inf() > reach.sup();
+}
+
+}  // namespace raycheck::reference

@@ -1,0 +1,60 @@
+#ifndef RAYCHECK_REFERENCE_ACCOUNT_INTERNAL_RADICAL_SUM_H_
+#define RAYCHECK_REFERENCE_ACCOUNT_INTERNAL_RADICAL_SUM_H_
+
+#include <functional>
+#include <map>
+#include <optional>
+
+#include "reference/account/closed_form.h"
+#include "reference/internal/kernels.h"
+
+namespace raycheck::reference {
+
+/// A sum of rationals times square roots of distinct positive integers, as free of squares as trial
+/// division gets them: the symbolic number type of the formulas. Division is by single terms, which
+/// is all that the formulas ask. Internal to reference/.
+class RadicalSum {
+ public:
+  RadicalSum() = default;
+  explicit RadicalSum(int value) : RadicalSum(Rational(value)) {}
+  explicit RadicalSum(const Rational& value) { add(Integer(1), value); }
+  /// The square root of a rational >= 0; otherwise throws std::domain_error.
+  static RadicalSum square_root(const Rational& radicand);
+
+  RadicalSum& operator+=(const RadicalSum& other);
+  RadicalSum& operator-=(const RadicalSum& other) { return *this += -other; }
+  RadicalSum& operator*=(const RadicalSum& other) { return *this = *this * other; }
+  /// Domain: `divisor` is one term; otherwise throws std::domain_error.
+  RadicalSum& operator/=(const RadicalSum& divisor);
+  RadicalSum operator-() const;
+  friend RadicalSum operator*(const RadicalSum& a, const RadicalSum& b);
+
+  /// The value, where no square root is left.
+  std::optional<Rational> rational() const;
+  /// Its square root, where that is again a sum of at most two such terms.
+  std::optional<RadicalSum> square_root() const;
+  bool is_zero() const { return terms_.empty(); }
+  bool is_one_term() const { return terms_.size() == 1; }
+  ClosedForm closed_form() const;
+
+ private:
+  void add(const Integer& radicand, const Rational& coefficient);
+
+  /// Coefficient by radicand, larger radicands first; 1 is the rational part. No coefficient is 0.
+  std::map<Integer, Rational, std::greater<>> terms_;
+};
+
+inline RadicalSum operator+(RadicalSum a, const RadicalSum& b) { return a += b; }
+inline RadicalSum operator-(RadicalSum a, const RadicalSum& b) { return a -= b; }
+inline RadicalSum operator/(RadicalSum a, const RadicalSum& b) { return a /= b; }
+
+// The roots that a camera adjoins, as in reference/internal/kernels.h.
+RadicalSum first_root(const RadicalSum& rational);
+inline RadicalSum second_root(const RadicalSum& rational) { return first_root(rational); }
+
+/// b sqrt(c) + a; the root is worked out where c's is a RadicalSum.
+ClosedForm closed_form_of_sum(const RadicalSum& a, const RadicalSum& b, const RadicalSum& c);
+
+}  // namespace raycheck::reference
+
+#endif  // RAYCHECK_REFERENCE_ACCOUNT_INTERNAL_RADICAL_SUM_H_

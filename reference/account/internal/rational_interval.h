@@ -1,0 +1,93 @@
+#ifndef RAYCHECK_REFERENCE_ACCOUNT_INTERNAL_RATIONAL_INTERVAL_H_
+#define RAYCHECK_REFERENCE_ACCOUNT_INTERNAL_RATIONAL_INTERVAL_H_
+
+// The number type of proofs: the formulas of reference/internal/formulas.h over intervals with
+// rational ends, which anyone can recompute. Internal to reference/.
+
+#include <algorithm>
+#include <cstdint>
+#include <optional>
+#include <stdexcept>
+#include <utility>
+
+#include "reference/internal/kernels.h"
+
+namespace raycheck::reference {
+
+/// 2^exponent
+Rational power_of_two(std::int64_t exponent);
+/// The largest integer <= x.
+Integer floor_of(const Rational& x);
+/// An e with 2^(e-1) < |x| < 2^(e+1), for x != 0.
+std::int64_t exponent_of(const Rational& x);
+
+/// Every number from low to high. Nothing is rounded but square roots, which are enclosed to `bits`
+/// significant bits (and are exact where they have no more); a result's bits are the larger of the
+/// operands'.
+class RationalInterval {
+ public:
+  RationalInterval() = default;
+  explicit RationalInterval(int value) : low_(value), high_(value) {}
+  RationalInterval(const Rational& value, int bits) : low_(value), high_(value), bits_(bits) {}
+  RationalInterval(Rational low, Rational high, int bits)
+      : low_(std::move(low)), high_(std::move(high)), bits_(bits) {}
+
+  const Rational& low() const { return low_; }
+  const Rational& high() const { return high_; }
+  int bits() const { return bits_; }
+  bool is_exact() const { return low_ == high_; }
+
+  RationalInterval operator-() const { return {-high_, -low_, bits_}; }
+  friend RationalInterval operator+(const RationalInterval& a, const RationalInterval& b) {
+    return {a.low_ + b.low_, a.high_ + b.high_, std::max(a.bits_, b.bits_)};
+  }
+  friend RationalInterval operator-(const RationalInterval& a, const RationalInterval& b) {
+    return a + -b;
+  }
+  friend RationalInterval operator*(const RationalInterval& a, const RationalInterval& b) {
+    const int bits = std::max(a.bits_, b.bits_);
+    if (a.is_exact() && b.is_exact()) return {a.low_ * b.low_, bits};
+    const auto [low, high] =
+        std::minmax({a.low_ * b.low_, a.low_ * b.high_, a.high_ * b.low_, a.high_ * b.high_});
+    return {low, high, bits};
+  }
+  /// Throws std::domain_error when the divisor may be 0.
+  friend RationalInterval operator/(const RationalInterval& a, const RationalInterval& b) {
+    if (b.low_ <= 0 && b.high_ >= 0) throw std::domain_error("division by what may be 0");
+    return a * RationalInterval(1 / b.high_, 1 / b.low_, b.bits_);
+  }
+  RationalInterval& operator+=(const RationalInterval& other) { return *this = *this + other; }
+  RationalInterval& operator-=(const RationalInterval& other) { return *this = *this - other; }
+  RationalInterval& operator*=(const RationalInterval& other) { return *this = *this * other; }
+  RationalInterval& operator/=(const RationalInterval& other) { return *this = *this / other; }
+
+ private:
+  Rational low_;
+  Rational high_;
+  int bits_ = 1;
+};
+
+using RationalKernel = CGAL::Simple_cartesian<RationalInterval>;
+
+struct RationalLift {
+  int bits;
+  RationalInterval operator()(double value) const { return {Rational(value), bits}; }
+  RationalInterval constant(double value) const { return (*this)(value); }
+};
+
+/// The square root of an exact number > 0, between two dyadic rationals of bits() bits.
+RationalInterval first_root(const RationalInterval& radicand);
+inline RationalInterval second_root(const RationalInterval& radicand) {
+  return first_root(radicand);
+}
+
+inline std::optional<int> certain_sign(const RationalInterval& value) {
+  if (value.low() > 0) return 1;
+  if (value.high() < 0) return -1;
+  if (value.low() == 0 && value.high() == 0) return 0;
+  return std::nullopt;
+}
+
+}  // namespace raycheck::reference
+
+#endif  // RAYCHECK_REFERENCE_ACCOUNT_INTERNAL_RATIONAL_INTERVAL_H_

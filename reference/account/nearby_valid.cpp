@@ -1,0 +1,142 @@
+#include "reference/account/nearby_valid.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+#include <vector>
+
+#include "reference/ray_error.h"
+
+namespace raycheck::reference {
+namespace {
+
+constexpr int kBits = 256;
+
+/// Where a ray meets a sphere for every input of a neighbourhood.
+struct Everywhere {
+  enum class Meets { kNowhere, kAtOneRoot, kUnknown };
+  Meets meets = Meets::kUnknown;
+  WhichRoot root = WhichRoot::kSmaller;
+  Enclosure s, other_s;  ///< Of kAtOneRoot, and of the other root.
+};
+
+/// A neighbourhood of a ray and spheres, in balls.
+class Box {
+ public:
+  Box(const ExactRay& ray, const Neighbourhood& around)
+      : ray_(ray.enclose(kBits, around.relative_change)), around_(around) {}
+
+  Everywhere meets(const scene::Sphere& sphere) const {
+    const auto under_root = ray_.half_chord_sq(sphere).certain_sign();
+    if (under_root == -1) return {Everywhere::Meets::kNowhere, {}, {}, {}};
+    if (under_root != 1) return {};
+    const scene::Culling culling = around_.valid.culling;
+    for (const WhichRoot root : {WhichRoot::kSmaller, WhichRoot::kLarger}) {
+      const bool is_smaller = root == WhichRoot::kSmaller;
+      const bool is_culled = is_smaller ? culling == scene::Culling::kFrontFaces
+                                        : culling == scene::Culling::kBackFaces ||
+                                              around_.root == scene::Root::kSmaller;
+      if (is_culled) continue;
+      Enclosure s = ray_.parameter(sphere, {HitClass::kHit, root});
+      const std::optional<bool> counts = is_valid(s, sphere);
+      if (!counts) return {};
+      if (!*counts) continue;
+      const WhichRoot other = is_smaller ? WhichRoot::kLarger : WhichRoot::kSmaller;
+      return {Everywhere::Meets::kAtOneRoot, root, std::move(s),
+              ray_.parameter(sphere, {HitClass::kHit, other})};
+    }
+    return {Everywhere::Meets::kNowhere, {}, {}, {}};
+  }
+
+ private:
+  /// Whether a root lies between t_min and t_max; empty where that is not the same everywhere.
+  std::optional<bool> is_valid(const Enclosure& s, const scene::Sphere& sphere) const {
+    const scene::ValidRoots& valid = around_.valid;
+    const auto above = [&](double t) {
+      Enclosure end(t, kBits);
+      if (valid.unit == scene::TUnit::kRadius) {
+        end *= Enclosure::within(sphere.radius, around_.relative_change, kBits);
+      }
+      const auto sign = (s - end).certain_sign();
+      return sign == 0 ? std::nullopt : sign;
+    };
+    const auto above_min = above(valid.t_min);
+    if (!above_min) return {};
+    if (*above_min < 0) return false;
+    if (std::isinf(valid.t_max)) return true;
+    const auto above_max = above(valid.t_max);
+    if (!above_max) return {};
+    return *above_max < 0;
+  }
+
+  EnclosedRay ray_;
+  const Neighbourhood& around_;
+};
+
+using Meets = Everywhere::Meets;
+
+NearbyAnswer refuted_if(bool is_refuted) {
+  return {is_refuted ? Nearby::kRefuted : Nearby::kUndecided, {}};
+}
+
+bool is_certainly_less(const Enclosure& a, const Enclosure& b) {
+  return (b - a).certain_sign() == 1;
+}
+
+}  // namespace
+
+NearbyAnswer refuted_nearby(const ExactRay& ray, const scene::Sphere& sphere,
+                            const Neighbourhood& around, const std::optional<double>& answer) {
+  if (answer && std::isfinite(*answer) && is_outside(around.valid, sphere.radius, *answer)) {
+    return refuted_if(true);
+  }
+  const Everywhere here = Box(ray, around).meets(sphere);
+  if (here.meets == Meets::kUnknown) return {};
+  if (!answer) return refuted_if(here.meets == Meets::kAtOneRoot);
+  if (here.meets == Meets::kNowhere || !std::isfinite(*answer)) return refuted_if(true);
+  // At the other root, as is_at_other_root() has it, everywhere.
+  const Enclosure from_other = abs(Enclosure(*answer, kBits) - here.other_s);
+  return refuted_if(
+      is_certainly_less(Enclosure(kOtherRootShare) * from_other, abs(here.s - here.other_s)));
+}
+
+NearbyAnswer refuted_nearby(const ExactRay& ray, std::span<const scene::Sphere> spheres,
+                            const Neighbourhood& around, const FirstMet& claim) {
+  const Box box(ray, around);
+  std::vector<Everywhere> all;
+  for (const scene::Sphere& sphere : spheres) all.push_back(box.meets(sphere));
+  const auto some_are = [&](Meets meets) {
+    return std::any_of(all.begin(), all.end(),
+                       [meets](const Everywhere& one) { return one.meets == meets; });
+  };
+  switch (claim.what) {
+    case FirstMet::What::kNothing:
+      return refuted_if(some_are(Meets::kAtOneRoot));
+    case FirstMet::What::kSomething:
+      return refuted_if(!some_are(Meets::kAtOneRoot) && !some_are(Meets::kUnknown));
+    case FirstMet::What::kSphere:
+      break;
+  }
+  const Everywhere& claimed = all.at(claim.sphere);
+  if (claimed.meets != Meets::kAtOneRoot) return refuted_if(claimed.meets == Meets::kNowhere);
+  return refuted_if(std::any_of(all.begin(), all.end(), [&](const Everywhere& one) {
+    return one.meets == Meets::kAtOneRoot && is_certainly_less(one.s, claimed.s);
+  }));
+}
+
+bool is_outside(const scene::ValidRoots& valid, double radius, double s) {
+  // The product of two doubles has no more than 106 bits, so that a ball of kBits has no width.
+  const auto above = [&](double t) {
+    if (valid.unit == scene::TUnit::kAbsolute) return s < t ? -1 : s > t ? 1 : 0;
+    return (Enclosure(s, kBits) - Enclosure(t, kBits) * Enclosure(radius, kBits))
+        .certain_sign()
+        .value();
+  };
+  const int above_min = above(valid.t_min);
+  if (above_min < 0 || (above_min == 0 && !valid.includes_min())) return true;
+  if (std::isinf(valid.t_max)) return false;
+  const int above_max = above(valid.t_max);
+  return above_max > 0 || (above_max == 0 && !valid.includes_max());
+}
+
+}  // namespace raycheck::reference

@@ -1,0 +1,34 @@
+#ifndef RAYCHECK_REFERENCE_ACCOUNT_NEARBY_VALID_H_
+#define RAYCHECK_REFERENCE_ACCOUNT_NEARBY_VALID_H_
+
+#include <optional>
+#include <span>
+
+#include "reference/account/nearby_answer.h"
+#include "reference/account/nearby_choice.h"
+
+namespace raycheck::reference {
+
+// What right_nearby() says of wrong answers where not every root >= 0 counts (scene::ValidRoots):
+// t_min and t_max are no inputs, and are taken exactly. A refutation is proven, by balls that hold
+// the roots for all inputs within the relative change; witnesses are not looked for, so that the
+// rest is undecided: roots about as far from an end, from a tangent or from each other as the
+// change is wide. An answered s outside the interval is refuted: no inputs make it count. Domain:
+// as ExactRay; conventions without defects (scene/validate.h).
+
+/// Of an answer that a ray misses (empty), or meets a sphere at s.
+NearbyAnswer refuted_nearby(const ExactRay& ray, const scene::Sphere& sphere,
+                            const Neighbourhood& around, const std::optional<double>& answer);
+
+/// Of what is said to be met first.
+NearbyAnswer refuted_nearby(const ExactRay& ray, std::span<const scene::Sphere> spheres,
+                            const Neighbourhood& around, const FirstMet& claim);
+
+/// Whether an answered s lies outside t_min and t_max, by comparing doubles: s with t, or exactly
+/// with the product t r where t counts radii.
+/// Domain: s is finite, radius >= 0.
+bool is_outside(const scene::ValidRoots& valid, double radius, double s);
+
+}  // namespace raycheck::reference
+
+#endif  // RAYCHECK_REFERENCE_ACCOUNT_NEARBY_VALID_H_

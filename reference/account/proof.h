@@ -1,0 +1,104 @@
+#ifndef RAYCHECK_REFERENCE_ACCOUNT_PROOF_H_
+#define RAYCHECK_REFERENCE_ACCOUNT_PROOF_H_
+
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "reference/enclosure.h"
+#include "reference/exact_ray.h"
+#include "scene/camera.h"
+#include "scene/conventions.h"
+#include "scene/geometry.h"
+
+namespace raycheck::reference {
+
+/// integer * 2^exponent.
+struct Dyadic {
+  std::string integer = "0";  ///< Decimal digits after an optional sign; odd, or 0.
+  std::int64_t exponent = 0;
+};
+Dyadic dyadic(double finite);
+
+/// low * 2^exponent <= x <= high * 2^exponent; both are x itself where that is dyadic and known.
+struct Bracket {
+  std::string low = "0";
+  std::string high = "0";
+  std::int64_t exponent = 0;
+};
+/// The ends of a finite ball.
+Bracket bracket(const Enclosure& x);
+
+/// How a ray meets a sphere, and the numbers whose signs prove it (reference/internal/formulas.h):
+/// the discriminant, and c and b where the ones before them leave the answer open.
+struct ProvenMeeting {
+  bool met = false;  ///< Under the conventions; which root and parameter speak only of this.
+  Intersection intersection;
+  Bracket discriminant;
+  std::optional<Bracket> c;
+  std::optional<Bracket> b;
+  std::optional<Bracket> s;
+  std::optional<Bracket> other_s;  ///< The other root, where it was wanted and is another.
+};
+
+/// Square roots between dyadic rationals, as narrow as the rest needs: a camera's alone.
+struct ProvenRoots {
+  Bracket w;                      ///< |E - A|
+  Bracket u;                      ///< |up x (E - A)|
+  std::optional<Bracket> length;  ///< |P - E|; of a pixel only.
+};
+
+struct Proof {
+  std::optional<ProvenRoots> roots;     ///< Empty for a given ray, which needs none.
+  std::vector<ProvenMeeting> meetings;  ///< One for each sphere.
+};
+
+/// What a proof must show; intervals that its brackets give to a vector are then narrower than
+/// 2^-ExactRay::kValueBits of its length.
+struct Proposition {
+  std::span<const scene::Sphere> spheres;  ///< How each is met.
+  bool other_roots = false;                ///< Of those that are met, the other root too.
+  bool axes = false;                       ///< U, V, W.
+  bool pixel_point = false;                ///< P, of a camera's ray
+  bool origin = false;
+  bool direction = false;
+  bool hit_points = false;                   ///< Q on each sphere that is met.
+  std::optional<scene::Point3> from_origin;  ///< This point minus the ray's origin.
+  /// The sphere met first is met before every other that is met: unless their parameters are equal
+  /// (then the other's bracket does not begin before this one's ends, or the spheres are equal).
+  bool order = false;
+};
+
+/// Proofs that rational intervals can follow: every interval in them is computed from the doubles
+/// of the input and from the brackets given, by +, -, *, / alone.
+/// Domain: as ExactRay.
+/// Error:  what is returned has been followed that way. Empty where brackets of up to
+/// kMostProofBits
+///         bits show nothing: at a value that is 0, or at two that are equal, only by virtue of
+///         square roots.
+/// Source: docs/certificates.md
+class Prover {
+ public:
+  Prover(const scene::Camera& camera, const scene::Conventions& conventions,
+         const std::optional<scene::Pixel>& pixel);
+  Prover(const scene::Ray& ray, const scene::Conventions& conventions);
+
+  std::optional<Proof> prove(const Proposition& proposition) const;
+
+  static constexpr int kFirstProofBits = 128;
+  static constexpr int kMostProofBits = 4096;
+
+ private:
+  struct Attempt;
+  std::optional<scene::Camera> camera_;
+  std::optional<scene::Pixel> pixel_;
+  scene::Ray given_;
+  scene::Conventions conventions_;
+  std::optional<ExactRay> exact_;  ///< Empty for a camera without a pixel.
+};
+
+}  // namespace raycheck::reference
+
+#endif  // RAYCHECK_REFERENCE_ACCOUNT_PROOF_H_

@@ -1,0 +1,132 @@
+// Condition numbers of single steps: reference/account/condition.h.
+
+#include "reference/account/condition.h"
+#include "reference/account/internal/condition_impl.h"
+
+namespace raycheck::reference {
+namespace {
+
+/// A lift, its kernel and the kernel of the values that it differentiates by.
+template <class Lift>
+using KernelOf = typename std::decay_t<Lift>::Kernel;
+template <class Lift>
+using BaseKernelOf = typename std::decay_t<Lift>::BaseKernel;
+
+template <class Lift>
+typename KernelOf<Lift>::Vector_3 no_vector(const Lift& lift) {
+  return {lift.constant(0), lift.constant(0), lift.constant(0)};
+}
+
+double pixel_point_condition(const ExactRay& ray, Arithmetic arithmetic) {
+  const auto& camera = *ray.source().camera;
+  const auto quantity = [&](const auto& lift) {
+    using K = KernelOf<decltype(lift)>;
+    const auto numbers = numbers_of(lift.base(), camera);
+    const auto at = plane_position<BaseKernelOf<decltype(lift)>>(
+        lift.base(), numbers.inputs, camera.camera, camera.conventions, ray.source().pixel);
+    const typename K::Vector_3 eye = lift.input(numbers.inputs.eye);
+    const typename K::FT near = lift.input(numbers.inputs.near);
+    const typename K::FT alpha = lift.input(at.alpha);
+    const typename K::FT beta = lift.input(at.beta);
+    const typename K::Vector_3 U = lift.input(numbers.axes.U);
+    const typename K::Vector_3 V = lift.input(numbers.axes.V);
+    const Axes<K> axes{U, V, lift.input(numbers.axes.W)};
+    return eye + to_pixel_point<K>(near, {alpha, beta}, axes);
+  };
+  return condition_number<kCameraInputs>(
+      quantity, [&] { return is_zero(ray.pixel_point()); }, arithmetic);
+}
+
+double direction_condition(const ExactRay& ray, Arithmetic arithmetic) {
+  const auto quantity = [&](const auto& lift) {
+    using K = KernelOf<decltype(lift)>;
+    const auto line = line_of(lift.base(), ray.source());
+    const bool from_eye = ray.source().camera != nullptr;
+    const typename K::Vector_3 from = from_eye ? lift.input(line.base) : no_vector(lift);
+    const typename K::Vector_3 to = lift.input(
+        from_eye ? typename BaseKernelOf<decltype(lift)>::Vector_3(line.base + line.g) : line.g);
+    return unit_direction(given_line(RayInputs<K>{from, to - from}));
+  };
+  return condition_number<kCameraInputs>(
+      quantity, [] { return false; }, arithmetic);
+}
+
+/// The condition number of value(T, D, r): of a sphere seen along D from the ray's origin.
+template <class Value, class IsZero>
+double seen_condition(const ExactRay& ray, const scene::Sphere& sphere, Value value, IsZero is_zero,
+                      Arithmetic arithmetic) {
+  const auto quantity = [&](const auto& lift) {
+    using K = KernelOf<decltype(lift)>;
+    const auto line = line_of(lift.base(), ray.source());
+    const auto seen = lift_sphere<BaseKernelOf<decltype(lift)>>(lift.base(), sphere);
+    const SphereInputs<K> centre{lift.input(to_centre(line_and_sphere(line, seen))),
+                                 lift.input(seen.radius)};
+    const auto from_origin =
+        given_line(RayInputs<K>{no_vector(lift), lift.input(unit_direction(line))});
+    return value(line_and_sphere(from_origin, centre));
+  };
+  return condition_number<kCameraInputs>(quantity, is_zero, arithmetic);
+}
+
+double root_condition(const ExactRay& ray, const scene::Sphere& sphere, const Intersection& at,
+                      Arithmetic arithmetic) {
+  const int sign = root_sign(at);
+  const auto quantity = [&](const auto& lift) {
+    const auto line = line_of(lift.base(), ray.source());
+    const auto seen = lift_sphere<BaseKernelOf<decltype(lift)>>(lift.base(), sphere);
+    const auto pair = line_and_sphere(line, seen);
+    const auto v = lift.input(axial_distance(pair));
+    return root_of(v, sign == 0 ? v : lift.input(half_chord_sq(pair)), sign);
+  };
+  return condition_number<kCameraInputs>(
+      quantity, [&] { return is_exact_zero(ray.parameter(sphere, at)); }, arithmetic);
+}
+
+double hit_point_condition(const ExactRay& ray, const scene::Sphere& sphere, const Intersection& at,
+                           Arithmetic arithmetic) {
+  const auto quantity = [&](const auto& lift) {
+    using K = KernelOf<decltype(lift)>;
+    const auto line = line_of(lift.base(), ray.source());
+    const auto seen = lift_sphere<BaseKernelOf<decltype(lift)>>(lift.base(), sphere);
+    const auto pair = line_and_sphere(line, seen);
+    const typename K::Vector_3 origin = lift.input(ray_origin(line));
+    const typename K::FT distance =
+        lift.input(scaled_distance(pair, root_sign(at)) / ray_length(line));
+    return typename K::Vector_3(origin + distance * lift.input(unit_direction(line)));
+  };
+  return condition_number<kCameraInputs>(
+      quantity, [&] { return is_zero(ray.point(sphere, at)); }, arithmetic);
+}
+
+}  // namespace
+
+RayStageConditions stage_conditions(const ExactRay& ray, Arithmetic arithmetic) {
+  RayStageConditions result;
+  if (ray.source().camera) result.pixel_point = pixel_point_condition(ray, arithmetic);
+  result.direction = direction_condition(ray, arithmetic);
+  return result;
+}
+
+SphereStageConditions stage_conditions(const ExactRay& ray, const scene::Sphere& sphere,
+                                       const Intersection& intersection, Arithmetic arithmetic) {
+  scene::require_valid(sphere);
+  SphereStageConditions result;
+  result.axial_distance = seen_condition(
+      ray, sphere, [](const auto& pair) { return axial_distance(pair); },
+      [&] { return axial_distance_is_zero(ray, sphere); }, arithmetic);
+  result.half_chord_sq = seen_condition(
+      ray, sphere, [](const auto& pair) { return half_chord_sq(pair); },
+      [&] { return half_chord_is_zero(ray, sphere); }, arithmetic);
+  if (intersection.hit_class == HitClass::kMiss) return result;
+  result.root = root_condition(ray, sphere, intersection, arithmetic);
+  result.point = hit_point_condition(ray, sphere, intersection, arithmetic);
+  return result;
+}
+
+double condition_of_computed_point(const ExactRay& ray, const scene::Sphere& sphere,
+                                   const Intersection& intersection, Arithmetic arithmetic) {
+  return condition_of_point(ray, sphere, intersection, arithmetic) +
+         hit_point_condition(ray, sphere, intersection, arithmetic);
+}
+
+}  // namespace raycheck::reference

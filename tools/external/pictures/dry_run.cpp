@@ -1,0 +1,320 @@
+#include "tools/external/pictures/dry_run.h"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <stdexcept>
+#include <tuple>
+#include <utility>
+
+#include "properties/mistakes/shown_picture.h"
+#include "tools/external/pictures/dry_scenes.h"
+
+namespace raycheck::tools {
+namespace {
+
+using Mask = std::vector<bool>;
+
+/// How much more time a picture is given that is not made in the rubric's.
+constexpr double kMoreTime = 4;
+
+/// So long forms are looked for that would be a note alone.
+constexpr double kNoteSeconds = 20;
+
+/// A picture so much like the truth is made by who reads the form.
+constexpr double kSurelyAlike = 0.95;
+
+/// A frame of one colour is a background.
+constexpr double kBackgroundShare = 0.9;
+
+/// A frame of so many colours, none of them more than a share of it, is a sky.
+constexpr std::size_t kShadedColours = 12;
+constexpr double kShadedShare = 0.3;
+
+/// A channel of a pure colour is all, or at most this part of that.
+constexpr double kNoChannel = 0.4;
+
+/// The colours of the frame around a picture.
+struct Frame {
+  std::size_t colours = 0, pixels = 0;
+  Colour most;  ///< The most frequent one, of so many pixels.
+  std::size_t of_most = 0;
+
+  explicit Frame(const ReadPicture& picture) {
+    const auto less = [](const Colour& a, const Colour& b) {
+      return std::tie(a.red, a.green, a.blue) < std::tie(b.red, b.green, b.blue);
+    };
+    std::map<Colour, std::size_t, decltype(less)> counts(less);
+    for (std::int64_t y = 0; y < picture.height; ++y) {
+      for (std::int64_t x = 0; x < picture.width; ++x) {
+        if (x != 0 && y != 0 && x + 1 != picture.width && y + 1 != picture.height) continue;
+        ++counts[picture.pixels[static_cast<std::size_t>(y * picture.width + x)]];
+        ++pixels;
+      }
+    }
+    for (const auto& [colour, count] : counts) {
+      if (count > of_most) most = colour, of_most = count;
+    }
+    colours = counts.size();
+  }
+  double share_of_most() const {
+    return static_cast<double>(of_most) / static_cast<double>(pixels);
+  }
+};
+
+/// What a frame around a picture is nearly everywhere; black where it is not of one colour, or the
+/// picture shows nothing else.
+Colour background_of(const ReadPicture& picture) {
+  const Frame frame(picture);
+  if (frame.share_of_most() < kBackgroundShare) return {};
+  const bool shows_more = std::any_of(picture.pixels.begin(), picture.pixels.end(),
+                                      [&](const Colour& c) { return !(c == frame.most); });
+  return shows_more ? frame.most : Colour{};
+}
+
+/// Whether what lies around the spheres changes from pixel to pixel, as a sky does: nothing tells
+/// it from a sphere.
+bool is_shaded_around(const ReadPicture& picture) {
+  const Frame frame(picture);
+  return frame.colours >= kShadedColours && frame.share_of_most() < kShadedShare;
+}
+
+Mask mask_of(const ReadPicture& picture, const Colour& background) {
+  Mask mask;
+  for (const Colour& colour : picture.pixels) mask.push_back(!(colour == background));
+  return mask;
+}
+
+Mask true_mask(const scene::Scene& scene) {
+  Mask mask;
+  for (const auto& sphere : properties::exact_image(scene, scene.conventions)) {
+    mask.push_back(sphere.has_value());
+  }
+  return mask;
+}
+
+/// The share of what either shows that both show.
+double likeness(const Mask& a, const Mask& b) {
+  if (a.size() != b.size()) return 0;
+  double both = 0, either = 0;
+  for (std::size_t k = 0; k < a.size(); ++k) {
+    both += a[k] && b[k] ? 1 : 0;
+    either += a[k] || b[k] ? 1 : 0;
+  }
+  return either == 0 ? 0 : both / either;
+}
+
+/// What became of the symmetric scene in one form.
+struct Attempt {
+  DriverForm form;
+  std::optional<MadePicture> made;
+  Refusal failure;  ///< Where there is no picture.
+  bool timed_out = false;
+  double like = 0;
+  double seconds = 0;
+  bool reads() const { return like >= kShownAlike; }
+  bool is_sure() const { return like >= kSurelyAlike; }
+};
+
+class DryRunner {
+ public:
+  DryRunner(Renderer renderer, const DriverRule& rule, double seconds,
+            const properties::RunControl& control)
+      : renderer_(std::move(renderer)), rule_(rule), end_(spent() + seconds), control_(control) {}
+
+  DryRun run() {
+    Attempt chosen = find_form();
+    DryRun found;
+    found.driver = chosen.form;
+    found.seconds = chosen.seconds;
+    found.shows_a_sphere = chosen.reads();
+    const std::optional<DriverForm> other = form_read_instead(chosen);
+    if (other) found.notes.push_back(unread_note(*other));
+    if (!chosen.made) {
+      found.refusal = chosen.timed_out ? with_more_time(chosen, found) : chosen.failure;
+      return found;
+    }
+    found.picture_name = chosen.made->other_name;
+    if (!found.shows_a_sphere) found.said = chosen.made->said;
+    if (rule_.is_asked_for && !(chosen.form == rule_.form)) {
+      found.notes.push_back(unread_note(chosen.form));
+    }
+    if (!chosen.made->other_name.empty()) {
+      found.notes.push_back(
+          fmt::format("it writes {} whatever name it is given", chosen.made->other_name));
+    }
+    if (!chosen.made->ended.empty()) {
+      found.notes.push_back(
+          fmt::format("it makes its picture, and then it {}", chosen.made->ended));
+    }
+    if (!chosen.reads()) {
+      if (is_shaded_around(chosen.made->picture)) {
+        found.refusal = Refusal{
+            "its background is not of one colour: where a ray meets nothing every pixel has to "
+            "show the same, or nobody can tell what shows a sphere",
+            {}};
+      } else if (is_uniform(chosen.made->picture) && !other) {
+        found.shows_nothing =
+            fmt::format("its picture is {} in {} tried",
+                        is_black(chosen.made->picture) ? "black" : "of one colour",
+                        tried_ == 1 ? "the one form" : fmt::format("the {} forms", tried_));
+      }
+      return found;
+    }
+    found.colours.background = background_of(chosen.made->picture);
+    if (!(found.colours.background == Colour{})) {
+      const auto& [red, green, blue] = found.colours.background;
+      found.notes.push_back(
+          fmt::format("its background is not black but ({}, {}, {})", red, green, blue));
+    }
+    find_colours(found);
+    return found;
+  }
+
+ private:
+  static bool is_uniform(const ReadPicture& picture) {
+    return std::adjacent_find(picture.pixels.begin(), picture.pixels.end(),
+                              [](auto& a, auto& b) { return !(a == b); }) == picture.pixels.end();
+  }
+  static bool is_black(const ReadPicture& picture) {
+    return is_uniform(picture) && picture.pixels.front() == Colour{};
+  }
+  double spent() const { return renderer_.program.spent->seconds(); }
+  bool is_late() const { return spent() > end_ || control_.interrupted(); }
+
+  /// The symmetric scene in a form.
+  Attempt attempt(const DriverForm& form) {
+    ++tried_;
+    Attempt made;
+    made.form = form;
+    const double before = spent();
+    try {
+      made.made = rendered(renderer_, driver_text(scene_, form, white_));
+      const ReadPicture& picture = made.made->picture;
+      made.like = likeness(mask_of(picture, background_of(picture)), truth_);
+    } catch (const ProcessFailure& failure) {
+      made.failure = {failure.what(), {}};
+      made.timed_out = failure.kind() == FailureKind::kTimeUp;
+      timed_out_ += made.timed_out ? 1 : 0;
+    } catch (const std::runtime_error& error) {
+      made.failure = {error.what(), {}};
+    }
+    made.seconds = spent() - before;
+    return made;
+  }
+
+  Attempt find_form() {
+    Attempt first = attempt(rule_.form);
+    return first.is_sure() || !rule_.tries_others ? first : best_of_all(std::move(first));
+  }
+
+  /// The first form that is surely read; else the one in which the picture is most alike; where
+  /// that is nowhere, the rule's if it gives a picture, else the first that does.
+  Attempt best_of_all(Attempt best) {
+    for (const DriverForm& form : known_forms(rule_.form)) {
+      if (form == rule_.form) continue;
+      if (is_late() || timed_out_ >= kMostTimeouts) break;
+      Attempt next = attempt(form);
+      if (next.is_sure()) return next;
+      const bool is_better = next.reads() ? next.like > best.like : !best.made && next.made;
+      if (is_better) best = std::move(next);
+    }
+    return best;
+  }
+
+  /// Where the rule's form alone counts and is not read.
+  std::optional<DriverForm> form_read_instead(const Attempt& chosen) {
+    if (rule_.tries_others || chosen.reads() || chosen.timed_out) return {};
+    end_ = std::min(end_, spent() + kNoteSeconds);
+    const Attempt other = best_of_all(chosen);
+    if (!other.reads()) return {};
+    return other.form;
+  }
+  std::string unread_note(const DriverForm& other) const {
+    return fmt::format("it does not read driver files of form {}, but of form {}",
+                       rule_.form.text(), other.text());
+  }
+
+  /// Why a picture is not made in time, and whether more would do.
+  Refusal with_more_time(const Attempt& slow, DryRun& found) {
+    const double seconds = renderer_.program.limits.seconds;
+    renderer_.program.limits.seconds = kMoreTime * seconds;
+    const Attempt again = attempt(rule_.form);
+    if (!again.made) return slow.failure;
+    found.needed_seconds = again.seconds;
+    return {fmt::format("it needs more time: {:.1f} s for a picture of {} x {} pixels, where "
+                        "reply_seconds allows {}",
+                        again.seconds, scene_.camera->width, scene_.camera->height, seconds),
+            {}};
+  }
+
+  /// In which colour it shows spheres of one; empty where it fails or shows none.
+  std::optional<Colour> shown(const Colour& colour, const DryRun& found) {
+    const scene::Scene scene = middle_spheres();
+    const std::vector<Colour> colours(scene.spheres.size(), colour);
+    try {
+      const ReadPicture picture =
+          rendered(renderer_, driver_text(scene, found.driver, colours)).picture;
+      const std::size_t middle = picture.pixels.size() / 2;
+      if (picture.pixels.empty() || picture.pixels[middle] == found.colours.background) return {};
+      return picture.pixels[middle];
+    } catch (const std::runtime_error&) {
+      return {};
+    }
+  }
+
+  /// Which channel shows red, green and blue. What shows no sphere in any colour is wrong in
+  /// something else, and says nothing of its colours.
+  void find_colours(DryRun& found) {
+    constexpr std::array<Colour, 3> kPure = {Colour{255, 0, 0}, {0, 255, 0}, {0, 0, 255}};
+    std::array<std::optional<Colour>, 3> seen;
+    for (std::size_t k = 0; k < kPure.size(); ++k) seen[k] = shown(kPure[k], found);
+    if (std::none_of(seen.begin(), seen.end(), [](const auto& one) { return one.has_value(); })) {
+      return;
+    }
+    std::array<std::size_t, 3> channels{};
+    for (std::size_t k = 0; k < kPure.size(); ++k) {
+      const std::array<int, 3> parts =
+          seen[k] ? std::array<int, 3>{seen[k]->red, seen[k]->green, seen[k]->blue}
+                  : std::array<int, 3>{};
+      const auto most = std::max_element(parts.begin(), parts.end());
+      channels[k] = static_cast<std::size_t>(most - parts.begin());
+      const auto others = std::count_if(parts.begin(), parts.end(),
+                                        [&](int part) { return part <= kNoChannel * *most; });
+      found.colours.tells_spheres = found.colours.tells_spheres && *most > 0 && others == 2;
+    }
+    const bool all_differ =
+        channels[0] != channels[1] && channels[1] != channels[2] && channels[0] != channels[2];
+    found.colours.tells_spheres = found.colours.tells_spheres && all_differ;
+    if (!found.colours.tells_spheres) {
+      found.notes.emplace_back("its colours do not tell which sphere is seen");
+    } else if (channels != ColourHabit{}.channels) {
+      found.colours.channels = channels;
+      found.notes.emplace_back("it exchanges red, green and blue");
+    }
+  }
+
+  /// After so many pictures that are not made in time, no further form is tried.
+  static constexpr int kMostTimeouts = 3;
+
+  Renderer renderer_;
+  const DriverRule& rule_;
+  double end_;
+  const properties::RunControl& control_;
+  const scene::Scene scene_ = symmetric_scene();
+  const std::vector<Colour> white_ =
+      std::vector<Colour>(scene_.spheres.size(), Colour{255, 255, 255});
+  const Mask truth_ = true_mask(scene_);
+  int tried_ = 0, timed_out_ = 0;
+};
+
+}  // namespace
+
+DryRun dry_run(Renderer renderer, const DriverRule& rule, double seconds,
+               const properties::RunControl& control) {
+  return DryRunner(std::move(renderer), rule, seconds, control).run();
+}
+
+}  // namespace raycheck::tools

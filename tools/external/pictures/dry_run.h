@@ -1,0 +1,45 @@
+#ifndef RAYCHECK_TOOLS_EXTERNAL_PICTURES_DRY_RUN_H_
+#define RAYCHECK_TOOLS_EXTERNAL_PICTURES_DRY_RUN_H_
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "properties/run_control.h"
+#include "tools/external/pictures/driver_rule.h"
+#include "tools/external/pictures/renderer.h"
+#include "tools/external/refusal.h"
+
+namespace raycheck::tools {
+
+/// What a renderer reads and shows, found out before anything is judged.
+struct DryRun {
+  DriverForm driver = {};         ///< The form that it reads, or the first where it reads none.
+  ColourHabit colours = {};       ///< How it shows spheres.
+  double seconds = 0;             ///< Of the last picture that it made.
+  bool shows_a_sphere = false;    ///< Where one is, in that form.
+  std::string picture_name = {};  ///< Where its picture turns up; empty: as it was told.
+  std::string said = {};          ///< Of what shows no sphere: its own words.
+  /// That a picture takes, where the rubric's reply_seconds are too few.
+  std::optional<double> needed_seconds = {};
+  std::vector<std::string> notes;  ///< What is unlike what the rubric says, a sentence each.
+  /// That its pictures are black, or of one colour; false of it where it is judged on more than
+  /// this scene and has points.
+  std::string shows_nothing = {};
+  std::optional<Refusal> refusal;  ///< Why nothing can be judged.
+};
+
+/// A picture shows the spheres of the dry run's scene where this share of what it or the truth
+/// shows is shown by both: other samples, or a step too many, leave more.
+inline constexpr double kShownAlike = 0.6;
+
+/// Has a few small pictures made, of a scene on which most mistakes do not show: symmetric and
+/// square, its numbers whole. The forms other than `rule`'s first are tried only where that one is
+/// not read; where the rule asks for that one, no other is taken, and a note says which one is
+/// read. `seconds`: after so many no further form is tried.
+DryRun dry_run(Renderer renderer, const DriverRule& rule, double seconds,
+               const properties::RunControl& control = {});
+
+}  // namespace raycheck::tools
+
+#endif  // RAYCHECK_TOOLS_EXTERNAL_PICTURES_DRY_RUN_H_
