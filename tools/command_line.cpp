@@ -8,7 +8,6 @@
 #include <exception>
 #include <functional>
 #include <new>
-#include <nlohmann/json.hpp>
 #include <sstream>
 #include <string>
 #include <vector>
@@ -33,9 +32,7 @@ int end_without_report(const CLI::App& command) {
   }
   const CLI::Option* const format = command.get_option_no_throw("--format");
   if (format != nullptr && format->count() > 0 && format->results().back() == "json") {
-    Json json = json_header(command.get_name());
-    json["interrupted"] = true;
-    print_report(json_text(json));
+    print_report(interrupted_json_text(command.get_name()));
   }
   print_error("raycheck: interrupted before there was anything to report\n");
   return exit_code(true, false, false);

@@ -42,6 +42,12 @@ Json json_header(std::string_view command) {
           {"command", command}};
 }
 
+std::string interrupted_json_text(std::string_view command) {
+  Json json = json_header(command);
+  json["interrupted"] = true;
+  return json_text(json);
+}
+
 Json error_json(std::optional<double> error) {
   if (!error) return nullptr;
   if (std::isinf(*error)) return "infinity";

@@ -30,6 +30,8 @@ std::string json_line(const Json& json);
 
 /// What every command's report begins with.
 Json json_header(std::string_view command);
+/// The report of a command that was interrupted before it had anything to say.
+std::string interrupted_json_text(std::string_view command);
 
 /// An error: a number, null where there is none, the string "infinity".
 Json error_json(std::optional<double> error);
