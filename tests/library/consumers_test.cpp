@@ -52,6 +52,18 @@ class Consumers : public testing::Test {
   }
 };
 
+TEST(Installing, of_what_is_not_built_says_what_to_build) {
+  const std::string folder =
+      fs::path(RAYCHECK_BUILD) / "tests" / ("bare-" + std::to_string(getpid()));
+  ASSERT_EQ(shell("cmake -S " RAYCHECK_SOURCE_DIR " -B " + folder).code, 0);
+  const Ended installed = shell("cmake --install " + folder + " --prefix " + folder + "/installed");
+  fs::remove_all(folder);
+  EXPECT_NE(installed.code, 0);
+  EXPECT_NE(installed.text.find("raycheck-check is not built: build the target `installed`"),
+            std::string::npos)
+      << installed.text;
+}
+
 /// Its variable, the law that it breaks, and what is said of it.
 struct Mistake {
   std::string name, law, sentence;
