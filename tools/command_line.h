@@ -9,13 +9,7 @@
 
 namespace raycheck::tools {
 
-/// A command that is linked into a program.
-struct LinkedCommand {
-  std::string_view name;
-  CommandRun (*add)(CLI::App& command);
-};
-
-/// One of them, with its options.
+/// A command that is linked, with its options.
 struct Command {
   CLI::App* app;
   CommandRun run;

@@ -17,6 +17,12 @@ namespace raycheck::tools {
 /// What a command does once its options are given; its exit code.
 using CommandRun = std::function<int()>;
 
+/// A command that is linked into a program.
+struct LinkedCommand {
+  std::string_view name;
+  CommandRun (*add)(CLI::App& command);
+};
+
 // clang-format off
 /// The commands, in the order of --help: NAME is that of tools/ROOM/NAME_command.cpp, where add_NAME
 /// gives it its options, PROGRAM is the raycheck-PROGRAM that has it.

@@ -11,6 +11,7 @@
 #include <string>
 #include <vector>
 
+#include "tools/all_commands.h"
 #include "tools/command_line.h"
 #include "tools/manual/manual.h"
 #include "tools/report/version.h"
@@ -40,15 +41,9 @@ ManualCommand manual_of(const CLI::App& command) {
   return manual;
 }
 
-constexpr LinkedCommand kAll[] = {
-#define RAYCHECK_LINKED(name, program, sentence) {#name, add_##name},
-    RAYCHECK_COMMANDS(RAYCHECK_LINKED)
-#undef RAYCHECK_LINKED
-};
-
 std::vector<ManualFile> files() {
   CLI::App app;
-  const std::vector<Command> added = make_program(app, kAll);
+  const std::vector<Command> added = make_program(app, kAllCommands);
   std::vector<ManualCommand> commands;
   for (const Command& command : added) commands.push_back(manual_of(*command.app));
   return manual_files(manual_of(app), std::string(kVersion), commands);

@@ -7,7 +7,8 @@
 #include <vector>
 
 #include "tests/tools/program.h"
-#include "tools/commands.h"
+#include "tools/all_commands.h"
+#include "tools/command_line.h"
 
 namespace raycheck::tests {
 namespace {
@@ -15,13 +16,7 @@ namespace {
 /// The program's commands, not run.
 struct Program {
   CLI::App app;
-  std::vector<tools::Command> commands;
-
-  Program() {
-#define RAYCHECK_ADD(name) commands.push_back(tools::add_##name(app));
-    RAYCHECK_COMMANDS(RAYCHECK_ADD)
-#undef RAYCHECK_ADD
-  }
+  std::vector<tools::Command> commands = tools::make_program(app, tools::kAllCommands);
 };
 
 bool takes_a_number(const CLI::Option& option) {

@@ -1,0 +1,17 @@
+#ifndef RAYCHECK_TOOLS_ALL_COMMANDS_H_
+#define RAYCHECK_TOOLS_ALL_COMMANDS_H_
+
+#include "tools/commands.h"
+
+namespace raycheck::tools {
+
+/// Of all programs, for who links them all: the manual, and tests.
+inline constexpr LinkedCommand kAllCommands[] = {
+#define RAYCHECK_LINKED(name, program, sentence) {#name, add_##name},
+    RAYCHECK_COMMANDS(RAYCHECK_LINKED)
+#undef RAYCHECK_LINKED
+};
+
+}  // namespace raycheck::tools
+
+#endif  // RAYCHECK_TOOLS_ALL_COMMANDS_H_
