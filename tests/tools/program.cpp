@@ -85,11 +85,6 @@ Outcome run_python(const std::string& arguments) { return start("python3", argum
 
 Outcome run_bash(const std::string& path) { return start("bash", "'" + path + "'"); }
 
-Outcome run_interrupted(const std::string& arguments, int milliseconds) {
-  const auto due = std::chrono::steady_clock::now() + std::chrono::milliseconds(milliseconds);
-  return run_interrupted(arguments, [due] { return std::chrono::steady_clock::now() >= due; });
-}
-
 Outcome run_interrupted(const std::string& arguments, const std::function<bool()>& when) {
   return start(RAYCHECK_BINARY, arguments, when);
 }

@@ -226,11 +226,6 @@ TEST(LectureRays, AreCaughtByTheDirectionFromFarEyes) {
   expect_caught("direction", fast_candidate(fast::kLectureRays, fast::kCross), kFarCameras);
 }
 
-TEST(LectureRays, HaveTheRightDirectionFromPlainEyes) {
-  expect_holds(*find_law("direction"), fast_candidate(fast::kLectureRays, fast::kCross),
-               kPlainCameras);
-}
-
 class EachLawOfIncrementalRays : public testing::TestWithParam<std::string> {};
 
 TEST_P(EachLawOfIncrementalRays, Holds) {

@@ -179,15 +179,6 @@ TEST(PictureCauses, OfTwoMistakesAreTheTiesOfBoth) {
                 "it is negative"});
 }
 
-TEST(PictureCauses, OfAFormulaAndAChoiceOfHitsAreBoth) {
-  for (const char* choice :
-       {"the last sphere in the file wins", "the first sphere in the file wins",
-        "s >= 0 is not tested: spheres behind the origin are hit"}) {
-    const Fault fault = {mistake("directions are not normalised: D = P - E"), mistake(choice)};
-    EXPECT_TRUE(is_named(picture_causes(shown_with(fault, rubric_scenes())), fault)) << choice;
-  }
-}
-
 TEST(PictureCauses, ContradictNoRightPicture) {
   const std::vector<Scene> scenes = rubric_scenes();
   const Fault mirrored = {mistake("columns are mirrored")};
@@ -279,14 +270,6 @@ TEST(PictureCauses, OfWritingLoopsExchangedAreBlackOutsideTheImage) {
   EXPECT_EQ(predicted({its}, scene), (ImageAnswer{0, 0, 0, 0, std::nullopt, std::nullopt}));
 }
 
-TEST(PictureCauses, ExplainBlackPicturesAmongOthers) {
-  const std::vector<Scene> scenes = rubric_scenes();
-  std::vector<ShownPicture> pictures = shown_with({mistake("top is -bottom")}, scenes);
-  EXPECT_EQ(sentences_for(pictures), Sentences{"top is -bottom"});
-  std::fill(pictures[0].image.begin(), pictures[0].image.end(), std::nullopt);
-  EXPECT_EQ(picture_causes(pictures).kind, CauseKind::kUnknown);
-}
-
 /// Spheres that are seen from so many radii away.
 Scene far_scene(double radii) {
   Scene scene = rubric_scenes().front();
@@ -360,17 +343,6 @@ TEST(PictureCauses, OfRoundingsBesideAMistakeAreBoth) {
 TEST(PictureCauses, OfRoundingsAreNotNamedByOnePictureInDoubt) {
   const auto pictures = shown_by(fast::kSingleRays, fast::kSingleLecture, {far_scene(2e6)});
   EXPECT_EQ(picture_causes(pictures).kind, CauseKind::kUnknown);
-}
-
-TEST(PictureCauses, OfRightPicturesAreNone) {
-  std::vector<ShownPicture> pictures = shown_with({}, rubric_scenes());
-  EXPECT_EQ(picture_causes(pictures).kind, CauseKind::kNothingWrong);
-  for (ShownPicture& one : pictures) {
-    for (auto& sphere : one.image) {
-      if (sphere) sphere = kSomeSphere;
-    }
-  }
-  EXPECT_EQ(picture_causes(pictures).kind, CauseKind::kNothingWrong);
 }
 
 TEST(PictureCauses, OfMasksAreThoseOfPictures) {

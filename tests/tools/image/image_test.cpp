@@ -269,19 +269,15 @@ TEST(Image, shows_the_errors_that_check_counts) {
 
 TEST(Image, is_the_same_by_any_number_of_threads) {
   const std::string scene = example("ten-spheres.toml") + " --size 333,1100 ";
-  for (const char* what : {"class", "sphere", "depth"}) {
-    for (const char* extension : {".png", ".ppm"}) {
-      const Written one(scene + "--threads 1 --what " + what, extension);
-      EXPECT_GT(one.report()["pixels_that_see"], 100000);
-      for (const char* threads : {"2", "3"}) {
-        const Written more(scene + "--threads " + threads + " --what " + what, extension);
-        EXPECT_TRUE(more.picture() == one.picture()) << what << threads;
-      }
-    }
+  for (const auto& [what, extension] :
+       {std::pair("class", ".ppm"), {"sphere", ".png"}, {"depth", ".png"}}) {
+    const Written one(scene + "--threads 1 --what " + what, extension);
+    EXPECT_GT(one.report()["pixels_that_see"], 100000);
+    const Written more(scene + "--threads 3 --what " + what, extension);
+    EXPECT_TRUE(more.picture() == one.picture()) << what;
   }
-  const std::string errors = example("ten-spheres.toml") + " --size 60,1200 --what error ";
+  const std::string errors = example("ten-spheres.toml") + " --size 30,1200 --what error ";
   const Written one(errors + "--threads 1", ".png");
-  EXPECT_TRUE(Written(errors + "--threads 2", ".png").picture() == one.picture());
   EXPECT_TRUE(Written(errors + "--threads 3", ".png").picture() == one.picture());
 }
 
@@ -356,7 +352,8 @@ TEST(Image, fails_with_2_and_says_why_and_leaves_no_file) {
 TEST(Image, leaves_an_older_picture_alone_when_interrupted) {
   const std::string path = temporary_file("interrupted.png", "an older picture");
   const Outcome result = run_interrupted(
-      "image " + example("ten-spheres.toml") + " --size 100000,100000 --out " + path, 1000);
+      "image " + example("ten-spheres.toml") + " --size 100000,100000 --out " + path,
+      [&] { return parts_left() > 0; });
   EXPECT_EQ(result.exit_code, 130) << result.err;
   EXPECT_NE(result.out.find("INTERRUPTED: no picture was written"), std::string::npos);
   EXPECT_EQ(contents(path), "an older picture");
