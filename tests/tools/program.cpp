@@ -34,6 +34,12 @@ class TemporaryNames {
   std::string prefix_ = "raycheck_" + std::to_string(getpid()) + "_";
 };
 
+/// What the program is told by its surroundings, it is told by tests alone.
+const bool kIsAlone = [] {
+  for (const char* name : {"GITHUB_ACTIONS", "NO_COLOR"}) unsetenv(name);
+  return true;
+}();
+
 std::string temporary_path(const std::string& name) {
   static const TemporaryNames names;
   return testing::TempDir() + names.prefix() + name;
