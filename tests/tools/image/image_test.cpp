@@ -310,11 +310,15 @@ void expect_old_picture_kept(const std::string& arguments, const std::string& wh
   std::filesystem::remove(path);
 }
 
-std::size_t parts_left() {
+/// Files of pictures that are being written, which have so many bytes.
+std::size_t parts_left(std::uintmax_t least_bytes = 0) {
   std::size_t left = 0;
   for (const auto& entry : std::filesystem::directory_iterator(testing::TempDir())) {
     const std::string name = entry.path().filename().string();
-    if (name.find("raycheck_" + std::to_string(getpid())) == 0 && name.ends_with(".part")) ++left;
+    if (name.find("raycheck_" + std::to_string(getpid())) == 0 && name.ends_with(".part") &&
+        entry.file_size() >= least_bytes) {
+      ++left;
+    }
   }
   return left;
 }
@@ -353,7 +357,7 @@ TEST(Image, leaves_an_older_picture_alone_when_interrupted) {
   const std::string path = temporary_file("interrupted.png", "an older picture");
   const Outcome result = run_interrupted(
       "image " + example("ten-spheres.toml") + " --size 100000,100000 --out " + path,
-      [&] { return parts_left() > 0; });
+      [&] { return parts_left(1) > 0; });
   EXPECT_EQ(result.exit_code, 130) << result.err;
   EXPECT_NE(result.out.find("INTERRUPTED: no picture was written"), std::string::npos);
   EXPECT_EQ(contents(path), "an older picture");
