@@ -5,20 +5,18 @@
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <ostream>
 #include <string>
 
 #include "fast/intersect.h"
+#include "tests/names.h"
 
 namespace raycheck::fast {
 
 inline void PrintTo(const IntersectMethod* method, std::ostream* out) { *out << method->name; }
 
 inline std::string test_name(const testing::TestParamInfo<const IntersectMethod*>& the_test) {
-  std::string name(the_test.param->name);
-  std::replace(name.begin(), name.end(), '-', '_');
-  return name;
+  return identifier(the_test.param->name);
 }
 
 }  // namespace raycheck::fast

@@ -10,6 +10,7 @@
 #include "reference/exact_ray.h"
 #include "tests/dull/dull.h"
 #include "tests/dull/hash.h"
+#include "tests/numbers.h"
 
 namespace raycheck::dull {
 namespace {
@@ -22,7 +23,6 @@ using scene::Conventions;
 using scene::Ray;
 using scene::Sphere;
 
-constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 using Answer = std::function<Hit(const Ray&, const Sphere&, const Conventions&)>;

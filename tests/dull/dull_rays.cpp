@@ -8,6 +8,7 @@
 
 #include "tests/dull/dull.h"
 #include "tests/dull/hash.h"
+#include "tests/numbers.h"
 
 namespace raycheck::dull {
 namespace {
@@ -22,11 +23,9 @@ using scene::Ray;
 using scene::UnitVector3;
 using scene::Vector3;
 
-constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
-
 /// What was made for the question before another.
 template <class Asked, class Answer>
-class Before {
+class BeforeRays {
  public:
   const Answer& answer(const Asked& asked, Answer now) {
     if (!last_ || !(*asked_ == asked)) {
@@ -55,7 +54,7 @@ std::vector<Dull> dull_frames(const Candidate& right) {
   const auto always = [&](std::string name, const FrameAnswer& frame) {
     return with_frame(right, std::move(name), [frame](const Camera&) { return frame; });
   };
-  const auto before = std::make_shared<Before<Camera, FrameAnswer>>();
+  const auto before = std::make_shared<BeforeRays<Camera, FrameAnswer>>();
   return {
       {"the axes of the world are the camera's",
        {"frame"},
@@ -150,7 +149,7 @@ Candidate with_previous_rays(const Candidate& right) {
   candidate.name = "previous-rays";
   const auto put_off = [](auto& function) {
     using Rays = std::vector<Ray>;
-    function = [ask = function, before = std::make_shared<Before<Camera, Rays>>()](
+    function = [ask = function, before = std::make_shared<BeforeRays<Camera, Rays>>()](
                    const Camera& camera, const Conventions& conventions, Candidate::Pixels pixels) {
       const Rays& old = before->answer(camera, ask(camera, conventions, pixels));
       Rays rays;

@@ -6,6 +6,7 @@
 
 #include "tests/caught/places.h"
 #include "tests/dull/judged.h"
+#include "tests/names.h"
 
 namespace raycheck::dull {
 namespace {
@@ -29,12 +30,6 @@ std::string described(const Judged& judged) {
         ", " + std::string(name(standing)) + " " + std::to_string(judged.verdict.count(standing));
   }
   return text;
-}
-
-std::vector<std::string> source_names() {
-  std::vector<std::string> names;
-  for (const CaseSource& source : case_sources()) names.emplace_back(source.name);
-  return names;
 }
 
 class OnEachSource : public testing::TestWithParam<std::string> {
@@ -74,12 +69,7 @@ TEST_P(OnEachSource, WhatIsRightBreaksNoLawAtAnySeverity) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Dull, OnEachSource, testing::ValuesIn(source_names()),
-                         [](const testing::TestParamInfo<std::string>& the_test) {
-                           std::string name = the_test.param;
-                           std::replace(name.begin(), name.end(), '-', '_');
-                           return name;
-                         });
+INSTANTIATE_TEST_SUITE_P(Dull, OnEachSource, testing::ValuesIn(names_of(case_sources())), by_name);
 
 TEST(DullCandidates, HaveNamesOfTheirOwn) {
   std::set<std::string> names;

@@ -20,22 +20,6 @@ using scene::UnitVector3;
 
 const Camera kLectureCamera = {{8, 8, 100}, {8, 8, 54}, {0, 1, 0}, -30, {}, -30, 30, -20, 20, 2, 2};
 
-TEST(CameraFrame, OfTheLectureIsTheWorldsAxes) {
-  const CameraFrame frame = camera_frame(kLectureCamera);
-  EXPECT_EQ(frame.U, (UnitVector3{1, 0, 0}));
-  EXPECT_EQ(frame.V, (UnitVector3{0, 1, 0}));
-  EXPECT_EQ(frame.W, (UnitVector3{0, 0, 1}));
-}
-
-TEST(CameraFrame, IsUnmovedByTheLengthOfUpAndOfTheView) {
-  Camera camera = kLectureCamera;
-  camera.up = {0, 1024, 512};
-  camera.look_at.z = -3;
-  const CameraFrame frame = camera_frame(camera);
-  EXPECT_EQ(frame.V, (UnitVector3{0, 1, 0}));
-  EXPECT_EQ(frame.W, (UnitVector3{0, 0, 1}));
-}
-
 TEST(CameraFrame, IsWithinItsBoundOnRandomCameras) {
   int judged = 0;
   for (const char* source : {"cameras", "plain-cameras", "far-camera", "up"}) {

@@ -47,66 +47,9 @@ Hits intersect(const IntersectMethod& method, const std::vector<Ray>& rays, cons
   return hits;
 }
 
-/// How much coarser than double a method's numbers are.
-double coarseness(const IntersectMethod& method) {
-  return method.domain == kSingleDomain ? 0x1p29 : 1;
-}
-
-const Sphere kLectureSphere = {{5, 5, 5}, 3};
 const Sphere kUnitSphere = {{0, 0, 0}, 1};
 
 class EachMethod : public testing::TestWithParam<const IntersectMethod*> {};
-
-TEST_P(EachMethod, HasTheLecturesAnswers) {
-  const IntersectMethod& method = *GetParam();
-  const Hits hits =
-      intersect(method, {{{1, 1, 3}, {4, 3, 0}}, {{0, 0, 0}, {1, 3, 4}}, {{1, 0, 1}, {1, 2, 1}}},
-                kLectureSphere);
-  ASSERT_EQ(hits.size(), 3u);
-  EXPECT_TRUE(hits.hit[0]);
-  // The lecture's s is for unit directions: 28/5 - sqrt(109)/5 over |(4, 3, 0)| = 5.
-  const double near = 1e-14 * coarseness(method);
-  EXPECT_NEAR(hits.parameter[0], (28 - std::sqrt(109)) / 25, near / 10);
-  EXPECT_NEAR(hits.point.x[0], (137 - 4 * std::sqrt(109)) / 25, near);
-  EXPECT_NEAR(hits.point.y[0], (109 - 3 * std::sqrt(109)) / 25, near);
-  EXPECT_EQ(hits.point.z[0], 3);
-  EXPECT_FALSE(hits.hit[1]);
-  EXPECT_TRUE(hits.hit[2]);
-  EXPECT_NEAR(hits.parameter[2], 2, near);
-  EXPECT_NEAR(hits.point.x[2], 3, near);
-  EXPECT_NEAR(hits.point.y[2], 4, near);
-  EXPECT_NEAR(hits.point.z[2], 3, near);
-}
-
-TEST_P(EachMethod, FollowsTheRootConvention) {
-  const std::vector<Ray> rays = {{{-5, 0, 0}, {1, 0, 0}},
-                                 {{0, 0, 0}, {1, 0, 0}},
-                                 {{5, 0, 0}, {1, 0, 0}},
-                                 {{0, 0.5, 0}, {-1, 0, -0.0}}};
-  const Hits nearest = intersect(*GetParam(), rays, kUnitSphere);
-  EXPECT_EQ(nearest.hit, (std::vector<std::uint8_t>{1, 1, 0, 1}));
-  EXPECT_EQ(nearest.parameter[0], 4);
-  EXPECT_EQ(nearest.parameter[1], 1);
-  const Hits smaller = intersect(*GetParam(), rays, kUnitSphere, Root::kSmaller);
-  EXPECT_EQ(smaller.hit, (std::vector<std::uint8_t>{1, 0, 0, 0}));
-  EXPECT_EQ(smaller.parameter[0], 4);
-}
-
-TEST_P(EachMethod, FollowsTheTangentConvention) {
-  const std::vector<Ray> tangent = {{{-5, 1, 0}, {1, 0, 0}}};
-  EXPECT_TRUE(intersect(*GetParam(), tangent, kUnitSphere).hit[0]);
-  EXPECT_EQ(intersect(*GetParam(), tangent, kUnitSphere).parameter[0], 5);
-  EXPECT_FALSE(intersect(*GetParam(), tangent, kUnitSphere, Root::kNearest, Tangent::kMiss).hit[0]);
-  EXPECT_TRUE(
-      intersect(*GetParam(), tangent, kUnitSphere, Root::kNearest, Tangent::kEither).hit[0]);
-}
-
-TEST_P(EachMethod, CountsParametersInMultiplesOfTheDirection) {
-  const Hits hits = intersect(*GetParam(), {{{-5, 0, 0}, {8, 0, 0}}}, kUnitSphere);
-  EXPECT_TRUE(hits.hit[0]);
-  EXPECT_EQ(hits.parameter[0], 0.5);
-  EXPECT_EQ(hits.point.x[0], -1);
-}
 
 TEST_P(EachMethod, TakesBatchesOfAnySize) {
   std::vector<Ray> many;

@@ -21,97 +21,12 @@ using scene::Point3;
 using scene::UnitVector3;
 
 const Camera kFirst = {{8, 8, 100}, {8, 8, 54}, {0, 1, 0}, -30, {}, -30, 30, -20, 20, 2, 2};
-const Camera kOpticalAxis = {{8, 8, 100}, {8, 8, 54}, {0, 1, 0}, -30, {}, -20, 20, 20, -20, 3, 3};
-
 Point3 point(const Vectors& vectors, std::size_t k) {
   return {vectors.x.at(k), vectors.y.at(k), vectors.z.at(k)};
 }
 
 UnitVector3 direction(const Rays& rays, std::size_t k) {
   return {rays.direction.x.at(k), rays.direction.y.at(k), rays.direction.z.at(k)};
-}
-
-void expect_near(const UnitVector3& got, double x, double y, double z, double coarseness) {
-  EXPECT_NEAR(got.x, x, 4e-16 * coarseness);
-  EXPECT_NEAR(got.y, y, 4e-16 * coarseness);
-  EXPECT_NEAR(got.z, z, 4e-16 * coarseness);
-}
-
-/// How much coarser than double a method's numbers are.
-double coarseness(const PixelRayMethod& method) {
-  return method.domain == kSingleDomain ? 0x1p29 : 1;
-}
-
-/// The methods that make pixel points.
-std::vector<const PixelRayMethod*> methods_with_points() {
-  std::vector<const PixelRayMethod*> methods;
-  for (const PixelRayMethod* method : pixel_ray_methods()) {
-    if (method->pixel_points != nullptr) methods.push_back(method);
-  }
-  return methods;
-}
-
-TEST(PixelRay, HasTheLecturesPoints) {
-  EXPECT_EQ(methods_with_points().size(), 4u);
-  for (const PixelRayMethod* method : methods_with_points()) {
-    Vectors points;
-    const std::vector<Pixel> corners = {{0, 0}, {1, 1}};
-    method->pixel_points(kFirst, {}, corners, points);
-    EXPECT_EQ(point(points, 0), (Point3{-22, -12, 70})) << method->name;
-    EXPECT_EQ(point(points, 1), (Point3{38, 28, 70})) << method->name;
-    const std::vector<Pixel> axis = {{0, 0}, {1, 1}};
-    method->pixel_points(kOpticalAxis, {}, axis, points);
-    EXPECT_EQ(point(points, 0), (Point3{-12, 28, 70})) << method->name;
-    EXPECT_EQ(point(points, 1), (Point3{8, 8, 70})) << method->name;
-  }
-}
-
-TEST(PixelRay, HasTheLecturesDirections) {
-  for (const PixelRayMethod* method : pixel_ray_methods()) {
-    SCOPED_TRACE(method->name);
-    Rays rays;
-    const std::vector<Pixel> pixels = {{0, 0}, {1, 1}};
-    method->focal_rays(kFirst, {}, pixels, rays);
-    const double root22 = std::sqrt(22);
-    expect_near(direction(rays, 0), -3 * root22 / 22, -root22 / 11, -3 * root22 / 22,
-                coarseness(*method));
-    EXPECT_EQ(point(rays.origin, 0), kFirst.eye);
-    method->focal_rays(kOpticalAxis, {}, pixels, rays);
-    const double root17 = std::sqrt(17);
-    expect_near(direction(rays, 0), -2 * root17 / 17, 2 * root17 / 17, -3 * root17 / 17,
-                coarseness(*method));
-    EXPECT_EQ(direction(rays, 1), (UnitVector3{0, 0, -1}));
-  }
-}
-
-TEST(PixelRay, StartsAtThePixelOrAtTheEye) {
-  for (const PixelRayMethod* method : methods_with_points()) {
-    Rays from_pixel;
-    Rays from_eye;
-    const std::vector<Pixel> pixels = {{0, 0}};
-    method->pixel_rays(kFirst, {}, pixels, from_pixel);
-    method->focal_rays(kFirst, {}, pixels, from_eye);
-    EXPECT_EQ(point(from_pixel.origin, 0), (Point3{-22, -12, 70}));
-    EXPECT_EQ(point(from_eye.origin, 0), kFirst.eye);
-    EXPECT_EQ(direction(from_pixel, 0), direction(from_eye, 0));
-  }
-  EXPECT_EQ(kFocalRays.pixel_points, nullptr);
-  EXPECT_EQ(kFocalRays.pixel_rays, nullptr);
-}
-
-TEST(PixelRay, FollowsTheRowsAndSamplesConventions) {
-  Conventions top_first;
-  top_first.rows = scene::Rows::kTopFirst;
-  Conventions centres;
-  centres.samples = scene::Samples::kCentres;
-  Vectors points;
-  const std::vector<Pixel> first = {{0, 0}};
-  for (const PixelRayMethod* method : methods_with_points()) {
-    method->pixel_points(kFirst, top_first, first, points);
-    EXPECT_EQ(point(points, 0), (Point3{-22, 28, 70})) << method->name;
-    method->pixel_points(kFirst, centres, first, points);
-    EXPECT_EQ(point(points, 0), (Point3{-7, -2, 70})) << method->name;
-  }
 }
 
 TEST(PixelRay, TakesBatchesOfAnySize) {

@@ -24,7 +24,7 @@ using scene::Ray;
 using scene::Root;
 using scene::Sphere;
 
-Candidate named(std::string name) {
+Candidate intersecting(std::string name) {
   Candidate candidate = unmutated();
   candidate.name = std::move(name);
   return candidate;
@@ -34,7 +34,7 @@ AskSphere unmutated_hits() { return hits_of(unmutated()); }
 
 /// Spheres changed before they are intersected.
 Candidate with_sphere(std::string name, std::function<Sphere(const Sphere&)> change) {
-  Candidate candidate = named(std::move(name));
+  Candidate candidate = intersecting(std::move(name));
   answer_by(candidate, [base = unmutated_hits(), change](Candidate::Rays rays, const Sphere& sphere,
                                                          const Conventions& conventions) {
     return base(rays, change(sphere), conventions);
@@ -45,7 +45,7 @@ Candidate with_sphere(std::string name, std::function<Sphere(const Sphere&)> cha
 /// Answers changed after the fact.
 Candidate with_hits(std::string name,
                     std::function<Hit(const Ray&, const Sphere&, const Hit&)> change) {
-  Candidate candidate = named(std::move(name));
+  Candidate candidate = intersecting(std::move(name));
   answer_by(candidate, [base = unmutated_hits(), change](Candidate::Rays rays, const Sphere& sphere,
                                                          const Conventions& conventions) {
     std::vector<Hit> hits = base(rays, sphere, conventions);
@@ -59,7 +59,7 @@ Candidate with_hits(std::string name,
 Candidate with_choice(std::string name,
                       std::function<Hit(const Ray&, const fast::Roots&, const Conventions&)> choose,
                       bool checked = true) {
-  Candidate candidate = named(std::move(name));
+  Candidate candidate = intersecting(std::move(name));
   answer_by(candidate,
             [base = unmutated_hits(), choose, checked](Candidate::Rays rays, const Sphere& sphere,
                                                        const Conventions& conventions) {
@@ -93,7 +93,7 @@ Hit hit_by_cancelling_roots(const Ray& ray, const Sphere& sphere, const Conventi
 }
 
 Candidate with_cancelling_roots() {
-  Candidate candidate = named("cancelling-roots");
+  Candidate candidate = intersecting("cancelling-roots");
   answer_by(candidate, [base = unmutated_hits()](Candidate::Rays rays, const Sphere& sphere,
                                                  const Conventions& conventions) {
     std::vector<Hit> hits = base(rays, sphere, conventions);

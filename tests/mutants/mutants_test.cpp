@@ -9,6 +9,7 @@
 #include "properties/search/campaign.h"
 #include "scene/files/scene_file.h"
 #include "scene/validate.h"
+#include "tests/names.h"
 
 namespace raycheck::mutants {
 namespace {
@@ -76,14 +77,7 @@ TEST_P(EachMutant, IsCaughtByTheLawsItNames) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Mutants, EachMutant, testing::ValuesIn(names()),
-                         [](const testing::TestParamInfo<std::string>& the_test) {
-                           std::string name = the_test.param;
-                           for (char& letter : name) {
-                             if (letter == '-') letter = '_';
-                           }
-                           return name;
-                         });
+INSTANTIATE_TEST_SUITE_P(Mutants, EachMutant, testing::ValuesIn(names()), by_name);
 
 /// What a user's first report on origins near a surface says.
 TEST(Mutants, OfTheStableFormulaBreakNearTheSurface) {

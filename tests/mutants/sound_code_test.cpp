@@ -12,6 +12,7 @@
 #include "properties/cases/case_text.h"
 #include "properties/search/campaign.h"
 #include "tests/mutants/careful.h"
+#include "tests/names.h"
 
 namespace raycheck::mutants {
 namespace {
@@ -92,13 +93,7 @@ TEST_P(SoundCode, PassesItsLevelWithEverySeed) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Levels, SoundCode, testing::ValuesIn(sound_code()),
-                         [](const testing::TestParamInfo<Sound>& the_test) {
-                           std::string name = the_test.param.name;
-                           for (char& letter : name) {
-                             if (letter == '-') letter = '_';
-                           }
-                           return name;
-                         });
+                         [](const auto& the_test) { return identifier(the_test.param.name); });
 
 }  // namespace
 }  // namespace raycheck::mutants

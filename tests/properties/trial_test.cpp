@@ -224,15 +224,6 @@ TEST(Trial, HoldsAnUnconditionalPromiseWhateverTheConditionNumberIs) {
   EXPECT_TRUE(judge("frame", the_case, candidate).holds());
 }
 
-TEST(Trial, TakesTheBoundFromEndToEndWhereThereIsACamera) {
-  Candidate candidate = direct_cross();
-  candidate.max_error[static_cast<std::size_t>(Quantity::kParameter)] = 0;
-  candidate.max_error_end_to_end[static_cast<std::size_t>(Quantity::kParameter)] = 7;
-  EXPECT_EQ(Trial(camera_case(), candidate).bound(Quantity::kParameter), 7);
-  EXPECT_EQ(Trial(camera_case(), candidate, {.max_error = 5.0}).bound(Quantity::kParameter), 5);
-  EXPECT_EQ(Trial(at_height(0), candidate).bound(Quantity::kParameter), 0);
-}
-
 TEST(Trial, AddsTheDomainOfCamerasWhereThereIsACamera) {
   Candidate candidate;
   candidate.smallest_camera_length = 100;
@@ -265,13 +256,6 @@ TEST(Trial, RefusesACaseThatIsNotAProblem) {
   Case the_case = at_height(0);
   the_case.scene.spheres[0].radius = -1;
   EXPECT_THROW(Trial(the_case, direct_cross()), std::invalid_argument);
-}
-
-TEST(Trial, CountsAllPixelsRowByRow) {
-  const auto pixels = all_pixels(*camera_case().scene.camera);
-  ASSERT_EQ(pixels.size(), 9u);
-  EXPECT_EQ(pixels[1], (scene::Pixel{1, 0}));
-  EXPECT_EQ(pixels[3], (scene::Pixel{0, 1}));
 }
 
 }  // namespace

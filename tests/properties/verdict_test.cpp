@@ -37,14 +37,6 @@ Discrepancy discrepancy(double error, std::size_t ray, Excuse excuse = {}) {
   return result;
 }
 
-TEST(Verdict, OfNothingHoldsAndComparedNothing) {
-  const Verdict verdict;
-  EXPECT_TRUE(verdict.holds());
-  EXPECT_EQ(verdict.compared(), 0u);
-  EXPECT_TRUE(verdict.reason_left_out().empty());
-  EXPECT_TRUE(verdict.worst(10).empty());
-}
-
 TEST(Verdict, GivesDiscrepanciesItsLawAndKeepsThatOfOthers) {
   Verdict of_a_law("parameter");
   of_a_law.add(discrepancy(4, 1));
@@ -210,17 +202,6 @@ TEST(Verdict, LetsNoQuantityHideTheOthers) {
   EXPECT_EQ(errors[4], kInfinity);  // excused
 }
 
-TEST(Verdict, CountsWhatOnlyItsConditionAllows) {
-  Verdict first;
-  first.measured(Quantity::kParameter, at_ray(0), 1000, kBound);
-  first.count_ill_conditioned(Quantity::kParameter);
-  Verdict second = first;
-  second.merge(first);
-  EXPECT_EQ(second.tallies().at(Quantity::kParameter).ill_conditioned, 2u);
-  EXPECT_EQ(second.tallies().at(Quantity::kParameter).cases, 2u);
-  EXPECT_TRUE(second.holds());
-}
-
 TEST(Verdict, ForgetsNoneOfTheWorstAndCountsAll) {
   constexpr std::size_t kCount = 5 * kKeptDiscrepancies;
   Verdict verdict;
@@ -349,21 +330,6 @@ TEST(Verdict, IsTheSameInWhateverOrderItsPartsAreMerged) {
       EXPECT_EQ(one[k].what, other[k].what);
     }
   }
-}
-
-TEST(Verdict, MergesManyDiscrepanciesWithoutKeepingThemAll) {
-  constexpr std::size_t kPart = kKeptDiscrepancies / 4;
-  Verdict all;
-  for (std::size_t part = 0; part < 20; ++part) {
-    Verdict verdict;
-    for (std::size_t k = 0; k < kPart; ++k) {
-      verdict.add(discrepancy(static_cast<double>(part * kPart + k), k));
-    }
-    all.merge(verdict);
-  }
-  EXPECT_EQ(all.discrepancies(), 20 * kPart);
-  EXPECT_EQ(all.worst(1).front().error, static_cast<double>(20 * kPart - 1));
-  EXPECT_LE(all.worst(20 * kPart).size(), 2 * kKeptDiscrepancies);
 }
 
 }  // namespace

@@ -3,13 +3,13 @@
 #include <gtest/gtest.h>
 
 #include <array>
-#include <boost/multiprecision/gmp.hpp>
 #include <cmath>
 #include <limits>
 #include <stdexcept>
 
 #include "reference/error_measure.h"
 #include "reference/exact_ray.h"
+#include "tests/reference/changed_choice.h"
 #include "tests/reference/random_cases.h"
 
 namespace raycheck::reference {
@@ -17,9 +17,6 @@ namespace {
 
 using scene::Ray;
 using scene::Sphere;
-using Fraction = boost::multiprecision::mpq_rational;
-
-Fraction absolute(const Fraction& x) { return x < 0 ? Fraction(-x) : x; }
 
 /// |p| / (2 sum_k |q_k| (|L_k| + |C_k| + |s d_k|) + 2 r^2) in units of u; 0 where p = 0.
 Fraction exact_backward_error(const Ray& ray, const Sphere& sphere, double parameter) {
@@ -55,7 +52,6 @@ void expect_exact(const Ray& ray, const Sphere& sphere, double parameter) {
 }
 
 const Ray kAlongX{{-5, 0, 0}, {1, 0, 0}};
-const Sphere kUnit{{0, 0, 0}, 1};
 
 TEST(BackwardError, IsZeroOfAnExactRoot) {
   EXPECT_EQ(backward_error(kAlongX, kUnit, 4), 0);

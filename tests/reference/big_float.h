@@ -12,6 +12,7 @@
 #include <ostream>
 
 #include "reference/enclosure.h"
+#include "tests/numbers.h"
 
 namespace raycheck::reference {
 
@@ -40,7 +41,6 @@ inline bool is_even(double value) {
 
 /// Whether `value` is the double nearest to x: ties to even, overflow to infinity.
 inline bool is_nearest(double value, const Big& x) {
-  constexpr double kInfinity = std::numeric_limits<double>::infinity();
   if (std::isnan(value)) return false;
   const bool even = is_even(value);
   if (value != -kInfinity) {

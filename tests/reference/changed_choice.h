@@ -14,6 +14,10 @@ namespace raycheck::reference {
 using Fraction = boost::multiprecision::mpq_rational;
 using Spheres = std::vector<scene::Sphere>;
 
+inline constexpr double kU = 0x1p-53;
+inline constexpr double kChange = 16 * kU;
+
+inline Fraction absolute(const Fraction& x) { return x < 0 ? Fraction(-x) : x; }
 inline int sign(const Fraction& x) { return x < 0 ? -1 : x > 0 ? 1 : 0; }
 
 /// Of p + q sqrt(x), x >= 0.

@@ -19,9 +19,6 @@ using scene::Sphere;
 
 using Texts = std::vector<std::string>;
 
-const Intersection kSmallerHit{HitClass::kHit, WhichRoot::kSmaller};
-const Intersection kLargerHit{HitClass::kHit, WhichRoot::kLarger};
-const Intersection kTangent{HitClass::kTangent, WhichRoot::kSmaller};
 const Sphere kLectureSphere{{5, 5, 5}, 3};
 
 TEST(ClosedFormValueParser, ReadsWhatIsPrintedAndNothingElse) {
@@ -43,24 +40,6 @@ TEST(LectureClosedForm, FirstSphere) {
   EXPECT_EQ(ray.parameter(kLectureSphere, kSmallerHit).text(), "-1/25*sqrt(109) + 28/25");
   EXPECT_EQ(texts(ray.point(kLectureSphere, kSmallerHit)),
             (Texts{"-4/25*sqrt(109) + 137/25", "-3/25*sqrt(109) + 109/25", "3"}));
-}
-
-TEST(LectureClosedForm, FirstSphereByAUnitDirection) {
-  // A camera whose centre ray has the unit direction (4/5, 3/5, 0) of the lecture, from (1, 1, 3).
-  scene::Conventions conventions;
-  conventions.origin = scene::Origin::kFocal;
-  const Camera camera{{1, 1, 3}, {5, 4, 3}, {0, 0, 1}, -1, {}, -1, 1, -1, 1, 3, 3};
-  const ClosedFormRay ray(camera, conventions, {1, 1});
-  EXPECT_EQ(texts(ray.direction()), (Texts{"4/5", "3/5", "0"}));
-  EXPECT_EQ(ray.parameter(kLectureSphere, kSmallerHit).text(), "-1/5*sqrt(109) + 28/5");
-  EXPECT_EQ(ray.parameter(kLectureSphere, kLargerHit).text(), "1/5*sqrt(109) + 28/5");
-}
-
-TEST(LectureClosedForm, Example1) {
-  const ClosedFormRay ray(Ray{{0, 0, 0}, {1, 3, 4}});
-  EXPECT_EQ(texts(ray.direction()), (Texts{"1/26*sqrt(26)", "3/26*sqrt(26)", "2/13*sqrt(26)"}));
-  EXPECT_EQ(texts(ray.to_centre(kLectureSphere)), (Texts{"5", "5", "5"}));
-  EXPECT_EQ(ray.half_chord_sq(kLectureSphere).text(), "-58/13");
 }
 
 TEST(LectureClosedForm, Example2) {

@@ -12,66 +12,11 @@
 namespace raycheck::reference {
 namespace {
 
-constexpr double kLargest = std::numeric_limits<double>::max();
-constexpr double kSmallestNormal = std::numeric_limits<double>::min();
-
 /// x exactly, at a precision that holds all of it.
 Enclosure exactly(const Big& x) {
   Enclosure result(0, 8000);
   arf_set_mpfr(arb_midref(result.ball()), x.backend().data());
   return result;
-}
-
-Big scaled(double mantissa, int exponent) { return Big(mantissa) * power_of_two(exponent); }
-
-void expect_rounded(const Big& x, double below, double nearest, double above) {
-  for (const int sign : {1, -1}) {
-    const Enclosure ball = exactly(sign * x);
-    EXPECT_EQ(ball.lower(), sign > 0 ? below : -above) << x;
-    EXPECT_EQ(ball.upper(), sign > 0 ? above : -below) << x;
-    EXPECT_EQ(ball.lower_rounded(), sign * nearest) << x;
-    EXPECT_EQ(ball.upper_rounded(), sign * nearest) << x;
-  }
-}
-
-TEST(EnclosureRounding, KeepsDoubles) {
-  for (const double value : {0.0, 1.0, 0.1, kSmallest, 3 * kSmallest, kSmallestNormal, kLargest}) {
-    expect_rounded(Big(value), value, value, value);
-  }
-}
-
-TEST(EnclosureRounding, TiesGoToTheEvenDouble) {
-  const double next = nudged(1, 1);
-  expect_rounded(scaled(1, 0) + power_of_two(-53), 1, 1, next);
-  expect_rounded(Big(next) + power_of_two(-53), next, nudged(1, 2), nudged(1, 2));
-  expect_rounded(Big(1) + power_of_two(-53) + power_of_two(-3000), 1, next, next);
-  expect_rounded(Big(1) + power_of_two(-53) - power_of_two(-3000), 1, 1, next);
-}
-
-TEST(EnclosureRounding, BelowTheSmallestDoubleHalfOfItDecides) {
-  expect_rounded(power_of_two(-1075), 0, 0, kSmallest);
-  expect_rounded(power_of_two(-1075) + power_of_two(-4000), 0, kSmallest, kSmallest);
-  expect_rounded(power_of_two(-1075) - power_of_two(-4000), 0, 0, kSmallest);
-  expect_rounded(power_of_two(-1000000), 0, 0, kSmallest);
-}
-
-TEST(EnclosureRounding, SubnormalsAreRoundedOnce) {
-  // Rounded to 53 bits first, this would become the tie 1.5 and then go to 2.
-  expect_rounded(scaled(1.5, -1074) - power_of_two(-1074 - 60), kSmallest, kSmallest,
-                 2 * kSmallest);
-  expect_rounded(scaled(1.5, -1074), kSmallest, 2 * kSmallest, 2 * kSmallest);
-  expect_rounded(scaled(2.5, -1074), 2 * kSmallest, 2 * kSmallest, 3 * kSmallest);
-  const double below_normal = nudged(kSmallestNormal, -1);
-  expect_rounded(Big(below_normal) + power_of_two(-1075), below_normal, kSmallestNormal,
-                 kSmallestNormal);
-}
-
-TEST(EnclosureRounding, OverflowStartsHalfwayToTwoToThe1024) {
-  const Big halfway_up = halfway(kLargest, kInfinity);
-  expect_rounded(halfway_up, kLargest, kInfinity, kInfinity);
-  expect_rounded(halfway_up - power_of_two(-100), kLargest, kLargest, kInfinity);
-  expect_rounded(power_of_two(1024), kLargest, kInfinity, kInfinity);
-  expect_rounded(power_of_two(1000000), kLargest, kInfinity, kInfinity);
 }
 
 TEST(EnclosureRounding, AgreesWithMpfrEverywhere) {

@@ -13,10 +13,6 @@
 namespace raycheck::reference {
 namespace {
 
-constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
-constexpr double kLargest = std::numeric_limits<double>::max();
-constexpr double kSmallestNormal = std::numeric_limits<double>::min();
-
 Enclosure real(double x) { return Enclosure(x, 192); }
 Enclosure3 real3(double x, double y, double z) { return {real(x), real(y), real(z)}; }
 

@@ -159,26 +159,6 @@ TEST(RayValues, ExactMidpointsGoToTheEvenDouble) {
   }
 }
 
-TEST(RayValues, FocalParameterIsPixelParameterPlusLength) {
-  Random random(7);
-  int compared = 0;
-  while (compared < 100) {
-    const scene::Camera camera = random_camera(random, Sizes::kOrdinary);
-    const scene::Pixel pixel = random_pixel(random, camera);
-    const scene::Sphere sphere = random_sphere(random, Sizes::kOrdinary);
-    scene::Conventions conventions;
-    const ExactRay from_pixel(ExactCamera(camera, conventions), pixel);
-    conventions.origin = scene::Origin::kFocal;
-    const ExactRay from_eye(ExactCamera(camera, conventions), pixel);
-    const Intersection at = from_pixel.intersect(sphere);
-    if (at.hit_class != HitClass::kHit) continue;
-    ++compared;
-    const Enclosure difference = from_eye.parameter(sphere, at) - from_pixel.parameter(sphere, at);
-    EXPECT_TRUE((difference - from_pixel.enclose(256).length()).contains_zero());
-    EXPECT_LT(difference.relative_radius(), 1e-15);
-  }
-}
-
 TEST(RayValues, EnclosuresAreAsNarrowAsAsked) {
   Random random(8);
   for (int k = 0; k < 100; ++k) {

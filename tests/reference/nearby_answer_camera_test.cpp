@@ -2,7 +2,6 @@
 
 #include <gtest/gtest.h>
 
-#include <array>
 #include <cmath>
 #include <optional>
 #include <vector>
@@ -12,20 +11,6 @@
 
 namespace raycheck::reference {
 namespace {
-
-/// A camera's and a sphere's inputs, changed and rounded, in the order of InputChange.
-struct Seen {
-  scene::Camera camera;
-  scene::Sphere sphere;
-
-  std::array<double*, 18> inputs() {
-    return {&camera.eye.x,     &camera.eye.y,     &camera.eye.z,    &camera.look_at.x,
-            &camera.look_at.y, &camera.look_at.z, &camera.up.x,     &camera.up.y,
-            &camera.up.z,      &camera.near,      &camera.left,     &camera.right,
-            &camera.bottom,    &camera.top,       &sphere.centre.x, &sphere.centre.y,
-            &sphere.centre.z,  &sphere.radius};
-  }
-};
 
 /// The changes are so much larger than roundings that changed inputs may be rounded.
 TEST(NearbyAnswer, OfCamerasHoldsForCamerasSoChanged) {
@@ -49,11 +34,12 @@ TEST(NearbyAnswer, OfCamerasHoldsForCamerasSoChanged) {
         misses ? std::optional(std::abs(enclosed.axial_distance(sphere).upper())) : std::nullopt;
     const NearbyAnswer nearby = right_nearby(ray, sphere, {.relative_change = kWide}, answer);
     const auto is_right = [&](const std::vector<double>& change) {
-      Seen seen{camera, sphere};
-      const auto inputs = seen.inputs();
+      scene::Camera moved = camera;
+      std::vector<scene::Sphere> seen = {sphere};
+      const auto inputs = inputs_of(moved, seen);
       for (std::size_t j = 0; j < inputs.size(); ++j) *inputs[j] *= 1 + change[j];
-      const ExactRay changed(ExactCamera(seen.camera, conventions), pixel);
-      return (changed.intersect(seen.sphere).hit_class == HitClass::kMiss) != answer.has_value();
+      const ExactRay changed(ExactCamera(moved, conventions), pixel);
+      return (changed.intersect(seen[0]).hit_class == HitClass::kMiss) != answer.has_value();
     };
     if (nearby.found == Nearby::kWitness) {
       ++witnesses;

@@ -5,13 +5,13 @@
 #include <gtest/gtest.h>
 
 #include <array>
-#include <boost/multiprecision/gmp.hpp>
 #include <cmath>
 #include <limits>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "tests/reference/changed_choice.h"
 #include "tests/reference/random_cases.h"
 
 namespace raycheck::reference {
@@ -21,12 +21,7 @@ using scene::Ray;
 using scene::Root;
 using scene::Sphere;
 using scene::Tangent;
-using Fraction = boost::multiprecision::mpq_rational;
 using Integer = boost::multiprecision::mpz_int;
-
-constexpr double kU = 0x1p-53;
-constexpr double kChange = 16 * kU;
-const Sphere kUnit{{0, 0, 0}, 1};
 
 Ray at_height(double y) { return {{-5, y, 0}, {1, 0, 0}}; }
 
@@ -85,8 +80,6 @@ std::array<Fraction, 10> changed(const Ray& ray, const Sphere& sphere, const Inp
   return x;
 }
 
-Fraction absolute(const Fraction& x) { return x < 0 ? Fraction(-x) : x; }
-
 /// Whether s is the root asked for at changed inputs, up to what is documented.
 bool is_root(const Ray& ray, const Sphere& sphere, double s, double change, const Quadratic& q,
              Root convention) {
@@ -119,21 +112,6 @@ void expect_witness(const Ray& ray, const Sphere& sphere, const std::optional<do
   EXPECT_TRUE(answer ? is_root(ray, sphere, *answer, change, q, root) : is_miss(q, root)) << what;
 }
 
-TEST(NearbyAnswer, ARootAheadIsThereWhateverChanges) {
-  const Ray from_surface{{-1, 0, 0}, {1, 0, 0}};
-  EXPECT_EQ(found(from_surface, kUnit, std::nullopt), Nearby::kRefuted);
-  EXPECT_EQ(found(from_surface, kUnit, 2.0), Nearby::kWitness);
-  EXPECT_EQ(found(from_surface, kUnit, 0.0), Nearby::kWitness);
-  EXPECT_EQ(found(from_surface, kUnit, 1.0), Nearby::kRefuted);
-}
-
-TEST(NearbyAnswer, AtATangentAMissAndAHitAtItAreRightNearby) {
-  EXPECT_EQ(found(at_height(1), kUnit, std::nullopt), Nearby::kWitness);
-  EXPECT_EQ(found(at_height(1), kUnit, 5.0), Nearby::kWitness);
-  EXPECT_EQ(found(at_height(1), kUnit, 0.0), Nearby::kRefuted);
-  EXPECT_EQ(found(at_height(1), kUnit, 5 - 0x1p-20), Nearby::kRefuted);
-}
-
 /// (1 - k u)(1 + 16 u) > 1 - 16 u, by which a hit at height 1 - k u is nearly a miss, is k < 32;
 /// and likewise (1 + k u)(1 - 16 u) <= 1 + 16 u above, where k is even.
 TEST(NearbyAnswer, TellsToTheLastBitHowCloseAMissIs) {
@@ -152,22 +130,9 @@ TEST(NearbyAnswer, TellsToTheLastBitHowCloseAMissIs) {
 }
 
 TEST(NearbyAnswer, WhatIsNoParameterIsRefuted) {
-  constexpr double kInfinity = std::numeric_limits<double>::infinity();
   for (const double s : {-1.0, kInfinity, -kInfinity, std::nan("")}) {
     EXPECT_EQ(found(at_height(1), kUnit, s), Nearby::kRefuted);
   }
-}
-
-TEST(NearbyAnswer, FollowsTheConventions) {
-  const Ray from_inside{{0x1p-60, 0, 0}, {1, 0, 0}};
-  EXPECT_EQ(found(from_inside, kUnit, std::nullopt, kChange, Root::kNearest), Nearby::kRefuted);
-  const Ray from_surface{{-1, 0, 0}, {1, 0, 0}};
-  EXPECT_EQ(found(from_surface, kUnit, std::nullopt, kChange, Root::kSmaller), Nearby::kWitness);
-  EXPECT_EQ(found(from_surface, kUnit, 2.0, kChange, Root::kSmaller), Nearby::kRefuted);
-  EXPECT_EQ(found(at_height(1), kUnit, std::nullopt, 0, Root::kNearest, Tangent::kHit),
-            Nearby::kRefuted);
-  EXPECT_EQ(found(at_height(1), kUnit, std::nullopt, 0, Root::kNearest, Tangent::kMiss),
-            Nearby::kWitness);
 }
 
 /// The answer that a decision turned round would give.

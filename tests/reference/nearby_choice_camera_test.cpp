@@ -17,25 +17,8 @@ using What = FirstMet::What;
 /// So much larger than roundings that changed inputs may be rounded.
 constexpr double kWide = 0x1p-26;
 
-/// A camera and spheres, changed and rounded.
-struct Seen {
-  scene::Camera camera;
-  std::vector<scene::Sphere> spheres;
-
-  std::vector<double*> inputs() {
-    std::vector<double*> result = {
-        &camera.eye.x,     &camera.eye.y, &camera.eye.z,  &camera.look_at.x, &camera.look_at.y,
-        &camera.look_at.z, &camera.up.x,  &camera.up.y,   &camera.up.z,      &camera.near,
-        &camera.left,      &camera.right, &camera.bottom, &camera.top};
-    for (auto& [centre, radius] : spheres) {
-      for (double* x : {&centre.x, &centre.y, &centre.z, &radius}) result.push_back(x);
-    }
-    return result;
-  }
-};
-
 /// Spheres that all pass close by one point of the ray, or whose silhouettes pass close by it.
-std::vector<scene::Sphere> critical_spheres(Random& random, const ExactRay& ray) {
+std::vector<scene::Sphere> spheres_near_a_point(Random& random, const ExactRay& ray) {
   const EnclosedRay enclosed = ray.enclose(128);
   const double s = random.between(0, 5);
   const auto along = [&](const Enclosure& from, const Enclosure& direction) {
@@ -58,7 +41,7 @@ std::vector<scene::Sphere> critical_spheres(Random& random, const ExactRay& ray)
   return spheres;
 }
 
-bool is_right(const FirstMet& claim, const std::optional<NearestSphere>& nearest) {
+bool is_right_of(const FirstMet& claim, const std::optional<NearestSphere>& nearest) {
   if (claim.what == What::kNothing) return !nearest;
   return nearest && (claim.what == What::kSomething || nearest->index == claim.sphere);
 }
@@ -74,17 +57,18 @@ TEST(NearbyChoice, OfCamerasHoldsForCamerasSoChanged) {
     const scene::Conventions conventions = random_conventions(random);
     const scene::Pixel pixel = random_pixel(random, camera);
     const ExactRay ray(ExactCamera(camera, conventions), pixel);
-    const std::vector<scene::Sphere> spheres = critical_spheres(random, ray);
+    const std::vector<scene::Sphere> spheres = spheres_near_a_point(random, ray);
     const auto is_right_after = [&](const FirstMet& claim, const InputChange& change) {
-      Seen seen{camera, spheres};
-      const auto inputs = seen.inputs();
+      scene::Camera moved = camera;
+      std::vector<scene::Sphere> seen = spheres;
+      const auto inputs = inputs_of(moved, seen);
       for (std::size_t j = 0; j < change.size(); ++j) *inputs[j] *= 1 + change[j];
-      const ExactRay changed(ExactCamera(seen.camera, conventions), pixel);
-      return is_right(claim, changed.nearest(seen.spheres, {}));
+      const ExactRay changed(ExactCamera(moved, conventions), pixel);
+      return is_right_of(claim, changed.nearest(seen, {}));
     };
     for (const FirstMet& claim : {FirstMet{What::kNothing}, FirstMet{What::kSomething},
                                   FirstMet{What::kSphere, 0}, FirstMet{What::kSphere, 1}}) {
-      if (is_right(claim, ray.nearest(spheres, {}))) continue;
+      if (is_right_of(claim, ray.nearest(spheres, {}))) continue;
       const NearbyAnswer nearby = right_nearby(ray, spheres, {.relative_change = kWide}, claim);
       if (nearby.found == Nearby::kWitness) {
         ++witnesses;

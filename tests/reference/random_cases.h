@@ -5,23 +5,30 @@
 
 #include <cmath>
 #include <cstring>
-#include <limits>
 #include <string>
+#include <vector>
 
 #include "properties/cases/random.h"
+#include "reference/exact_ray.h"
 #include "scene/camera.h"
 #include "scene/number.h"
 #include "scene/validate.h"
+#include "tests/numbers.h"
 
 namespace raycheck::reference {
 
 using properties::Random;
 
+inline const Intersection kSmallerHit{HitClass::kHit, WhichRoot::kSmaller};
+inline const Intersection kLargerHit{HitClass::kHit, WhichRoot::kLarger};
+inline const Intersection kTangent{HitClass::kTangent, WhichRoot::kSmaller};
+inline const scene::Sphere kUnit{{0, 0, 0}, 1};
+
 /// Any finite double: every exponent is as likely as any other; 0 and both ends come up too.
 inline double any_double(Random& random) {
   if (random.one_in(8)) return 0;
-  if (random.one_in(16)) return random.sign() * std::numeric_limits<double>::denorm_min();
-  if (random.one_in(16)) return random.sign() * std::numeric_limits<double>::max();
+  if (random.one_in(16)) return random.sign() * kSmallest;
+  if (random.one_in(16)) return random.sign() * kLargest;
   if (random.one_in(4)) return random.small_integer(3);
   for (;;) {
     const std::uint64_t pattern = random.bits();
@@ -100,9 +107,19 @@ inline scene::Conventions random_conventions(Random& random) {
   return conventions;
 }
 
+/// The inputs of a camera and spheres, in the order of InputChange.
+inline std::vector<double*> inputs_of(scene::Camera& camera, std::vector<scene::Sphere>& spheres) {
+  auto& [eye, look_at, up, near, far, left, right, bottom, top, width, height] = camera;
+  std::vector<double*> result = {&eye.x, &eye.y, &eye.z, &look_at.x, &look_at.y, &look_at.z, &up.x,
+                                 &up.y,  &up.z,  &near,  &left,      &right,     &bottom,    &top};
+  for (auto& [centre, radius] : spheres) {
+    for (double* x : {&centre.x, &centre.y, &centre.z, &radius}) result.push_back(x);
+  }
+  return result;
+}
+
 /// `value` moved by `steps` doubles.
 inline double nudged(double value, std::int64_t steps) {
-  constexpr double kInfinity = std::numeric_limits<double>::infinity();
   for (; steps > 0; --steps) value = std::nextafter(value, kInfinity);
   for (; steps < 0; ++steps) value = std::nextafter(value, -kInfinity);
   return value;

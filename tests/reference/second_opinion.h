@@ -20,7 +20,8 @@ using scene::Sphere;
 using Number = CGAL::Exact_predicates_exact_constructions_kernel_with_sqrt::FT;
 static_assert(std::is_same_v<Number, CORE::Expr>);
 
-/// RAYCHECK_SECOND_OPINION_PERCENT lowers the number of cases, for builds that are slow by design.
+/// RAYCHECK_SECOND_OPINION_PERCENT changes the number of cases: 500 makes a million decisions, less
+/// suits builds that are slow by design.
 inline int share_of(int count) {
   const char* const percent = std::getenv("RAYCHECK_SECOND_OPINION_PERCENT");
   return percent == nullptr ? count : count * std::atoi(percent) / 100;

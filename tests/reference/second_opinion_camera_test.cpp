@@ -62,7 +62,7 @@ void expect_same_from_cameras(std::uint64_t seed, Sizes sizes, int cases, Counts
 
 TEST(SecondOpinion, OnCamerasOfOrdinarySizeEndToEnd) {
   Counts counts;
-  const int cases = share_of(20000);
+  const int cases = share_of(6000);
   expect_same_from_cameras(11, Sizes::kOrdinary, cases, counts);
   EXPECT_EQ(counts.decisions, 4 * cases);
   EXPECT_GE(counts.hits, cases / 10);
@@ -73,7 +73,7 @@ TEST(SecondOpinion, OnCamerasOfOrdinarySizeEndToEnd) {
 
 TEST(SecondOpinion, OnCamerasOfSmallIntegersEndToEnd) {
   Counts counts;
-  const int cases = share_of(20000);
+  const int cases = share_of(6000);
   expect_same_from_cameras(12, Sizes::kSmallIntegers, cases, counts);
   EXPECT_EQ(counts.decisions, 4 * cases);
   EXPECT_GE(counts.hits, cases / 10);
@@ -85,7 +85,7 @@ TEST(SecondOpinion, OnCamerasAlongAnAxisWhoseRaysAreTangent) {
   // rays.
   Random random(13);
   Counts counts;
-  const int cases = share_of(20000);
+  const int cases = share_of(6000);
   for (int k = 0; k < cases && !HasFailure(); ++k) {
     const scene::Point3 eye = triple<scene::Point3>(random, Sizes::kSmallIntegers);
     const double step = static_cast<double>(random.integer(1, 4));

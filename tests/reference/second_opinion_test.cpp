@@ -52,12 +52,12 @@ void nudge(Random& random, Sphere& sphere) {
 }
 
 // Cases of each test, and what they decide together.
-constexpr int kOrdinaryRays = 160000;
-constexpr int kTangents = 150000;
-constexpr int kOrigins = 120000;
-constexpr int kPairs = 120000;
-constexpr int kTies = 120000;
-static_assert(2 * (kOrdinaryRays + kTangents + kOrigins) + kPairs + kTies >= 1000000);
+constexpr int kOrdinaryRays = 32000;
+constexpr int kTangents = 30000;
+constexpr int kOrigins = 24000;
+constexpr int kPairs = 24000;
+constexpr int kTies = 24000;
+static_assert(2 * (kOrdinaryRays + kTangents + kOrigins) + kPairs + kTies >= 200000);
 
 TEST(SecondOpinion, OnOrdinaryRays) {
   Random random(1);

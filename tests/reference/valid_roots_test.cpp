@@ -18,7 +18,7 @@ using scene::Ends;
 using scene::Root;
 using scene::TUnit;
 
-constexpr double kNoEnd = std::numeric_limits<double>::infinity();
+constexpr double kNoEnd = kInfinity;
 
 scene::Conventions conventions_of(const scene::ValidRoots& valid, Root root = Root::kNearest) {
   scene::Conventions conventions;
@@ -37,38 +37,8 @@ std::string met(const ExactRay& ray, const scene::Sphere& sphere, const scene::V
   return at.root == WhichRoot::kSmaller ? "near" : "far";
 }
 
-const ExactRay kAlongX(scene::Ray{{0, 0, 0}, {1, 0, 0}});
+const ExactRay kRayAlongX(scene::Ray{{0, 0, 0}, {1, 0, 0}});
 const scene::Sphere kFromTwoToFour{{3, 0, 0}, 1};
-
-TEST(ValidRoots, TakeTheNearestBetweenTheEnds) {
-  const auto between = [](double t_min, double t_max) {
-    return met(kAlongX, kFromTwoToFour, {t_min, t_max, Ends::kClosed, TUnit::kAbsolute, {}});
-  };
-  EXPECT_EQ(between(0, kNoEnd), "near");
-  EXPECT_EQ(between(1, 3), "near");
-  EXPECT_EQ(between(2.5, kNoEnd), "far");
-  EXPECT_EQ(between(2.5, 3.5), "miss");
-  EXPECT_EQ(between(0, 1), "miss");
-  EXPECT_EQ(between(5, kNoEnd), "miss");
-}
-
-TEST(ValidRoots, AreDecidedAtTheEnds) {
-  const auto at = [](double t_min, double t_max, Ends ends) {
-    return met(kAlongX, kFromTwoToFour, {t_min, t_max, ends, TUnit::kAbsolute, {}});
-  };
-  EXPECT_EQ(at(2, 3, Ends::kClosed), "near");
-  EXPECT_EQ(at(2, 3, Ends::kOpenMax), "near");
-  EXPECT_EQ(at(2, 3, Ends::kOpenMin), "miss");
-  EXPECT_EQ(at(2, 3, Ends::kOpen), "miss");
-  EXPECT_EQ(at(2, 5, Ends::kOpenMin), "far");
-  EXPECT_EQ(at(1, 2, Ends::kClosed), "near");
-  EXPECT_EQ(at(1, 2, Ends::kOpenMin), "near");
-  EXPECT_EQ(at(1, 2, Ends::kOpenMax), "miss");
-  EXPECT_EQ(at(1, 2, Ends::kOpen), "miss");
-  EXPECT_EQ(at(2, 2, Ends::kClosed), "near");
-  EXPECT_EQ(at(nudged(2, 1), 3, Ends::kClosed), "miss");
-  EXPECT_EQ(at(nudged(2, -1), 3, Ends::kOpen), "near");
-}
 
 TEST(ValidRoots, OfAnIrrationalRootAreDecidedBetweenDoubles) {
   // s = 3 - sqrt(3)/2, no double: of its two neighbours one is below and one above.
@@ -124,46 +94,6 @@ TEST(ValidRoots, OfCamerasAreComparedWithLengths) {
   EXPECT_EQ(met(ray, around, {0, 1, Ends::kClosed, TUnit::kRadius, {}}), "far");
 }
 
-TEST(ValidRoots, LeaveOutWhatIsCulled) {
-  const auto culled = [](Culling culling, double t_min, Root root = Root::kNearest) {
-    return met(kAlongX, kFromTwoToFour, {t_min, kNoEnd, Ends::kClosed, TUnit::kAbsolute, culling},
-               root);
-  };
-  EXPECT_EQ(culled(Culling::kBackFaces, 0), "near");
-  EXPECT_EQ(culled(Culling::kBackFaces, 3), "miss");
-  EXPECT_EQ(culled(Culling::kFrontFaces, 0), "far");
-  EXPECT_EQ(culled(Culling::kFrontFaces, 5), "miss");
-  EXPECT_EQ(culled(Culling::kNone, 3), "far");
-  EXPECT_EQ(culled(Culling::kNone, 3, Root::kSmaller), "miss");
-  EXPECT_EQ(culled(Culling::kNone, 1, Root::kSmaller), "near");
-}
-
-TEST(ValidRoots, OfATangentAreOne) {
-  const ExactRay ray(scene::Ray{{0, 1, 0}, {1, 0, 0}});
-  const auto between = [&](double t_min, Ends ends, Culling culling) {
-    return met(ray, kFromTwoToFour, {t_min, kNoEnd, ends, TUnit::kAbsolute, culling});
-  };
-  EXPECT_EQ(between(3, Ends::kClosed, Culling::kNone), "tangent");
-  EXPECT_EQ(between(3, Ends::kOpen, Culling::kNone), "miss");
-  EXPECT_EQ(between(1, Ends::kOpen, Culling::kFrontFaces), "tangent");
-}
-
-TEST(ValidRoots, AreTheUsualOnesWhereNothingIsSaid) {
-  Random random(5);
-  int hits = 0;
-  for (int k = 0; k < 2000; ++k) {
-    const ExactRay ray(random_ray(random, Sizes::kOrdinary));
-    const scene::Sphere sphere = random_sphere(random, Sizes::kOrdinary);
-    const Intersection usual = ray.intersect(sphere);
-    // The same interval, though not by the same code: every root is below the largest double.
-    scene::ValidRoots all;
-    all.t_max = std::numeric_limits<double>::max();
-    EXPECT_TRUE(usual == ray.intersect(sphere, conventions_of(all)));
-    hits += usual.hit_class != HitClass::kMiss ? 1 : 0;
-  }
-  EXPECT_GE(hits, 100);
-}
-
 TEST(ValidRoots, AreTheSameByEveryRungBesideTheEnds) {
   Random random(6);
   int at_end = 0, hits = 0;
@@ -187,7 +117,7 @@ TEST(ValidRoots, AreTheSameByEveryRungBesideTheEnds) {
 }
 
 Nearby nearby(const std::optional<double>& answer, const scene::ValidRoots& valid) {
-  return right_nearby(kAlongX, kFromTwoToFour, {.relative_change = 16 * 0x1p-53, .valid = valid},
+  return right_nearby(kRayAlongX, kFromTwoToFour, {.relative_change = 16 * 0x1p-53, .valid = valid},
                       answer)
       .found;
 }
@@ -244,7 +174,7 @@ TEST(RefutedNearby, TellsWhichSphereIsMetFirst) {
   const auto claim = [&](FirstMet::What what, std::size_t sphere, double t_min) {
     const Neighbourhood around{.relative_change = 16 * 0x1p-53,
                                .valid = {t_min, kNoEnd, {}, {}, {}}};
-    return right_nearby(kAlongX, spheres, around, FirstMet{what, sphere}).found;
+    return right_nearby(kRayAlongX, spheres, around, FirstMet{what, sphere}).found;
   };
   EXPECT_EQ(claim(FirstMet::What::kSphere, 1, 1), Nearby::kRefuted);
   EXPECT_EQ(claim(FirstMet::What::kSphere, 0, 5), Nearby::kRefuted);

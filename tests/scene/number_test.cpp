@@ -16,8 +16,6 @@
 namespace raycheck::scene {
 namespace {
 
-constexpr double kLargest = std::numeric_limits<double>::max();
-
 std::uint64_t bits(double value) { return std::bit_cast<std::uint64_t>(value); }
 
 void expect_reads(std::string_view text, double expected) {

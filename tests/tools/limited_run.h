@@ -38,7 +38,7 @@ struct LimitedOutcome {
   std::string out, err;
   bool caught = false;         ///< It was seen to catch signals.
   bool was_signalled = false;  ///< It was still there when the signal was due.
-  double seconds_after = 0;    ///< From the signal to the end.
+  double seconds_after = 0;    ///< What it computed from the signal to the end.
 };
 
 /// Runs the built program, its standard input open and empty, in the source folder.

@@ -34,6 +34,12 @@ class TemporaryNames {
   std::string prefix_ = "raycheck_" + std::to_string(getpid()) + "_";
 };
 
+/// What the program is told by its surroundings, it is told by tests alone.
+const bool kIsAlone = [] {
+  for (const char* name : {"GITHUB_ACTIONS", "NO_COLOR"}) unsetenv(name);
+  return true;
+}();
+
 std::string temporary_path(const std::string& name) {
   static const TemporaryNames names;
   return testing::TempDir() + names.prefix() + name;
@@ -84,11 +90,6 @@ Outcome run(const std::string& arguments) { return start(RAYCHECK_BINARY, argume
 Outcome run_python(const std::string& arguments) { return start("python3", arguments); }
 
 Outcome run_bash(const std::string& path) { return start("bash", "'" + path + "'"); }
-
-Outcome run_interrupted(const std::string& arguments, int milliseconds) {
-  const auto due = std::chrono::steady_clock::now() + std::chrono::milliseconds(milliseconds);
-  return run_interrupted(arguments, [due] { return std::chrono::steady_clock::now() >= due; });
-}
 
 Outcome run_interrupted(const std::string& arguments, const std::function<bool()>& when) {
   return start(RAYCHECK_BINARY, arguments, when);

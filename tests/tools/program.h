@@ -22,10 +22,7 @@ Outcome run_python(const std::string& arguments);
 /// Runs a script by bash.
 Outcome run_bash(const std::string& path);
 
-/// Starts it, sends SIGINT after `milliseconds`, and waits for its end.
-Outcome run_interrupted(const std::string& arguments, int milliseconds);
-
-/// The same, SIGINT being sent once `when` holds.
+/// Starts it, sends SIGINT once `when` holds, and waits for its end.
 Outcome run_interrupted(const std::string& arguments, const std::function<bool()>& when);
 
 /// Writes a file into the test's temporary folder and returns its path.

@@ -21,8 +21,8 @@ namespace {
 
 using nlohmann::json;
 
-/// Two seconds are promised; machines are loaded at times.
-constexpr double kMostSecondsToEnd = 10;
+/// Two seconds are promised, in which two threads may compute.
+constexpr double kMostSecondsToEnd = 4;
 
 /// A command line of a command that takes long, or at least as long as it can. BIG and MANY stand
 /// for scenes, OUT for a file or folder that is to be written.
@@ -97,7 +97,7 @@ double moment(std::size_t line, int signal) {
   const char* const seed = std::getenv("RAYCHECK_SIGNAL_SEED");
   std::mt19937_64 random((seed == nullptr ? 1 : std::strtoull(seed, nullptr, 10)) * 100000 +
                          line * 100 + static_cast<std::size_t>(signal));
-  return std::uniform_real_distribution<double>(0.05, 1.5)(random);
+  return std::uniform_real_distribution<double>(0.02, 0.4)(random);
 }
 
 bool ends_with_newline(const std::string& text) { return text.empty() || text.back() == '\n'; }
@@ -110,7 +110,6 @@ TEST_P(HostileSignals, end_a_command_with_a_partial_report_and_nothing_left_behi
   const std::string big = scenes.path() / "big.toml", many = scenes.path() / "many.toml";
   write_scene(big, 30000, 3);
   write_scene(many, 4096, 5000);
-  double slowest = 0;
   for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
     const TestFolder temporary, written;
     std::vector<std::string> arguments = line.arguments;
@@ -139,14 +138,12 @@ TEST_P(HostileSignals, end_a_command_with_a_partial_report_and_nothing_left_behi
       EXPECT_LT(outcome.seconds_after, kMostSecondsToEnd);
       continue;
     }
-    slowest = std::max(slowest, outcome.seconds_after);
     EXPECT_EQ(outcome.exit_code, 128 + signal) << outcome.err;
     EXPECT_LT(outcome.seconds_after, kMostSecondsToEnd);
     if (line.is_json) {
       EXPECT_EQ(report.value("interrupted", json()), true) << outcome.out;
     }
   }
-  RecordProperty("slowest_seconds", std::to_string(slowest));
 }
 
 INSTANTIATE_TEST_SUITE_P(Every, HostileSignals, testing::Range(std::size_t{0}, lines().size()),

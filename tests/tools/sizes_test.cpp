@@ -23,7 +23,7 @@ constexpr std::uint64_t kMemory = std::uint64_t{1} << 30;
 #endif
 
 /// An interrupt comes after so long, where work does not end before.
-constexpr double kSeconds = 3;
+constexpr double kSeconds = 1;
 
 LimitedOutcome run_in_memory(const std::vector<std::string>& arguments) {
   return run_limited(arguments, {.signal = SIGINT, .signal_after = kSeconds, .memory = kMemory});

@@ -36,32 +36,6 @@ constexpr double kCertifiedSlack = 0x1p-14;
 
 class EachExactMethod : public testing::TestWithParam<const fast::IntersectMethod*> {};
 
-TEST_P(EachExactMethod, HasTheLecturesAnswers) {
-  const auto s_of = [&](const Ray& ray) {
-    return GetParam()->intersect_one(ray, {{5, 5, 5}, 3}, Root::kNearest, Tangent::kHit);
-  };
-  const auto first = s_of({{1, 1, 3}, {4, 3, 0}});
-  ASSERT_TRUE(first.has_value());
-  EXPECT_NEAR(first->parameter, (28 - std::sqrt(109)) / 25, 1e-15);
-  EXPECT_NEAR(first->point.x, (137 - 4 * std::sqrt(109)) / 25, 1e-14);
-  EXPECT_FALSE(s_of({{0, 0, 0}, {1, 3, 4}}).has_value());
-  const auto third = s_of({{1, 0, 1}, {1, 2, 1}});
-  ASSERT_TRUE(third.has_value());
-  EXPECT_NEAR(third->parameter, 2, 4e-15);
-}
-
-TEST_P(EachExactMethod, TellsNeighboursOfATangentApart) {
-  const auto s_of = [&](double y) {
-    return GetParam()->intersect_one({{-5, y, 0}, {1, 0, 0}}, kUnitSphere, Root::kNearest,
-                                     Tangent::kHit);
-  };
-  ASSERT_TRUE(s_of(1).has_value());
-  EXPECT_EQ(s_of(1)->parameter, 5);
-  ASSERT_TRUE(s_of(1 - 0x1p-53).has_value());
-  EXPECT_NEAR(s_of(1 - 0x1p-53)->parameter, 4.9999999850988388, 1e-8);
-  EXPECT_FALSE(s_of(1 + 0x1p-52).has_value());
-}
-
 TEST_P(EachExactMethod, FollowsTheConventions) {
   const auto meets = [&](const Ray& ray, Root root, Tangent tangent) {
     return GetParam()->intersect_one(ray, kUnitSphere, root, tangent).has_value();

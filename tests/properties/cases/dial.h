@@ -13,6 +13,7 @@
 
 #include "properties/cases/case_source.h"
 #include "reference/enclosure.h"
+#include "tests/names.h"
 
 namespace raycheck::properties {
 
@@ -52,9 +53,7 @@ struct DialRow {
 
 inline void PrintTo(const DialRow& row, std::ostream* out) { *out << row.family; }
 inline std::string test_name(const testing::TestParamInfo<DialRow>& the_test) {
-  std::string name(the_test.param.family);
-  std::replace(name.begin(), name.end(), '-', '_');
-  return name;
+  return identifier(the_test.param.family);
 }
 
 /// Severities to try: 0, `highest`, and others between, 16 steps at the most.

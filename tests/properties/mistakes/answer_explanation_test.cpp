@@ -135,16 +135,6 @@ TEST_P(EachMistakeInHits, IsAmongTheExplanationsOfNearestSpheresAlone) {
 
 INSTANTIATE_TEST_SUITE_P(Classic, EachMistakeInHits, testing::ValuesIn(indices(false)));
 
-TEST(AnswerExplanation, OfARightCandidateIsNone) {
-  for (const auto* rays : fast::pixel_ray_methods()) {
-    for (const auto* intersect : fast::intersect_methods()) {
-      if (rays != &fast::kDirectRays && intersect != &fast::kCross) continue;
-      const Candidate candidate = fast_candidate(*rays, *intersect);
-      EXPECT_EQ(sentences_for(candidate), Sentences()) << candidate.name;
-    }
-  }
-}
-
 TEST(AnswerExplanation, OfARightCandidateOnHardCasesIsNone) {
   for (const auto* rays : fast::pixel_ray_methods()) {
     for (const auto* intersect : fast::intersect_methods()) {
@@ -268,11 +258,6 @@ TEST(AnswerExplanation, IsJudgedUnderTheDeclaredConventions) {
   EXPECT_EQ(sentences_for(candidate), Sentences{"pixels are sampled at their centres"});
   candidate.declared.samples = scene::Samples::kCentres;
   EXPECT_EQ(sentences_for(candidate), Sentences());
-}
-
-TEST(AnswerExplanation, OfNothingIsNone) {
-  EXPECT_EQ(sentences_for({}), Sentences());
-  EXPECT_EQ(sentences_for(candidate_of("V has the wrong sign"), {}), Sentences());
 }
 
 }  // namespace

@@ -26,19 +26,6 @@ CampaignOptions options(int cases, std::uint64_t seed = 1) {
   return result;
 }
 
-TEST(Campaign, IsTheSameForTheSameOptions) {
-  const Law& law = *find_law("class");
-  const CampaignResult first = run_campaign(law, kBad, options(500));
-  const CampaignResult second = run_campaign(law, kBad, options(500));
-  ASSERT_TRUE(first.failure && second.failure);
-  EXPECT_EQ(first.failure->replay, second.failure->replay);
-  EXPECT_EQ(first.failure->shrunk.scene, second.failure->shrunk.scene);
-  EXPECT_EQ(first.counts.cases, second.counts.cases);
-  const CampaignResult other = run_campaign(law, kBad, options(500, 2));
-  ASSERT_TRUE(other.failure);
-  EXPECT_NE(other.failure->replay, first.failure->replay);
-}
-
 TEST(Campaign, DoesNotListenToTheEnvironment) {
   const CampaignResult before = run_campaign(*find_law("class"), kBad, options(500));
   ASSERT_EQ(setenv("RC_PARAMS", "seed=12345 max_success=1", 1), 0);
@@ -185,16 +172,6 @@ TEST(Campaign, AsksEverySourceAtItsHighestSeverityAtLeastOnce) {
       ChosenSource{find_case_source("scale"), find_case_source("scale")->dial->demanding}.name()));
 }
 
-TEST(Campaign, AsksOneSeverityOfAnyLevel) {
-  CampaignOptions asked = options(20);
-  asked.level = Level::kOrdinary;
-  asked.sources = {chosen_source("distance@15")};
-  const auto parts = run_campaign(*find_law("class"), kGood, asked).parts;
-  ASSERT_EQ(parts.size(), 1u);
-  EXPECT_EQ(parts[0].source.level(), Level::kDemanding);
-  EXPECT_EQ(parts[0].counts.cases, 20);
-}
-
 TEST(Campaign, JudgesNothingOutsideTheStatedDomain) {
   Candidate small = kGood;
   small.largest_length = 0x1p-20;
@@ -300,12 +277,6 @@ TEST(Campaign, ShrinksTheFirstFailure) {
   EXPECT_FALSE(result.failure->verdict.holds());
   // What was found is counted once; the tries of shrinking are not.
   EXPECT_LE(result.verdict.compared(), 3u * static_cast<unsigned>(result.counts.cases));
-}
-
-TEST(Campaign, HoldsErrorsAgainstTheBoundAskedFor) {
-  CampaignOptions strict = options(100);
-  strict.max_error = 0.01;
-  EXPECT_TRUE(run_campaign(*find_law("parameter"), kGood, strict).failure);
 }
 
 TEST(Replay, FindsTheFailureAgain) {

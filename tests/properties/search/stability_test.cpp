@@ -138,26 +138,6 @@ std::vector<StressResult> on(std::string_view family, int severity, Stage stage,
   return stress(*find_case_source(family), severity, stage, candidates, options);
 }
 
-TEST(Stress, FindsTheTextbookUnstableOnFarSpheresAndCrossStable) {
-  const std::vector<Candidate> candidates = {fast_candidate(fast::kDirectRays, fast::kQuadratic),
-                                             fast_candidate(fast::kDirectRays, fast::kCross)};
-  const auto results = on("distance", 7, Stage::kIntersection, candidates);
-  EXPECT_FALSE(is_stable(results[0].inside));
-  EXPECT_GT(defects(results[0].inside), 0u);
-  EXPECT_FALSE(results[0].found.empty());
-  EXPECT_TRUE(is_stable(results[1].inside)) << worst_ratio(results[1].inside);
-  EXPECT_GE(results[1].inside.tallies().at(Quantity::kClass).cases, kCases);
-}
-
-TEST(Stress, FindsTheLecturesDirectionsUnstableInAFarWorldAndDirectOnesStable) {
-  const std::vector<Candidate> candidates = {fast_candidate(fast::kLectureRays, fast::kCross),
-                                             fast_candidate(fast::kDirectRays, fast::kCross)};
-  const auto results = on("far-camera", 8, Stage::kRays, candidates);
-  EXPECT_FALSE(is_stable(results[0].inside));
-  EXPECT_TRUE(is_stable(results[1].inside)) << worst_ratio(results[1].inside);
-  EXPECT_GE(results[1].inside.tallies().at(Quantity::kDirection).cases, kCases);
-}
-
 TEST(Stress, JudgesIntersectionsAloneOnTheRaysOfACamera) {
   const std::vector<Candidate> candidates = {fast_candidate(fast::kDirectRays, fast::kCross)};
   const auto results = on("far-camera", 0, Stage::kIntersection, candidates);

@@ -165,19 +165,6 @@ TEST(Visibility, IsExactAtEveryScale) {
   EXPECT_GT(hits, 500);
 }
 
-TEST(Visibility, IsExactOnTheExamples) {
-  int scenes = 0;
-  for (const char* name : {"ten-spheres", "sphere-around-eye", "sphere-behind-eye",
-                           "sphere-between-eye-and-plane", "far-sphere", "example-6-top-first"}) {
-    const auto scene =
-        scene::load_scene(std::string(RAYCHECK_SOURCE_DIR "/scene/examples/") + name + ".toml", {})
-            .scene;
-    expect_exact(scene, see(visibility_of(scene)));
-    ++scenes;
-  }
-  EXPECT_EQ(scenes, 6);
-}
-
 TEST(Visibility, LeavesAlmostAllPixelsOfOrdinaryScenesToTheFilter) {
   const Seen seen = see(visibility_of(random_scene(1)));
   EXPECT_LT(seen.decided_by.fallback() * 100, seen.sphere.size());

@@ -43,24 +43,6 @@ TEST(Examples, EveryOneLoadsAndSaysWhatItShows) {
   EXPECT_EQ(scenes, 22u);
 }
 
-TEST(Examples, HaveTheLecturesCameras) {
-  Camera first = lecture_view(2, 2);
-  first.left = -30;
-  first.right = 30;
-  first.bottom = -20;
-  first.top = 20;
-  EXPECT_EQ(example("first-camera.toml").scene.camera, first);
-  first.width = first.height = 8;
-  EXPECT_EQ(example("grid-64.toml").scene.camera, first);
-  EXPECT_EQ(example("optical-axis.toml").scene.camera, lecture_view(3, 3));
-  for (const int side : {3, 8, 16, 32}) {
-    EXPECT_EQ(example("density-" + std::to_string(side) + ".toml").scene.camera,
-              lecture_view(side, side));
-  }
-  EXPECT_EQ(example("example-4.toml").scene.camera, wide_view(8, 8));
-  EXPECT_EQ(example("example-5.toml").scene.camera, wide_view(16, 9));
-}
-
 TEST(Examples, OfExample6DifferInTheRowsAlone) {
   Scene bottom_first = example("example-6-bottom-first.toml").scene;
   const Scene top_first = example("example-6-top-first.toml").scene;
@@ -68,38 +50,6 @@ TEST(Examples, OfExample6DifferInTheRowsAlone) {
   EXPECT_EQ(bottom_first.conventions, Conventions{});
   bottom_first.conventions.rows = Rows::kTopFirst;
   EXPECT_EQ(bottom_first, top_first);
-}
-
-TEST(Examples, HaveTheLecturesRaysAndTheOneUlpNeighbours) {
-  const Scene lecture = example("lecture-examples.toml").scene;
-  EXPECT_EQ(lecture.spheres, (std::vector<Sphere>{{{5, 5, 5}, 3}}));
-  EXPECT_EQ(
-      lecture.rays,
-      (std::vector<Ray>{{{1, 1, 3}, {4, 3, 0}}, {{0, 0, 0}, {1, 3, 4}}, {{1, 0, 1}, {1, 2, 1}}}));
-  const Scene tangent = example("tangent-and-neighbours.toml").scene;
-  EXPECT_EQ(tangent.spheres, (std::vector<Sphere>{{{0, 0, 0}, 1}}));
-  std::vector<Point3> origins;
-  for (const Ray& ray : tangent.rays) {
-    EXPECT_EQ(ray.direction, (Vector3{1, 0, 0}));
-    origins.push_back(ray.origin);
-  }
-  EXPECT_EQ(origins, (std::vector<Point3>{{-5, 1, 0},
-                                          {-5, 1 - 0x1p-53, 0},
-                                          {-5, 1 + 0x1p-52, 0},
-                                          {-1, 0, 0},
-                                          {0, 0, 0},
-                                          {0, 0.5, 0}}));
-}
-
-TEST(Examples, OfTheThreeDialectsAreOneScene) {
-  const LoadedScene a = example("driver-a.txt");
-  EXPECT_EQ(a.scene.camera,
-            (Camera{{0, 0, 4}, {0, 0, 0}, {0, 1, 0}, -2, {}, -1, 1, -1, 1, 16, 16}));
-  EXPECT_EQ(a.scene.spheres, (std::vector<Sphere>{{{0, 0, -10}, 3}, {{2.5, 1, -7}, 0.75}}));
-  EXPECT_TRUE(a.warnings.empty());
-  EXPECT_EQ(a.not_needed.size(), 2u);
-  EXPECT_EQ(example("driver-b.txt").scene, a.scene);
-  EXPECT_EQ(example("driver-c.txt").scene, a.scene);
 }
 
 // Every other example camera looks along -z with y up, so that U, V, W are the axes.

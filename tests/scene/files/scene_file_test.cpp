@@ -1,6 +1,7 @@
 #include "scene/files/scene_file.h"
 
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 #include <filesystem>
 #include <fstream>
@@ -30,8 +31,8 @@ TEST(LoadScene, NamesTheFileAndTheReason) {
 }
 
 TEST(LoadScene, WarnsThatADialectDoesNotConcernToml) {
-  const std::filesystem::path path =
-      std::filesystem::path(testing::TempDir()) / "raycheck-dialect-test.toml";
+  const std::filesystem::path path = std::filesystem::path(testing::TempDir()) /
+                                     ("raycheck-dialect-" + std::to_string(getpid()) + ".toml");
   std::ofstream(path) << "[[ray]]\norigin = [0, 0, 0]\ndirection = [1, 0, 0]\n";
   EXPECT_TRUE(load_scene(path).warnings.empty());
   EXPECT_EQ(load_scene(path, Dialect::kA).warnings,

@@ -65,41 +65,6 @@ TEST(Check, finds_nothing_on_the_optical_axis) {
   EXPECT_EQ(result.err, "");
 }
 
-TEST(Check, reports_documented_json) {
-  const Outcome result = run("check scene/examples/ten-spheres.toml --format json");
-  const json report = json::parse(result.out);
-  ASSERT_EQ(report.at("candidates").size(), 1u);
-  const json& candidate = report["candidates"][0];
-  EXPECT_EQ(candidate.at("name"), "direct/cross");
-  EXPECT_TRUE(candidate.at("left_out").is_array());
-  EXPECT_TRUE(report.at("left_out").is_array());
-  for (const char* name : {"frame", "pixel point", "direction", "unit defect", "ray origin",
-                           "class", "root", "parameter", "hit point", "nearest sphere"}) {
-    const json* quantity = find_named(candidate.at("quantities"), name);
-    ASSERT_NE(quantity, nullptr) << name;
-    EXPECT_GT(quantity->at("cases"), 0) << name;
-    EXPECT_TRUE(quantity->at("wrong").is_number_integer()) << name;
-    for (const char* key : {"median", "max", "worst_at"}) {
-      EXPECT_TRUE(quantity->contains(key)) << name << key;
-    }
-  }
-  EXPECT_EQ(find_named(candidate["quantities"], "class")->at("cases"), 2560);
-  EXPECT_GT(find_named(candidate["quantities"], "parameter")->at("max"), 0);
-}
-
-TEST(Check, catches_the_textbook_on_a_far_sphere) {
-  const std::string path = temporary_file("far.toml", kFarSphereScene);
-  const Outcome textbook = run("check " + path + " --intersect quadratic --format json");
-  EXPECT_EQ(textbook.exit_code, 1);
-  const json report = json::parse(textbook.out);
-  const json* parameter = find_named(report["candidates"][0]["quantities"], "parameter");
-  ASSERT_NE(parameter, nullptr);
-  EXPECT_GT(parameter->at("max"), 64);
-  EXPECT_GT(report["candidates"][0]["discrepancies_by_standing"]["defect"], 0);
-  EXPECT_EQ(run("check " + path + " --intersect cross").exit_code, 0);
-  std::filesystem::remove(path);
-}
-
 TEST(Check, judges_every_pair_with_all) {
   const json report =
       json::parse(run("check scene/examples/first-camera.toml --all --format json").out);
@@ -256,21 +221,6 @@ TEST(Check, fails_when_the_report_cannot_be_written) {
   const int status = std::system("cd '" RAYCHECK_SOURCE_DIR "' && '" RAYCHECK_BINARY
                                  "' check scene/examples/optical-axis.toml >/dev/full 2>&1");
   EXPECT_EQ(WEXITSTATUS(status), 2);
-}
-
-TEST(Check, ends_with_a_partial_report_when_interrupted) {
-  std::string scene = kFarSphereScene;
-  for (const char* size : {"width = 16", "height = 16"}) {
-    scene.replace(scene.find(size), std::string(size).size(),
-                  std::string(size).substr(0, std::string(size).find('=')) + "= 8192");
-  }
-  const std::string path = temporary_file("huge.toml", scene);
-  const Outcome result = run_interrupted("check " + path, 1500);
-  EXPECT_EQ(result.exit_code, 130) << result.err;
-  EXPECT_NE(result.out.find("INTERRUPTED"), std::string::npos);
-  EXPECT_NE(result.out.find("direct/cross"), std::string::npos);
-  EXPECT_EQ(result.err, "") << "progress without a terminal";
-  std::filesystem::remove(path);
 }
 
 }  // namespace

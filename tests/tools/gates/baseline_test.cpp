@@ -12,6 +12,7 @@
 #include <string>
 #include <vector>
 
+#include "tests/tools/limited_run.h"
 #include "tests/tools/program.h"
 
 namespace raycheck::tests {
@@ -92,12 +93,12 @@ TEST(Baseline, FailsForWhatIsNewAlsoWhereAsMuchIsMended) {
 TEST(Baseline, OfTwoBranchesThatMendDifferentThingsIsMergedByGit) {
   const Identity a = identity("class"), b = identity("root"), c = identity("hit-point");
   const Baseline before = updated({}, findings({a, b, c}, {}));
-  const fs::path folder = testing::TempDir() + "baseline_merge";
-  fs::remove_all(folder);
-  fs::create_directories(folder);
+  const TestFolder its;
+  const fs::path folder = its.path();
   const auto git = [&](const std::string& arguments) {
-    return std::system(("git -c user.name=a -c user.email=a@example.org -C " + folder.string() +
-                        " " + arguments + " > /dev/null 2>&1")
+    return std::system(("GIT_CONFIG_GLOBAL=/dev/null GIT_CONFIG_SYSTEM=/dev/null git -c "
+                        "user.name=a -c user.email=a@example.org -C " +
+                        folder.string() + " " + arguments + " > /dev/null 2>&1")
                            .c_str());
   };
   if (git("--version") != 0) GTEST_SKIP() << "git is not installed";
@@ -115,21 +116,15 @@ TEST(Baseline, OfTwoBranchesThatMendDifferentThingsIsMergedByGit) {
   const Baseline merged = tools::parse_baseline(contents(folder / "known"));
   EXPECT_EQ(merged.known, std::set{c});
   EXPECT_EQ(baseline_text(merged), contents(folder / "known"));
-  fs::remove_all(folder);
 }
 
 /// The whole way of one candidate: known, otherwise wrong, mended.
 class BaselineOfARun : public testing::Test {
  protected:
-  BaselineOfARun()
-      : folder_(testing::TempDir() + "baseline_of_a_run_" +
-                testing::UnitTest::GetInstance()->current_test_info()->name()) {
-    fs::remove_all(folder_);
-    fs::create_directories(folder_);
+  BaselineOfARun() {
     fs::copy_file(fs::path(RAYCHECK_SOURCE_DIR) / "tests/candidates/right.py",
                   folder_ + "/right.py");
   }
-  ~BaselineOfARun() override { fs::remove_all(folder_); }
   std::string known() const { return folder_ + "/known"; }
 
   /// Asks the candidate, which ends in this way whatever it found.
@@ -143,7 +138,8 @@ class BaselineOfARun : public testing::Test {
                folder_ + "/mine.py' --baseline " + known() + " " + options);
   }
 
-  std::string folder_;
+  const TestFolder its_;
+  const std::string folder_ = its_.path();
 };
 
 TEST_F(BaselineOfARun, LetsPassWhatIsKnownAndNothingElse) {

@@ -1,7 +1,6 @@
 // The files for pipelines that are ready to be copied: their raycheck commands run as they stand.
 
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include <filesystem>
 #include <fstream>
@@ -9,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "tests/tools/limited_run.h"
 #include "tests/tools/program.h"
 
 namespace raycheck::tests {
@@ -35,13 +35,13 @@ std::vector<std::string> commands_of(const std::string& file) {
   return commands;
 }
 
-class EachReadyFile : public testing::TestWithParam<const char*> {};
+class LongReadyFile : public testing::TestWithParam<const char*> {};
 
-TEST_P(EachReadyFile, GatesAProjectThatIsRightAndOneThatIsNot) {
+TEST_P(LongReadyFile, GatesAProjectThatIsRightAndOneThatIsNot) {
   const auto commands = commands_of(GetParam());
   ASSERT_EQ(commands.size(), 1u);
-  const fs::path folder = testing::TempDir() + "ready_file_" + std::to_string(getpid());
-  fs::remove_all(folder);
+  const TestFolder its;
+  const fs::path folder = its.path();
   fs::create_directories(folder / "src");
   std::ofstream(folder / "raycheck.baseline").flush();
   for (const char* name : {"none", "far_root"}) {
@@ -59,10 +59,9 @@ TEST_P(EachReadyFile, GatesAProjectThatIsRightAndOneThatIsNot) {
   }
   const bool is_github = std::string(GetParam()).find("github/") != std::string::npos;
   EXPECT_EQ(fs::exists(folder / "summary.md"), is_github);
-  fs::remove_all(folder);
 }
 
-INSTANTIATE_TEST_SUITE_P(Files, EachReadyFile,
+INSTANTIATE_TEST_SUITE_P(Files, LongReadyFile,
                          testing::Values("examples/ci/github/workflow.yml",
                                          "examples/ci/github/action.yml",
                                          "examples/ci/gitlab/raycheck.gitlab-ci.yml",

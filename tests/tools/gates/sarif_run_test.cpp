@@ -3,11 +3,13 @@
 #include <gtest/gtest.h>
 
 #include <filesystem>
+#include <fstream>
 #include <nlohmann/json.hpp>
 #include <regex>
 #include <string>
 
 #include "tests/tools/gates/sarif_schema.h"
+#include "tests/tools/limited_run.h"
 #include "tests/tools/program.h"
 
 namespace raycheck::tests {
@@ -19,11 +21,7 @@ namespace fs = std::filesystem;
 /// A candidate that divides by zero at line 7 whatever it is asked.
 class SarifOfARun : public testing::Test {
  protected:
-  SarifOfARun()
-      : folder_(testing::TempDir() + "sarif_of_a_run_" +
-                testing::UnitTest::GetInstance()->current_test_info()->name()) {
-    fs::remove_all(folder_);
-    fs::create_directories(folder_);
+  SarifOfARun() {
     write("tracer.cpp",
           "#include <raycheck/candidate.hpp>\n"
           "using namespace raycheck;\n"
@@ -36,13 +34,13 @@ class SarifOfARun : public testing::Test {
           "}\n"
           "RAYCHECK_CANDIDATE(.intersect = intersect)\n");
   }
-  ~SarifOfARun() override { fs::remove_all(folder_); }
   void write(const std::string& name, const std::string& text) const {
-    fs::rename(temporary_file("sarif_part", text), folder_ + "/" + name);
+    std::ofstream(folder_ + "/" + name) << text;
   }
   std::string source() const { return "source:" + folder_ + "/tracer.cpp"; }
 
-  std::string folder_;
+  const TestFolder its_;
+  const std::string folder_ = its_.path();
 };
 
 const std::string kRays = "scene/examples/lecture-examples.toml";

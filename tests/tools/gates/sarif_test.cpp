@@ -129,7 +129,6 @@ TEST(Sarif, LeavesOutWhatIsKnownAndSaysWhatHasNoLine) {
 TEST(HostileSarif, HasNoMoreResultsThanGitHubTakesAndSaysSo) {
   const Gate gate = gate_at_lines(25'001, "why", "tracer.cpp");
   const json log = json::parse(sarif(gate));
-  EXPECT_EQ(defect_of_log(log), "");
   EXPECT_EQ(log["runs"][0]["results"].size(), 25'000u);
   ASSERT_EQ(sarif_warnings(gate).size(), 1u);
   EXPECT_EQ(sarif_warnings(gate)[0], "the SARIF log has the first 25000 of 25001 lines");

@@ -269,19 +269,15 @@ TEST(Image, shows_the_errors_that_check_counts) {
 
 TEST(Image, is_the_same_by_any_number_of_threads) {
   const std::string scene = example("ten-spheres.toml") + " --size 333,1100 ";
-  for (const char* what : {"class", "sphere", "depth"}) {
-    for (const char* extension : {".png", ".ppm"}) {
-      const Written one(scene + "--threads 1 --what " + what, extension);
-      EXPECT_GT(one.report()["pixels_that_see"], 100000);
-      for (const char* threads : {"2", "3"}) {
-        const Written more(scene + "--threads " + threads + " --what " + what, extension);
-        EXPECT_TRUE(more.picture() == one.picture()) << what << threads;
-      }
-    }
+  for (const auto& [what, extension] :
+       {std::pair("class", ".ppm"), {"sphere", ".png"}, {"depth", ".png"}}) {
+    const Written one(scene + "--threads 1 --what " + what, extension);
+    EXPECT_GT(one.report()["pixels_that_see"], 100000);
+    const Written more(scene + "--threads 3 --what " + what, extension);
+    EXPECT_TRUE(more.picture() == one.picture()) << what;
   }
-  const std::string errors = example("ten-spheres.toml") + " --size 60,1200 --what error ";
+  const std::string errors = example("ten-spheres.toml") + " --size 30,1200 --what error ";
   const Written one(errors + "--threads 1", ".png");
-  EXPECT_TRUE(Written(errors + "--threads 2", ".png").picture() == one.picture());
   EXPECT_TRUE(Written(errors + "--threads 3", ".png").picture() == one.picture());
 }
 
@@ -314,11 +310,15 @@ void expect_old_picture_kept(const std::string& arguments, const std::string& wh
   std::filesystem::remove(path);
 }
 
-std::size_t parts_left() {
+/// Files of pictures that are being written, which have so many bytes.
+std::size_t parts_left(std::uintmax_t least_bytes = 0) {
   std::size_t left = 0;
   for (const auto& entry : std::filesystem::directory_iterator(testing::TempDir())) {
     const std::string name = entry.path().filename().string();
-    if (name.find("raycheck_" + std::to_string(getpid())) == 0 && name.ends_with(".part")) ++left;
+    if (name.find("raycheck_" + std::to_string(getpid())) == 0 && name.ends_with(".part") &&
+        entry.file_size() >= least_bytes) {
+      ++left;
+    }
   }
   return left;
 }
@@ -345,18 +345,21 @@ TEST(Image, fails_with_2_and_says_why_and_leaves_no_file) {
     EXPECT_NE(result.err.find(why), std::string::npos) << arguments << "\n" << result.err;
   };
   fails("", "--out");
-  fails(" --out picture.gif", "--out picture.gif: a picture's name ends in .png or .ppm");
+  const std::string gif = temporary_file("picture.gif", "");
+  std::filesystem::remove(gif);
+  fails(" --out " + gif, "--out " + gif + ": a picture's name ends in .png or .ppm");
   fails(" --out nowhere/picture.png", "--out nowhere/picture.png: cannot be written");
   fails(" --out scene/examples", "--out scene/examples: cannot be written");
   fails(" --out ''", "--out: is given without a value");
-  EXPECT_FALSE(std::filesystem::exists(std::string(RAYCHECK_SOURCE_DIR) + "/picture.gif"));
+  EXPECT_FALSE(std::filesystem::exists(gif));
   EXPECT_EQ(parts_left(), 0u);
 }
 
 TEST(Image, leaves_an_older_picture_alone_when_interrupted) {
   const std::string path = temporary_file("interrupted.png", "an older picture");
   const Outcome result = run_interrupted(
-      "image " + example("ten-spheres.toml") + " --size 100000,100000 --out " + path, 1000);
+      "image " + example("ten-spheres.toml") + " --size 100000,100000 --out " + path,
+      [&] { return parts_left(1) > 0; });
   EXPECT_EQ(result.exit_code, 130) << result.err;
   EXPECT_NE(result.out.find("INTERRUPTED: no picture was written"), std::string::npos);
   EXPECT_EQ(contents(path), "an older picture");

@@ -14,13 +14,6 @@ namespace {
 
 using nlohmann::json;
 
-TEST(PropertiesCommand, reports_that_cross_holds_the_class_law) {
-  const Outcome result = run("properties --filter class --cases 200 --intersect cross");
-  EXPECT_EQ(result.exit_code, 0) << result.out;
-  EXPECT_NE(result.out.find("holds"), std::string::npos);
-  EXPECT_EQ(result.err, "");
-}
-
 TEST(PropertiesCommand, reports_a_broken_law_with_a_case_that_check_and_replay_accept) {
   const Outcome result =
       run("properties --filter class --source distance --level extreme --intersect quadratic "
@@ -35,15 +28,6 @@ TEST(PropertiesCommand, reports_a_broken_law_with_a_case_that_check_and_replay_a
   const Outcome again = run("properties --replay " + campaign["replay"].get<std::string>());
   EXPECT_EQ(again.exit_code, 1);
   EXPECT_NE(again.out.find("BROKEN"), std::string::npos);
-}
-
-TEST(PropertiesCommand, replays_a_case_of_one_severity) {
-  const Outcome result =
-      run("properties --filter class --source distance@12 --intersect quadratic --format json");
-  EXPECT_EQ(result.exit_code, 1);
-  const std::string replay = json::parse(result.out)["campaigns"][0]["replay"];
-  EXPECT_EQ(replay.rfind("class:direct/quadratic:distance@12:", 0), 0u) << replay;
-  EXPECT_EQ(run("properties --replay " + replay).exit_code, 1);
 }
 
 TEST(PropertiesCommand, is_the_same_for_the_same_seed) {

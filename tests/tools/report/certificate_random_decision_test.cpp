@@ -35,7 +35,7 @@ using scene::Sphere;
 
 std::size_t wanted() {
   const char* const given = std::getenv("RAYCHECK_DECISIONS");
-  constexpr std::size_t kDefault = 200;
+  constexpr std::size_t kDefault = 100;
   return given == nullptr ? kDefault : std::strtoul(given, nullptr, 10);
 }
 

@@ -158,7 +158,7 @@ TEST(Json, is_looked_at_of_every_command_that_prints_it) {
   EXPECT_EQ(names, commands_with_json());
 }
 
-TEST(Json, has_every_key_on_the_page_that_documents_it) {
+void expect_every_key_on_the_page() {
   auto spans = documented();
   std::size_t keys = 0;
   for (const Reports& reports : all_reports()) {
@@ -190,7 +190,7 @@ TEST(Json, is_documented_with_the_resolution_of_its_quantiles) {
   }
 }
 
-TEST(Json, begins_alike_for_every_command) {
+void expect_reports_begin_alike() {
   std::set<json> versions;
   for (const Reports& reports : all_reports()) {
     for (const json& report : printed(reports)) {
@@ -211,7 +211,7 @@ std::uint64_t sum(const json& counts) {
   return total;
 }
 
-TEST(Json, has_tallies_whose_parts_add_up) {
+void expect_parts_of_tallies_add_up() {
   std::size_t tallies = 0, wrong = 0, weighed = 0;
   for (const Reports& reports : all_reports()) {
     for (const json& report : printed(reports)) {
@@ -246,7 +246,7 @@ TEST(Json, has_tallies_whose_parts_add_up) {
   EXPECT_GE(weighed, 20u);
 }
 
-TEST(Json, has_the_same_tally_in_every_report) {
+void expect_the_same_tally_everywhere() {
   std::map<std::string, std::set<std::string>> keys;  // of tallies, by command
   for (const Reports& reports : all_reports()) {
     for (const json& report : printed(reports)) {
@@ -262,6 +262,13 @@ TEST(Json, has_the_same_tally_in_every_report) {
     EXPECT_EQ(keys[command].size(), 1u) << command;
     EXPECT_EQ(keys[command], keys["check"]) << command;
   }
+}
+
+TEST(Json, of_every_command_is_as_its_page_says) {
+  expect_every_key_on_the_page();
+  expect_reports_begin_alike();
+  expect_parts_of_tallies_add_up();
+  expect_the_same_tally_everywhere();
 }
 
 TEST(Json, says_which_change_excused_an_answer) {

@@ -40,26 +40,6 @@ TEST(Typeset, shows_the_lecture_s_first_sphere) {
             "<mrow><mo>(</mo><mn>4</mn><mo>,</mo><mn>4</mn><mo>,</mo><mn>2</mn><mo>)</mo></mrow>");
 }
 
-TEST(Typeset, shows_the_lecture_s_examples) {
-  const ClosedFormRay miss(scene::Ray{{0, 0, 0}, {1, 3, 4}});
-  EXPECT_EQ(latex(miss.direction()),
-            R"(\left(\frac{\sqrt{26}}{26}, \frac{3 \sqrt{26}}{26}, \frac{2 \sqrt{26}}{13}\right))");
-  EXPECT_EQ(latex(miss.half_chord_sq(kLectureSphere)), R"(-\frac{58}{13})");
-  const ClosedFormRay hit(scene::Ray{{1, 0, 1}, {1, 2, 1}});
-  EXPECT_EQ(latex(hit.distance(kLectureSphere, kSmallerHit)), R"(2 \sqrt{6})");
-  EXPECT_EQ(mathml(hit.distance(kLectureSphere, kSmallerHit)),
-            "<mrow><mn>2</mn><mo>&#x2062;</mo><msqrt><mn>6</mn></msqrt></mrow>");
-  EXPECT_EQ(latex(hit.point(kLectureSphere, kSmallerHit)), R"(\left(3, 4, 3\right))");
-
-  const scene::Camera first{{8, 8, 100}, {8, 8, 54}, {0, 1, 0}, -30, -75, -30, 30, -20, 20, 2, 2};
-  const ClosedFormRay corner(first, {}, {0, 0});
-  EXPECT_EQ(
-      latex(corner.direction()),
-      R"(\left(-\frac{3 \sqrt{22}}{22}, -\frac{\sqrt{22}}{11}, -\frac{3 \sqrt{22}}{22}\right))");
-  const scene::Camera optical{{8, 8, 100}, {8, 8, 54}, {0, 1, 0}, -30, -75, -20, 20, 20, -20, 3, 3};
-  EXPECT_EQ(latex(ClosedFormRay(optical, {}, {1, 1}).direction()), R"(\left(0, 0, -1\right))");
-}
-
 TEST(Typeset, keeps_nested_roots_and_their_coefficients) {
   const ClosedForm three{{{.numerator = {"3"}}}};
   const ClosedForm sum{{{.radicands = {{{{.numerator = {"2"}}}}}}, {.negative = true}}};

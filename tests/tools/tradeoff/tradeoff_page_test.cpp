@@ -29,9 +29,7 @@ tools::TradeoffReport small_report() {
   return run_tradeoff(options);
 }
 
-TEST(TradeoffPage, HasEverySourceAndAllTogether) {
-  const tools::TradeoffReport report = small_report();
-  const json chart = json::parse(document_json(tradeoff_document(report)))["chart"];
+void expect_every_source_and_all_together(const json& chart) {
   ASSERT_EQ(chart["facets"].size(), 3u);
   EXPECT_EQ(chart["facets"][0]["subject"], "distance, rays");
   EXPECT_EQ(chart["facets"][1]["subject"], "distance");
@@ -46,9 +44,7 @@ TEST(TradeoffPage, HasEverySourceAndAllTogether) {
   }
 }
 
-TEST(TradeoffPage, TellsWhatTheReportTells) {
-  const tools::TradeoffReport report = small_report();
-  const json all = json::parse(document_json(tradeoff_document(report)))["chart"]["facets"][0];
+void expect_what_the_report_tells(const json& all, const tools::TradeoffReport& report) {
   ASSERT_EQ(all["quantities"][0]["name"], "parameter");
   for (std::size_t k = 0; k < report.intersections.size(); ++k) {
     const tools::MethodCost& cost = report.intersections[k];
@@ -64,9 +60,7 @@ TEST(TradeoffPage, TellsWhatTheReportTells) {
 }
 
 /// Of the same cases: none is lost between severities, and none counted twice.
-TEST(TradeoffPage, SplitsASourceBySeverity) {
-  const json chart = json::parse(document_json(tradeoff_document(small_report())))["chart"];
-  const json& facet = chart["facets"][1];
+void expect_source_split_by_severity(const json& facet) {
   for (const json& series : facet["series"]) {
     std::uint64_t decisions = 0;
     double largest = 0;
@@ -85,8 +79,13 @@ TEST(TradeoffPage, SplitsASourceBySeverity) {
   EXPECT_GT(points[9]["errors"][0]["at"][0], 1000 * points[2]["errors"][0]["at"][0].get<double>());
 }
 
-TEST(TradeoffPage, MarksTheFrontOfThoseWithoutDefects) {
-  const json chart = json::parse(document_json(tradeoff_document(small_report())))["chart"];
+TEST(TradeoffPage, TellsWhatTheReportTellsOfEverySource) {
+  const tools::TradeoffReport report = small_report();
+  const json chart = json::parse(document_json(tradeoff_document(report)))["chart"];
+  expect_every_source_and_all_together(chart);
+  expect_what_the_report_tells(chart["facets"][0], report);
+  expect_source_split_by_severity(chart["facets"][1]);
+  // The front is of those without defects.
   const json& series = chart["facets"][1]["series"];
   EXPECT_GT(series[0]["points"][0]["defects"], 0);  // the textbook on far spheres
   EXPECT_EQ(series[0]["points"][0]["errors"][0]["front"][3], false);

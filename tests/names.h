@@ -1,0 +1,33 @@
+#ifndef RAYCHECK_TESTS_NAMES_H_
+#define RAYCHECK_TESTS_NAMES_H_
+
+// How tests of each of a list are called: by its names.
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <string>
+#include <vector>
+
+namespace raycheck {
+
+/// As GoogleTest takes it.
+inline std::string identifier(std::string_view name) {
+  std::string result(name);
+  std::replace(result.begin(), result.end(), '-', '_');
+  return result;
+}
+inline std::string by_name(const testing::TestParamInfo<std::string>& the_test) {
+  return identifier(the_test.param);
+}
+
+template <class List>
+std::vector<std::string> names_of(const List& list) {
+  std::vector<std::string> names;
+  for (const auto& one : list) names.emplace_back(one.name);
+  return names;
+}
+
+}  // namespace raycheck
+
+#endif  // RAYCHECK_TESTS_NAMES_H_
