@@ -9,7 +9,7 @@
 
 #include "reference/error_measure.h"
 #include "reference/exact_ray.h"
-#include "tests/reference/changed_choice.h"
+#include "tests/reference/account/changed_choice.h"
 #include "tests/reference/random_cases.h"
 
 namespace raycheck::reference {

@@ -16,10 +16,6 @@ std::filesystem::path folder() {
 
 LoadedScene example(const std::string& name) { return load_scene(folder() / name); }
 
-Camera lecture_view(std::int64_t width, std::int64_t height) {
-  return {{8, 8, 100}, {8, 8, 54}, {0, 1, 0}, -30, -75, -20, 20, 20, -20, width, height};
-}
-
 Camera wide_view(std::int64_t width, std::int64_t height) {
   return {{8, 8, 90}, {8, 8, 54}, {0, 1, 0}, -20, -65, -8, 8, 4.5, -4.5, width, height};
 }

@@ -1,5 +1,5 @@
-#ifndef RAYCHECK_TESTS_REFERENCE_CHANGED_CHOICE_H_
-#define RAYCHECK_TESTS_REFERENCE_CHANGED_CHOICE_H_
+#ifndef RAYCHECK_TESTS_REFERENCE_ACCOUNT_CHANGED_CHOICE_H_
+#define RAYCHECK_TESTS_REFERENCE_ACCOUNT_CHANGED_CHOICE_H_
 
 // What a given ray meets first at changed inputs, in rational arithmetic.
 
@@ -99,4 +99,4 @@ class ChangedChoice {
 
 }  // namespace raycheck::reference
 
-#endif  // RAYCHECK_TESTS_REFERENCE_CHANGED_CHOICE_H_
+#endif  // RAYCHECK_TESTS_REFERENCE_ACCOUNT_CHANGED_CHOICE_H_

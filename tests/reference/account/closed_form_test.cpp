@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-#include "tests/reference/closed_form_value.h"
+#include "tests/reference/account/closed_form_value.h"
 #include "tests/reference/random_cases.h"
 
 namespace raycheck::reference {

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "reference/account/condition.h"
-#include "tests/reference/condition_cases.h"
+#include "tests/reference/account/condition_cases.h"
 #include "tests/reference/random_cases.h"
 
 namespace raycheck::reference {

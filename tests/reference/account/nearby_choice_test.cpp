@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-#include "tests/reference/changed_choice.h"
+#include "tests/reference/account/changed_choice.h"
 #include "tests/reference/random_cases.h"
 
 namespace raycheck::reference {

@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "reference/account/condition.h"
-#include "tests/reference/condition_cases.h"
+#include "tests/reference/account/condition_cases.h"
 #include "tests/reference/lecture_formulas.h"
 #include "tests/reference/random_cases.h"
 
@@ -15,7 +15,6 @@ namespace {
 
 using scene::Sphere;
 
-std::array<Big, 3> coordinates_of(const Big3& v) { return {v.x, v.y, v.z}; }
 Big sum_of_sizes(const Big3& v) { return abs(v.x) + abs(v.y) + abs(v.z); }
 
 void expect_ray_stages(const RayStageConditions& got, const LectureRay& ray, const Big3& E,

@@ -1,10 +1,11 @@
-#ifndef RAYCHECK_TESTS_REFERENCE_CONDITION_CASES_H_
-#define RAYCHECK_TESTS_REFERENCE_CONDITION_CASES_H_
+#ifndef RAYCHECK_TESTS_REFERENCE_ACCOUNT_CONDITION_CASES_H_
+#define RAYCHECK_TESTS_REFERENCE_ACCOUNT_CONDITION_CASES_H_
 
 // What the tests of condition numbers share.
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 #include <limits>
 #include <string>
@@ -13,6 +14,8 @@
 #include "tests/reference/big_float.h"
 
 namespace raycheck::reference {
+
+inline std::array<Big, 3> coordinates_of(const Big3& v) { return {v.x, v.y, v.z}; }
 
 inline constexpr double kUnbounded = std::numeric_limits<double>::infinity();
 
@@ -40,4 +43,4 @@ inline void expect_same_condition(double one, double other, const std::string& w
 
 }  // namespace raycheck::reference
 
-#endif  // RAYCHECK_TESTS_REFERENCE_CONDITION_CASES_H_
+#endif  // RAYCHECK_TESTS_REFERENCE_ACCOUNT_CONDITION_CASES_H_

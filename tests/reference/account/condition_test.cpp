@@ -7,7 +7,7 @@
 #include <array>
 #include <cmath>
 
-#include "tests/reference/condition_cases.h"
+#include "tests/reference/account/condition_cases.h"
 #include "tests/reference/random_cases.h"
 
 namespace raycheck::reference {
@@ -16,7 +16,6 @@ namespace {
 using scene::Ray;
 using scene::Sphere;
 
-std::array<Big, 3> coordinates_of(const Big3& v) { return {v.x, v.y, v.z}; }
 Big3 axis(int k) { return {Big(k == 0 ? 1 : 0), Big(k == 1 ? 1 : 0), Big(k == 2 ? 1 : 0)}; }
 
 /// sum |dq/dx| |x| over |q|; infinite as condition numbers are.
