@@ -84,6 +84,7 @@ std::vector<Command> make_program(CLI::App& program) {
 }
 
 int run_command_line(int argc, char** argv) {
+  hold_standard_streams();
   catch_signals();
   CLI::App app;
   const std::vector<Command> commands = make_program(app);
@@ -118,6 +119,9 @@ int run_command_line(int argc, char** argv) {
     return kExitOfSignal + SIGPIPE;
   } catch (const scene::Interrupted&) {  // the reader of a report did not wait for it
     return exit_code(true, false, false);
+  } catch (const std::exception& error) {  // help, or what an interrupt left, was not written
+    print_error(fmt::format("raycheck: {}\n", error.what()));
+    return kExitBadInput;
   }
 }
 
