@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <charconv>
-#include <iterator>
 #include <map>
 #include <stdexcept>
 #include <utility>
@@ -159,6 +158,8 @@ bool is_answered(const Law& law) { return law.judges_values && law.per == proper
 class Verification {
  public:
   explicit Verification(const VerifyOptions& options) : options_(options) {
+    report_.source = options.source;
+    report_.seed = options.seed;
     report_.top = options.top;
     report_.strict = options.strict;
     report_.cases_asked = options.cases;
@@ -218,11 +219,6 @@ class Verification {
       }
       count_cases_missing();
     }
-    for (const properties::Discrepancy& one : report_.candidate.verdict.worst(report_.top)) {
-      const std::size_t ray = one.place.ray;
-      const auto& [first, number] = *std::prev(first_rays_.upper_bound(ray));
-      report_.ids[ray] = fmt::format("{}:{}", id(number), ray - first);
-    }
     report_.candidate.name = "the answers";
     report_.candidate.contestant = External{};
     return std::move(report_);
@@ -255,24 +251,8 @@ class Verification {
     for (const Law& law : properties::laws()) {
       if (is_answered(law)) all.merge(apply(law, trial));
     }
-    all.shift_rays(rays_);
-    if (all.discrepancies() > 0) remember(number);
+    all.shift_rays(number * kMostRays);
     report_.candidate.verdict.merge(std::move(all));
-    rays_ += answered.rays();
-  }
-
-  /// Where the rays of a case with discrepancies begin. Of what the verdict keeps no longer, it is
-  /// forgotten.
-  void remember(std::uint64_t number) {
-    constexpr std::size_t kMostRemembered = 4 * properties::kKeptDiscrepancies;
-    if (first_rays_.size() >= kMostRemembered) {
-      std::map<std::size_t, std::uint64_t> kept;
-      for (const auto& one : report_.candidate.verdict.worst(kMostRemembered)) {
-        kept.insert(*std::prev(first_rays_.upper_bound(one.place.ray)));
-      }
-      first_rays_ = std::move(kept);
-    }
-    first_rays_.emplace(rays_, number);
   }
 
   void name_missing(std::uint64_t number, const AnsweredCase& answered) {
@@ -292,11 +272,13 @@ class Verification {
   std::map<std::uint64_t, AnsweredCase> open_;  ///< Of which not every question is answered yet.
   std::size_t waiting_ = 0;                     ///< Their answers.
   std::vector<bool> judged_;
-  std::size_t rays_ = 0;  ///< Of the cases judged.
-  std::map<std::size_t, std::uint64_t> first_rays_;
 };
 
 }  // namespace
+
+std::string VerifyReport::ray_id(std::size_t ray) const {
+  return fmt::format("{}:{}", case_id(source, seed + ray / kMostRays), ray_in_case(ray));
+}
 
 VerifyReport verify(const ReadMore& answers, const VerifyOptions& options,
                     const properties::RunControl& control) {
