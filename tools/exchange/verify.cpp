@@ -11,6 +11,7 @@
 #include "properties/laws/law.h"
 #include "scene/interruption.h"
 #include "scene/number.h"
+#include "scene/text.h"
 #include "tools/exchange/generate.h"
 
 namespace raycheck::tools {
@@ -44,12 +45,15 @@ std::vector<std::string_view> split(std::string_view text, std::string_view at) 
   }
 }
 
+/// Of a line, in an error.
+std::string quoted(std::string_view text) { return fmt::format("'{}'", scene::visible_line(text)); }
+
 template <class Integer>
 Integer integer(std::string_view text, int base) {
   Integer value = 0;
   const auto [at, error] = std::from_chars(text.data(), text.data() + text.size(), value, base);
   if (error != std::errc() || at != text.data() + text.size()) {
-    throw std::invalid_argument(fmt::format("'{}' is not a whole number", text));
+    throw std::invalid_argument(quoted(text) + " is not a whole number");
   }
   return value;
 }
@@ -57,7 +61,7 @@ Integer integer(std::string_view text, int base) {
 /// A number in a format: the decimals of a float name it, not a double.
 double number(std::string_view text, scene::Precision precision) {
   const auto value = scene::parse_number(text);
-  if (!value) throw std::invalid_argument(fmt::format("'{}' is not a number", text));
+  if (!value) throw std::invalid_argument(quoted(text) + " is not a number");
   return scene::rounded_to(precision, *value);
 }
 
@@ -74,8 +78,7 @@ Answer parse_answer(std::string_view line, scene::Precision precision) {
   answer.id = found.front();
   const auto id = split(answer.id, ":");
   if (id.size() != 4) {
-    throw std::invalid_argument(
-        fmt::format("'{}' is no id, which is SOURCE:SEED:RAY:SPHERE", answer.id));
+    throw std::invalid_argument(quoted(answer.id) + " is no id, which is SOURCE:SEED:RAY:SPHERE");
   }
   answer.source = id[0];
   answer.seed = id[1];
@@ -173,8 +176,8 @@ class Verification {
                           integer<std::size_t>(answer.sphere, 10));
     if (number >= options_.cases ||
         answer.id != fmt::format("{}:{}:{}", id(number), place.first, place.second)) {
-      throw std::invalid_argument(fmt::format("'{}' was not asked: the cases are {} to {}",
-                                              answer.id, id(0), id(options_.cases - 1)));
+      throw std::invalid_argument(fmt::format("{} was not asked: the cases are {} to {}",
+                                              quoted(answer.id), id(0), id(options_.cases - 1)));
     }
     if (number < judged_.size() && judged_[number]) {
       throw std::invalid_argument("it is answered twice");
@@ -183,14 +186,14 @@ class Verification {
     if (at == open_.end()) {
       auto asked = case_asked(options_.source, seed(number), options_.precision);
       if (!asked) {
-        throw std::invalid_argument(fmt::format("there is no such question: '{}'", answer.id));
+        throw std::invalid_argument("there is no such question: " + quoted(answer.id));
       }
       at = open_.emplace(number, AnsweredCase(*std::move(asked))).first;
       ++report_.cases;
     }
     AnsweredCase& of = at->second;
     if (place.first >= of.rays() || place.second >= of.spheres()) {
-      throw std::invalid_argument(fmt::format("there is no such question: '{}'", answer.id));
+      throw std::invalid_argument("there is no such question: " + quoted(answer.id));
     }
     if (!of.hits.emplace(place, answer.hit).second) {
       throw std::invalid_argument("it is answered twice");
