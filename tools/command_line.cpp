@@ -10,6 +10,7 @@
 #include <new>
 #include <nlohmann/json.hpp>
 #include <sstream>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -41,6 +42,19 @@ int end_without_report(const CLI::App& command) {
   return exit_code(true, false, false);
 }
 
+/// What is said of an error. Libraries name fields; where that is one of an option, the option is
+/// named.
+std::string said_of(const std::exception& error, const CLI::App& command) {
+  if (dynamic_cast<const std::bad_alloc*>(&error) != nullptr) {
+    return command.get_name() + ": takes more memory than there is for it";
+  }
+  const std::string text = error.what();
+  const std::size_t end = std::min({text.find(' '), text.find(": "), text.size()});
+  const bool is_option = dynamic_cast<const std::invalid_argument*>(&error) != nullptr &&
+                         command.get_option_no_throw("--" + text.substr(0, end)) != nullptr;
+  return is_option ? "--" + text : text;
+}
+
 /// What a command comes to, whatever it throws.
 int outcome_of(const Command& command) {
   const std::function<bool()> is_interrupted = interrupted;
@@ -53,10 +67,7 @@ int outcome_of(const Command& command) {
   } catch (const std::exception& error) {
     // Of what a signal cut short, errors say nothing.
     if (interrupted()) return end_without_report(*command.app);
-    const bool needs_memory = dynamic_cast<const std::bad_alloc*>(&error) != nullptr;
-    print_error(needs_memory ? fmt::format("raycheck: {}: takes more memory than there is for it\n",
-                                           command.app->get_name())
-                             : fmt::format("raycheck: {}\n", error.what()));
+    print_error(fmt::format("raycheck: {}\n", said_of(error, *command.app)));
     return kExitBadInput;
   }
 }
