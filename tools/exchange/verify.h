@@ -44,7 +44,7 @@ struct VerifyReport {
   std::vector<std::string> cases_missing;    ///< The first ones without any answer.
   std::uint64_t questions_missing = 0;       ///< Of cases with some.
   std::vector<std::string> questions_named;  ///< The first of those.
-  properties::ChosenSource source;  ///< As in the options.
+  properties::ChosenSource source;           ///< As in the options.
   std::uint64_t seed = 0;
   /// In its verdict ray k of the n-th case, from 0 on, is ray n * kMostRays + k, whichever case was
   /// answered first.

@@ -143,8 +143,8 @@ Baseline parse_baseline(std::string_view text) {
       }
       if (line.starts_with(kEarlier)) {
         throw std::invalid_argument(
-            "it is of an earlier form, which named candidates as they were typed; remove the file, "
-            "and make it anew by --update-baseline");
+            "it is of an earlier form, which named candidates as they were typed; remove the file "
+            "and update the baseline, which makes it anew");
       }
       add_line(baseline, line);
     } catch (const std::invalid_argument& error) {
