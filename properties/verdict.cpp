@@ -150,10 +150,19 @@ std::vector<Discrepancy> Verdict::failures(bool strictly) const {
 }
 
 std::vector<DefectKind> Verdict::defects(bool strictly) const {
+  return kinds_of([strictly](const Discrepancy& one) { return is_held_against(one, strictly); });
+}
+
+std::vector<DefectKind> Verdict::undecided() const {
+  return kinds_of(
+      [](const Discrepancy& one) { return one.excuse.standing() == Standing::kUndecided; });
+}
+
+std::vector<DefectKind> Verdict::kinds_of(
+    const std::function<bool(const Discrepancy&)>& is_meant) const {
   std::set<DefectKind> kinds;
-  for (const Discrepancy& discrepancy : kept_) {
-    if (is_held_against(discrepancy, strictly))
-      kinds.insert({discrepancy.quantity, discrepancy.wrong});
+  for (const Discrepancy& one : kept_) {
+    if (is_meant(one)) kinds.insert({one.quantity, one.wrong});
   }
   return {kinds.begin(), kinds.end()};
 }

@@ -142,6 +142,8 @@ class Verdict {
                                                              bool wants_hits = false) const;
   /// The kinds of those kept that break the law, each once, in order.
   std::vector<DefectKind> defects(bool strictly = false) const;
+  /// The kinds of those kept that are left undecided.
+  std::vector<DefectKind> undecided() const;
   /// Of those kept that break the law, the failures, each line once: of the ones at no known line
   /// the first.
   std::vector<Discrepancy> failures(bool strictly = false) const;
@@ -149,6 +151,7 @@ class Verdict {
 
  private:
   void prune();
+  std::vector<DefectKind> kinds_of(const std::function<bool(const Discrepancy&)>& is_meant) const;
 
   std::string_view law_;
   std::string left_out_;

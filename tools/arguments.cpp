@@ -137,11 +137,12 @@ const CLI::Validator kGiven(
     "", "given");
 
 std::vector<MethodPair> chosen_methods(const std::string& rays_name,
-                                       const std::vector<std::string>& intersect) {
+                                       const std::vector<std::string>& intersect,
+                                       const char* field) {
   const auto& rays = rays_name.empty() ? *kDefaultMethods.rays : find_rays(rays_name);
   std::vector<MethodPair> pairs;
   for (const std::string& name : intersect) {
-    const MethodPair pair = {&rays, &find_intersect(name)};
+    const MethodPair pair = {&rays, &find_intersect(name, field)};
     if (std::find(pairs.begin(), pairs.end(), pair) == pairs.end()) pairs.push_back(pair);
   }
   if (pairs.empty()) pairs.push_back({&rays, kDefaultMethods.intersect});

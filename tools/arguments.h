@@ -50,9 +50,10 @@ extern const CLI::Validator kGiven;
 /// The most of --cases and --steps.
 inline constexpr std::uint64_t kMostCases = 1'000'000'000;
 
-/// The pairs of methods asked for by --rays and --intersect.
+/// The pairs of methods asked for by --rays and --intersect, or what the latter is called.
 std::vector<MethodPair> chosen_methods(const std::string& rays,
-                                       const std::vector<std::string>& intersect);
+                                       const std::vector<std::string>& intersect,
+                                       const char* field = "intersect");
 
 /// What --sandbox and --i-know are given; the default is the command's.
 struct SandboxArguments {

@@ -9,6 +9,7 @@
 #include <functional>
 #include <new>
 #include <sstream>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -38,6 +39,19 @@ int end_without_report(const CLI::App& command) {
   return exit_code(true, false, false);
 }
 
+/// What is said of an error. Libraries name fields; where that is one of an option, the option is
+/// named.
+std::string said_of(const std::exception& error, const CLI::App& command) {
+  if (dynamic_cast<const std::bad_alloc*>(&error) != nullptr) {
+    return command.get_name() + ": takes more memory than there is for it";
+  }
+  const std::string text = error.what();
+  const std::size_t end = std::min({text.find(' '), text.find(": "), text.size()});
+  const bool is_option = dynamic_cast<const std::invalid_argument*>(&error) != nullptr &&
+                         command.get_option_no_throw("--" + text.substr(0, end)) != nullptr;
+  return is_option ? "--" + text : text;
+}
+
 /// What a command comes to, whatever it throws.
 int outcome_of(const Command& command) {
   const std::function<bool()> is_interrupted = interrupted;
@@ -50,10 +64,7 @@ int outcome_of(const Command& command) {
   } catch (const std::exception& error) {
     // Of what a signal cut short, errors say nothing.
     if (interrupted()) return end_without_report(*command.app);
-    const bool needs_memory = dynamic_cast<const std::bad_alloc*>(&error) != nullptr;
-    print_error(needs_memory ? fmt::format("raycheck: {}: takes more memory than there is for it\n",
-                                           command.app->get_name())
-                             : fmt::format("raycheck: {}\n", error.what()));
+    print_error(fmt::format("raycheck: {}\n", said_of(error, *command.app)));
     return kExitBadInput;
   }
 }
@@ -84,6 +95,7 @@ std::vector<Command> make_program(CLI::App& program, std::span<const LinkedComma
 }
 
 int run_command_line(int argc, char** argv, std::span<const LinkedCommand> linked) {
+  hold_standard_streams();
   catch_signals();
   CLI::App app;
   const std::vector<Command> commands = make_program(app, linked);
@@ -118,6 +130,9 @@ int run_command_line(int argc, char** argv, std::span<const LinkedCommand> linke
     return kExitOfSignal + SIGPIPE;
   } catch (const scene::Interrupted&) {  // the reader of a report did not wait for it
     return exit_code(true, false, false);
+  } catch (const std::exception& error) {  // help, or what an interrupt left, was not written
+    print_error(fmt::format("raycheck: {}\n", error.what()));
+    return kExitBadInput;
   }
 }
 

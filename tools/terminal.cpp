@@ -1,5 +1,6 @@
 #include "tools/terminal.h"
 
+#include <fcntl.h>
 #include <fmt/core.h>
 #include <poll.h>
 #include <unistd.h>
@@ -47,6 +48,13 @@ bool is_ready(int descriptor, short events) {
 }
 
 }  // namespace
+
+void hold_standard_streams() {
+  for (int descriptor = STDIN_FILENO; descriptor <= STDERR_FILENO; ++descriptor) {
+    // open() takes the least number that is free.
+    if (fcntl(descriptor, F_GETFD) < 0) open("/", O_PATH);
+  }
+}
 
 void catch_signals() {
   struct sigaction action {};

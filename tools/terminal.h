@@ -10,6 +10,10 @@
 
 namespace raycheck::tools {
 
+/// Gives descriptors 0, 1 and 2 that are closed to what can be neither read nor written, so that no
+/// file takes the number of a standard stream: the first call of a program.
+void hold_standard_streams();
+
 /// From now on SIGINT, SIGTERM and SIGHUP raise a flag instead of ending the program, and a pipe
 /// that closes makes writing fail. A second SIGINT ends it; of the others terminals and services
 /// send several. A SIGHUP that is ignored (nohup) stays so.

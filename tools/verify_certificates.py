@@ -5,7 +5,7 @@ usage: verify_certificates.py FILE...          (docs/certificates.md describes t
 
 Everything is recomputed from the integers of the inputs; what a certificate states is only compared
 with it. Ends with 0 when nothing is refuted, with 1 when something is, with 2 on a file that cannot
-be read.
+be read, or at its first line that is no certificate.
 """
 
 import json
@@ -41,6 +41,178 @@ class Undecided(Refuted):
 def require(fact, what):
     if not fact:
         raise Refuted(what)
+
+
+class Malformed(Exception):
+    """A line is no certificate."""
+
+
+# What a line has to be before anything is computed of it: each shape is a function of a value and
+# of where that is, which raises Malformed. Keys that no shape names are not looked at.
+
+LONGEST = 4000  # digits: products of four doubles have fewer
+EXPONENTS = range(-1074, 1024)  # of doubles
+BRACKET_EXPONENTS = range(-(2**14), 2**14)  # of products of four doubles, and of roots, to more bits
+PLAIN_DIGITS = 16  # of integers that are no strings: up to 2^53
+WORDS = ("nan", "inf", "-inf", SOME_SPHERE)  # in place of a number
+
+
+def leaf(holds, what):
+    def shape(value, where):
+        if not holds(value):
+            raise Malformed(f"{where} is not {what}")
+
+    return shape
+
+
+def or_null(inner):
+    return lambda value, where: value is None or inner(value, where)
+
+
+def every(inner, count=None):
+    def shape(value, where):
+        if not isinstance(value, list) or count not in (None, len(value)):
+            raise Malformed(f"{where} is not a list" + ("" if count is None else f" of {count}"))
+        for k, each in enumerate(value):
+            inner(each, f"{where}[{k}]")
+
+    return shape
+
+
+def fields(required, optional={}):
+    def shape(value, where):
+        if not isinstance(value, dict):
+            raise Malformed(f"{where} is not an object")
+        for name, inner in {**required, **optional}.items():
+            if name in value:
+                inner(value[name], f"{where}.{name}")
+            elif name in required:
+                raise Malformed(f"{where}.{name} is missing")
+
+    return shape
+
+
+def is_integer(x):
+    digits = x[x.startswith("-") :] if isinstance(x, str) else ""
+    of_digits = digits.isascii() and digits.isdecimal() and len(digits) <= LONGEST
+    return type(x) is int or of_digits
+
+
+def is_double(x):
+    is_pair = isinstance(x, list) and len(x) == 2 and all(type(each) is int for each in x)
+    return is_pair and x[1] in EXPONENTS
+
+
+def is_bracket(x):
+    is_triple = isinstance(x, list) and len(x) == 3 and all(map(is_integer, x))
+    return is_triple and type(x[2]) is int and x[2] in BRACKET_EXPONENTS
+
+
+def is_share(x):
+    try:
+        return abs(float.fromhex(x)) < float("inf")
+    except (TypeError, ValueError, OverflowError):
+        return False
+
+
+def is_amount(x):
+    return type(x) in (int, float) and 0 <= x < float("inf")
+
+
+text = leaf(lambda x: isinstance(x, str), "a text")
+whole = leaf(lambda x: type(x) is int, "a whole number")
+amount = leaf(is_amount, "a finite number from 0 on")
+error = leaf(lambda x: is_amount(x) or x == "infinity", 'a number from 0 on or "infinity"')
+double = leaf(is_double, "[integer, exponent] of a double")
+bracket_ends = leaf(is_bracket, "[low, high, exponent] of a bracket")
+answer = leaf(lambda x: x in WORDS or is_double(x), "[integer, exponent] of a double, or a word")
+triple, pixel = every(double, 3), every(whole, 2)
+TRIPLES = ("origin", "direction", "eye", "look_at", "up", "centre")  # inputs that may change
+SINGLES = ("near", "left", "right", "bottom", "top", "radius")
+CAMERA = fields(
+    {"eye": triple, "look_at": triple, "up": triple},
+    {**dict.fromkeys(SINGLES[:5], double), "width": whole, "height": whole},
+)
+INPUTS = fields(
+    {},
+    {
+        "ray": fields({"origin": triple, "direction": triple}),
+        "camera": CAMERA,
+        "pixel": pixel,
+        "spheres": every(fields({"centre": triple, "radius": double})),
+    },
+)
+MEETING = fields(
+    {"discriminant": bracket_ends, "root": or_null(text)},
+    dict.fromkeys(("c", "b", "s", "other_s"), bracket_ends),
+)
+ROOTS = ("|E - A|", "|up x (E - A)|", "|P - E|")
+PROOF = fields(
+    {},
+    {
+        "roots": fields({}, dict.fromkeys(ROOTS, bracket_ends)),
+        "spheres": every(MEETING),
+        "norms": every(bracket_ends),
+    },
+)
+WITNESS = every(fields({"input": text, "share": leaf(is_share, "a finite hexadecimal float")}))
+EXCUSE = fields({"kind": text}, {"amount": or_null(error), "witness": or_null(WITNESS)})
+QUANTITIES = {  # and of how many numbers an answer is
+    **dict.fromkeys(("class", "nearest sphere"), (0, 1)),
+    **dict.fromkeys(("root", "parameter", "backward error"), (1,)),
+    **dict.fromkeys(("frame", "pixel point", "ray origin", "direction", "unit defect"), (3,)),
+    **dict.fromkeys(("hit point", "sphere residual", "ray residual"), (3,)),
+    "orthonormality": (9,),
+}
+CERTIFIED = fields(
+    {
+        "quantity": leaf(lambda x: x in QUANTITIES, "one that can be certified"),
+        "inputs": INPUTS,
+        "proof": PROOF,
+    }
+)
+CERTIFICATE = fields(
+    {
+        **dict.fromkeys(("method", "quantity", "unit", "what"), text),
+        "precision": leaf(lambda x: x in tuple(FORMATS), "one of " + ", ".join(FORMATS)),
+        "pixel": or_null(pixel),
+        **dict.fromkeys(("ray", "sphere"), or_null(whole)),
+        "wrong": or_null(text),
+        "excuse": or_null(EXCUSE),
+        "neighbourhood": or_null(amount),
+        "error": error,
+        **dict.fromkeys(("got", "exact"), every(answer)),
+        "conventions": fields(dict.fromkeys(CONVENTIONS, text)),
+        "certified": leaf(lambda x: isinstance(x, bool), "true or false"),
+    }
+)
+NOT_CERTIFIED = fields({"reason": text})
+
+
+def plain_integer(digits):
+    if len(digits.lstrip("-")) > PLAIN_DIGITS:
+        raise Malformed("an integer beyond 2^53 is not a string")
+    return int(digits)
+
+
+def certificate_of(line):
+    """What a line of a file says."""
+    try:
+        certificate = json.loads(line.decode("utf-8"), parse_int=plain_integer)
+    except UnicodeDecodeError:
+        raise Malformed("it is not UTF-8") from None
+    except ValueError as problem:
+        raise Malformed(f"it is not JSON: {problem}") from None
+    except RecursionError:
+        raise Malformed("it is nested too deeply") from None
+    CERTIFICATE(certificate, "certificate")
+    if not certificate["certified"]:
+        NOT_CERTIFIED(certificate, "certificate")
+    else:
+        CERTIFIED(certificate, "certificate")
+        if len(certificate["got"]) not in QUANTITIES[certificate["quantity"]]:
+            raise Malformed("certificate.got has more or fewer numbers than the quantity")
+    return certificate
 
 
 def number(pair):
@@ -240,7 +412,12 @@ def camera_ray(camera, pixel, conventions, root):
 
 def stated_roots(proof):
     """The square roots of a camera, as a certificate states them."""
-    return lambda name, square: square_root(proof["roots"][name], square)
+
+    def root(name, square):
+        require(name in proof.get("roots", {}), f"the bracket of {name} is missing")
+        return square_root(proof["roots"][name], square)
+
+    return root
 
 
 def ray_of(inputs, conventions, root):
@@ -469,12 +646,10 @@ def named_inputs(inputs, of_many_spheres):
     places = {}
     for prefix, holder in holders:
         for key, value in holder.items():
-            if not isinstance(value, list):  # a count of pixels
-                continue
-            if isinstance(value[0], list):
+            if key in TRIPLES:
                 for k, axis in enumerate("xyz"):
                     places[f"{prefix}{key}.{axis}"] = (value, k)
-            else:
+            elif key in SINGLES:
                 places[prefix + key] = (holder, key)
     return places
 
@@ -936,7 +1111,7 @@ def confirm_standing(certificate, ray):
         is_choice = certificate["quantity"] == "nearest sphere"
         try:
             return PROVED if not is_choice and is_right_nowhere(certificate, ray) else NOT_PROVED
-        except (Refuted, OverflowError):  # so wide that a camera of it may have no axes, say
+        except (Refuted, ArithmeticError):  # so wide that a camera of it may have no axes, say
             return NOT_PROVED
     if excuse["kind"] != "witness":
         return None
@@ -997,23 +1172,38 @@ def judge(certificate):
         return "confirmed", "", confirm(certificate)
     except Refuted as reason:
         return "REFUTED", str(reason), None
-    except (ArithmeticError, AttributeError, LookupError, TypeError, ValueError) as error:
-        return "REFUTED", f"malformed: {error!r}", None
+    except ArithmeticError as problem:
+        return "REFUTED", f"its numbers cannot be computed with: {problem}", None
+    except (AttributeError, LookupError, TypeError, ValueError):
+        raise Malformed("it has not what a proof of its quantity takes") from None
+
+
+def visible(text):
+    """The text, in which nothing acts on a terminal."""
+    return "".join(c if c.isprintable() else ascii(c)[1:-1] for c in text)
+
+
+def certificates_in(path):
+    with open(path, "rb") as file:
+        for at, line in enumerate(file, 1):
+            try:
+                certificate = certificate_of(line)
+                yield certificate, judge(certificate)
+            except Malformed as problem:
+                raise Malformed(f"{path}:{at}: {problem}") from None
 
 
 def main(paths):
     counts = {"confirmed": 0, "REFUTED": 0, "not certified": 0}
     decisions = {BY_WITNESS: 0, PROVED: 0, NOT_PROVED: 0}
     for path in paths:
-        with open(path, encoding="utf-8") as file:
-            for certificate in map(json.loads, file):
-                state, why, standing = judge(certificate)
-                counts[state] += 1
-                text = f"{state}  {title(certificate)}" + (f": {why}" if why else "")
-                if standing:
-                    decisions[standing] += 1
-                    text += f"; {standing}"
-                print(text)
+        for certificate, (state, why, standing) in certificates_in(path):
+            counts[state] += 1
+            text = f"{state}  {title(certificate)}" + (f": {why}" if why else "")
+            if standing:
+                decisions[standing] += 1
+                text += f"; {standing}"
+            print(visible(text))
     print(", ".join(f"{count} {state.lower()}" for state, count in counts.items()))
     if any(decisions.values()):
         parts = (f"{count} {standing}" for standing, count in decisions.items() if count)
@@ -1026,7 +1216,10 @@ if __name__ == "__main__":
         print(__doc__, file=sys.stderr)
         sys.exit(2)
     try:
+        if sys.stdout is None:
+            raise OSError("standard output is closed")
+        sys.stdout.reconfigure(errors="backslashreplace")  # of what its encoding has not
         sys.exit(main(sys.argv[1:]))
-    except (OSError, ValueError, KeyError) as problem:
-        print(f"verify_certificates.py: {problem!r}", file=sys.stderr)
+    except (Malformed, OSError) as problem:
+        print(f"verify_certificates.py: {visible(str(problem))}", file=sys.stderr)
         sys.exit(2)

@@ -166,6 +166,7 @@ CampaignAnswer ask(const Law& law, const Candidate& candidate, const Asking& ask
   } catch (const scene::Interrupted&) {
     // What was judged before counts.
   }
+  if (!asking.strict) part.undecided = part.verdict.undecided();
   return answer;
 }
 

@@ -58,6 +58,7 @@ struct CampaignPart {
   std::string replay;
   std::vector<DefectKind> defects;    ///< What that case shows,
   std::vector<Discrepancy> failures;  ///< and of that where it got no answer (Verdict::failures).
+  std::vector<DefectKind> undecided;  ///< What is left undecided of all its cases.
 
   bool is_broken() const { return !replay.empty(); }
 };

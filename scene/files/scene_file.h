@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "scene/scene.h"
+#include "scene/text.h"
 
 namespace raycheck::scene {
 
@@ -27,7 +28,7 @@ constexpr std::string_view name(Dialect dialect) {
 /// A file that cannot be read as a scene; what() names file, line, field and value.
 class SceneFileError : public std::runtime_error {
  public:
-  using std::runtime_error::runtime_error;
+  explicit SceneFileError(const std::string& what) : std::runtime_error(visible(what)) {}
 };
 
 /// A scene, and what was odd in its file but did not keep it from being read.

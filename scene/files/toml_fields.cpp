@@ -101,8 +101,11 @@ std::int64_t TomlFields::integer(const Field& field, std::string_view meaning) c
 }
 
 std::string TomlFields::text(const Field& field) const {
-  if (const auto* text = field.node.as_string()) return text->get();
-  fail(field, "must be a text in quotes");
+  const auto* const text = field.node.as_string();
+  if (text == nullptr) fail(field, "must be a text in quotes");
+  // It would end there as a path, as a word of a command and in an error.
+  if (text->get().find('\0') != std::string::npos) fail(field, "must be without NUL");
+  return text->get();
 }
 
 bool TomlFields::flag(const Field& field) const {

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <CLI/CLI.hpp>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -76,6 +77,7 @@ TEST(HostileOptions, of_whole_numbers_take_no_octal_digits) {
   refused("generate --family rays --cases 0x10", "not '0x10'");
 }
 
+const std::string kTenSpheres = "scene/examples/ten-spheres.toml";
 const std::string kOfGivenRays = " scene/examples/lecture-examples.toml";
 
 TEST(HostileOptions, without_a_value_are_refused) {
@@ -87,6 +89,55 @@ TEST(HostileOptions, without_a_value_are_refused) {
   refused("check" + kOfGivenRays + " --candidate ''", "--candidate:" + without);
   refused("grade lecture7.toml --out ''", "--out:" + without);
   refused("rubric ''", "NAME:" + without);
+}
+
+/// What commands need to come to what an option says.
+const std::map<std::string, std::string> kNeeded = {
+    {"check", kTenSpheres},
+    {"explain", kTenSpheres + " --pixel 3,3"},
+    {"generate", "--family rays"},
+    {"grade", "lecture7.toml"},
+    {"image", kTenSpheres + " --what error --out /proc/x.png"},
+    {"list", ""},
+    {"plan", kTenSpheres},
+    {"properties", "--cases 1"},
+    {"rubric", "lecture7.toml"},
+    {"stress", "--cases 1"},
+    {"tradeoff", "--family distance --cases 1"},
+    {"try", "lecture7.toml README.md"},
+    {"verify", "--family rays"},
+    {"view", kTenSpheres + " --format json"},
+    {"worst", "--method intersect/cross --family rays --cases 1 --steps 1"}};
+
+/// The arguments without an option and its value.
+std::string without(const std::string& option, std::string arguments) {
+  const std::size_t at = arguments.find(option + " ");
+  if (at == std::string::npos) return arguments;
+  return arguments.erase(at, arguments.find(' ', at + option.size() + 1) - at);
+}
+
+/// A name of nothing, and a file that nobody can write.
+TEST(HostileOptions, are_called_in_errors_as_they_are_given) {
+  Program program;
+  int texts = 0;
+  for (const tools::Command& command : program.commands) {
+    for (const CLI::Option* const option : command.app->get_options()) {
+      const std::string name = option->get_name();
+      if (option->get_items_expected_max() == 0 || option->get_positional() ||
+          takes_a_number(*option) || name == "--picture-link") {  // any text
+        continue;
+      }
+      ++texts;
+      std::string needed = without(name, kNeeded.at(command.app->get_name()));
+      for (const CLI::Option* const with : option->get_needs()) {
+        if (with->get_name() != "--candidate") continue;
+        needed = without("--method", needed) +
+                 " --candidate 'command:python3 tests/candidates/right.py'";
+      }
+      refused(command.app->get_name() + " " + needed + " " + name + " '/proc/x y'", name);
+    }
+  }
+  EXPECT_GE(texts, 60);
 }
 
 TEST(HostileOptions, that_nothing_uses_are_refused) {
@@ -104,15 +155,15 @@ TEST(HostileOptions, that_nothing_uses_are_refused) {
 }
 
 TEST(HostileOptions, of_methods_take_all_alone) {
-  const std::string why = "method all: is every method; leave out the others";
+  const std::string why = "--method all: is every method; leave out the others";
   refused("stress --family distance --cases 1 --method distance,all", why);
   refused("tradeoff --cases 1 --method all,cross", why);
 }
 
 TEST(HostileOptions, of_severities_stay_in_the_range_of_a_family) {
   const std::string family = "stress --method cross --cases 1 --family distance --severity ";
-  refused(family + "1..2147483647", "severity 1..2147483647: the severities of distance are 0..");
-  refused(family + "9999", "severity 9999..9999: the severities of distance are 0..");
+  refused(family + "1..2147483647", "--severity 1..2147483647: the severities of distance are 0..");
+  refused(family + "9999", "--severity 9999..9999: the severities of distance are 0..");
   refused(family + "4294967296", "--severity 4294967296: give a whole number from 0 to 2147483647");
   refused(family + "-1", "--severity -1: give a whole number from 0");
 }
@@ -136,8 +187,9 @@ TEST(HostileOptions, of_files_are_tried_before_the_work) {
   refused("worst --method cross" + cases + "--save /proc/x.toml",
           "--save /proc/x.toml: cannot be written");
   refused("stress --family distance --method cross --cases 1000000000 --plot /proc/x.svg",
-          "plot /proc/x.svg: cannot be written");
-  refused("tradeoff --cases 1000000000 --plot /proc/x.svg", "plot /proc/x.svg: cannot be written");
+          "--plot /proc/x.svg: cannot be written");
+  refused("tradeoff --cases 1000000000 --plot /proc/x.svg",
+          "--plot /proc/x.svg: cannot be written");
 }
 
 }  // namespace

@@ -96,21 +96,47 @@ TEST(HostileKeywords, are_shown) {
   std::filesystem::remove(file);
 }
 
-TEST(HostileInput, that_has_no_end_is_refused) {
-  const auto refused = [](const std::string& arguments, const std::string& why) {
-    const Outcome outcome = run(arguments);
-    EXPECT_EQ(outcome.exit_code, 2) << arguments << outcome.out;
-    EXPECT_NE(outcome.err.find(why), std::string::npos) << arguments << "\n" << outcome.err;
+void refused_text(const std::string& arguments, const std::string& why) {
+  const Outcome outcome = run(arguments);
+  EXPECT_EQ(outcome.exit_code, 2) << arguments << outcome.out;
+  EXPECT_NE(outcome.err.find(why), std::string::npos) << arguments << "\n" << outcome.err;
+}
+
+/// A byte that ends texts elsewhere ends no sentence.
+TEST(HostileInput, with_a_nul_is_shown_in_whole_sentences) {
+  const auto file = [](const std::string& name, const std::string& text) {
+    const std::string path = temporary_file(name, text);
+    return "'" + path + "'";
   };
+  const std::string nul(1, '\0');
+  const auto answers = [&](const std::string& line) {
+    return "verify --family distance@3 --cases 2 <" + file("answers", line);
+  };
+  refused_text(answers("distance@3:1:0:0" + nul + "x miss\n"),
+               "line 1: '0\\x00x' is not a whole number\n");
+  refused_text(answers("distance@3:1:0:0 1" + nul + " 1 2 3\n"),
+               "line 1: '1\\x00' is not a number\n");
+  refused_text(answers("a" + nul + "b miss\n"),
+               "line 1: 'a\\x00b' is no id, which is SOURCE:SEED:RAY:SPHERE\n");
+  const std::string rubric =
+      contents(std::string(RAYCHECK_SOURCE_DIR) + "/tools/grade/rubrics/lecture7.toml");
+  refused_text("grade " + file("nul.toml", "bounds = \"cross\\u0000x\"\n" + rubric),
+               "nul.toml:1: bounds = \"cross\\x00x\": must be without NUL\n");
+  refused_text("check scene/examples/driver-b.txt --baseline " +
+                   file("known", "a; b; c; d; %4" + nul + "1\n"),
+               "line 1: '%4\\x00' is not % and two hexadecimal digits\n");
+}
+
+TEST(HostileInput, that_has_no_end_is_refused) {
   const std::string device = "/dev/zero: cannot be read: it is a device; give a file";
-  refused("check /dev/zero", device);
-  refused("plan /dev/zero", device);
-  refused("grade /dev/zero", device);
-  refused("grade lecture7.toml README.md --out nowhere --secret-file /dev/zero",
-          "--secret-file " + device);
-  refused("verify --family rays </dev/zero", "line 1: is longer than 65536 bytes");
-  refused("check /dev/stdin </dev/zero", "it is a device");
-  refused("check /tmp", "/tmp: cannot be read: it is a folder; give a file");
+  refused_text("check /dev/zero", device);
+  refused_text("plan /dev/zero", device);
+  refused_text("grade /dev/zero", device);
+  refused_text("grade lecture7.toml README.md --out nowhere --secret-file /dev/zero",
+               "--secret-file " + device);
+  refused_text("verify --family rays </dev/zero", "line 1: is longer than 65536 bytes");
+  refused_text("check /dev/stdin </dev/zero", "it is a device");
+  refused_text("check /tmp", "/tmp: cannot be read: it is a folder; give a file");
 }
 
 TEST(HostileInput, of_pipes_is_read) {

@@ -147,9 +147,11 @@ bool CheckReport::holds() const {
 }
 
 bool CheckReport::is_enough_judged() const {
+  const bool knows_undecided = ratchet && ratchet->is_conclusive;
   return !candidates.empty() &&
-         std::all_of(candidates.begin(), candidates.end(),
-                     [](const CandidateReport& one) { return one.is_enough_judged(); });
+         std::all_of(candidates.begin(), candidates.end(), [&](const CandidateReport& one) {
+           return knows_undecided ? one.is_judged() : one.is_enough_judged();
+         });
 }
 
 namespace {
@@ -234,9 +236,12 @@ CheckReport check(const CheckOptions& options, const RunControl& control) {
   report.rays_in_scene = cases.rays_in_scene();
   std::vector<Draft> drafts;
   try {
-    for (const Contestant& contestant : without_equals(contestants, report.scene)) {
+    const auto judged = without_equals(contestants, report.scene);
+    const std::vector<std::string> names = lasting_names(judged);
+    for (std::size_t k = 0; k < judged.size(); ++k) {
       scene::poll();
-      drafts.push_back(prepare(contestant, scenes));
+      drafts.push_back(prepare(judged[k], scenes));
+      drafts.back().report.lasting_name = names[k];
     }
     time_all(cases, drafts);
     Judgement(options.max_error, scenes, drafts).run(control, report.rays_judged, [&] {

@@ -46,6 +46,7 @@ struct LeftOut {
 
 struct CandidateReport {
   std::string name;
+  std::string lasting_name;  ///< By which a baseline knows it (lasting_names).
   Contestant contestant;
   scene::Conventions conventions;  ///< Under which it was judged.
   /// The format that it was asked and judged in.
@@ -62,18 +63,19 @@ struct CandidateReport {
   Timing timing;                                      ///< Of raycheck's methods.
   properties::FailureSearch search;                   ///< For the questions that it fails on.
 
-  /// Of a candidate without a defect, the first kind of question to which no answer was right
-  /// without an excuse, though asked.
+  /// Of a candidate without a defect, and of which nothing is undecided, the first kind of question
+  /// to which no answer was right without an excuse, though asked.
   std::optional<std::pair<properties::Quantity, properties::Question>> too_few_judged() const {
-    return inside_domain && verdict.holds() ? verdict.too_few_right(1, swallows()) : std::nullopt;
+    const bool is_asked = inside_domain && verdict.holds() && !is_undecided();
+    return is_asked ? verdict.too_few_right(1, swallows()) : std::nullopt;
   }
+  bool is_undecided() const { return verdict.count(properties::Standing::kUndecided) > 0; }
   /// Whether its t_min, t_max or culling leave out a hit of the scene: then others must be left.
   bool swallows() const { return !conventions.valid.is_usual() && swallowed.all().swallowed > 0; }
-  /// Whether enough was judged, and decided, to say that there is no defect.
-  bool is_enough_judged() const {
-    return inside_domain && verdict.compared() > 0 && !too_few_judged() &&
-           verdict.count(properties::Standing::kUndecided) == 0;
-  }
+  /// Whether enough was judged to say that there is no defect, but for what is undecided,
+  bool is_judged() const { return inside_domain && verdict.compared() > 0 && !too_few_judged(); }
+  /// and whether nothing is.
+  bool is_enough_judged() const { return is_judged() && !is_undecided(); }
 };
 
 struct CheckReport {
@@ -103,6 +105,7 @@ struct CheckReport {
   std::uint64_t compared() const;
   /// Whether no candidate has a defect; of a strict report, nothing excused or undecided either.
   bool holds() const;
+  /// Whether enough was judged, and decided or known to the baseline as undecided.
   bool is_enough_judged() const;
 };
 

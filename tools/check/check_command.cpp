@@ -69,12 +69,12 @@ int run_check(const CheckArguments& arguments) {
   CheckReport report = check(options, run_control(options.path, arguments.threads));
   report.ratchet = files.ratchet(findings_of(report), report.interrupted);
   print_warnings(report.warnings);
-  print_view(kCheckViews, arguments.format, report, arguments.gate.picture_link);
   files.write(kCheckViews, report);
+  if (certificates) certificates->write(check_certificates(report));
+  print_view(kCheckViews, arguments.format, report, arguments.gate.picture_link);
   if (asks_for(arguments.gate, arguments.format, kSarif)) {
     print_warnings(sarif_warnings(check_gate(report)));
   }
-  if (certificates) certificates->write(check_certificates(report));
   if (view) {
     view->write(
         page(check_document(report, {{}, methods_asked}, run_control("page", arguments.threads))));

@@ -24,18 +24,22 @@ std::string place_of(const Discrepancy& discrepancy) {
 
 Identity identity_of(const Discrepancy& discrepancy, const CheckReport& report,
                      const CandidateReport& candidate) {
-  return {std::string(discrepancy.law), report.path,
-          kind_text({discrepancy.quantity, discrepancy.wrong}), place_of(discrepancy),
-          candidate.name};
+  const properties::DefectKind kind = {discrepancy.quantity, discrepancy.wrong};
+  const bool is_held = properties::is_held_against(discrepancy, report.strict);
+  return {std::string(discrepancy.law), lasting_path(report.path),
+          is_held ? kind_text(kind) : undecided_text(kind), place_of(discrepancy),
+          candidate.lasting_name};
 }
 
-/// What is held against a candidate, the worst first.
-std::vector<Discrepancy> defects_of(const CheckReport& report, const CandidateReport& candidate) {
-  std::vector<Discrepancy> defects = candidate.verdict.worst(properties::kKeptDiscrepancies);
-  std::erase_if(defects, [&](const Discrepancy& one) {
-    return !properties::is_held_against(one, report.strict);
+/// What is held against a candidate, the worst first; or what is left undecided beside.
+std::vector<Discrepancy> found_of(const CheckReport& report, const CandidateReport& candidate,
+                                  bool is_held) {
+  std::vector<Discrepancy> found = candidate.verdict.worst(properties::kKeptDiscrepancies);
+  std::erase_if(found, [&](const Discrepancy& one) {
+    const bool held = properties::is_held_against(one, report.strict);
+    return is_held != held || !(held || one.excuse.standing() == Standing::kUndecided);
   });
-  return defects;
+  return found;
 }
 
 std::string text_of(const CheckReport& report, const CandidateReport& candidate,
@@ -51,8 +55,12 @@ std::string text_of(const CheckReport& report, const CandidateReport& candidate,
 
 GateCheck check_of(Quantity quantity, const Tally& tally, const CheckReport& report,
                    const CandidateReport& candidate) {
-  std::vector<Discrepancy> defects = defects_of(report, candidate);
-  std::erase_if(defects, [&](const Discrepancy& one) { return one.quantity != quantity; });
+  const auto of_quantity = [&](bool is_held) {
+    std::vector<Discrepancy> found = found_of(report, candidate, is_held);
+    std::erase_if(found, [&](const Discrepancy& one) { return one.quantity != quantity; });
+    return found;
+  };
+  const std::vector<Discrepancy> defects = of_quantity(true), undecided = of_quantity(false);
   GateCheck check;
   check.candidate = candidate.name;
   check.name = fmt::format("{}/{}", info(quantity).name, report.path);
@@ -64,15 +72,20 @@ GateCheck check_of(Quantity quantity, const Tally& tally, const CheckReport& rep
     check.failed.push_back(
         {identity_of(one, report, candidate), discrepancy_text(one, false), one.failed.line});
   }
-  check.outcome = outcome_of(check.defects, report.ratchet);
-  if (!defects.empty()) {
+  for (const Discrepancy& one : undecided) identities.insert(identity_of(one, report, candidate));
+  check.outcome = outcome_of({identities.begin(), identities.end()}, report.ratchet);
+  const std::uint64_t all_undecided = report.strict ? 0 : tally.count(Standing::kUndecided);
+  // What is not kept no baseline knows.
+  const bool is_cut = undecided.size() < all_undecided;
+  if (is_cut && check.outcome != GateOutcome::kFailed) check.outcome = GateOutcome::kInconclusive;
+  const bool is_about_undecided = check.outcome == GateOutcome::kInconclusive || defects.empty();
+  if (all_undecided > 0 && is_about_undecided) {
+    check.summary = count_text(all_undecided, "answer") + " undecided";
+  } else if (!defects.empty()) {
     const auto& why = candidate.explanations;
     check.summary = fmt::format("{}{} at {}", why.empty() ? "" : why.front().sentence + ": ",
                                 check.defects.front().kind, place_text(defects.front().place));
     check.text = text_of(report, candidate, defects);
-  } else if (tally.count(Standing::kUndecided) > 0) {
-    check.outcome = GateOutcome::kInconclusive;
-    check.summary = count_text(tally.count(Standing::kUndecided), "answer") + " undecided";
   } else if (tally.cases == 0) {
     check.outcome = GateOutcome::kLeftOut;
     check.summary = "nothing to compare";
@@ -118,15 +131,21 @@ Gate check_gate(const CheckReport& report) {
 Findings findings_of(const CheckReport& report) {
   Findings findings;
   for (const CandidateReport& candidate : report.candidates) {
-    const auto defects = defects_of(report, candidate);
-    for (const Discrepancy& one : defects) {
-      findings.found.insert(identity_of(one, report, candidate));
+    const auto defects = found_of(report, candidate, true),
+               undecided = found_of(report, candidate, false);
+    for (const auto* const found : {&defects, &undecided}) {
+      for (const Discrepancy& one : *found) {
+        findings.found.insert(identity_of(one, report, candidate));
+      }
     }
+    const std::uint64_t all = candidate.verdict.count(Standing::kUndecided);
+    findings.is_cut = findings.is_cut || (!report.strict && undecided.size() < all);
     // Of more discrepancies than are kept, those that are not there may have been dropped.
     const bool has_all = candidate.verdict.discrepancies() < properties::kKeptDiscrepancies;
-    if (report.interrupted || !has_all || !candidate.is_enough_judged()) continue;
+    if (report.interrupted || !has_all || !candidate.is_judged()) continue;
     for (const properties::Law& law : properties::laws()) {
-      findings.asked.insert({std::string(law.name), report.path, candidate.name});
+      findings.asked.insert(
+          {std::string(law.name), lasting_path(report.path), candidate.lasting_name});
     }
   }
   findings.complete = findings.asked;

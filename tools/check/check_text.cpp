@@ -56,10 +56,10 @@ std::string class_error_text(const Tally& tally) {
 }
 
 /// The worst place of a quantity, where anything was off.
-std::string worst_text(const Tally& tally, Quantity quantity) {
+std::string worst_text(const Tally& tally, Quantity quantity, const NamedPlace& named) {
   std::string text;
   if (tally.worst > 0 && has_place(quantity)) {
-    text = place_text(tally.worst_place);
+    text = named(tally.worst_place);
   }
   if (tally.ill_conditioned > 0) {
     text += fmt::format("{}({} ill-conditioned)", text.empty() ? "" : " ", tally.ill_conditioned);
@@ -69,7 +69,7 @@ std::string worst_text(const Tally& tally, Quantity quantity) {
 
 }  // namespace
 
-std::string quantities_table(const CandidateReport& candidate) {
+std::string quantities_table(const CandidateReport& candidate, const NamedPlace& named) {
   using enum Table::Align;
   Table table({{"quantity"},
                {"cases", kRight},
@@ -84,7 +84,8 @@ std::string quantities_table(const CandidateReport& candidate) {
     table.add({std::string(info(quantity).name), std::to_string(tally.cases),
                measured ? "" : class_error_text(tally), error_text(tally.median()),
                error_text(tally.max()), error_text(tally.bound()),
-               std::string(unit_name(quantity, candidate.precision)), worst_text(tally, quantity)});
+               std::string(unit_name(quantity, candidate.precision)),
+               worst_text(tally, quantity, named)});
   }
   return table.text();
 }

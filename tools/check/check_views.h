@@ -3,11 +3,15 @@
 
 // The views of `check`, each in the file of its name.
 
+#include <functional>
+#include <string>
+
 #include "tools/check/check.h"
 #include "tools/gates/gate.h"
 #include "tools/gates/gate_views.h"
 #include "tools/report/json.h"
 #include "tools/report/view.h"
+#include "tools/report/words.h"
 
 namespace raycheck::tools {
 
@@ -38,8 +42,10 @@ Gate check_gate(const CheckReport& report);
 /// What a baseline holds of it.
 Findings findings_of(const CheckReport& report);
 
-/// What was compared of a candidate, a row a quantity.
-std::string quantities_table(const CandidateReport& candidate);
+using NamedPlace = std::function<std::string(const properties::Place&)>;
+/// What was compared of a candidate, a row a quantity; `named` says where it was worst.
+std::string quantities_table(const CandidateReport& candidate,
+                             const NamedPlace& named = place_text);
 /// Why too little was judged to say anything; empty where it was not too little.
 std::string too_few_text(const CandidateReport& candidate);
 Json candidate_json(const CandidateReport& candidate, std::size_t top);

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <charconv>
-#include <iterator>
 #include <map>
 #include <stdexcept>
 #include <utility>
@@ -12,6 +11,7 @@
 #include "properties/laws/law.h"
 #include "scene/interruption.h"
 #include "scene/number.h"
+#include "scene/text.h"
 #include "tools/exchange/generate.h"
 
 namespace raycheck::tools {
@@ -45,12 +45,15 @@ std::vector<std::string_view> split(std::string_view text, std::string_view at) 
   }
 }
 
+/// Of a line, in an error.
+std::string quoted(std::string_view text) { return fmt::format("'{}'", scene::visible_line(text)); }
+
 template <class Integer>
 Integer integer(std::string_view text, int base) {
   Integer value = 0;
   const auto [at, error] = std::from_chars(text.data(), text.data() + text.size(), value, base);
   if (error != std::errc() || at != text.data() + text.size()) {
-    throw std::invalid_argument(fmt::format("'{}' is not a whole number", text));
+    throw std::invalid_argument(quoted(text) + " is not a whole number");
   }
   return value;
 }
@@ -58,7 +61,7 @@ Integer integer(std::string_view text, int base) {
 /// A number in a format: the decimals of a float name it, not a double.
 double number(std::string_view text, scene::Precision precision) {
   const auto value = scene::parse_number(text);
-  if (!value) throw std::invalid_argument(fmt::format("'{}' is not a number", text));
+  if (!value) throw std::invalid_argument(quoted(text) + " is not a number");
   return scene::rounded_to(precision, *value);
 }
 
@@ -75,8 +78,7 @@ Answer parse_answer(std::string_view line, scene::Precision precision) {
   answer.id = found.front();
   const auto id = split(answer.id, ":");
   if (id.size() != 4) {
-    throw std::invalid_argument(
-        fmt::format("'{}' is no id, which is SOURCE:SEED:RAY:SPHERE", answer.id));
+    throw std::invalid_argument(quoted(answer.id) + " is no id, which is SOURCE:SEED:RAY:SPHERE");
   }
   answer.source = id[0];
   answer.seed = id[1];
@@ -159,6 +161,8 @@ bool is_answered(const Law& law) { return law.judges_values && law.per == proper
 class Verification {
  public:
   explicit Verification(const VerifyOptions& options) : options_(options) {
+    report_.source = options.source;
+    report_.seed = options.seed;
     report_.top = options.top;
     report_.strict = options.strict;
     report_.cases_asked = options.cases;
@@ -172,8 +176,8 @@ class Verification {
                           integer<std::size_t>(answer.sphere, 10));
     if (number >= options_.cases ||
         answer.id != fmt::format("{}:{}:{}", id(number), place.first, place.second)) {
-      throw std::invalid_argument(fmt::format("'{}' was not asked: the cases are {} to {}",
-                                              answer.id, id(0), id(options_.cases - 1)));
+      throw std::invalid_argument(fmt::format("{} was not asked: the cases are {} to {}",
+                                              quoted(answer.id), id(0), id(options_.cases - 1)));
     }
     if (number < judged_.size() && judged_[number]) {
       throw std::invalid_argument("it is answered twice");
@@ -182,14 +186,14 @@ class Verification {
     if (at == open_.end()) {
       auto asked = case_asked(options_.source, seed(number), options_.precision);
       if (!asked) {
-        throw std::invalid_argument(fmt::format("there is no such question: '{}'", answer.id));
+        throw std::invalid_argument("there is no such question: " + quoted(answer.id));
       }
       at = open_.emplace(number, AnsweredCase(*std::move(asked))).first;
       ++report_.cases;
     }
     AnsweredCase& of = at->second;
     if (place.first >= of.rays() || place.second >= of.spheres()) {
-      throw std::invalid_argument(fmt::format("there is no such question: '{}'", answer.id));
+      throw std::invalid_argument("there is no such question: " + quoted(answer.id));
     }
     if (!of.hits.emplace(place, answer.hit).second) {
       throw std::invalid_argument("it is answered twice");
@@ -217,11 +221,6 @@ class Verification {
         name_missing(number, answered);
       }
       count_cases_missing();
-    }
-    for (const properties::Discrepancy& one : report_.candidate.verdict.worst(report_.top)) {
-      const std::size_t ray = one.place.ray;
-      const auto& [first, number] = *std::prev(first_rays_.upper_bound(ray));
-      report_.ids[ray] = fmt::format("{}:{}", id(number), ray - first);
     }
     report_.candidate.name = "the answers";
     report_.candidate.contestant = External{};
@@ -255,24 +254,8 @@ class Verification {
     for (const Law& law : properties::laws()) {
       if (is_answered(law)) all.merge(apply(law, trial));
     }
-    all.shift_rays(rays_);
-    if (all.discrepancies() > 0) remember(number);
+    all.shift_rays(number * kMostRays);
     report_.candidate.verdict.merge(std::move(all));
-    rays_ += answered.rays();
-  }
-
-  /// Where the rays of a case with discrepancies begin. Of what the verdict keeps no longer, it is
-  /// forgotten.
-  void remember(std::uint64_t number) {
-    constexpr std::size_t kMostRemembered = 4 * properties::kKeptDiscrepancies;
-    if (first_rays_.size() >= kMostRemembered) {
-      std::map<std::size_t, std::uint64_t> kept;
-      for (const auto& one : report_.candidate.verdict.worst(kMostRemembered)) {
-        kept.insert(*std::prev(first_rays_.upper_bound(one.place.ray)));
-      }
-      first_rays_ = std::move(kept);
-    }
-    first_rays_.emplace(rays_, number);
   }
 
   void name_missing(std::uint64_t number, const AnsweredCase& answered) {
@@ -292,11 +275,13 @@ class Verification {
   std::map<std::uint64_t, AnsweredCase> open_;  ///< Of which not every question is answered yet.
   std::size_t waiting_ = 0;                     ///< Their answers.
   std::vector<bool> judged_;
-  std::size_t rays_ = 0;  ///< Of the cases judged.
-  std::map<std::size_t, std::uint64_t> first_rays_;
 };
 
 }  // namespace
+
+std::string VerifyReport::ray_id(std::size_t ray) const {
+  return fmt::format("{}:{}", case_id(source, seed + ray / kMostRays), ray_in_case(ray));
+}
 
 VerifyReport verify(const ReadMore& answers, const VerifyOptions& options,
                     const properties::RunControl& control) {

@@ -4,7 +4,6 @@
 #include <cstddef>
 #include <cstdint>
 #include <functional>
-#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -32,6 +31,9 @@ inline constexpr std::size_t kNamedMissing = 5;
 /// So many answers may wait for others to the same case, which bounds the memory.
 inline constexpr std::size_t kMostWaiting = std::size_t{1} << 18;
 
+/// No case has so many rays.
+inline constexpr std::size_t kMostRays = std::size_t{1} << 32;
+
 /// No answer is so long.
 inline constexpr std::size_t kMostLineBytes = std::size_t{1} << 16;
 
@@ -42,9 +44,11 @@ struct VerifyReport {
   std::vector<std::string> cases_missing;    ///< The first ones without any answer.
   std::uint64_t questions_missing = 0;       ///< Of cases with some.
   std::vector<std::string> questions_named;  ///< The first of those.
+  properties::ChosenSource source;           ///< As in the options.
+  std::uint64_t seed = 0;
+  /// In its verdict ray k of the n-th case, from 0 on, is ray n * kMostRays + k, whichever case was
+  /// answered first.
   CandidateReport candidate;
-  /// The ids of the rays of the worst discrepancies, by their index.
-  std::map<std::size_t, std::string> ids;
   std::size_t top = 10;
   bool strict = false;
   bool interrupted = false;  ///< Then what was not read yet is not missing.
@@ -54,6 +58,9 @@ struct VerifyReport {
     return !interrupted && (cases_not_answered() > 0 || questions_missing > 0);
   }
   std::uint64_t cases_not_answered() const { return cases_asked - cases_left_out - cases; }
+  std::size_t ray_in_case(std::size_t ray) const { return ray % kMostRays; }
+  /// "SOURCE:SEED:RAY", which begins the ids of the questions about it.
+  std::string ray_id(std::size_t ray) const;
   bool holds() const { return candidate.verdict.holds(strict) && !is_short(); }
 };
 

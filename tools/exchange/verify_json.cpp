@@ -23,7 +23,15 @@ std::string verify_json(const VerifyReport& report, const ViewOptions& /*options
        {"rays", "intersect", "isolated_by", "bounds_of", "ns_per_ray", "explanations"}) {
     json.erase(key);  // of methods, of processes and of renderers
   }
-  for (Json& one : json["worst"]) one["id"] = report.ids.at(one["ray"].get<std::size_t>());
+  const auto name = [&](Json& place) {
+    const auto ray = place["ray"].get<std::size_t>();
+    place["ray"] = report.ray_in_case(ray);
+    place["id"] = report.ray_id(ray);
+  };
+  for (Json& one : json["worst"]) name(one);
+  for (Json& one : json["quantities"]) {
+    if (!one["worst_at"].is_null()) name(one["worst_at"]);
+  }
   return json_text(json);
 }
 

@@ -20,7 +20,9 @@ std::string verify_text(const VerifyReport& report, const ViewOptions& options) 
   const properties::Verdict& verdict = report.candidate.verdict;
   std::string text = fmt::format("{} to {}\n\n", count_text(report.answers, "answer"),
                                  count_text(report.cases, "case"));
-  text += quantities_table(report.candidate);
+  text += quantities_table(report.candidate, [&](const properties::Place& place) {
+    return fmt::format("{}:{}", report.ray_id(place.ray), place.sphere.value_or(0));
+  });
   text += too_few_text(report.candidate);
   if (report.interrupted) {
     text += "\nINTERRUPTED: what was not read until then is not judged\n";
@@ -38,7 +40,7 @@ std::string verify_text(const VerifyReport& report, const ViewOptions& options) 
                         count_text(report.questions_missing, "question"),
                         named(report.questions_named, report.questions_missing));
   }
-  const auto worst = verdict.worst(report.top);
+  auto worst = verdict.worst(report.top);
   if (verdict.discrepancies() > 0) {
     text += fmt::format(
         "\nworst discrepancies ({} of {}: {}):\n", worst.size(), verdict.discrepancies(),
@@ -47,7 +49,9 @@ std::string verify_text(const VerifyReport& report, const ViewOptions& options) 
     text += verdict.compared() > 0 ? "\nno discrepancy\n" : "\nnothing was checked\n";
   }
   for (std::size_t k = 0; k < worst.size(); ++k) {
-    text += fmt::format("{:>3}. {}\n", k + 1, report.ids.at(worst[k].place.ray));
+    std::size_t& ray = worst[k].place.ray;
+    text += fmt::format("{:>3}. {}\n", k + 1, report.ray_id(ray));
+    ray = report.ray_in_case(ray);
     text += indented(discrepancy_text(worst[k], options.colours), "     ");
   }
   return text;

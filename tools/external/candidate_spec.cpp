@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "scene/text.h"
+
 namespace raycheck::tools {
 namespace {
 
@@ -24,7 +26,9 @@ std::string CandidateSpec::text() const {
 }
 
 CandidateError::CandidateError(const std::string& why, std::string said, std::string_view whose)
-    : std::invalid_argument(sentence(why, said, whose)), why_(why), said_(std::move(said)) {}
+    : std::invalid_argument(scene::visible(sentence(why, said, whose))),
+      why_(why),
+      said_(std::move(said)) {}
 
 CandidateSpec parse_candidate(const std::string& text) {
   const std::size_t colon = text.find(':');

@@ -1,6 +1,7 @@
 #ifndef RAYCHECK_TOOLS_EXTERNAL_CONTESTANT_H_
 #define RAYCHECK_TOOLS_EXTERNAL_CONTESTANT_H_
 
+#include <string>
 #include <variant>
 #include <vector>
 
@@ -18,6 +19,10 @@ properties::Candidate candidate_of(const Contestant& contestant);
 /// Null where it is someone else's.
 const MethodPair* methods_of(const Contestant& contestant);
 const External* external_of(const Contestant& contestant);
+
+/// What each is called from run to run, wherever it lies: as it says itself, or else by its words,
+/// of files their names; as it was asked for, where others of these are called the same.
+std::vector<std::string> lasting_names(const std::vector<Contestant>& contestants);
 
 std::vector<Contestant> contestants(const std::vector<MethodPair>& pairs);
 

@@ -3,42 +3,65 @@
 #include <fmt/core.h>
 
 #include <algorithm>
-#include <array>
+#include <charconv>
 #include <cstddef>
+#include <filesystem>
 #include <iterator>
 #include <stdexcept>
+#include <system_error>
 
 #include "scene/text.h"
 
 namespace raycheck::tools {
 namespace {
 
-constexpr std::string_view kFirstLine = "# raycheck baseline 1";
+namespace fs = std::filesystem;
+
+constexpr std::string_view kFirstLine = "# raycheck baseline 2";
+/// Of files that name candidates as they were typed.
+constexpr std::string_view kEarlier = "# raycheck baseline 1";
 constexpr std::string_view kSeparator = "; ";
 
-/// A field as a line has it: what would end it is spelled by its bytes.
+/// A field as a line has it: what would end it, or not be seen, is spelled by its bytes.
 std::string escaped(std::string_view field) {
+  constexpr std::string_view kSpelled = "%;#";
+  constexpr std::size_t kMostBytes = 4;  // of a character
+  const auto is_plain = [&](std::size_t bytes) {
+    const std::string_view character = field.substr(0, bytes);
+    return scene::visible_line(character) == character && kSpelled.find(character) == kSpelled.npos;
+  };
   std::string text;
-  for (const char c : scene::visible_line(field)) {
-    text += c == '%' || c == ';' || c == '#' ? fmt::format("%{:02X}", static_cast<unsigned char>(c))
-                                             : std::string(1, c);
+  while (!field.empty()) {
+    const bool is_ascii = static_cast<unsigned char>(field.front()) < 0x80;
+    const std::size_t most = is_ascii ? 1 : kMostBytes;
+    std::size_t bytes = 1;
+    while (bytes <= most && !is_plain(bytes)) ++bytes;
+    if (bytes > most) {
+      bytes = 1;
+      text += fmt::format("%{:02X}", static_cast<unsigned char>(field.front()));
+    } else {
+      text += field.substr(0, bytes);
+    }
+    field.remove_prefix(bytes);
   }
   return text;
 }
 
 std::string unescaped(std::string_view field) {
-  constexpr std::array<std::pair<std::string_view, char>, 3> kSpelled = {
-      {{"%25", '%'}, {"%3B", ';'}, {"%23", '#'}}};
   std::string text;
   while (!field.empty()) {
-    const auto* const found = std::find_if(kSpelled.begin(), kSpelled.end(), [&](const auto& one) {
-      return field.starts_with(one.first);
-    });
-    if (found == kSpelled.end() && field.front() == '%') {
-      throw std::invalid_argument(fmt::format("'{}' is none of %25, %3B, %23", field.substr(0, 3)));
+    unsigned int byte = static_cast<unsigned char>(field.front());
+    const std::string_view digits = field.substr(1, 2);
+    const bool is_spelled = field.front() == '%';
+    if (is_spelled) {
+      const auto read = std::from_chars(digits.data(), digits.data() + digits.size(), byte, 16);
+      if (digits.size() < 2 || read.ptr != digits.data() + 2) {
+        throw std::invalid_argument(fmt::format("'{}' is not % and two hexadecimal digits",
+                                                scene::visible_line(field.substr(0, 3))));
+      }
     }
-    text += found == kSpelled.end() ? field.front() : found->second;
-    field.remove_prefix(found == kSpelled.end() ? 1 : found->first.size());
+    text += static_cast<char>(byte);
+    field.remove_prefix(is_spelled ? 3 : 1);
   }
   return text;
 }
@@ -88,6 +111,18 @@ std::string kind_text(const properties::DefectKind& kind) {
       kind.wrong == properties::Wrong::kNot ? "error above its bound" : name(kind.wrong));
 }
 
+std::string undecided_text(const properties::DefectKind& kind) {
+  return kind_text(kind) + std::string(kUndecided);
+}
+
+std::string lasting_path(const std::string& path) {
+  std::error_code ignored;
+  const fs::path here = fs::current_path(ignored), typed = path;
+  const fs::path within = (here / typed).lexically_normal().lexically_proximate(here);
+  const bool is_elsewhere = *within.begin() == "..";
+  return typed.is_absolute() && is_elsewhere ? typed.lexically_normal() : within;
+}
+
 Scope scope_of(const Identity& identity) {
   return {identity.law, identity.source, identity.candidate};
 }
@@ -105,6 +140,11 @@ Baseline parse_baseline(std::string_view text) {
           line.starts_with(">>>>>>>")) {
         throw std::invalid_argument(
             "git left a conflict here; keep either side and update the baseline");
+      }
+      if (line.starts_with(kEarlier)) {
+        throw std::invalid_argument(
+            "it is of an earlier form, which named candidates as they were typed; remove the file "
+            "and update the baseline, which makes it anew");
       }
       add_line(baseline, line);
     } catch (const std::invalid_argument& error) {
@@ -142,6 +182,9 @@ Ratchet compare(const Baseline& baseline, const Findings& findings) {
                });
   std::erase_if(ratchet.mended,
                 [&](const Identity& one) { return !findings.complete.contains(scope_of(one)); });
+  ratchet.is_conclusive =
+      !findings.is_cut && std::none_of(ratchet.added.begin(), ratchet.added.end(),
+                                       [](const Identity& one) { return one.is_undecided(); });
   return ratchet;
 }
 

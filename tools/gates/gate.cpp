@@ -32,23 +32,24 @@ bool is_known(const Identity& one, const std::optional<Ratchet>& ratchet) {
   return ratchet && std::binary_search(ratchet->known.begin(), ratchet->known.end(), one);
 }
 
-GateOutcome outcome_of(const std::vector<Identity>& defects,
-                       const std::optional<Ratchet>& ratchet) {
-  if (defects.empty()) return GateOutcome::kPassed;
-  const bool all_known = std::all_of(defects.begin(), defects.end(),
-                                     [&](const auto& one) { return is_known(one, ratchet); });
-  return all_known ? GateOutcome::kKnown : GateOutcome::kFailed;
+GateOutcome outcome_of(const std::vector<Identity>& found, const std::optional<Ratchet>& ratchet) {
+  GateOutcome outcome = found.empty() ? GateOutcome::kPassed : GateOutcome::kKnown;
+  for (const Identity& one : found) {
+    if (is_known(one, ratchet)) continue;
+    if (!one.is_undecided()) return GateOutcome::kFailed;
+    outcome = GateOutcome::kInconclusive;
+  }
+  return outcome;
 }
 
 void complete(Gate& gate, bool was_interrupted) {
   const auto add = [&](const char* name, const char* summary) {
     gate.checks.push_back({"raycheck", name, GateOutcome::kInconclusive, summary, {}, {}});
   };
+  // Where a check is inconclusive, it says why.
+  const bool is_empty = gate.count(GateOutcome::kLeftOut) == gate.checks.size();
   if (was_interrupted) add("finished", "interrupted: not all was judged");
-  const bool judged = gate.count(GateOutcome::kPassed) + gate.count(GateOutcome::kFailed) +
-                          gate.count(GateOutcome::kKnown) >
-                      0;
-  if (!judged) add("judged", "nothing was judged");
+  if (is_empty) add("judged", "nothing was judged");
   make_unique(gate.checks);
 }
 

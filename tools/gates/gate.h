@@ -64,14 +64,14 @@ struct Gate {
   std::uint64_t count(GateOutcome outcome) const;
 };
 
-/// Says what a check comes to by its defects: known where the baseline has them all.
-GateOutcome outcome_of(const std::vector<Identity>& defects, const std::optional<Ratchet>& ratchet);
+/// Says what a check comes to by what was found: known where the baseline has all of it.
+GateOutcome outcome_of(const std::vector<Identity>& found, const std::optional<Ratchet>& ratchet);
 
 /// Whether the baseline has a discrepancy.
 bool is_known(const Identity& one, const std::optional<Ratchet>& ratchet);
 
-/// What every gate has beside its checks: that it came to its end, that anything was judged at all,
-/// and names that are unique.
+/// What every gate has beside its checks: that it came to its end, that not all was left out, and
+/// names that are unique.
 void complete(Gate& gate, bool was_interrupted);
 
 /// "12 passed, 1 failed, 2 left out"

@@ -15,11 +15,11 @@ std::string fingerprint_of(const Identity& one) {
 }
 
 /// Where GitLab is to show it: the candidate's file, else what it is called.
-std::string path_of(const Gate& gate, const Identity& one) {
+std::string path_of(const Gate& gate, const std::string& candidate) {
   for (const SourceFile& source : gate.sources) {
-    if (source.candidate == one.candidate) return source.path;
+    if (source.candidate == candidate) return source.path;
   }
-  return one.candidate;
+  return candidate;
 }
 
 }  // namespace
@@ -30,12 +30,13 @@ std::string gitlab_codequality(const Gate& gate) {
     if (check.outcome != GateOutcome::kFailed) continue;
     for (const Identity& one : check.defects) {
       if (is_known(one, gate.ratchet)) continue;
-      list.push_back({{"description", fmt::format("{}: {} ({}, {}): {}", one.candidate, one.kind,
-                                                  check.name, one.place, check.summary)},
-                      {"check_name", fmt::format("raycheck/{}", one.law)},
-                      {"fingerprint", fingerprint_of(one)},
-                      {"severity", "major"},
-                      {"location", {{"path", path_of(gate, one)}, {"lines", {{"begin", 1}}}}}});
+      list.push_back(
+          {{"description", fmt::format("{}: {} ({}, {}): {}", check.candidate, one.kind, check.name,
+                                       one.place, check.summary)},
+           {"check_name", fmt::format("raycheck/{}", one.law)},
+           {"fingerprint", fingerprint_of(one)},
+           {"severity", "major"},
+           {"location", {{"path", path_of(gate, check.candidate)}, {"lines", {{"begin", 1}}}}}});
     }
   }
   return json_text(list);

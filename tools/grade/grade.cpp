@@ -124,7 +124,7 @@ class ClassRun {
       require_apart(options_.out, submissions_);
       own_.emplace(options_.out);
       require_place();
-      for (const Submission& submission : submissions_) make_folder(submission);
+      for (const Submission& submission : submissions_) own_->make_folder(submission.name);
       store_.emplace(options_.out);
     }
     test_environment(rubric_, layers_, writes() ? fs::path(options_.out) / kStoreFolder : "");
@@ -175,14 +175,6 @@ class ClassRun {
     if (options_.results != nullptr) names.emplace_back(kResultsFile);
     for (const Submission& submission : submissions_) {
       for (const std::string& name : names) own_->require_own(fs::path(submission.name) / name);
-    }
-  }
-
-  void make_folder(const Submission& submission) const {
-    std::error_code error;
-    fs::create_directories(folder_of(submission), error);
-    if (error) {
-      throw std::invalid_argument(fmt::format("out {}: {}", options_.out, error.message()));
     }
   }
 

@@ -25,18 +25,20 @@ auto& find(const Methods& methods, const std::string& name, const char* field) {
 
 }  // namespace
 
-const fast::PixelRayMethod& find_rays(const std::string& name) {
-  return find(fast::pixel_ray_methods(), name, "rays");
+const fast::PixelRayMethod& find_rays(const std::string& name, const char* field) {
+  return find(fast::pixel_ray_methods(), name, field);
 }
 
-const fast::IntersectMethod& find_intersect(const std::string& name) {
-  return find(all_intersect_methods(), name, "intersect");
+const fast::IntersectMethod& find_intersect(const std::string& name, const char* field) {
+  return find(all_intersect_methods(), name, field);
 }
 
 MethodPair find_pair(const std::string& name) {
+  constexpr const char* kField = "bounds";
   const std::size_t slash = name.find('/');
-  if (slash == std::string::npos) return {kDefaultMethods.rays, &find_intersect(name)};
-  return {&find_rays(name.substr(0, slash)), &find_intersect(name.substr(slash + 1))};
+  if (slash == std::string::npos) return {kDefaultMethods.rays, &find_intersect(name, kField)};
+  return {&find_rays(name.substr(0, slash), kField),
+          &find_intersect(name.substr(slash + 1), kField)};
 }
 
 std::vector<const fast::IntersectMethod*> all_intersect_methods() {

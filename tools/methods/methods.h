@@ -24,10 +24,12 @@ struct MethodPair {
 inline constexpr MethodPair kDefaultMethods = {&fast::kDirectRays, &fast::kCross};
 
 /// The method of that name; throws std::invalid_argument naming the field and the known names.
-const fast::PixelRayMethod& find_rays(const std::string& name);
-const fast::IntersectMethod& find_intersect(const std::string& name);
+const fast::PixelRayMethod& find_rays(const std::string& name, const char* field = "rays");
+const fast::IntersectMethod& find_intersect(const std::string& name,
+                                            const char* field = "intersect");
 
-/// The pair called "RAYS/INTERSECT", or "INTERSECT" with the default rays; throws as above.
+/// The pair called "RAYS/INTERSECT", or "INTERSECT" with the default rays: whose bounds hold.
+/// Throws as above.
 MethodPair find_pair(const std::string& name);
 
 /// Someone else's implementation, known by what it is called and how it is asked.

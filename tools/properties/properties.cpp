@@ -66,8 +66,9 @@ Candidate campaigner(const Contestant& contestant) {
 
 /// A law's campaign on a contestant: what it came to, and why.
 CampaignReport report_of(const Law& law, const Contestant& contestant, const Candidate& candidate,
-                         properties::CampaignResult result) {
-  CampaignReport report = {&law, candidate.name, std::move(result), properties::Finding::kHolds};
+                         const std::string& lasting_name, properties::CampaignResult result) {
+  CampaignReport report = {&law, candidate.name, lasting_name, std::move(result),
+                           properties::Finding::kHolds};
   report.finding = report.result.finding();
   report.precision = candidate.precision;
   const External* const external = external_of(contestant);
@@ -80,18 +81,28 @@ CampaignReport report_of(const Law& law, const Contestant& contestant, const Can
   return report;
 }
 
+properties::Replay parsed_replay(const std::string& text) {
+  try {
+    return properties::parse_replay(text);
+  } catch (const std::invalid_argument& error) {
+    throw std::invalid_argument(std::string("replay: ") + error.what());
+  }
+}
+
 PropertiesReport replay(const PropertiesOptions& options) {
-  const properties::Replay parsed = properties::parse_replay(options.replay);
+  const properties::Replay parsed = parsed_replay(options.replay);
   std::vector<Contestant> known = options.contestants;
   for (const MethodPair& pair : all_pairs()) known.emplace_back(pair);
-  for (const Contestant& contestant : known) {
+  const std::vector<std::string> names = lasting_names(known);
+  for (std::size_t k = 0; k < known.size(); ++k) {
+    const Contestant& contestant = known[k];
     const Candidate candidate = campaigner(contestant);
     if (candidate.name != parsed.candidate) continue;
     PropertiesReport report;
     report.cases = 1;
     report.strict = options.strict;
     report.campaigns.push_back(
-        report_of(*parsed.law, contestant, candidate,
+        report_of(*parsed.law, contestant, candidate, names[k],
                   run_replay(parsed, candidate, options.max_error, options.strict)));
     return report;
   }
@@ -119,8 +130,10 @@ std::uint64_t PropertiesReport::count(properties::Finding finding) const {
 
 bool PropertiesReport::is_conclusive() const {
   using properties::Finding;
-  return count(Finding::kHolds) + count(Finding::kBroken) > 0 &&
-         count(Finding::kUndecided) + count(Finding::kTooFewJudged) == 0;
+  const std::uint64_t undecided = count(Finding::kUndecided);
+  const bool is_decided = ratchet ? ratchet->is_conclusive : undecided == 0;
+  return is_decided && count(Finding::kTooFewJudged) == 0 &&
+         count(Finding::kHolds) + count(Finding::kBroken) + undecided > 0;
 }
 
 PropertiesReport run_properties(const PropertiesOptions& options,
@@ -151,14 +164,16 @@ PropertiesReport run_properties(const PropertiesOptions& options,
   const Candidate baseline = candidate_of(kDefaultMethods);
   if (options.frontier) report.baseline = baseline.name;
   const auto laws = filtered_laws(options.filter);
+  const std::vector<std::string> names = lasting_names(judged);
   for (const Law* law : laws) {
-    for (const Contestant& contestant : judged) {
+    for (std::size_t k = 0; k < judged.size(); ++k) {
+      const Contestant& contestant = judged[k];
       if (control.interrupted() || !is_worth_asking(*law, contestant, chosen)) continue;
       const Candidate candidate = campaigner(contestant);
       control.progress(fmt::format("{} on {}", law->name, candidate.name));
       campaign.level = options.level.value_or(candidate.level);
-      CampaignReport one =
-          report_of(*law, contestant, candidate, run_campaign(*law, candidate, campaign, control));
+      CampaignReport one = report_of(*law, contestant, candidate, names[k],
+                                     run_campaign(*law, candidate, campaign, control));
       if (options.frontier) {
         one.frontier = beside(reaches(*law, candidate, campaign, control),
                               reaches(*law, baseline, campaign, control));

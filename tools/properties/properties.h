@@ -37,6 +37,7 @@ struct Frontier {
 struct CampaignReport {
   const properties::Law* law;
   std::string candidate;
+  std::string lasting_name;  ///< By which a baseline knows it (lasting_names).
   properties::CampaignResult result;
   properties::Finding finding;
   std::vector<Frontier> frontier = {};  ///< Empty where it was not asked for.
@@ -64,7 +65,8 @@ struct PropertiesReport {
 
   std::uint64_t count(properties::Finding finding) const;
   std::uint64_t failures() const { return count(properties::Finding::kBroken); }
-  /// Whether something was judged, and nothing is left undecided or judged too rarely.
+  /// Whether something was judged, and nothing is judged too rarely, or left undecided that the
+  /// baseline does not know.
   bool is_conclusive() const;
 };
 

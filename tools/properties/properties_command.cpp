@@ -71,8 +71,8 @@ int run_properties_command(const PropertiesArguments& arguments) {
   GateFiles files(arguments.gate);
   PropertiesReport report = run_properties(options, run_control("laws"));
   report.ratchet = files.ratchet(findings_of(report), report.interrupted);
-  print_view(kPropertiesViews, arguments.format, report);
   files.write(kPropertiesViews, report);
+  print_view(kPropertiesViews, arguments.format, report);
   if (asks_for(arguments.gate, arguments.format, kSarif)) {
     print_warnings(sarif_warnings(properties_gate(report)));
   }

@@ -34,17 +34,27 @@ std::uint64_t count(Parts parts, Standing standing) {
   return count;
 }
 
-Identity identity_of(const CampaignReport& campaign, const CampaignPart& part,
-                     const properties::DefectKind& kind) {
-  return {std::string(campaign.law->name), std::string(part.source.source->name), kind_text(kind),
-          std::string(name(part.source.level())), campaign.candidate};
+Identity identity_of(const CampaignReport& campaign, const CampaignPart& part, std::string kind) {
+  return {std::string(campaign.law->name), std::string(part.source.source->name), std::move(kind),
+          std::string(name(part.source.level())), campaign.lasting_name};
 }
 
 std::vector<Identity> defects_of(const CampaignReport& campaign, Parts parts) {
   std::set<Identity> found;
   for (const CampaignPart& part : parts) {
     for (const properties::DefectKind& kind : part.defects) {
-      found.insert(identity_of(campaign, part, kind));
+      found.insert(identity_of(campaign, part, kind_text(kind)));
+    }
+  }
+  return {found.begin(), found.end()};
+}
+
+/// What is left undecided beside.
+std::vector<Identity> undecided_of(const CampaignReport& campaign, Parts parts) {
+  std::set<Identity> found;
+  for (const CampaignPart& part : parts) {
+    for (const properties::DefectKind& kind : part.undecided) {
+      found.insert(identity_of(campaign, part, undecided_text(kind)));
     }
   }
   return {found.begin(), found.end()};
@@ -55,7 +65,7 @@ std::vector<FailedAnswer> failed_of(const CampaignReport& campaign, Parts parts)
   std::vector<FailedAnswer> failed;
   for (const CampaignPart& part : parts) {
     for (const properties::Discrepancy& one : part.failures) {
-      failed.push_back({identity_of(campaign, part, {one.quantity, one.wrong}),
+      failed.push_back({identity_of(campaign, part, kind_text({one.quantity, one.wrong})),
                         fmt::format("{}replay: {}\n", discrepancy_text(one, false),
                                     replay_text(campaign, part.replay)),
                         one.failed.line});
@@ -102,14 +112,16 @@ GateCheck check_of(const CampaignReport& campaign, Parts parts,
   check.candidate = campaign.candidate;
   check.name = fmt::format("{}/{}", campaign.law->name, source_of(parts));
   check.defects = defects_of(campaign, parts);
-  check.outcome = outcome_of(check.defects, ratchet);
-  if (!check.defects.empty()) {
+  std::vector<Identity> found = undecided_of(campaign, parts);
+  found.insert(found.end(), check.defects.begin(), check.defects.end());
+  check.outcome = outcome_of(found, ratchet);
+  check.failed = failed_of(campaign, parts);
+  const std::uint64_t undecided = count(parts, Standing::kUndecided);
+  if (undecided > 0 && (check.outcome == GateOutcome::kInconclusive || check.defects.empty())) {
+    check.summary = fmt::format("{} undecided", count_text(undecided, "answer"));
+  } else if (!check.defects.empty()) {
     check.summary = summary_of(campaign, check.defects);
     check.text = text_of(campaign, parts);
-    check.failed = failed_of(campaign, parts);
-  } else if (const std::uint64_t undecided = count(parts, Standing::kUndecided); undecided > 0) {
-    check.outcome = GateOutcome::kInconclusive;
-    check.summary = fmt::format("{} undecided", count_text(undecided, "answer"));
   } else if (compared(parts) == 0) {
     check.outcome = GateOutcome::kLeftOut;
     const std::string& reason = parts.back().counts.reason;
@@ -172,11 +184,13 @@ Findings findings_of(const PropertiesReport& report) {
   Findings findings;
   for (const CampaignReport& campaign : report.campaigns) {
     for (const Parts parts : by_source(campaign.result)) {
-      const std::vector<Identity> defects = defects_of(campaign, parts);
+      const std::vector<Identity> defects = defects_of(campaign, parts),
+                                  undecided = undecided_of(campaign, parts);
       findings.found.insert(defects.begin(), defects.end());
-      const bool is_judged = compared(parts) > 0 && count(parts, Standing::kUndecided) == 0;
-      if (!is_judged || report.interrupted) continue;
-      const Scope scope = {std::string(campaign.law->name), source_of(parts), campaign.candidate};
+      findings.found.insert(undecided.begin(), undecided.end());
+      if (compared(parts) == 0 || report.interrupted) continue;
+      const Scope scope = {std::string(campaign.law->name), source_of(parts),
+                           campaign.lasting_name};
       findings.asked.insert(scope);
       // The first break ends a part: what else is wrong there is not known.
       if (defects.empty()) findings.complete.insert(scope);

@@ -48,10 +48,10 @@ int run_stress(StressArguments& arguments) {
   std::optional<OutputFile> view;
   if (arguments.view) view.emplace("--view", *arguments.view);
   const StressReport report = run_stress(arguments.options, run_control("stress"));
+  if (certificates) certificates->write(stress_certificates(report));
   print_view(kStressViews, arguments.format, report);
   if (!arguments.plot.empty() && !report.interrupted)
     draw_or_say(stress_plots(report), arguments.plot);
-  if (certificates) certificates->write(stress_certificates(report));
   if (view) view->write(page(stress_document(report)));
   return exit_code(report.interrupted, !report.all_stable(), report.compared() > 0);
 }

@@ -30,6 +30,7 @@ TryReport try_submission(const TryOptions& options, const properties::RunControl
     require_apart(options.out, submissions);
     own.emplace(options.out);
     for (const std::string& file : names_for_student(rubric)) own->require_own(name / file);
+    own->make_folder(name);
   }
   ClassGrade graded = grade({.rubric = options.rubric,
                              .dialect = options.dialect,

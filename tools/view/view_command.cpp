@@ -89,8 +89,9 @@ CheckOptions check_options(const ViewArguments& arguments, const Size& size) {
   }
   const bool methods_asked = !arguments.methods.empty() || !arguments.rays.empty();
   if (options.contestants.empty() || methods_asked) {
-    const auto pairs = contestants(methods_asked ? chosen_methods(arguments.rays, arguments.methods)
-                                                 : default_methods(size));
+    const auto pairs =
+        contestants(methods_asked ? chosen_methods(arguments.rays, arguments.methods, "method")
+                                  : default_methods(size));
     options.contestants.insert(options.contestants.begin(), pairs.begin(), pairs.end());
   }
   return options;

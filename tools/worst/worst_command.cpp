@@ -34,8 +34,8 @@ int run_worst(WorstArguments& arguments) {
   std::optional<OutputFile> view;
   if (arguments.view) view.emplace("--view", *arguments.view);
   const WorstReport report = find_worst(arguments.options, run_control("worst"));
-  print_view(kWorstViews, arguments.format, report);
   if (scene && report.worst) scene->write(worst_scene(report));
+  print_view(kWorstViews, arguments.format, report);
   if (view && report.worst) {
     view->write(page(worst_document(report, run_control("page"))));
   }

@@ -44,6 +44,14 @@ TEST(Baseline, IsTheSameReadAgain) {
   EXPECT_EQ(again.known, first.known);
   EXPECT_EQ(baseline_text(again), text);
   EXPECT_TRUE(tools::parse_baseline("").known.empty());
+  Identity all_bytes = identity("class");
+  for (int byte = 0; byte < 256; ++byte) all_bytes.source += static_cast<char>(byte);
+  all_bytes.candidate = "\xC3\xA4 \xE2\x80\xAE \xED\xA0\x80 \xF0\x9F\x8E\xB2%41; \r\n";
+  const std::string spelled = baseline_text(updated({}, findings({all_bytes}, {})));
+  EXPECT_EQ(tools::parse_baseline(spelled).known, std::set{all_bytes});
+  EXPECT_NE(spelled.find("; \xC3\xA4 %E2%80%AE %ED%A0%80 \xF0\x9F\x8E\xB2%2541%3B %0D%0A\n"),
+            std::string::npos)
+      << spelled;
   std::string windows;
   for (const char c : text) windows += c == '\n' ? std::string("\r\n") : std::string(1, c);
   EXPECT_EQ(tools::parse_baseline(windows).known, first.known);
@@ -58,10 +66,16 @@ TEST(Baseline, NamesTheLineThatIsWrong) {
     }
     return "";
   };
-  EXPECT_NE(error_of("# raycheck baseline 1\nclass; rays\n").find("line 2: 2 fields"),
+  EXPECT_NE(error_of("# raycheck baseline 2\nclass; rays\n").find("line 2: 2 fields"),
             std::string::npos);
   EXPECT_NE(error_of("a; b; c; d; \n").find("line 1: field 5 is empty"), std::string::npos);
-  EXPECT_NE(error_of("a; b; c; d; %41\n").find("line 1: '%41'"), std::string::npos);
+  for (const char* const wrong : {"%4", "%", "%4g", "%+1"}) {
+    EXPECT_NE(error_of(std::string("a; b; c; d; ") + wrong + "\n")
+                  .find(std::string("line 1: '") + wrong + "' is not % and two hexadecimal"),
+              std::string::npos);
+  }
+  EXPECT_NE(error_of("# raycheck baseline 1: discrepancies\n").find("line 1: it is of an earlier"),
+            std::string::npos);
   EXPECT_NE(error_of("<<<<<<< HEAD\n").find("git left a conflict"), std::string::npos);
 }
 
@@ -150,7 +164,7 @@ TEST_F(BaselineOfARun, LetsPassWhatIsKnownAndNothingElse) {
   EXPECT_NE(none.err.find("--update-baseline makes it"), std::string::npos) << none.err;
   EXPECT_EQ(gate(misses, "--update-baseline").exit_code, 0);
   const std::string first = contents(known());
-  EXPECT_NE(first.find("\n# class; rays\nclass; rays; class: missed; ordinary; command:python3 "),
+  EXPECT_NE(first.find("\n# class; rays\nclass; rays; class: missed; ordinary; mine\n"),
             std::string::npos)
       << first;
   EXPECT_EQ(gate(misses, "--strict-baseline").exit_code, 0);
@@ -171,7 +185,7 @@ TEST_F(BaselineOfARun, LetsPassWhatIsKnownAndNothingElse) {
   EXPECT_EQ(gate(right, "--strict-baseline").exit_code, 1);
   EXPECT_EQ(gate(right, "--update-baseline --strict-baseline").exit_code, 0);
   EXPECT_EQ(contents(known()),
-            "# raycheck baseline 1: discrepancies that are known, see docs/ci.md\n"
+            "# raycheck baseline 2: discrepancies that are known, see docs/ci.md\n"
             "# class; rays\n");
   EXPECT_EQ(gate(misses, "").exit_code, 1);
 }
@@ -182,6 +196,87 @@ TEST_F(BaselineOfARun, MarksKnownFailuresAsSkippedInJunit) {
   EXPECT_EQ(outcome.exit_code, 0);
   EXPECT_NE(outcome.out.find("failures=\"0\""), std::string::npos) << outcome.out;
   EXPECT_NE(outcome.out.find("<skipped type=\"known\""), std::string::npos) << outcome.out;
+}
+
+/// A scene, a candidate and the baseline in a folder.
+class BaselineOfAScene : public BaselineOfARun {
+ protected:
+  /// By `--candidate` as it is given; exit code, or what is said of the baseline.
+  Outcome check(const std::string& scene, const std::string& candidate,
+                const std::string& options) const {
+    return run("check '" + scene + "' --candidate '" + candidate + "' --baseline " + known() + " " +
+               options);
+  }
+  std::string write(const std::string& name, const std::string& text) const {
+    std::ofstream(folder_ + "/" + name) << text;
+    return folder_ + "/" + name;
+  }
+};
+
+TEST_F(BaselineOfAScene, KnowsACandidateAndASceneHoweverTheyAreTyped) {
+  const std::string by_python = "renderer:python3 ", mirrored = " upside-down {scene} {image}";
+  const std::string renderer = by_python + "tests/candidates/rt.py" + mirrored;
+  const std::string scene = "scene/examples/probe.toml";
+  EXPECT_EQ(check(scene, renderer, "").exit_code, 2);
+  EXPECT_EQ(check(scene, renderer, "--update-baseline").exit_code, 0);
+  EXPECT_NE(contents(known()).find("; python3 rt.py upside-down {scene} {image}\n"),
+            std::string::npos)
+      << contents(known());
+  for (const std::string folder : {".", RAYCHECK_SOURCE_DIR, "tests/.."}) {
+    const Outcome same =
+        check(folder + "/" + scene, by_python + folder + "/tests/candidates/rt.py" + mirrored, "");
+    EXPECT_EQ(same.exit_code, 0) << folder << same.out << same.err;
+  }
+  // Two of one name are known by what was typed.
+  const std::string twice =
+      renderer + "' --candidate '" + by_python + "./tests/candidates/rt.py" + mirrored;
+  EXPECT_EQ(check(scene, twice, "").exit_code, 1);
+}
+
+TEST_F(BaselineOfAScene, KnowsPathsOfAnyBytes) {
+  const std::string folder = folder_ + "/\n\x1b[31m\xff; #%41";
+  fs::create_directories(folder);
+  fs::copy_file(fs::path(RAYCHECK_SOURCE_DIR) / "scene/examples/probe.toml",
+                folder + "/probe.toml");
+  const std::string renderer =
+      "renderer:python3 tests/candidates/rt.py upside-down {scene} {image}";
+  EXPECT_EQ(check(folder + "/probe.toml", renderer, "--update-baseline").exit_code, 0);
+  const Outcome again = check(folder + "/probe.toml", renderer, "");
+  EXPECT_EQ(again.exit_code, 0) << again.out << again.err;
+}
+
+TEST_F(BaselineOfAScene, TakesWhatIsUndecidedAndJunitSaysSo) {
+  // The ray begins at the sphere as rounded: a hit there is right for one radius alone.
+  const std::string scene =
+      write("scene.toml",
+            "[conventions]\nroot = \"smaller\"\n"
+            "[[sphere]]\ncentre = [0, 0.6, 0.7]\nradius = 0.9219544457292888\n"
+            "[[ray]]\norigin = [0, 0, 0]\ndirection = [1, 0, 0]\n");
+  const std::string mine =
+      "command:python3 " +
+      write("mine.py",
+            "import raycheck_candidate as rc\n"
+            "rc.run('mine', intersect=lambda ray, sphere, asked: (0.0, (0.0, 0.0, 0.0)))\n");
+  EXPECT_EQ(run("check '" + scene + "' --candidate '" + mine + "'").exit_code, 4);
+  write("known", "");
+  const Outcome unknown = check(scene, mine, "--format junit");
+  EXPECT_EQ(unknown.exit_code, 4) << unknown.out;
+  EXPECT_NE(unknown.out.find("errors=\"1\""), std::string::npos) << unknown.out;
+  EXPECT_NE(unknown.out.find("<error type=\"inconclusive\" message=\"1 answer undecided\">"),
+            std::string::npos)
+      << unknown.out;
+  EXPECT_EQ(unknown.out.find("nothing was judged"), std::string::npos) << unknown.out;
+  EXPECT_EQ(check(scene, mine, "--update-baseline").exit_code, 0);
+  EXPECT_NE(contents(known()).find("; class: false hit, undecided; sphere 0; mine\n"),
+            std::string::npos)
+      << contents(known());
+  const Outcome known = check(scene, mine, "--format junit");
+  EXPECT_EQ(known.exit_code, 0) << known.out;
+  EXPECT_NE(known.out.find("<skipped type=\"known\" message=\"1 answer undecided\">"),
+            std::string::npos)
+      << known.out;
+  // It is a defect where what is undecided is one, and was not known as such.
+  EXPECT_EQ(check(scene, mine, "--strict").exit_code, 1);
 }
 
 }  // namespace

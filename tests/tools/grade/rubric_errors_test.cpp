@@ -47,7 +47,7 @@ const std::vector<Wrong> kWrong = {
      "1: driver.preset = \"B:15\": 15 numbers: a sphere has one of 16, 17, "},
     {"title = \"A rubric\"", "t_threshold = -1", "1: t_threshold = -1: must be 0 or more"},
     {"title = \"A rubric\"", "bounds = \"direct/none\"",
-     "1: bounds = \"direct/none\": intersect none"},
+     "1: bounds = \"direct/none\": bounds none"},
     {"title = \"A rubric\"", "limits = { file_mib = 0 }",
      "1: limits.file_mib = 0: must be 1 to 1048576"},
     {"title = \"A rubric\"", "limits = { file = 1 }",

@@ -2,10 +2,12 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <nlohmann/json.hpp>
 #include <set>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "tests/tools/report/certificates.h"
@@ -181,9 +183,68 @@ TEST(Certificates, leave_no_file_behind_when_the_work_fails) {
 TEST(VerifyCertificates, fails_with_2_on_what_it_cannot_read) {
   EXPECT_EQ(run_python("tools/verify_certificates.py").exit_code, 2);
   EXPECT_EQ(run_python(script("nowhere.jsonl")).exit_code, 2);
-  const std::string path = temporary_file("no.jsonl", "no certificate\n");
-  EXPECT_EQ(run_python(script(path)).exit_code, 2);
-  std::filesystem::remove(path);
+}
+
+TEST(VerifyCertificates, fails_with_2_at_the_first_line_that_is_no_certificate) {
+  const auto certificate =
+      of_quantity(certificates_of(std::string(kFalseHit) + " --intersect quadratic"), "class");
+  std::vector<std::pair<std::string, std::string>> lines = {
+      {"no certificate", "it is not JSON"},
+      {"", "it is not JSON"},
+      {"\xff", "it is not UTF-8"},
+      {"null", "certificate is not an object"},
+      {"1", "certificate is not an object"},
+      {"[]", "certificate is not an object"},
+      {"{}", "certificate.method is missing"},
+      {std::string(100000, '['), "it is nested too deeply"},
+      {"{\"ray\":" + std::string(5000, '9') + "}", "an integer beyond 2^53 is not a string"}};
+  // A power of two with such an exponent would not be computed in a lifetime.
+  for (const auto& [where, value] : std::vector<std::pair<std::string, std::string>>{
+           {"/pixel", "true"},
+           {"/wrong", "1.5"},
+           {"/error", "true"},
+           {"/quantity", "[]"},
+           {"/quantity", "\"mood\""},
+           {"/precision", "{}"},
+           {"/certified", "1"},
+           {"/neighbourhood", "1e400"},
+           {"/got", "[[1, 0], [1, 0]]"},
+           {"/got/0", "[1, 1024]"},
+           {"/exact", "[[1, -1000000000]]"},
+           {"/conventions/root", "null"},
+           {"/inputs/spheres/0/radius", "[1, 1000000000]"},
+           {"/inputs/spheres/0/radius", "[true, 1]"},
+           {"/inputs/ray/origin", "[[0, 0]]"},
+           {"/proof/spheres/0/discriminant", "[1, 1, -1000000000]"},
+           {"/proof/spheres/0/discriminant", "[\"1e9\", 1, 0]"},
+           {"/proof/spheres/0", "null"},
+           {"/excuse", R"({"kind": "witness", "amount": "1e1000000000", "witness": []})"},
+           {"/excuse", R"({"kind": "witness", "witness": [{"input": "r", "share": "1e9999"}]})"},
+           {"/excuse", R"({"kind": "witness"})"}}) {
+    ordered_json malformed = certificate;
+    malformed.at(ordered_json::json_pointer(where)) = "VALUE";
+    std::string line = malformed.dump();
+    line.replace(line.find("\"VALUE\""), std::string("\"VALUE\"").size(), value);
+    lines.emplace_back(line, "");
+  }
+  for (const auto& [line, why] : lines) {
+    const std::string path = temporary_file("no.jsonl", certificate.dump() + "\n" + line + "\n");
+    const Outcome result = run_python(script(path));
+    const std::string shown = line.substr(0, 2000);
+    EXPECT_EQ(result.exit_code, 2) << shown << result.err;
+    EXPECT_EQ(result.err.rfind("verify_certificates.py: " + path + ":2: " + why, 0), 0u)
+        << shown << "\n"
+        << result.err;
+    EXPECT_EQ(std::count(result.err.begin(), result.err.end(), '\n'), 1) << result.err;
+    std::filesystem::remove(path);
+  }
+}
+
+TEST(VerifyCertificates, prints_nothing_that_acts_on_a_terminal) {
+  auto certificate =
+      of_quantity(certificates_of(std::string(kFalseHit) + " --intersect quadratic"), "class");
+  certificate["method"] = "\x1b[31mmine";
+  EXPECT_EQ(script_on({certificate}).out.rfind("confirmed  \\x1b[31mmine: class", 0), 0u);
 }
 
 }  // namespace

@@ -85,8 +85,15 @@ void OwnFiles::write(const fs::path& name, const std::string& text) {
   OutputFile("out", out_ / name).write(text);
 }
 
+void OwnFiles::make_folder(const fs::path& name) const {
+  std::error_code error;
+  fs::create_directories(out_ / name, error);
+  if (!error) return;
+  throw std::invalid_argument(fmt::format("out {}: {}", out_.string(), error.message()));
+}
+
 void OwnFiles::replace(const fs::path& folder, const std::map<std::string, std::string>& files) {
-  fs::create_directories(out_ / folder);
+  make_folder(folder);
   for (const auto& entry : fs::directory_iterator(out_ / folder)) {
     const std::string name = entry.path().filename();
     if (name != kRecordFile && !files.contains(name) && is_own(folder / name)) {

@@ -24,6 +24,8 @@ class OwnFiles {
 
   /// Throws std::invalid_argument that names the file where one of that name is not raycheck's own.
   void require_own(const std::filesystem::path& name) const;
+  /// Makes a folder that is not there yet. Errors: std::invalid_argument.
+  void make_folder(const std::filesystem::path& name) const;
   /// Writes a file, in place of its own at most. Errors: as require_own(); std::runtime_error where
   /// it could not be written.
   void write(const std::filesystem::path& name, const std::string& text);
