@@ -11,26 +11,25 @@ namespace raycheck::tests {
 namespace {
 
 /// Of a CMake that has nothing to build, and of a raycheck that prints its arguments.
-const std::string kRun = R"(
+const std::string kRun = R"bash(
 set -e
 unset RAYCHECK_PEERS
 cd "$(mktemp -d)"
 trap 'rm -rf "$PWD"' EXIT
 mkdir -p bin build/release/tools
 cp "$source/run" "$source/packages.txt" .
-for program in bash cat dirname flock mkdir tee;
-do
+for program in bash cat dirname flock mkdir tee; do
   ln -s "$(type -P "$program")" bin
 done
 ln -s "$(type -P true)" bin/cmake
 ln -s "$(type -P echo)" build/release/tools/raycheck
 PATH=$PWD/bin ./run check scene.toml
-)";
+)bash";
 
 Outcome run_without_apt(const std::string& setting) {
-    return run_bash(
-        temporary_file("elsewhere.sh", "source='" RAYCHECK_SOURCE_DIR "'\n" + setting + kRun));
-  }
+  return run_bash(
+      temporary_file("elsewhere.sh", "source='" RAYCHECK_SOURCE_DIR "'\n" + setting + kRun));
+}
 
 TEST(RunScript, names_the_packages_where_nothing_installs_them) {
   const Outcome result = run_without_apt("unset RAYCHECK_PACKAGES");
