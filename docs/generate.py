@@ -90,8 +90,8 @@ def packages_part(when):
     for line in (ROOT / "packages.txt").read_text().splitlines():
         if not line.startswith(when + " "):
             continue
-        package, licence, sentence = (part.strip() for part in line[len(when):].split("|"))
-        lines.append(f"| {package} | {licence} | {sentence} |")
+        package, licence, sentence = (part.strip() for part in line[len(when):].split(" | "))
+        lines.append(f"| {package.replace('|', ' or ')} | {licence} | {sentence} |")
     return "\n".join(lines)
 
 

@@ -58,8 +58,9 @@ TEST(GradescopeResults, have_the_keys_of_its_specification) {
       EXPECT_TRUE(one["status"] == "passed" || one["status"] == "failed");
       EXPECT_TRUE(one["name"].is_string() && one["number"].is_string());
       EXPECT_TRUE(one["output"].is_string());
-      EXPECT_NE(std::find(visibilities.begin(), visibilities.end(), one["visibility"]),
-                visibilities.end());
+      EXPECT_NE(
+          std::find(visibilities.begin(), visibilities.end(), one["visibility"].get<std::string>()),
+          visibilities.end());
     }
     EXPECT_NEAR(sum, all["score"].get<double>(), 1e-9) << name;
     EXPECT_EQ(most, 100) << "without the bonus";

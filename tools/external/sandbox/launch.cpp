@@ -146,7 +146,18 @@ void bind(const Confined& confined, const fs::path& folder, std::vector<std::str
   for (const fs::path& path : shown) add({"--ro-bind-try", path, path});
   const std::string jail = helper("raycheck-jail");
   add({"--ro-bind", jail, jail});
-  for (const fs::path& path : confined.readable) add({"--ro-bind", path, path});
+  // A folder before what lies in it. bubblewrap lists the folders around those that it binds, which
+  // those of runs do not allow: where all around them is shown, an empty one takes their place.
+  std::vector<fs::path> readable = confined.readable;
+  std::sort(readable.begin(), readable.end());
+  const fs::path of_run = folder.parent_path();
+  bool is_emptied = false;
+  for (const fs::path& path : readable) {
+    add({"--ro-bind", path, path});
+    if (!(of_run.string() + "/").starts_with(path.string() + "/")) continue;
+    add({"--tmpfs", of_run});
+    is_emptied = true;
+  }
   shown.insert(shown.end(), confined.readable.begin(), confined.readable.end());
   for (const fs::path& hidden : hidden_paths()) {
     for (const fs::path& one : shown) {
@@ -160,6 +171,7 @@ void bind(const Confined& confined, const fs::path& folder, std::vector<std::str
     }
   }
   add({"--bind", folder, folder, "--remount-ro", "/", "--chdir", folder});
+  if (is_emptied) add({"--remount-ro", of_run});
 }
 
 /// The same by Landlock.

@@ -91,7 +91,7 @@ std::optional<Built> Store::find(const std::string& key, const fs::path& to) con
   try {
     const Json record = Json::parse(file_bytes(folder / kRecord));
     const Json& made = record.at("made");
-    if (digest({made.dump()}) != record.at("digest")) return {};
+    if (digest({made.dump()}) != record.at("digest").get<std::string>()) return {};
     const auto digests = made.at("files").get<std::map<std::string, std::string>>();
     if (copy_files(folder / kFiles, to) == digests) {
       return Built{made.at("programs").get<std::vector<std::string>>(), made.at("words"),

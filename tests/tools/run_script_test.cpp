@@ -1,0 +1,50 @@
+// `./run` where there is no apt-get: in a folder with the script, and with few programs beside
+// bash.
+
+#include <gtest/gtest.h>
+
+#include <string>
+
+#include "tests/tools/program.h"
+
+namespace raycheck::tests {
+namespace {
+
+/// Of a CMake that has nothing to build, and of a raycheck that prints its arguments.
+const std::string kRun = R"bash(
+set -e
+unset RAYCHECK_PEERS
+cd "$(mktemp -d)"
+trap 'rm -rf "$PWD"' EXIT
+mkdir -p bin build/release/tools
+cp "$source/run" "$source/packages.txt" .
+for program in bash cat dirname flock mkdir tee; do
+  ln -s "$(type -P "$program")" bin
+done
+ln -s "$(type -P true)" bin/cmake
+ln -s "$(type -P echo)" build/release/tools/raycheck
+PATH=$PWD/bin ./run check scene.toml
+)bash";
+
+Outcome run_without_apt(const std::string& setting) {
+  return run_bash(
+      temporary_file("elsewhere.sh", "source='" RAYCHECK_SOURCE_DIR "'\n" + setting + kRun));
+}
+
+TEST(RunScript, names_the_packages_where_nothing_installs_them) {
+  const Outcome result = run_without_apt("unset RAYCHECK_PACKAGES");
+  EXPECT_EQ(result.exit_code, 2);
+  EXPECT_EQ(result.out, "");
+  EXPECT_NE(result.err.find(" libflint-arb-dev or libflint-dev "), std::string::npos) << result.err;
+  EXPECT_NE(result.err.find("RAYCHECK_PACKAGES=have"), std::string::npos) << result.err;
+}
+
+TEST(RunScript, goes_on_where_the_packages_are_there_in_another_way) {
+  const Outcome result = run_without_apt("export RAYCHECK_PACKAGES=have");
+  EXPECT_EQ(result.exit_code, 0);
+  EXPECT_EQ(result.out, "check scene.toml\n");
+  EXPECT_EQ(result.err, "building for the first time: a few minutes\n");
+}
+
+}  // namespace
+}  // namespace raycheck::tests
