@@ -13,6 +13,9 @@ struct RunControl {
   std::function<bool()> interrupted = [] { return false; };
   /// Told now and then, by one thread at a time, how far the work has come: "3 of 7 graded".
   std::function<void(std::string_view)> progress = [](std::string_view) {};
+  /// Told of each part that takes long once it is done, by one thread at a time: "3 of 7 graded:
+  /// ada".
+  std::function<void(std::string_view)> done = [](std::string_view) {};
   int threads = 1;
 };
 

@@ -185,7 +185,9 @@ void add_external(CLI::App& command, ExternalArguments& arguments) {
                          "someone else's implementation instead: library:PATH.so, source:PATH, "
                          "command:'WORDS' or renderer:'WORDS'; several times for several");
   add_sandbox(command, arguments.sandbox)->needs(candidate);
-  command.add_option("--timeout", arguments.seconds, "seconds a candidate has for one reply")
+  command
+      .add_option("--timeout", arguments.seconds,
+                  "seconds of CPU time a candidate has for one reply")
       ->check(number_between(kLeastSeconds, kMostSeconds))
       ->needs(candidate)
       ->capture_default_str();
@@ -222,12 +224,9 @@ void add_renderer(CLI::App& command, ExternalArguments& arguments) {
 
 namespace {
 
-/// No further form is tried after so many.
-constexpr double kDryRunSeconds = 60;
-
 /// A renderer that is given driver files of the form that it reads.
 External as_it_reads(const External& external, const DriverRule& rule) {
-  const DryRun found = dry_run(*external.renderer, rule, kDryRunSeconds);
+  const DryRun found = dry_run(*external.renderer, rule);
   if (found.refusal) throw CandidateError(found.refusal->why, {}, external.name);
   External reader = external;
   reader.renderer->colours = found.colours;

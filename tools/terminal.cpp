@@ -137,9 +137,15 @@ void Progress::show(std::string_view state) {
   next_ = now + std::chrono::milliseconds(200);
 }
 
+void Progress::list(std::string_view done) const {
+  if (isatty(STDERR_FILENO) != 0) return;
+  std::fputs(fmt::format("{}: {}\n", what_, scene::visible_line(done)).c_str(), stderr);
+}
+
 properties::RunControl run_control(std::string what, int threads) {
   const auto shown = std::make_shared<Progress>(std::move(what));
-  return {interrupted, [shown](std::string_view state) { shown->show(state); }, threads};
+  return {interrupted, [shown](std::string_view state) { shown->show(state); },
+          [shown](std::string_view done) { shown->list(done); }, threads};
 }
 
 }  // namespace raycheck::tools

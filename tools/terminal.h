@@ -35,8 +35,8 @@ std::string read_in(std::size_t most);
 /// Whether standard output takes colours: a terminal, and NO_COLOR is not set.
 bool stdout_takes_colours();
 
-/// One line on standard error that says how far long work has come; silent when standard error is
-/// no terminal, and for the first second.
+/// One line on standard error that says how far long work has come, after the first second. Where
+/// standard error is no terminal it has instead a line for each part that is done.
 class Progress {
  public:
   explicit Progress(std::string what);
@@ -44,6 +44,7 @@ class Progress {
   Progress& operator=(const Progress&) = delete;
   ~Progress();
   void show(std::string_view state);
+  void list(std::string_view done) const;
 
  private:
   std::string what_;

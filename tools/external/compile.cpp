@@ -71,7 +71,8 @@ Confined compiler(const RunOptions& options) {
                     .readable = {},
                     .layers = options.layers,
                     .limits = options.limits,
-                    .surroundings = options.surroundings};
+                    .surroundings = options.surroundings,
+                    .spent = options.build_spent};
   // A rubric's limits are those of what is built; compilers need what they need.
   const Limits usual;
   confined.limits.seconds = options.build_seconds;

@@ -21,8 +21,10 @@ struct RunOptions {
   double image_threshold = 0;
   /// Relative paths start here; empty: in the working folder.
   std::filesystem::path folder = {};
-  double build_seconds = 120;           ///< To compile it.
+  double build_seconds = 120;           ///< To compile it, of CPU time.
   std::string build_seconds_name = {};  ///< What who set it calls it.
+  /// Where what it takes to compile it is added up.
+  std::shared_ptr<SpentTime> build_spent = std::make_shared<SpentTime>();
   /// What it answered in earlier runs; null: it is always asked.
   std::shared_ptr<AnswerStore> answers = {};
   /// Who is told where it fails for a cause outside it; null: nobody.

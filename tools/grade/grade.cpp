@@ -142,12 +142,15 @@ class ClassRun {
         },
         [&](Graded& one) {
           all.push_back(std::move(one));
-          control.progress(fmt::format("{} of {} graded", all.size(), submissions_.size()));
+          const std::string state = fmt::format("{} of {} graded", all.size(), submissions_.size());
+          control.progress(state);
+          control.done(fmt::format("{}: {}", state, all.back().grade.name));
         });
     for (std::size_t k = 0; k < all.size(); ++k) {
       if (all[k].outside.empty() || control.interrupted()) continue;
       control.progress(fmt::format("{} again, alone", all[k].grade.name));
       all[k] = graded(submissions_[k], control, true);
+      control.done(fmt::format("graded again, alone: {}", all[k].grade.name));
     }
     for (Graded& one : all) {
       one.reused ? void(++result.reused) : add_times(one.grade, result.times);
@@ -270,10 +273,11 @@ class ClassRun {
   }
 
   /// Why the grade is none, for a cause outside the submission; empty: it is one.
-  std::string grade_one(const Submission& submission, const RunControl& control, bool alone,
+  std::string grade_one(const Submission& submission, const RunControl& given, bool alone,
                         SubmissionGrade& grade) {
     Stopwatch watch;
     const auto surroundings = std::make_shared<Surroundings>(alone);
+    const RunControl control = until_blamed(given, *surroundings);
     const SubmissionGrade before = grade;
     try {
       const RunnableSubmission runnable = prepare(submission, rubric_, {layers_, surroundings},
@@ -312,7 +316,7 @@ class ClassRun {
   }
 
   void refuse_for(const std::string& cause, SubmissionGrade& grade) const {
-    refuse(rubric_, {"the cause lies outside it: " + cause, ""}, grade);
+    refuse(rubric_, outside_refusal(cause), grade);
   }
 
   /// The grade that an earlier run finished, where it depended on the same as `key`.

@@ -31,7 +31,8 @@ struct ProbeReport {
   bool holds() const;
 };
 
-/// Builds and tries every submission as grade() does, judges nothing and writes nothing.
+/// Builds and tries every submission as grade() does, also again, alone, judges nothing and writes
+/// nothing.
 /// Errors: what grade() throws.
 ProbeReport probe(const GradeOptions& options, const properties::RunControl& control = {});
 

@@ -87,7 +87,7 @@ void judge_hit(const External& external) {
 }
 
 void judge_picture(const External& external) {
-  const ReadPicture picture = rendered(*external.renderer, "a driver file\n").picture;
+  const ReadPicture picture = rendered(*external.renderer, "a driver file\n", {2, 1}).picture;
   expect(picture.width == 2 && picture.pixels.size() == 2 && picture.pixels[0] == Colour{255, 0, 0},
          "its picture is not as it drew it");
 }

@@ -45,13 +45,15 @@ class PpmWords {
   std::string_view rest_;
 };
 
-ReadPicture read_ppm(std::string_view bytes, std::int64_t most) {
+ReadPicture read_ppm(std::string_view bytes, std::int64_t most,
+                     const std::optional<PictureSize>& wanted) {
   const bool is_text = bytes[1] == '3';
   PpmWords words(bytes.substr(2));
   ReadPicture picture;
   picture.width = words.number();
   picture.height = words.number();
   require_size(picture.width, picture.height, most);
+  if (wanted && !picture.has_size(*wanted)) return picture;
   const std::int64_t largest = words.number();
   if (largest < 1 || largest > 65535) {
     throw PictureError(fmt::format("its PPM's largest channel is {}", largest));
@@ -87,7 +89,8 @@ ReadPicture read_ppm(std::string_view bytes, std::int64_t most) {
   return picture;
 }
 
-ReadPicture read_png(std::string_view bytes, std::int64_t most) {
+ReadPicture read_png(std::string_view bytes, std::int64_t most,
+                     const std::optional<PictureSize>& wanted) {
   png_image image{};
   image.version = PNG_IMAGE_VERSION;
   image.flags = PNG_IMAGE_FLAG_16BIT_sRGB;  // what renderers mean, not linear light
@@ -102,8 +105,10 @@ ReadPicture read_png(std::string_view bytes, std::int64_t most) {
   ReadPicture picture;
   picture.width = image.width;
   picture.height = image.height;
-  if (picture.width > most / picture.height) png_image_free(&image);
+  const bool is_wanted = !wanted || picture.has_size(*wanted);
+  if (!is_wanted || picture.width > most / picture.height) png_image_free(&image);
   require_size(picture.width, picture.height, most);
+  if (!is_wanted) return picture;
   image.format = PNG_FORMAT_RGB;
   picture.pixels.resize(static_cast<std::size_t>(picture.width * picture.height));
   const png_color background = {0, 0, 0};
@@ -113,9 +118,10 @@ ReadPicture read_png(std::string_view bytes, std::int64_t most) {
 
 }  // namespace
 
-ReadPicture parse_picture(std::string_view bytes, std::int64_t most) {
-  if (bytes.starts_with("P3") || bytes.starts_with("P6")) return read_ppm(bytes, most);
-  if (bytes.starts_with("\x89PNG")) return read_png(bytes, most);
+ReadPicture parse_picture(std::string_view bytes, std::int64_t most,
+                          const std::optional<PictureSize>& wanted) {
+  if (bytes.starts_with("P3") || bytes.starts_with("P6")) return read_ppm(bytes, most, wanted);
+  if (bytes.starts_with("\x89PNG")) return read_png(bytes, most, wanted);
   throw PictureError(bytes.empty() ? "its picture is empty"
                                    : "its picture is neither a PPM (P3 or P6) nor a PNG");
 }

@@ -287,11 +287,9 @@ TEST_P(EachHostile, GainsNothing) {
   const auto& [how, what, layer] = GetParam();
   const std::string secret = temporary_file(std::string(how) + ".secret", "the expected answers");
   ASSERT_EQ(chmod(secret.c_str(), 0600), 0);
-  const auto start = std::chrono::steady_clock::now();
   const json report = judged(
       kRays, "command:python3 tests/candidates/hostile.py " + std::string(how) + " " + secret,
       "--timeout 3");
-  EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::minutes(5));  // it ends
   const bool is_kept = report["isolated_by"].get<std::string>().find(layer) != std::string::npos;
   if (!is_kept) GTEST_SKIP() << "here works only: " << report["isolated_by"];
   EXPECT_GT(report["discrepancies"], 0);
@@ -301,23 +299,21 @@ TEST_P(EachHostile, GainsNothing) {
   std::filesystem::remove(secret);
 }
 
-INSTANTIATE_TEST_SUITE_P(Ways, EachHostile,
-                         testing::Values(Hostile{"exit", "it exited with 0", ""},
-                                         Hostile{"crash", "it was killed by signal 6", ""},
-                                         Hostile{"loop", "it gave no reply within 3 s", ""},
-                                         Hostile{"sleep", "it gave no reply within 3 s", ""},
-                                         Hostile{"output", "it replied with more than", ""},
-                                         Hostile{"memory", "refused: ", ""},
-                                         Hostile{"fork", "refused: BlockingIOError", "own user"},
-                                         Hostile{"write", "refused: ", "own user"},
-                                         Hostile{"read", "refused: ", "own user"},
-                                         Hostile{"preload", "refused: ", "own user"},
-                                         Hostile{"socket", "refused: PermissionError", "seccomp"},
-                                         Hostile{"parent", "refused: ", "bubblewrap"},
-                                         Hostile{"score", "its reply begins with 'score 100'", ""},
-                                         Hostile{"short", "its reply begins with 'reply'", ""},
-                                         Hostile{"nothing", "class", ""}),
-                         [](const auto& the_test) { return std::string(the_test.param.how); });
+INSTANTIATE_TEST_SUITE_P(
+    Ways, EachHostile,
+    testing::Values(
+        Hostile{"exit", "it exited with 0", ""}, Hostile{"crash", "it was killed by signal 6", ""},
+        Hostile{"loop", "it gave no reply within 3 s of CPU time", ""},
+        Hostile{"sleep", "it gave no reply, and computed next to nothing for 3 s", ""},
+        Hostile{"output", "it replied with more than", ""}, Hostile{"memory", "refused: ", ""},
+        Hostile{"fork", "refused: BlockingIOError", "own user"},
+        Hostile{"write", "refused: ", "own user"}, Hostile{"read", "refused: ", "own user"},
+        Hostile{"preload", "refused: ", "own user"},
+        Hostile{"socket", "refused: PermissionError", "seccomp"},
+        Hostile{"parent", "refused: ", "bubblewrap"},
+        Hostile{"score", "its reply begins with 'score 100'", ""},
+        Hostile{"short", "its reply begins with 'reply'", ""}, Hostile{"nothing", "class", ""}),
+    [](const auto& the_test) { return std::string(the_test.param.how); });
 
 TEST(Candidate, does_not_judge_itself_from_within_its_library) {
   const json exits = judged(kRays, "source:tests/candidates/exits.cpp");

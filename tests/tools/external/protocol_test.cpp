@@ -135,6 +135,15 @@ TEST(PictureReader, ReadsPpmsWithCommentsAndOtherMaxima) {
   EXPECT_EQ(parse_picture("P6\r\n1 1\r\n255\r\nabc", 100).pixels, binary.pixels);
 }
 
+TEST(PictureReader, ReadsOfAnotherSizeThanIsWantedNoMoreThanTheHeader) {
+  for (const char* bytes : {"P3\n9 7\n", "P6\n9 7\n255\nabc"}) {
+    const auto other = parse_picture(bytes, 100, PictureSize{7, 9});
+    EXPECT_TRUE(other.has_size({9, 7})) << bytes;
+    EXPECT_TRUE(other.pixels.empty()) << bytes;
+    EXPECT_THROW(parse_picture(bytes, 100, PictureSize{9, 7}), PictureError) << bytes;
+  }
+}
+
 TEST(PictureReader, RefusesWhatIsNoPicture) {
   for (const char* bytes : {"", "P5\n1 1\n255\na", "P3\n2 2\n255\n1 2 3\n", "P6\n2 2\n255\nabc",
                             "P3\n0 1\n255\n", "P3\n1000 1000\n255\n", "P3\n1 1\n0\n1 1 1",

@@ -195,11 +195,13 @@ open(sys.argv[2], "w").write("P3 25 25 255 " + "255 255 255 " * 625)
       0);
   const json hangs = grading.result("hangs");
   EXPECT_EQ(hangs["score"], 0);
-  EXPECT_TRUE(contains(hangs.dump(), "did not end within 1 s"));
+  EXPECT_TRUE(contains(hangs.dump(), "did not end, and computed next to nothing for 1 s"));
   EXPECT_EQ(item(hangs, "whole scenes")["reason"], json({{"kind", "time is up"}, {"seconds", 3}}));
   const json never = grading.result("never");
   EXPECT_EQ(never["score"], 0);
-  EXPECT_TRUE(contains(never["refused"]["why"], "did not end within 1 s")) << never["refused"];
+  EXPECT_TRUE(contains(never["refused"]["why"],
+                       "did not end, and computed next to nothing for 1 s (reply_seconds)"))
+      << never["refused"];
 }
 
 TEST(Attacks, by_links_pipes_and_names_are_refused_and_the_others_graded) {

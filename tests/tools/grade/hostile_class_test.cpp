@@ -59,13 +59,14 @@ class SmallDisk {
 
 constexpr const char* kFillsTheDisk = R"(
 import os, time
-for k in range(100): open('f%d' % k, 'wb').write(bytes(4 << 20))
-time.sleep(4)
+for k in range(14):
+    open('f%d' % k, 'wb').write(bytes(4 << 20))
+time.sleep(60)
 )";
 
 TEST(HostileClass, whose_disk_one_fills_has_the_grades_that_each_has_alone) {
   const Grading grading;
-  const SmallDisk disk(grading.path("disk"), "330m");
+  const SmallDisk disk(grading.path("disk"), "300m");
   if (disk.path().empty()) GTEST_SKIP() << "no disk can be mounted here";
   const std::string rubric = grading.lecture7_with({{"reply_seconds = 5", "reply_seconds = 20"}});
   grading.write("submissions/fills/rays.py", kFillsTheDisk);
@@ -90,10 +91,10 @@ TEST(HostileClass, whose_disk_one_fills_has_the_grades_that_each_has_alone) {
   // Where there is more room it is its own limit that it meets.
   const Outcome again =
       grading.grade(grading.lecture7_with(
-                        {{"reply_seconds = 5", "reply_seconds = 20\nlimits = { disk_mib = 60 }"}}),
+                        {{"reply_seconds = 5", "reply_seconds = 20\nlimits = { disk_mib = 40 }"}}),
                     {grading.path("submissions/fills")}, "more");
   EXPECT_EQ(again.exit_code, 0) << again.out << again.err;
-  EXPECT_TRUE(contains(again.out, "its files take more than 60 MiB (disk_mib)")) << again.out;
+  EXPECT_TRUE(contains(again.out, "its files take more than 40 MiB (disk_mib)")) << again.out;
 }
 
 TEST(HostileClass, of_which_one_uses_up_its_time_says_so_in_the_table_and_the_spreadsheet) {

@@ -339,7 +339,7 @@ TEST_F(Intake, names_the_limit_that_is_met) {
   expect_refused("memory", {{"rt.py", "x = bytearray(1 << 30)\n"}},
                  {"it may use at most 300 MiB (memory_mib)", "MemoryError"}, head);
   expect_refused("time", {{"rt.py", "while True: pass\n"}},
-                 {"did not end within 2 s (reply_seconds)"}, head);
+                 {"did not end within 2 s of CPU time (reply_seconds)"}, head);
   expect_refused("threads",
                  {{"rt.py",
                    "import threading, time\nfor k in range(99):\n"
@@ -350,7 +350,8 @@ TEST_F(Intake, names_the_limit_that_is_met) {
   expect_refused("many", {{"1.py", ""}, {"2.py", ""}, {"3.py", ""}, {"4.py", ""}},
                  {"it has more than 3 files (files)"}, head);
   expect_refused("building", {{"Makefile", "rt:\n\tsleep 30\n"}},
-                 {"did not end within 1 s (build_seconds)"}, "[limits]\nbuild_seconds = 1\n");
+                 {"did not end, and computed next to nothing for 1 s (build_seconds)"},
+                 "[limits]\nbuild_seconds = 1\n");
 }
 
 TEST_F(Intake, counts_nothing_that_archives_and_compilers_leave_behind) {

@@ -161,6 +161,29 @@ TEST_F(Probe, repeats_a_programs_own_words_where_its_picture_is_missing_empty_or
   EXPECT_TRUE(contains(text, "    it said:\n      line 4: I do not know that word\n")) << text;
 }
 
+TEST_F(Probe, lists_what_is_done_where_nobody_watches_and_tries_again_alone_what_only_waits) {
+  const std::string waits = hand_in("waits", "rt.py", "import time\ntime.sleep(60)\n");
+  const std::string rubric = grading_.write(
+      "one-second.toml",
+      "[limits]\nreply_seconds = 1\n[driver]\npreset = \"2018\"\n" + kAsTheyCome + kOnePicture);
+  const Outcome outcome =
+      probe(rubric, {hand_in("black", "rt.py", kBlackPicture), waits}, "--format json");
+  EXPECT_EQ(outcome.err,
+            "submissions: 1 of 2 tried: black\nsubmissions: 2 of 2 tried: waits\n"
+            "submissions: tried again, alone: waits\n");
+  EXPECT_EQ(json::parse(outcome.out)["submissions"][1]["refused"]["why"],
+            "it did not end, and computed next to nothing for 1 s (reply_seconds)");
+}
+
+TEST_F(Probe, shows_no_sphere_in_a_picture_of_another_size) {
+  const json other = probed(hand_in("other", "rt.py", R"(import sys
+open(sys.argv[2], "w").write("P3 9 7 255\n" + "9 9 9 " * 63)
+)"),
+                            one_form());
+  EXPECT_TRUE(other["refused"].is_null()) << other;
+  EXPECT_EQ(other["dry_run"]["shows_a_sphere"], false);
+}
+
 TEST_F(Probe, judges_nothing_before_a_background_of_many_colours) {
   const json sky = probed(hand_in("sky", "rt.py", kSky), one_form());
   ASSERT_FALSE(sky["refused"].is_null());

@@ -218,8 +218,9 @@ TEST_F(Store, keeps_that_replies_took_too_long) {
   const std::string folder = submit("hangs", "rays.py", hangs);
   const json first = graded(rubric(10), {folder});
   const std::size_t starts = lines("starts");
-  EXPECT_TRUE(contains(first.dump(), "gave no reply within 2 s")) << first.dump(2);
-  EXPECT_TRUE(contains(graded(rubric(11), {folder}).dump(), "gave no reply within 2 s"));
+  const std::string said = "gave no reply, and computed next to nothing for 2 s";
+  EXPECT_TRUE(contains(first.dump(), said)) << first.dump(2);
+  EXPECT_TRUE(contains(graded(rubric(11), {folder}).dump(), said));
   EXPECT_EQ(lines("starts"), starts);
 }
 

@@ -20,9 +20,6 @@ using Mask = std::vector<bool>;
 /// How much more time a picture is given that is not made in the rubric's.
 constexpr double kMoreTime = 4;
 
-/// So long forms are looked for that would be a note alone.
-constexpr double kNoteSeconds = 20;
-
 /// A picture so much like the truth is made by who reads the form.
 constexpr double kSurelyAlike = 0.95;
 
@@ -97,7 +94,6 @@ Mask true_mask(const scene::Scene& scene) {
 
 /// The share of what either shows that both show.
 double likeness(const Mask& a, const Mask& b) {
-  if (a.size() != b.size()) return 0;
   double both = 0, either = 0;
   for (std::size_t k = 0; k < a.size(); ++k) {
     both += a[k] && b[k] ? 1 : 0;
@@ -120,9 +116,8 @@ struct Attempt {
 
 class DryRunner {
  public:
-  DryRunner(Renderer renderer, const DriverRule& rule, double seconds,
-            const properties::RunControl& control)
-      : renderer_(std::move(renderer)), rule_(rule), end_(spent() + seconds), control_(control) {}
+  DryRunner(Renderer renderer, const DriverRule& rule, const properties::RunControl& control)
+      : renderer_(std::move(renderer)), rule_(rule), control_(control) {}
 
   DryRun run() {
     Attempt chosen = find_form();
@@ -150,6 +145,7 @@ class DryRunner {
           fmt::format("it makes its picture, and then it {}", chosen.made->ended));
     }
     if (!chosen.reads()) {
+      if (chosen.made->picture.pixels.empty()) return found;
       if (is_shaded_around(chosen.made->picture)) {
         found.refusal = Refusal{
             "its background is not of one colour: where a ray meets nothing every pixel has to "
@@ -182,7 +178,6 @@ class DryRunner {
     return is_uniform(picture) && picture.pixels.front() == Colour{};
   }
   double spent() const { return renderer_.program.spent->seconds(); }
-  bool is_late() const { return spent() > end_ || control_.interrupted(); }
 
   /// The symmetric scene in a form.
   Attempt attempt(const DriverForm& form) {
@@ -191,9 +186,11 @@ class DryRunner {
     made.form = form;
     const double before = spent();
     try {
-      made.made = rendered(renderer_, driver_text(scene_, form, white_));
+      made.made = rendered(renderer_, driver_text(scene_, form, white_), size_);
       const ReadPicture& picture = made.made->picture;
-      made.like = likeness(mask_of(picture, background_of(picture)), truth_);
+      if (!picture.pixels.empty()) {
+        made.like = likeness(mask_of(picture, background_of(picture)), truth_);
+      }
     } catch (const ProcessFailure& failure) {
       made.failure = {failure.what(), {}};
       made.timed_out = failure.kind() == FailureKind::kTimeUp;
@@ -215,7 +212,7 @@ class DryRunner {
   Attempt best_of_all(Attempt best) {
     for (const DriverForm& form : known_forms(rule_.form)) {
       if (form == rule_.form) continue;
-      if (is_late() || timed_out_ >= kMostTimeouts) break;
+      if (control_.interrupted() || timed_out_ >= kMostTimeouts) break;
       Attempt next = attempt(form);
       if (next.is_sure()) return next;
       const bool is_better = next.reads() ? next.like > best.like : !best.made && next.made;
@@ -227,7 +224,6 @@ class DryRunner {
   /// Where the rule's form alone counts and is not read.
   std::optional<DriverForm> form_read_instead(const Attempt& chosen) {
     if (rule_.tries_others || chosen.reads() || chosen.timed_out) return {};
-    end_ = std::min(end_, spent() + kNoteSeconds);
     const Attempt other = best_of_all(chosen);
     if (!other.reads()) return {};
     return other.form;
@@ -256,7 +252,7 @@ class DryRunner {
     const std::vector<Colour> colours(scene.spheres.size(), colour);
     try {
       const ReadPicture picture =
-          rendered(renderer_, driver_text(scene, found.driver, colours)).picture;
+          rendered(renderer_, driver_text(scene, found.driver, colours), size_).picture;
       const std::size_t middle = picture.pixels.size() / 2;
       if (picture.pixels.empty() || picture.pixels[middle] == found.colours.background) return {};
       return picture.pixels[middle];
@@ -301,9 +297,9 @@ class DryRunner {
 
   Renderer renderer_;
   const DriverRule& rule_;
-  double end_;
   const properties::RunControl& control_;
   const scene::Scene scene_ = symmetric_scene();
+  const PictureSize size_ = {scene_.camera->width, scene_.camera->height};
   const std::vector<Colour> white_ =
       std::vector<Colour>(scene_.spheres.size(), Colour{255, 255, 255});
   const Mask truth_ = true_mask(scene_);
@@ -312,9 +308,8 @@ class DryRunner {
 
 }  // namespace
 
-DryRun dry_run(Renderer renderer, const DriverRule& rule, double seconds,
-               const properties::RunControl& control) {
-  return DryRunner(std::move(renderer), rule, seconds, control).run();
+DryRun dry_run(Renderer renderer, const DriverRule& rule, const properties::RunControl& control) {
+  return DryRunner(std::move(renderer), rule, control).run();
 }
 
 }  // namespace raycheck::tools

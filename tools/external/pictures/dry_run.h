@@ -36,8 +36,8 @@ inline constexpr double kShownAlike = 0.6;
 /// Has a few small pictures made, of a scene on which most mistakes do not show: symmetric and
 /// square, its numbers whole. The forms other than `rule`'s first are tried only where that one is
 /// not read; where the rule asks for that one, no other is taken, and a note says which one is
-/// read. `seconds`: after so many no further form is tried.
-DryRun dry_run(Renderer renderer, const DriverRule& rule, double seconds,
+/// read. After three pictures that are not made in time no further form is tried.
+DryRun dry_run(Renderer renderer, const DriverRule& rule,
                const properties::RunControl& control = {});
 
 }  // namespace raycheck::tools

@@ -3,6 +3,7 @@
 #include <fmt/core.h>
 #include <sys/stat.h>
 
+#include <ctime>
 #include <stdexcept>
 #include <system_error>
 #include <utility>
@@ -31,8 +32,27 @@ std::string read_made(const fs::path& path, std::uint64_t most) {
   return file_bytes(path, most);
 }
 
+/// What this thread computes while it lives is a candidate's time.
+class ComputedFor {
+ public:
+  explicit ComputedFor(SpentTime& spent) : spent_(spent), before_(computed()) {}
+  ~ComputedFor() { spent_.add(computed() - before_); }
+  ComputedFor(const ComputedFor&) = delete;
+  ComputedFor& operator=(const ComputedFor&) = delete;
+
+ private:
+  static double computed() {
+    constexpr double kNano = 1e-9;
+    timespec time{};
+    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
+    return static_cast<double>(time.tv_sec) + kNano * static_cast<double>(time.tv_nsec);
+  }
+  SpentTime& spent_;
+  double before_;
+};
+
 /// Runs the program.
-MadePicture drawn(const Renderer& renderer, const std::string& driver) {
+MadePicture drawn(const Renderer& renderer, const std::string& driver, PictureSize size) {
   Confined program = renderer.program;
   program.files = {{kSceneFile, driver}};
   for (std::string& word : program.arguments) {
@@ -54,8 +74,9 @@ MadePicture drawn(const Renderer& renderer, const std::string& driver) {
   const std::string said = said_text(process.said(), process.printed());
   // What is whole counts, however the program ended afterwards.
   if (found && (!failure || failure->kind() == FailureKind::kEnded)) {
+    const ComputedFor reading(*program.spent);
     try {
-      return {parse_picture(read_made(found->path, program.limits.file), kMostPicturePixels),
+      return {parse_picture(read_made(found->path, program.limits.file), kMostPicturePixels, size),
               found->is_named ? "" : found->path.filename().string(),
               failure ? failure->what() : "",
               (process.said().empty() ? process.printed() : process.said()).excerpt()};
@@ -80,7 +101,7 @@ std::string driver_text(const scene::Scene& scene, const DriverForm& form) {
 properties::ImageAnswer image_answer(const ReadPicture& picture, const scene::Camera& camera,
                                      scene::Rows rows, std::size_t spheres,
                                      const ColourHabit& habit) {
-  if (picture.width != camera.width || picture.height != camera.height) {
+  if (!picture.has_size({camera.width, camera.height})) {
     throw properties::OtherSize(
         fmt::format("its picture has {} x {} pixels, the scene {} x {}{}", picture.width,
                     picture.height, camera.width, camera.height,
@@ -103,7 +124,7 @@ properties::ImageAnswer image_answer(const ReadPicture& picture, const scene::Ca
   return answer;
 }
 
-MadePicture rendered(const Renderer& renderer, const std::string& driver) {
+MadePicture rendered(const Renderer& renderer, const std::string& driver, PictureSize size) {
   class None : public AnswerStore {
     std::optional<StoredAnswer> find(const std::string& /*request*/) const override { return {}; }
     void keep(const std::string& /*request*/, StoredAnswer /*answer*/) override {}
@@ -122,7 +143,7 @@ MadePicture rendered(const Renderer& renderer, const std::string& driver) {
     answers.keep(request, {text, failure, spent.seconds() - before});
   };
   try {
-    MadePicture made = drawn(renderer, driver);
+    MadePicture made = drawn(renderer, driver, size);
     keep(stored_text(made));
     return made;
   } catch (const ProcessFailure& failure) {
@@ -145,7 +166,8 @@ MadePicture rendered(const Renderer& renderer, const std::string& driver) {
 
 properties::ImageAnswer render(const Renderer& renderer, const scene::Scene& scene,
                                scene::Rows rows) {
-  return image_answer(rendered(renderer, driver_text(scene, renderer.driver)).picture,
+  const PictureSize size = {scene.camera->width, scene.camera->height};
+  return image_answer(rendered(renderer, driver_text(scene, renderer.driver), size).picture,
                       *scene.camera, rows, scene.spheres.size(), renderer.colours);
 }
 

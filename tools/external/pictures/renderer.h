@@ -53,9 +53,10 @@ struct MadePicture {
 };
 
 /// Runs the program once for a driver file, or takes what it made of it before. A whole picture
-/// counts, whatever the program's exit code. Errors: ProcessFailure, and std::runtime_error with
+/// counts, whatever the program's exit code; one of another size has no pixels. What it takes to
+/// read it counts as the program's time. Errors: ProcessFailure, and std::runtime_error with
 /// what is wrong with the picture.
-MadePicture rendered(const Renderer& renderer, const std::string& driver);
+MadePicture rendered(const Renderer& renderer, const std::string& driver, PictureSize size);
 
 /// What the picture of a scene shows. Errors: as rendered() and image_answer().
 properties::ImageAnswer render(const Renderer& renderer, const scene::Scene& scene,

@@ -29,10 +29,11 @@ std::optional<MadePicture> stored_picture(std::string_view text) {
   made.ended = text.substr(other_name, ended);
   text.remove_prefix(other_name + ended);
   made.picture.pixels.resize(text.size() / sizeof(Colour));
+  const auto width = static_cast<std::size_t>(made.picture.width);
   if (made.picture.width <= 0 || made.picture.height <= 0 || text.size() % sizeof(Colour) != 0 ||
-      made.picture.pixels.size() / static_cast<std::size_t>(made.picture.width) !=
-          static_cast<std::size_t>(made.picture.height) ||
-      made.picture.pixels.size() % static_cast<std::size_t>(made.picture.width) != 0) {
+      (!text.empty() &&
+       (made.picture.pixels.size() % width != 0 ||
+        made.picture.pixels.size() / width != static_cast<std::size_t>(made.picture.height)))) {
     return {};
   }
   std::memcpy(made.picture.pixels.data(), text.data(), text.size());

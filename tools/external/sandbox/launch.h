@@ -29,8 +29,8 @@ std::string called(const std::string& limit);
 
 /// What one process, or a process and all that it starts, may use.
 struct Limits {
-  /// From a request to the end of its reply: while it computes or sleeps, not while it waits for
-  /// what others use.
+  /// Of CPU time, from a request to the end of its reply, together; watch.h says what time those
+  /// have who wait.
   double seconds = 10;
   std::uint64_t cpu_seconds = 600;
   /// In bytes: each of addresses, together of the machine's memory.

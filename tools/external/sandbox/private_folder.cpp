@@ -8,7 +8,6 @@
 #include <algorithm>
 #include <cerrno>
 #include <cstdlib>
-#include <ctime>
 #include <map>
 #include <mutex>
 #include <string>
@@ -82,27 +81,33 @@ fs::path new_folder(const fs::path& begin) {
   return name;
 }
 
-/// Takes hold of a run's folder until it is closed, or this process ends; -1 where another has it,
-/// or it is no run's. `create`: O_CREAT where it becomes one.
-int hold(const fs::path& folder, int create = 0) {
-  const int opened =
-      open((folder / kHeldBy).c_str(), O_RDWR | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC | create, 0600);
+/// Takes hold of a run's folder by this file of it, until that is closed or this process ends; -1
+/// where another has it, or it is no run's. `create`: O_CREAT where it becomes one.
+int hold(const fs::path& by, int create = 0) {
+  const int opened = open(by.c_str(), O_RDWR | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC | create, 0600);
   if (opened >= 0 && flock(opened, LOCK_EX | LOCK_NB) == 0) return opened;
   if (opened >= 0) close(opened);
   return -1;
 }
 
+/// Takes hold of a new folder. Others see the file by which it is held once it is.
+int hold_new(const fs::path& folder) {
+  const fs::path unseen = folder / "new";
+  const int held = hold(unseen, O_CREAT);
+  if (held >= 0) fs::rename(unseen, folder / kHeldBy);
+  return held;
+}
+
 /// Removes what runs left that were killed: folders of this user that runs have made and nobody
-/// holds, and that are not so new that they are about to be held.
+/// holds.
 void remove_left_overs(const fs::path& where) {
-  constexpr time_t kNew = 60;
   std::error_code error;
   for (fs::directory_iterator at(where, error), end; !error && at != end; at.increment(error)) {
     if (!at->path().filename().string().starts_with(kPrefix)) continue;
     struct stat status {};
     if (lstat(at->path().c_str(), &status) != 0 || !S_ISDIR(status.st_mode)) continue;
-    if (status.st_uid != geteuid() || time(nullptr) - status.st_mtime < kNew) continue;
-    if (const int held = hold(at->path()); held >= 0) {
+    if (status.st_uid != geteuid()) continue;
+    if (const int held = hold(at->path() / kHeldBy); held >= 0) {
       remove_tree(at->path());
       close(held);
     }
@@ -112,8 +117,7 @@ void remove_left_overs(const fs::path& where) {
 /// The folder that holds all those of this process, and goes with it.
 class RunFolder {
  public:
-  RunFolder()
-      : path_(new_folder(fs::temp_directory_path() / kPrefix)), held_(hold(path_, O_CREAT)) {
+  RunFolder() : path_(new_folder(fs::temp_directory_path() / kPrefix)), held_(hold_new(path_)) {
     // Others may enter what they know of, and list nothing.
     fs::permissions(path_, fs::perms::others_exec, fs::perm_options::add);
     remove_left_overs(path_.parent_path());

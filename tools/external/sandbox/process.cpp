@@ -4,13 +4,13 @@
 #include <fmt/core.h>
 #include <poll.h>
 #include <sys/prctl.h>
+#include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
 #include <algorithm>
 #include <array>
 #include <cerrno>
-#include <chrono>
 #include <csignal>
 #include <cstring>
 #include <fstream>
@@ -24,7 +24,6 @@ namespace raycheck::tools {
 namespace {
 
 namespace fs = std::filesystem;
-using Clock = std::chrono::steady_clock;
 
 /// Reads of a stream at a time, together more than a pipe holds: what says ever more must not keep
 /// from looking at the time.
@@ -73,6 +72,11 @@ int signal_of(int status) {
   if (WIFSIGNALED(status)) return WTERMSIG(status);
   const int code = WEXITSTATUS(status);
   return code > kSignalled && code <= kSignalled + SIGRTMAX ? code - kSignalled : 0;
+}
+
+double seconds_of(const timeval& time) {
+  constexpr double kMicro = 1e-6;
+  return static_cast<double>(time.tv_sec) + kMicro * static_cast<double>(time.tv_usec);
 }
 
 std::string words_left() {
@@ -166,7 +170,7 @@ Process::Process(const Confined& confined) try : confined_(confined) {
   pid_ = launch(confined, folder_.path(), user_, group_ ? group_->path() : fs::path(),
                 {in.read, out.write, err.write});
   watch_.emplace(pid_, folder_.path(), confined_.limits, group_ ? &*group_ : nullptr,
-                 confined_.surroundings && confined_.surroundings->alone());
+                 has_neighbours());
   input_ = std::exchange(in.write, -1);
   output_ = std::exchange(out.read, -1);
   error_ = std::exchange(err.read, -1);
@@ -180,11 +184,18 @@ Process::~Process() {
   if (!kill_all()) blame(FailureKind::kSystem, words_left());
 }
 
+/// Whether other candidates may run beside it.
+bool Process::has_neighbours() const {
+  return confined_.surroundings && !confined_.surroundings->alone();
+}
+
 /// Whether it has ended by itself; if so nothing of it is left: raycheck-jail sees to that, or is
 /// killed.
 bool Process::has_ended(int& status) {
-  if (waitpid(pid_, &status, WNOHANG) != pid_) return false;
+  rusage used{};
+  if (wait4(pid_, &status, WNOHANG, &used) != pid_) return false;
   pid_ = -1;
+  watch_->end(seconds_of(used.ru_utime) + seconds_of(used.ru_stime));
   listen();
   return true;
 }
@@ -207,7 +218,7 @@ void Process::blame(FailureKind kind, const std::string& words) const {
   if (kind == FailureKind::kSystem && confined_.surroundings) confined_.surroundings->blame(words);
 }
 
-/// What it was waited for counts as its time.
+/// What it took is added up.
 void Process::charge() { confined_.spent->add(watch_->taken()); }
 
 /// Stops it where it uses too much, or has taken its time.
@@ -236,16 +247,14 @@ void Process::fail_with(int status) {
   // Nothing here kills what has not failed: others may, or the system when memory is short. What
   // does it to itself does it again when it is alone.
   const bool is_killed = signal_of(status) == SIGKILL;
-  const bool may_be_others = confined_.surroundings && !confined_.surroundings->alone();
-  fail(is_killed && may_be_others ? FailureKind::kSystem : FailureKind::kEnded, words);
+  fail(is_killed && has_neighbours() ? FailureKind::kSystem : FailureKind::kEnded, words);
 }
 
 void Process::fail_ended() {
-  // Its streams are closed: it ends soon, or does nothing that could be heard.
-  const auto deadline = Clock::now() + std::chrono::seconds(1);
   int status = 0;
   while (!has_ended(status)) {
-    if (Clock::now() > deadline) fail(FailureKind::kEnded, "closed its output");
+    scene::poll();
+    look("closed its output and did not end");
     usleep(kPause);
   }
   fail_with(status);

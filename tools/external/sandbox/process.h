@@ -45,7 +45,7 @@ class Process {
                        std::size_t most_bytes);
   /// Of an answer that failed, what had come until then.
   const std::string& unfinished() const { return answer_; }
-  /// What is exchanged from now on has so many seconds.
+  /// What is exchanged from now on has so many seconds of CPU time.
   void allow(double seconds) { confined_.limits.seconds = seconds; }
   /// Closes its input and waits for its end; returns its exit code.
   int finish();
@@ -63,6 +63,7 @@ class Process {
   void charge();
   void look(const char* doing);
   void listen();
+  bool has_neighbours() const;
   bool has_ended(int& status);
   bool kill_all();
 

@@ -130,15 +130,11 @@ bool disks_keep_waiting() {
 
 }  // namespace
 
-std::vector<ProcessState> process_tree(pid_t root, double* others_seconds) {
+std::vector<ProcessState> process_tree(pid_t root, double* computed) {
   std::vector<ProcessState> all, tree;
   for_each_number("/proc", [&](pid_t pid) {
-    const auto state = state_of(pid);
-    if (!state || state->is_dead) return;
-    (pid == root ? tree : all).push_back(*state);
+    if (const auto state = state_of(pid)) (pid == root ? tree : all).push_back(*state);
   });
-  if (others_seconds != nullptr) *others_seconds = 0;
-  if (tree.empty()) return tree;
   // Generation by generation.
   for (std::size_t k = 0; k < tree.size(); ++k) {
     const pid_t parent = tree[k].pid;
@@ -147,13 +143,15 @@ std::vector<ProcessState> process_tree(pid_t root, double* others_seconds) {
     tree.insert(tree.end(), rest, all.end());
     all.erase(rest, all.end());
   }
-  if (others_seconds != nullptr) {
-    for (const ProcessState& one : all) *others_seconds += one.cpu_seconds;
+  if (computed != nullptr) {
+    *computed = 0;
+    for (const ProcessState& one : tree) *computed += one.cpu_seconds;
   }
+  std::erase_if(tree, [](const ProcessState& one) { return one.is_dead; });
   return tree;
 }
 
-Waiting waiting_of(const std::vector<ProcessState>& processes) {
+bool want_to_run(const std::vector<ProcessState>& processes) {
   bool runs = false, sleeps = false;
   for (const ProcessState& process : processes) {
     const std::string tasks = "/proc/" + std::to_string(process.pid) + "/task";
@@ -165,8 +163,7 @@ Waiting waiting_of(const std::vector<ProcessState>& processes) {
     });
   }
   // A parent sleeps as deeply until its child of vfork() is another program.
-  if (sleeps && disks_keep_waiting()) return Waiting::kForADisk;
-  return runs ? Waiting::kForAProcessor : Waiting::kForNothing;
+  return runs || (sleeps && disks_keep_waiting());
 }
 
 MemoryUse memory_together(const std::vector<ProcessState>& processes) {

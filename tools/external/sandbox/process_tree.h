@@ -20,14 +20,13 @@ struct ProcessState {
 
 /// A process and all that it started, and they: the living ones. What a process leaves behind when
 /// it ends belongs to its nearest ancestor that takes orphans.
-/// `others_seconds`: what all other processes have computed until now.
-std::vector<ProcessState> process_tree(pid_t root, double* others_seconds = nullptr);
+/// `computed`: what they have computed until now, in seconds, with those of them that are dead or
+/// that they have waited for.
+std::vector<ProcessState> process_tree(pid_t root, double* computed = nullptr);
 
-/// What threads wait for that could run otherwise.
-enum class Waiting { kForNothing, kForAProcessor, kForADisk };
-
-/// Of all of these; a disk counts most. Whoever waits for a child of his own waits for nothing.
-Waiting waiting_of(const std::vector<ProcessState>& processes);
+/// Whether a thread of these could run if there were a processor, or waits for a disk. Whoever
+/// waits for a child of his own does neither.
+bool want_to_run(const std::vector<ProcessState>& processes);
 
 /// What processes have in memory together, in bytes.
 struct MemoryUse {

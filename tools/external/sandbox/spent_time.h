@@ -5,9 +5,9 @@
 
 namespace raycheck::tools {
 
-/// How long a candidate has taken in all, in seconds: while it computed or slept, not while it
-/// waited for what others use. An answer of an earlier run takes what it took then, so that what is
-/// asked does not depend on what is known. One for all its processes and threads.
+/// How long a candidate has taken in all, in seconds of CPU time. An answer of an earlier run takes
+/// what it took then, so that what is asked does not depend on what is known. One for all its
+/// processes and threads.
 class SpentTime {
  public:
   void add(double seconds) { seconds_.fetch_add(seconds); }

@@ -24,12 +24,10 @@ constexpr double kLooks = 10;
 /// A look takes at most this part of the time, but never waits for longer than that.
 constexpr int kShare = 10;
 constexpr std::chrono::steady_clock::duration kMostInterval = std::chrono::seconds(1);
-/// What waits for others is stopped nevertheless after so many times its time, and so many seconds.
-constexpr double kMostWaiting = 10, kLeastWaiting = 120;
 /// Processes that keep it, and are not its own: bubblewrap's and raycheck-jail.
 constexpr std::uint64_t kOfLayers = 4;
-/// Of a span, what has computed nearly all of it has not waited.
-constexpr double kNearlyAll = 0.9;
+/// Who computes less than this share of a time has only waited.
+constexpr double kNextToNothing = 0.01;
 
 std::uint64_t available_memory() {
   std::ifstream file("/proc/meminfo");
@@ -61,22 +59,46 @@ std::string memory_words(const Limits& limits) {
 }
 
 Watch::Watch(pid_t root, fs::path folder, const Limits& limits, const ControlGroup* group,
-             bool alone)
-    : root_(root), folder_(std::move(folder)), limits_(limits), group_(group), alone_(alone) {
+             bool has_neighbours)
+    : root_(root),
+      folder_(std::move(folder)),
+      limits_(limits),
+      group_(group),
+      has_neighbours_(has_neighbours) {
   const auto part = duration_cast<milliseconds>(duration<double>(limits.seconds / kLooks));
   interval_ = std::clamp(part, kLeastInterval, kInterval);
+  next_ = Clock::now();
   restart();
 }
 
+/// What they have computed by now; returns them. A process that is counted where it was and where
+/// it was waited for, or nowhere, is so at one look alone.
+std::vector<ProcessState> Watch::count() {
+  double computed = 0;
+  std::vector<ProcessState> tree = process_tree(root_, &computed);
+  computed_ = std::max(computed_, group_ != nullptr ? group_->cpu_seconds() : computed);
+  return tree;
+}
+
 void Watch::restart() {
-  taken_seconds_ = 0;
-  began_ = looked_ = Clock::now();
-  next_ = looked_ + interval_;
+  const auto now = Clock::now();
+  if (now >= next_) {
+    count();
+    next_ = now + interval_;
+  }
+  before_ = until_ran_ = computed_;
+  began_ = ran_ = now;
+  is_up_ = false;
+}
+
+void Watch::end(double cpu_seconds) {
+  computed_ = std::max(computed_, group_ != nullptr ? group_->cpu_seconds() : cpu_seconds);
 }
 
 double Watch::taken() const {
-  const double since = duration<double>(Clock::now() - looked_).count();
-  return std::min(taken_seconds_ + since, limits_.seconds);
+  if (is_up_) return limits_.seconds;
+  const double passed = duration<double>(Clock::now() - began_).count();
+  return std::min(std::max(computed_ - before_, passed / kBackstop), limits_.seconds);
 }
 
 milliseconds Watch::until_next() const {
@@ -84,18 +106,6 @@ milliseconds Watch::until_next() const {
                   milliseconds(1));
 }
 
-/// Nobody waits longer for a processor than others compute. That is asked of who is alone: what
-/// many short processes of a neighbour compute the system does not tell.
-void Watch::take_time(double passed, double computed, double others, Waiting waiting) {
-  double waited = waiting == Waiting::kForNothing ? 0 : std::clamp(passed - computed, 0.0, passed);
-  if (alone_ && group_ == nullptr && waiting == Waiting::kForAProcessor) {
-    waited = std::min(waited, others);
-  }
-  taken_seconds_ += passed - waited;
-}
-
-/// Of the hand-in's own limits. Many files take long to look at, and are looked at more rarely:
-/// nothing else waits for them.
 std::optional<Stop> Watch::excess(const std::vector<ProcessState>& tree) {
   std::uint64_t threads = 0;
   for (const ProcessState& one : tree) threads += one.threads;
@@ -138,28 +148,39 @@ std::optional<Stop> Watch::excess(const std::vector<ProcessState>& tree) {
   return {};
 }
 
+std::optional<Stop> Watch::time_up(const char* doing, const std::vector<ProcessState>& tree) {
+  const double limit = limits_.seconds;
+  const std::string name = called(limits_.names.seconds);
+  if (computed_ - before_ >= limit) {
+    return Stop{FailureKind::kTimeUp,
+                fmt::format("{} within {} s of CPU time{}", doing, limit, name)};
+  }
+  const auto now = Clock::now();
+  const FailureKind kind = has_neighbours_ ? FailureKind::kSystem : FailureKind::kTimeUp;
+  const double idle = std::max(limit, kLeastBackstop);
+  if (computed_ - until_ran_ >= kNextToNothing * idle || want_to_run(tree)) {
+    ran_ = now;
+    until_ran_ = computed_;
+  }
+  if (duration<double>(now - ran_).count() >= idle) {
+    return Stop{kind,
+                fmt::format("{}, and computed next to nothing for {} s{}", doing, idle, name)};
+  }
+  const double most = std::max(kBackstop * limit, kLeastBackstop);
+  if (duration<double>(now - began_).count() >= most) {
+    return Stop{kind, fmt::format("{} within {} s, of which it computed for less than {} s{}",
+                                  doing, most, limit, name)};
+  }
+  return {};
+}
+
 std::optional<Stop> Watch::look(const char* doing) {
   const auto now = Clock::now();
   if (now < next_) return {};
-  double others = 0;
-  const std::vector<ProcessState> tree = process_tree(root_, &others);
-  double computed = 0;
-  for (const ProcessState& one : tree) computed += one.cpu_seconds;
-  if (group_ != nullptr) computed = group_->cpu_seconds();
-  computed = std::max(computed - std::exchange(cpu_seconds_, computed), 0.0);
-  const double passed = duration<double>(now - std::exchange(looked_, now)).count();
-  others = std::max(others - std::exchange(others_seconds_, others), 0.0);
-  take_time(passed, computed, others,
-            computed < kNearlyAll * passed ? waiting_of(tree) : Waiting::kForNothing);
-  if (taken_seconds_ >= limits_.seconds) {
-    return Stop{FailureKind::kTimeUp, fmt::format("{} within {} s{}", doing, limits_.seconds,
-                                                  called(limits_.names.seconds))};
-  }
-  const double most = std::max(kMostWaiting * limits_.seconds, kLeastWaiting);
-  if (duration<double>(now - began_).count() >= most) {
-    return Stop{FailureKind::kSystem,
-                fmt::format("{} within {} s of which it computed {:.1f}: others use the machine",
-                            doing, most, taken_seconds_)};
+  const std::vector<ProcessState> tree = count();
+  if (auto stop = time_up(doing, tree)) {
+    is_up_ = true;
+    return stop;
   }
   if (auto stop = excess(tree)) return stop;
   if (const std::string lack = lack_of_room(folder_); !lack.empty()) {

@@ -18,6 +18,10 @@ namespace raycheck::tools {
 inline constexpr std::uint64_t kMemoryReserve = std::uint64_t{384} << 20;
 inline constexpr std::uint64_t kDiskReserve = std::uint64_t{256} << 20;
 
+/// Who waits more than he computes has so many times his limit; who does nothing but wait, his
+/// limit once, of time that passes. Neither has less than so many seconds.
+inline constexpr double kBackstop = 10, kLeastBackstop = 1;
+
 class ControlGroup;
 
 /// What a program that meets its limit on memory is told: "was stopped: it uses more than 4096 MiB
@@ -33,20 +37,22 @@ struct Stop {
   std::string words;
 };
 
-/// Looks now and then at a process and all that it started: what they use together, and how long
-/// they have taken. Their time is what passes while they compute or sleep, not while they wait for
-/// a processor or a disk that others use.
+/// Looks now and then at a process and all that it started: what they use together. Their time is
+/// what they compute; those who wait are stopped, too, though much later.
 class Watch {
  public:
-  /// `group`: theirs, where they have one, which counts them exactly; else null. `alone`: no other
-  /// candidate runs beside it.
+  /// `group`: theirs, where they have one, which counts them exactly; else null. `has_neighbours`:
+  /// other candidates run beside it, so that it is no fault of its own where it only waits.
   Watch(pid_t root, std::filesystem::path folder, const Limits& limits, const ControlGroup* group,
-        bool alone);
+        bool has_neighbours);
   /// Something begins: its time.
   void restart();
   /// Cheap where it is too early for the next look. `doing`: "gave no reply".
   std::optional<Stop> look(const char* doing);
-  /// Of its time, in seconds; at most its limit.
+  /// It has ended, and it and all that it waited for have computed so much.
+  void end(double cpu_seconds);
+  /// Of its time, in seconds: what it computed since the last restart, as far as is known, and at
+  /// least a tenth (kBackstop) of what passed. Who was stopped for his time has taken his limit.
   double taken() const;
   /// How long to wait at most until the next look.
   std::chrono::milliseconds until_next() const;
@@ -54,20 +60,22 @@ class Watch {
  private:
   using Clock = std::chrono::steady_clock;
 
-  void take_time(double passed, double computed, double others, Waiting waiting);
+  std::vector<ProcessState> count();
+  std::optional<Stop> time_up(const char* doing, const std::vector<ProcessState>& tree);
   std::optional<Stop> excess(const std::vector<ProcessState>& tree);
 
   pid_t root_;
   std::filesystem::path folder_;
   const Limits& limits_;
   const ControlGroup* group_;
-  bool alone_;
+  bool has_neighbours_;
   Clock::duration interval_;
-  Clock::time_point began_, looked_, next_, next_at_files_;
-  double cpu_seconds_ = 0;  ///< At the last look.
-  double others_seconds_ = 0;
-  double taken_seconds_ = 0;  ///< Of its time.
-  DiskUse files_;             ///< At the last look at them.
+  Clock::time_point began_, ran_, next_, next_at_files_;
+  double computed_ = 0;   ///< In seconds, as far as is known; what its layers did with it.
+  double before_ = 0;     ///< The same at the last restart.
+  double until_ran_ = 0;  ///< And when it ran last.
+  bool is_up_ = false;
+  DiskUse files_;  ///< At the last look at them.
 };
 
 }  // namespace raycheck::tools

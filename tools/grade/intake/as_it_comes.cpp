@@ -4,8 +4,6 @@
 
 #include <algorithm>
 #include <array>
-#include <chrono>
-#include <cmath>
 #include <set>
 #include <tuple>
 #include <vector>
@@ -20,7 +18,6 @@ namespace raycheck::tools {
 namespace {
 
 namespace fs = std::filesystem;
-using Clock = std::chrono::steady_clock;
 
 /// Of more programs that a build made the others are not tried.
 constexpr std::size_t kMostPrograms = 8;
@@ -88,18 +85,13 @@ Built build_as_it_comes(const fs::path& folder, const HandedInFiles& files, cons
                         const RunOptions& options) {
   const BuildPlan plan = build_plan(files);
   if (plan.attempts.empty()) throw CandidateError(plan.why_none);
-  RunOptions left = options;
-  const auto begin = Clock::now();
   std::vector<std::string> failed;
   std::string why, said;
   for (const BuildAttempt& attempt : plan.attempts) {
-    if (!failed.empty()) {
-      const std::chrono::duration<double> passed = Clock::now() - begin;
-      left.build_seconds = std::floor(options.build_seconds - passed.count());
-    }
-    if (left.build_seconds <= 0) break;
+    // Each has all of it, so that what is said of one does not depend on how long others took.
+    if (options.build_spent->seconds() >= options.build_seconds) break;
     try {
-      Built built{tried(attempt, folder, to, left), attempt.words, {}};
+      Built built{tried(attempt, folder, to, options), attempt.words, {}};
       for (const std::string& what : failed) {
         built.notes.push_back(fmt::format("{} failed; built from {}", what, attempt.what));
       }

@@ -16,9 +16,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// A dry run tries no further form after so many.
-constexpr double kDryRunSeconds = 60;
-
 /// The reason in one line; what a program said, in lines of its own.
 Refusal in_one_line(Refusal refusal) {
   constexpr std::string_view kIntroduction = "; it said:";
@@ -39,8 +36,7 @@ void ask_in_its_form(RunnableSubmission& runnable, const Rubric& rubric,
   Renderer renderer = *runnable.external.renderer;
   renderer.program.start = start;
   if (!start->links.empty()) renderer.program.readable.push_back(start->linked->path());
-  const DryRun& found =
-      runnable.found.dry_run.emplace(dry_run(renderer, rubric.driver, kDryRunSeconds, control));
+  const DryRun& found = runnable.found.dry_run.emplace(dry_run(renderer, rubric.driver, control));
   if (found.refusal) throw SubmissionError(in_one_line(*found.refusal), runnable.found);
   renderer.driver = found.driver;
   renderer.colours = found.colours;

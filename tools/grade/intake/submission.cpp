@@ -4,7 +4,6 @@
 #include <fnmatch.h>
 
 #include <algorithm>
-#include <chrono>
 #include <fstream>
 #include <iterator>
 #include <map>
@@ -34,6 +33,19 @@ IntakeLimits intake_limits(const SubmissionLimits& limits) {
 }
 
 }  // namespace
+
+properties::RunControl until_blamed(const properties::RunControl& control,
+                                    const Surroundings& surroundings) {
+  properties::RunControl until = control;
+  until.interrupted = [&control, &surroundings] {
+    return control.interrupted() || !surroundings.cause().empty();
+  };
+  return until;
+}
+
+Refusal outside_refusal(const std::string& cause) {
+  return {"the cause lies outside it: " + cause, ""};
+}
 
 Limits program_limits(const Rubric& rubric) {
   Limits limits;
@@ -177,7 +189,6 @@ RunnableSubmission prepare(const Submission& submission, const Rubric& rubric,
                     .opaque_files = std::move(files.opaque)};
   BuiltSubmission built{rubric, program, std::move(found), options, store};
   built.start = run_folder(files.files, files.folders, folder);
-  const auto begin = std::chrono::steady_clock::now();
   try {
     const Building building(*form, file, program, copy, files.files, std::move(files.digest));
     if (building.is_needed()) {
@@ -192,7 +203,7 @@ RunnableSubmission prepare(const Submission& submission, const Rubric& rubric,
   } catch (const CandidateError& error) {
     throw SubmissionError({error.why(), error.said()}, built.found);
   }
-  built.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+  built.seconds = options.build_spent->seconds();
   built.found.build_words = built.made.words;
   const auto& notes = built.made.notes;
   built.found.notes.insert(built.found.notes.end(), notes.begin(), notes.end());

@@ -77,6 +77,13 @@ struct Confinement {
   std::shared_ptr<Surroundings> surroundings = {};
 };
 
+/// Work on a submission, which ends too where it fails for a cause outside it.
+properties::RunControl until_blamed(const properties::RunControl& control,
+                                    const Surroundings& surroundings);
+
+/// What is said where it did.
+Refusal outside_refusal(const std::string& cause);
+
 /// What a submission's program may use, by the names that the rubric has for it.
 Limits program_limits(const Rubric& rubric);
 
