@@ -5,7 +5,7 @@
 struct sphere {
   vec3 center;
   double radius;
-  vec3 ka, kd, ks, kr, ko;
+  vec3 ka, kd, ks, kr;
 
   bool intersect(const ray& r, double& s) const;
 };

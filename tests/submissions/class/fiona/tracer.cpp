@@ -20,7 +20,7 @@ int recursion = 0;
 
 void load(std::ifstream in) {
   std::string key;
-  double eta;
+  double opacity, eta;
   while (in >> key) {
     if (key == "eye") in >> cam.eye;
     else if (key == "look") in >> cam.look;
@@ -36,7 +36,7 @@ void load(std::ifstream in) {
     } else if (key == "sphere") {
       spheres.emplace_back();
       sphere& s = spheres.back();
-      in >> s.center >> s.radius >> s.ka >> s.kd >> s.ks >> s.kr >> s.ko >> eta;
+      in >> s.center >> s.radius >> s.ka >> s.kd >> s.ks >> s.kr >> opacity >> eta;
     } else {
       std::cerr << "line not understood: " << key << std::endl;
       std::exit(-1);

@@ -96,6 +96,7 @@ function trace(ray, bounces) {
 const camera = new Camera(new Vector(...settings.eye), new Vector(...settings.look), new Vector(...settings.up), settings.d[0]);
 camera.setBounds(settings.bounds);
 const [width, height] = settings.res;
+if (width < 2 || height < 2) throw new Error('too small a picture');
 const text = ['P3', `${width} ${height}`, '255'];
 const to255 = (c) => Math.max(0, Math.min(255, Math.floor(255 * c)));
 for (let j = 0; j < height; j++) {
