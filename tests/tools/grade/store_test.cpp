@@ -134,23 +134,6 @@ TEST_F(Store, starts_and_builds_nothing_when_an_item_has_changed) {
   EXPECT_EQ(again["submissions"][0]["score"], 12);
 }
 
-TEST_F(Store, gives_the_grades_of_a_class_that_is_graded_anew) {
-  const std::vector<std::string> folders = {
-      grading.submit_built("mirrored", "rt.cpp", "mirrored"),
-      grading.submit_built("crashes", "hostile.cpp", "crashes"),
-      grading.submit("axes", "rays.py", mistake_line("rays.py", "axes_dropped"))};
-  const auto all = [&](const std::string& points, const std::string& out) {
-    const std::string rubric = grading.lecture7_with({{"points = 15", "points = " + points}});
-    const Outcome outcome = grading.grade(rubric, folders, out, "--format json");
-    EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
-    return json::parse(outcome.out)["submissions"];
-  };
-  all("15", "out");
-  const json again = all("14", "out"), anew = all("14", "other");
-  ASSERT_EQ(again.size(), folders.size());
-  for (std::size_t k = 0; k < folders.size(); ++k) EXPECT_EQ(said(again[k]), said(anew[k]));
-}
-
 TEST_F(Store, builds_and_asks_what_has_changed_or_was_not_asked) {
   const std::string folder = submit("mine", "rays.py", kHits);
   graded(rubric(10), {folder});
