@@ -19,10 +19,11 @@ using namespace raycheck;
 
 namespace {
 
-#define MISTAKES                                                                              \
-  none, width_height, top_from_right, top_is_minus_bottom, u_flipped, u_and_w_flipped,        \
-      no_test_for_t, first_sphere_wins, normalize_discarded, by_discriminant, eye_plus_point, \
-      axes_dropped, float_directions, near_root_only, far_root, upside_down, mirrored, cancelling
+#define MISTAKES                                                                                   \
+  none, width_height, top_from_right, top_is_minus_bottom, u_flipped, u_and_w_flipped,             \
+      no_test_for_t, first_sphere_wins, normalize_discarded, by_discriminant, eye_plus_point,      \
+      axes_dropped, float_directions, near_root_only, far_root, upside_down, mirrored, cancelling, \
+      near_negated
 enum class Mistake { MISTAKES };
 
 #ifdef MISTAKE_BY_NAME
@@ -113,7 +114,8 @@ Vec to_pixel(const View& view, const Conventions& asked, Pixel pixel) {
   const Number down = has(Mistake::width_height) ? width : height;
   const Number alpha = position(camera.left, camera.right, i, across, asked.samples);
   const Number beta = position(camera.bottom, camera.top, j, down, asked.samples);
-  return in(camera.near_plane) * view.w + alpha * view.u + beta * view.v;
+  const Number near = has(Mistake::near_negated) ? -in(camera.near_plane) : in(camera.near_plane);
+  return near * view.w + alpha * view.u + beta * view.v;
 }
 
 Vec direction(Vec eye, Vec point, Vec g) {

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 #include <fstream>
 #include <iostream>
 #include <map>
@@ -26,10 +27,13 @@
 
 namespace {
 
-#define MISTAKES                                                                              \
-  none, width_height, top_from_right, top_is_minus_bottom, u_flipped, u_and_w_flipped,        \
-      no_test_for_t, first_sphere_wins, normalize_discarded, by_discriminant, eye_plus_point, \
-      axes_dropped, float_directions, near_root_only, far_root, upside_down, mirrored, cancelling
+#define MISTAKES                                                                                   \
+  none, width_height, top_from_right, top_is_minus_bottom, u_flipped, u_and_w_flipped,             \
+      no_test_for_t, first_sphere_wins, normalize_discarded, by_discriminant, eye_plus_point,      \
+      axes_dropped, float_directions, near_root_only, far_root, upside_down, mirrored, cancelling, \
+      left_and_right_negated, bottom_and_top_negated, symmetric_bounds, bottom_first,              \
+      size_exchanged, aspect_twice, shares_of_the_count, plane_at_1, from_the_eye, epsilon,        \
+      whole_numbers, whole_bounds, one_radius, sorted_once, exits_where_all_is_behind
 enum class Mistake { MISTAKES };
 
 #ifdef MISTAKE_BY_NAME
@@ -107,15 +111,21 @@ class Camera {
     u_ = cross(v_, w_);
     if (has(Mistake::top_from_right)) top = right;
     if (has(Mistake::top_is_minus_bottom)) top = -bottom;
+    if (has(Mistake::left_and_right_negated)) left = -left, right = -right;
+    if (has(Mistake::bottom_and_top_negated)) bottom = -bottom, top = -top;
+    if (has(Mistake::symmetric_bounds)) left = -right, bottom = -top;
+    if (has(Mistake::plane_at_1)) near_plane = -1;
   }
 
   /// From the pixel's point away from the eye; row 0 is the lowest.
   Ray ray(int i, int j) const {
     if (has(Mistake::mirrored)) i = width - 1 - i;
     if (has(Mistake::upside_down)) j = height - 1 - j;
-    const Number across = (has(Mistake::width_height) ? height : width) - 1;
-    const Number down = (has(Mistake::width_height) ? width : height) - 1;
-    const Number alpha = left + i / across * (right - left);
+    const int one = has(Mistake::shares_of_the_count) ? 0 : 1;
+    const Number across = (has(Mistake::width_height) ? height : width) - one;
+    const Number down = (has(Mistake::width_height) ? width : height) - one;
+    Number alpha = left + i / across * (right - left);
+    if (has(Mistake::aspect_twice)) alpha *= Number(width) / height;
     const Number beta = bottom + j / down * (top - bottom);
     const Vector g = near_plane * w_ + alpha * u_ + beta * v_;
     const Vector point = eye + g;
@@ -125,6 +135,7 @@ class Camera {
       return {point, d};
     }
     if (has(Mistake::eye_plus_point)) return {point, normalize(eye + point)};
+    if (has(Mistake::from_the_eye)) return {eye, normalize(g)};
     if (has(Mistake::float_directions)) return {point, to_float(normalize(g))};
     return {point, normalize(g)};
   }
@@ -152,7 +163,9 @@ Scene read(const std::string& path) {
     std::string keyword;
     if (!(words >> keyword)) continue;
     std::vector<Number> n;
-    for (Number x; words >> x;) n.push_back(x);
+    const bool is_whole = (has(Mistake::whole_numbers) && keyword != "ambient") ||
+                          (has(Mistake::whole_bounds) && keyword == "bounds");
+    for (Number x; words >> x;) n.push_back(is_whole && n.size() < 4 ? std::trunc(x) : x);
     if (keyword == "sphere") {
       scene.spheres.push_back({{n.at(0), n.at(1), n.at(2)}, n.at(3), {n.at(4), n.at(5), n.at(6)}});
     } else {
@@ -168,15 +181,26 @@ Scene read(const std::string& path) {
   camera.look = triple("look");
   camera.up = triple("up");
   camera.near_plane = view["d"].at(0);
-  camera.left = view["bounds"].at(kPlacesOfBounds[0]);
-  camera.right = view["bounds"].at(kPlacesOfBounds[1]);
-  camera.bottom = view["bounds"].at(kPlacesOfBounds[2]);
-  camera.top = view["bounds"].at(kPlacesOfBounds[3]);
+  std::vector<Number> b = view["bounds"];
+  if (has(Mistake::bottom_first)) std::rotate(b.begin(), b.begin() + 2, b.begin() + 4);
+  camera.left = b.at(kPlacesOfBounds[0]);
+  camera.right = b.at(kPlacesOfBounds[1]);
+  camera.bottom = b.at(kPlacesOfBounds[2]);
+  camera.top = b.at(kPlacesOfBounds[3]);
   camera.width = static_cast<int>(view["res"].at(0));
   camera.height = static_cast<int>(view["res"].at(1));
+  if (has(Mistake::size_exchanged)) std::swap(camera.width, camera.height);
   camera.find_axes();
   scene.camera = camera;
   scene.ambient = triple("ambient");
+  for (Sphere& sphere : scene.spheres) {
+    if (has(Mistake::one_radius)) sphere.radius = scene.spheres.back().radius;
+  }
+  if (has(Mistake::sorted_once)) {
+    const auto distance = [&](const Sphere& s) { return length(s.centre - camera.eye) - s.radius; };
+    std::stable_sort(scene.spheres.begin(), scene.spheres.end(),
+                     [&](const Sphere& p, const Sphere& q) { return distance(p) < distance(q); });
+  }
   return scene;
 }
 
@@ -214,22 +238,26 @@ std::optional<Number> intersect(const Roots& found) {
   Number s = found.smaller;
   if (has(Mistake::no_test_for_t)) return s;
   if ((s < 0 && !has(Mistake::near_root_only)) || has(Mistake::far_root)) s = found.larger;
-  if (s < 0) return {};
+  if (s < (has(Mistake::epsilon) ? Number(0.001) : 0)) return {};
   return s;
 }
 
 Vector colour(const Scene& scene, const Ray& ray) {
   const Sphere* best = nullptr;
   Number least = 0;
+  bool is_behind = false;
   for (const Sphere& sphere : scene.spheres) {
     const auto found = roots(ray, sphere);
     const auto s = found ? intersect(*found) : std::nullopt;
-    if (!s || (best != nullptr && has(Mistake::first_sphere_wins))) continue;
+    is_behind = is_behind || (found && found->larger < 0);
+    const bool is_first = has(Mistake::first_sphere_wins) || has(Mistake::sorted_once);
+    if (!s || (best != nullptr && is_first)) continue;
     const Number key = has(Mistake::by_discriminant) ? -found->d_sq : *s;
     if (best != nullptr && key >= least) continue;
     best = &sphere;
     least = key;
   }
+  if (best == nullptr && is_behind && has(Mistake::exits_where_all_is_behind)) std::exit(3);
   if (best == nullptr) return {};
   return {scene.ambient.x * best->ambient.x, scene.ambient.y * best->ambient.y,
           scene.ambient.z * best->ambient.z};

@@ -129,7 +129,7 @@ class Altered {
 TEST(Candidate, that_is_a_little_wrong_breaks_its_own_law_alone_in_the_first_report) {
   std::set<std::string> broken;
   const Altered wrong("return Hit{s, out(", "return Hit{s * (1 + 0x1p-46), out(");
-  for (const json& campaign : wrong.report("--cases 100")["campaigns"]) {
+  for (const json& campaign : wrong.report("--cases 300")["campaigns"]) {
     if (campaign["finding"] == "broken") broken.insert(campaign["law"]);
   }
   EXPECT_EQ(broken, std::set<std::string>{"parameter"});
@@ -259,13 +259,14 @@ TEST_P(EachHostile, GainsNothing) {
   const std::string one_question =
       temporary_file("one.toml",
                      "[[ray]]\norigin = [0, 0, 0]\ndirection = [0, 0, 1]\n"
-                     "[[sphere]]\ncentre = [0, 0, 5]\nradius = 2\n");
+                     "[[sphere]]\ncentre = [9, 0, 5]\nradius = 2\n");
   const std::string secret = temporary_file(std::string(how) + ".secret", "the expected answers");
   ASSERT_EQ(chmod(secret.c_str(), 0600), 0);
   const auto start = std::chrono::steady_clock::now();
-  const json report = judged(
-      one_question, "command:python3 tests/candidates/hostile.py " + std::string(how) + " " + secret,
-      "--timeout 3");
+  const json report =
+      judged(one_question,
+             "command:python3 tests/candidates/hostile.py " + std::string(how) + " " + secret,
+             "--timeout 3");
   EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::minutes(5));  // it ends
   const bool is_kept = report["isolated_by"].get<std::string>().find(layer) != std::string::npos;
   if (!is_kept) GTEST_SKIP() << "here works only: " << report["isolated_by"];

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cctype>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "tests/tools/grade/grading.h"
@@ -66,6 +67,7 @@ const std::vector<Mistake> kOfFunctions = {
     {"upside_down", 105, {kBoundary}, "rows are upside down", 4},
     {"mirrored", 105, {kBoundary}, "columns are mirrored", 4},
     {"cancelling", 104, {kRobust}, "", 0},
+    {"near_negated", 105, {kSize}, "near has the wrong sign, the image plane is behind the eye", 2},
 };
 
 const std::vector<Mistake> kOfPictures = {
@@ -112,6 +114,61 @@ const std::vector<Mistake> kOfPictures = {
      {kRobust},
      "the difference r^2 - (|T|^2 - v^2), or b^2 - 4ac, loses its digits from 10^8 radii away",
      1},
+    {"left_and_right_negated",
+     102.5,
+     {kBoundary, kRobust},
+     "left and right are both negated, or: U has the wrong sign",
+     4},
+    {"bottom_and_top_negated",
+     105,
+     {kBoundary},
+     "top and bottom are both negated, or: V has the wrong sign",
+     3},
+    {"symmetric_bounds", 105, {kBoundary}, "bottom is -top; and left is -right", 2},
+    {"bottom_first",
+     105,
+     {kBoundary},
+     "left is taken from bottom, right from top, bottom from left and top from right",
+     2},
+    {"size_exchanged", 105, {kSize}, "width and height of the picture are exchanged", 2},
+    {"aspect_twice",
+     105,
+     {kSize},
+     "the aspect ratio is corrected twice: alpha is multiplied by width/height",
+     2},
+    {"shares_of_the_count", 95, {kBoundary, kRobust}, "i/w and j/h place the pixels", 11},
+    {"plane_at_1",
+     95,
+     {kBoundary, kRobust},
+     "the image plane is always 1 in front of the eye, as where d is taken for the far plane",
+     11},
+    {"from_the_eye",
+     100,
+     {kOrigin},
+     "rays start at the eye, so that spheres before the image plane are seen",
+     2},
+    {"epsilon",
+     105,
+     {kRobust},
+     "hits with an s below about 0.001 (perhaps more) are dropped: the epsilon is too large",
+     1},
+    {"whole_numbers",
+     85,
+     {kFrame, kRobust},
+     "numbers are read as integers: their fractions are dropped",
+     9},
+    {"whole_bounds",
+     95,
+     {kBoundary, kRobust},
+     "the bounds are read as integers: their fractions are dropped",
+     3},
+    {"one_radius", 25, {kFrame, kSize, kPixelZero, kHit, kRoot, kNearest, kScenes, kRobust}, "", 0},
+    {"sorted_once", 108, {kScenes}, "", 0},
+    {"exits_where_all_is_behind",
+     100,
+     {kOrigin},
+     "it fails only where what a ray's line meets is all behind the ray's start",
+     3},
 };
 
 /// A submission costs what its mistake does, and the mistake is named.
@@ -209,17 +266,18 @@ std::vector<std::string> mistakes_of(const std::string& file) {
   const std::size_t end = text.find("enum class", from);
   for (std::size_t at = from; at < end; ++at) {
     if (text[at] == ',') names.emplace_back();
-    if (std::isalpha(text[at]) != 0 || text[at] == '_') names.back() += text[at];
+    if (std::isalnum(text[at]) != 0 || text[at] == '_') names.back() += text[at];
   }
   return names;
 }
 
 TEST(GradedMistakes, are_all_that_the_submissions_know) {
-  std::vector<std::string> graded = {"none"};
-  for (const Mistake& mistake : kOfFunctions) graded.emplace_back(mistake.name);
-  EXPECT_EQ(mistakes_of("rays.cpp"), graded);
-  EXPECT_EQ(mistakes_of("rt.cpp"), graded);
-  EXPECT_EQ(kOfPictures.size(), kOfFunctions.size());
+  for (const auto& [file, mistakes] :
+       {std::pair("rays.cpp", &kOfFunctions), {"rt.cpp", &kOfPictures}}) {
+    std::vector<std::string> graded = {"none"};
+    for (const Mistake& mistake : *mistakes) graded.emplace_back(mistake.name);
+    EXPECT_EQ(mistakes_of(file), graded);
+  }
 }
 
 }  // namespace

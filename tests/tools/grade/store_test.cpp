@@ -54,6 +54,8 @@ class Store : public testing::Test {
   /// A rubric of one item that programs `rays.py` are asked, and renderers `rt.py`.
   std::string rubric(int points, const std::string& more = "") const {
     return grading.write("rubric.toml", "reply_seconds = 2\n" + more + R"(
+[driver]
+preset = "B"
 [[form]]
 has = "rays.py"
 build = "echo x >> ')" + grading.path("builds") +
