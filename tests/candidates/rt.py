@@ -44,9 +44,7 @@ def nearest(ray, spheres):
             continue
         if MISTAKE == "threshold" and hit[0] < 0.5:
             continue
-        if MISTAKE == "first-wins":
-            return colour
-        if MISTAKE == "last-wins" or best is None or hit[0] < best[0]:
+        if best is None or hit[0] < best[0]:
             best = (hit[0], colour)
     return best[1] if best else (0, 0, 0)
 
@@ -60,26 +58,14 @@ def main():
     eye, look, up, near = tuple(whole[0:3]), tuple(whole[3:6]), tuple(whole[6:9]), whole[9]
     if MISTAKE == "dialect-a":
         bottom, right_, near = right_, bottom, -near
-    if MISTAKE == "top-from-right":
-        top = right_
-    if MISTAKE == "width-height":
-        right_ = left + (right_ - left) * ((width - 1) / (height - 1))
-        top = bottom + (top - bottom) * ((height - 1) / (width - 1))
-    if MISTAKE == "w-flipped":
-        near = -near
-    if MISTAKE == "no-up":
-        up = (0.0, 1.0, 0.0)
     camera = right.rc.Camera(eye, look, up, near, left, right_, bottom, top, width, height)
-    asked = Asked()
-    asked.samples = "centres" if MISTAKE == "centres" else "edges"
-    asked.root = "smaller" if MISTAKE == "near-root-only" else "nearest"
-    Asked.root = asked.root
-    trace = right.focal_ray if MISTAKE == "focal" else right.pixel_ray
-    lines = [[nearest(trace(camera, asked, (i, height - 1 - line)), spheres)
+    if MISTAKE == "near-root-only":
+        Asked.root = "smaller"
+    lines = [[nearest(right.pixel_ray(camera, Asked, (i, height - 1 - line)), spheres)
               for i in range(width)] for line in range(height)]
-    if MISTAKE in ("upside-down", "dim-upside-down", "turned"):
+    if MISTAKE in ("upside-down", "dim-upside-down"):
         lines.reverse()
-    if MISTAKE in ("mirrored", "turned"):
+    if MISTAKE == "mirrored":
         lines = [line[::-1] for line in lines]
     if MISTAKE == "transposed":
         lines = [list(line) for line in zip(*lines)]

@@ -22,8 +22,6 @@ namespace {
 namespace fs = std::filesystem;
 using nlohmann::json;
 
-constexpr int kPoints = 300;
-
 struct Fault {
   const char* name;
   int error;
@@ -124,14 +122,19 @@ cases = 1
   std::vector<std::string> folders_;
 };
 
-class HostileFaults : public HostileFaultsAtAll, public testing::WithParamInterface<Fault> {};
+/// A fault, and at how many points of a run it is tried.
+struct Tried {
+  Fault fault;
+  int points;
+};
+class HostileFaults : public HostileFaultsAtAll, public testing::WithParamInterface<Tried> {};
 
 TEST_P(HostileFaults, OfTheSystemMakeNoGradeWrongAndLoseNothing) {
-  const Fault fault = GetParam();
+  const auto [fault, points] = GetParam();
   ASSERT_EQ(grade("whole").exit_code, 0);
   const int count = counts().at(fault.name);
   ASSERT_GT(count, 0) << fault.name << " is never called";
-  const int tried = std::min(kPoints / static_cast<int>(std::size(kFaults)) + 1, count);
+  const int tried = std::min(points, count);
   for (int k = 0; k < tried; ++k) {
     // Spread over the run.
     const int position = static_cast<int>(static_cast<std::int64_t>(k) * count / tried);
@@ -171,9 +174,17 @@ TEST_F(HostileFaultsAtAll, AreNoticed) {
   EXPECT_NE(outcome.exit_code, 0) << outcome.out;
 }
 
-INSTANTIATE_TEST_SUITE_P(Each, HostileFaults, testing::ValuesIn(kFaults), [](const auto& the_test) {
-  return the_test.param.name + std::string("_") + strerrorname_np(the_test.param.error);
-});
+std::vector<Tried> all_faults(int points) {
+  std::vector<Tried> all;
+  for (const Fault& fault : kFaults) all.push_back({fault, points});
+  return all;
+}
+const auto kFaultName = [](const auto& the_test) {
+  const Fault& fault = the_test.param.fault;
+  return fault.name + std::string("_") + strerrorname_np(fault.error);
+};
+INSTANTIATE_TEST_SUITE_P(Each, HostileFaults, testing::ValuesIn(all_faults(3)), kFaultName);
+INSTANTIATE_TEST_SUITE_P(LongEach, HostileFaults, testing::ValuesIn(all_faults(13)), kFaultName);
 
 }  // namespace
 }  // namespace raycheck::tests

@@ -6,10 +6,9 @@ import struct
 import raycheck_candidate as rc
 
 MISTAKE = globals().get("MISTAKE", "none")
-MISTAKES = ("none", "width_height", "top_from_right", "top_is_minus_bottom", "u_flipped",
-            "u_and_w_flipped", "no_test_for_t", "first_sphere_wins", "normalize_discarded",
-            "by_discriminant", "eye_plus_point", "axes_dropped", "float_directions",
-            "near_root_only", "far_root", "upside_down", "mirrored")
+MISTAKES = ("none", "top_from_right", "u_flipped", "u_and_w_flipped", "no_test_for_t",
+            "first_sphere_wins", "normalize_discarded", "axes_dropped", "float_directions",
+            "far_root", "mirrored")
 if MISTAKE not in MISTAKES:
     raise ValueError(f"no such mistake: {MISTAKE}")
 
@@ -50,8 +49,6 @@ class View:
         self.camera = camera
         if MISTAKE == "top_from_right":
             self.camera = camera._replace(top=camera.right)
-        if MISTAKE == "top_is_minus_bottom":
-            self.camera = camera._replace(top=-camera.bottom)
         self.u = self.v = self.w = (0.0, 0.0, 0.0)
 
     def find_axes(self):
@@ -94,15 +91,12 @@ def to_pixel(camera, asked, pixel):
     view = view_of(camera)
     camera = view.camera
     i, j = pixel
-    if (asked.rows == "top-first") != (MISTAKE == "upside_down"):
+    if asked.rows == "top-first":
         j = camera.height - 1 - j
     if MISTAKE == "mirrored":
         i = camera.width - 1 - i
-    across, down = camera.width, camera.height
-    if MISTAKE == "width_height":
-        across, down = down, across
-    alpha = position(camera.left, camera.right, i, across, asked.samples)
-    beta = position(camera.bottom, camera.top, j, down, asked.samples)
+    alpha = position(camera.left, camera.right, i, camera.width, asked.samples)
+    beta = position(camera.bottom, camera.top, j, camera.height, asked.samples)
     return add(add(scaled(camera.near, view.w), scaled(alpha, view.u)), scaled(beta, view.v))
 
 
@@ -111,8 +105,6 @@ def direction(eye, point, g):
         d = sub(point, eye)
         normalize(d)
         return d
-    if MISTAKE == "eye_plus_point":
-        return normalize(add(eye, point))
     d = normalize(g)
     return to_float(d) if MISTAKE == "float_directions" else d
 
@@ -169,7 +161,7 @@ def intersect(ray, sphere, asked):
     if d_sq == 0 and asked.tangent == "miss":
         return None
     s = smaller
-    may_be_larger = asked.root == "nearest" and MISTAKE not in ("near_root_only", "no_test_for_t")
+    may_be_larger = asked.root == "nearest" and MISTAKE != "no_test_for_t"
     if (s < 0 and may_be_larger) or MISTAKE == "far_root":
         s = larger
     if s < 0 and MISTAKE != "no_test_for_t":
@@ -186,9 +178,8 @@ def nearest(ray, spheres, asked):
             continue
         if MISTAKE == "first_sphere_wins":
             return k
-        key = -roots(ray, sphere)[2] if MISTAKE == "by_discriminant" else hit[0]
-        if best is None or key < least:
-            best, least = k, key
+        if best is None or hit[0] < least:
+            best, least = k, hit[0]
     return best
 
 

@@ -1,11 +1,12 @@
 // A student's finished renderer in C++, right as it stands: rt DRIVER IMAGE reads a driver file of
 // dialect B and writes a PPM (P3), the top line first, by ambient light alone. A first line
 // `#define MISTAKE u_flipped` makes it wrong in the one way of that name, `#define ALSO mirrored`
-// in another, too, and `#define BOUNDS 0, 2, 1, 3` reads left, right, bottom and top from those
-// places.
+// in another, too, `#define BOUNDS 0, 2, 1, 3` reads left, right, bottom and top from those places,
+// and `#define NUMBER float` computes all in floats.
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 #include <fstream>
 #include <iostream>
 #include <map>
@@ -13,6 +14,10 @@
 #include <sstream>
 #include <string>
 #include <vector>
+
+#ifndef NUMBER
+#define NUMBER double
+#endif
 
 #ifdef MISTAKE_BY_NAME
 #include "by_name.h"
@@ -22,10 +27,13 @@
 
 namespace {
 
-#define MISTAKES                                                                              \
-  none, width_height, top_from_right, top_is_minus_bottom, u_flipped, u_and_w_flipped,        \
-      no_test_for_t, first_sphere_wins, normalize_discarded, by_discriminant, eye_plus_point, \
-      axes_dropped, float_directions, near_root_only, far_root, upside_down, mirrored
+#define MISTAKES                                                                                   \
+  none, width_height, top_from_right, top_is_minus_bottom, u_flipped, u_and_w_flipped,             \
+      no_test_for_t, first_sphere_wins, normalize_discarded, by_discriminant, eye_plus_point,      \
+      axes_dropped, float_directions, near_root_only, far_root, upside_down, mirrored, cancelling, \
+      left_and_right_negated, bottom_and_top_negated, symmetric_bounds, bottom_first,              \
+      size_exchanged, aspect_twice, shares_of_the_count, plane_at_1, from_the_eye, epsilon,        \
+      whole_numbers, whole_bounds, one_radius, sorted_once, exits_where_all_is_behind
 enum class Mistake { MISTAKES };
 
 #ifdef MISTAKE_BY_NAME
@@ -47,20 +55,21 @@ constexpr bool has(Mistake mistake) {
 #endif
 constexpr std::size_t kPlacesOfBounds[] = {BOUNDS};
 
+using Number = NUMBER;
 struct Vector {
-  double x = 0, y = 0, z = 0;
+  Number x = 0, y = 0, z = 0;
 };
 
 Vector operator+(Vector a, Vector b) { return {a.x + b.x, a.y + b.y, a.z + b.z}; }
 Vector operator-(Vector a, Vector b) { return {a.x - b.x, a.y - b.y, a.z - b.z}; }
-Vector operator*(double k, Vector a) { return {k * a.x, k * a.y, k * a.z}; }
-double dot(Vector a, Vector b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
+Vector operator*(Number k, Vector a) { return {k * a.x, k * a.y, k * a.z}; }
+Number dot(Vector a, Vector b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
 Vector cross(Vector a, Vector b) {
   return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
 }
-double length(Vector a) { return std::hypot(a.x, a.y, a.z); }
+Number length(Vector a) { return std::hypot(a.x, a.y, a.z); }
 Vector normalize(Vector a) {
-  const double l = length(a);
+  const Number l = length(a);
   return {a.x / l, a.y / l, a.z / l};
 }
 Vector to_float(Vector a) {
@@ -72,12 +81,12 @@ struct Ray {
 };
 struct Sphere {
   Vector centre;
-  double radius = 0;
+  Number radius = 0;
   Vector ambient;
 };
 struct Roots {
-  double smaller, larger;
-  double d_sq;  // the square of half the chord, of unit directions
+  Number smaller, larger;
+  Number d_sq;  // the square of half the chord, of unit directions
 };
 
 class Camera {
@@ -102,16 +111,22 @@ class Camera {
     u_ = cross(v_, w_);
     if (has(Mistake::top_from_right)) top = right;
     if (has(Mistake::top_is_minus_bottom)) top = -bottom;
+    if (has(Mistake::left_and_right_negated)) left = -left, right = -right;
+    if (has(Mistake::bottom_and_top_negated)) bottom = -bottom, top = -top;
+    if (has(Mistake::symmetric_bounds)) left = -right, bottom = -top;
+    if (has(Mistake::plane_at_1)) near_plane = -1;
   }
 
   /// From the pixel's point away from the eye; row 0 is the lowest.
   Ray ray(int i, int j) const {
     if (has(Mistake::mirrored)) i = width - 1 - i;
     if (has(Mistake::upside_down)) j = height - 1 - j;
-    const double across = (has(Mistake::width_height) ? height : width) - 1;
-    const double down = (has(Mistake::width_height) ? width : height) - 1;
-    const double alpha = left + i / across * (right - left);
-    const double beta = bottom + j / down * (top - bottom);
+    const int one = has(Mistake::shares_of_the_count) ? 0 : 1;
+    const Number across = (has(Mistake::width_height) ? height : width) - one;
+    const Number down = (has(Mistake::width_height) ? width : height) - one;
+    Number alpha = left + i / across * (right - left);
+    if (has(Mistake::aspect_twice)) alpha *= Number(width) / height;
+    const Number beta = bottom + j / down * (top - bottom);
     const Vector g = near_plane * w_ + alpha * u_ + beta * v_;
     const Vector point = eye + g;
     if (has(Mistake::normalize_discarded)) {
@@ -120,12 +135,13 @@ class Camera {
       return {point, d};
     }
     if (has(Mistake::eye_plus_point)) return {point, normalize(eye + point)};
+    if (has(Mistake::from_the_eye)) return {eye, normalize(g)};
     if (has(Mistake::float_directions)) return {point, to_float(normalize(g))};
     return {point, normalize(g)};
   }
 
   Vector eye, look, up;
-  double near_plane = 0, left = 0, right = 0, bottom = 0, top = 0;
+  Number near_plane = 0, left = 0, right = 0, bottom = 0, top = 0;
   int width = 0, height = 0;
 
  private:
@@ -140,14 +156,16 @@ struct Scene {
 
 Scene read(const std::string& path) {
   std::ifstream file(path);
-  std::map<std::string, std::vector<double>> view;
+  std::map<std::string, std::vector<Number>> view;
   Scene scene;
   for (std::string line; std::getline(file, line);) {
     std::istringstream words(line.substr(0, line.find('#')));
     std::string keyword;
     if (!(words >> keyword)) continue;
-    std::vector<double> n;
-    for (double x; words >> x;) n.push_back(x);
+    std::vector<Number> n;
+    const bool is_whole = (has(Mistake::whole_numbers) && keyword != "ambient") ||
+                          (has(Mistake::whole_bounds) && keyword == "bounds");
+    for (Number x; words >> x;) n.push_back(is_whole && n.size() < 4 ? std::trunc(x) : x);
     if (keyword == "sphere") {
       scene.spheres.push_back({{n.at(0), n.at(1), n.at(2)}, n.at(3), {n.at(4), n.at(5), n.at(6)}});
     } else {
@@ -163,72 +181,89 @@ Scene read(const std::string& path) {
   camera.look = triple("look");
   camera.up = triple("up");
   camera.near_plane = view["d"].at(0);
-  camera.left = view["bounds"].at(kPlacesOfBounds[0]);
-  camera.right = view["bounds"].at(kPlacesOfBounds[1]);
-  camera.bottom = view["bounds"].at(kPlacesOfBounds[2]);
-  camera.top = view["bounds"].at(kPlacesOfBounds[3]);
+  std::vector<Number> b = view["bounds"];
+  if (has(Mistake::bottom_first)) std::rotate(b.begin(), b.begin() + 2, b.begin() + 4);
+  camera.left = b.at(kPlacesOfBounds[0]);
+  camera.right = b.at(kPlacesOfBounds[1]);
+  camera.bottom = b.at(kPlacesOfBounds[2]);
+  camera.top = b.at(kPlacesOfBounds[3]);
   camera.width = static_cast<int>(view["res"].at(0));
   camera.height = static_cast<int>(view["res"].at(1));
+  if (has(Mistake::size_exchanged)) std::swap(camera.width, camera.height);
   camera.find_axes();
   scene.camera = camera;
   scene.ambient = triple("ambient");
+  for (Sphere& sphere : scene.spheres) {
+    if (has(Mistake::one_radius)) sphere.radius = scene.spheres.back().radius;
+  }
+  if (has(Mistake::sorted_once)) {
+    const auto distance = [&](const Sphere& s) { return length(s.centre - camera.eye) - s.radius; };
+    std::stable_sort(scene.spheres.begin(), scene.spheres.end(),
+                     [&](const Sphere& p, const Sphere& q) { return distance(p) < distance(q); });
+  }
   return scene;
 }
 
 /// The lecture's, of unit directions.
 std::optional<Roots> lecture_roots(const Ray& ray, const Sphere& sphere) {
   const Vector t = sphere.centre - ray.origin;
-  const double v = dot(t, ray.direction);
-  const double d_sq = sphere.radius * sphere.radius - (dot(t, t) - v * v);
+  const Number v = dot(t, ray.direction);
+  const Number d_sq = sphere.radius * sphere.radius - (dot(t, t) - v * v);
   if (d_sq < 0) return {};
-  const double d = std::sqrt(d_sq);
+  const Number d = std::sqrt(d_sq);
   return Roots{v - d, v + d, d_sq};
 }
 
 /// a s^2 - 2 b s + c = 0; this discriminant does not cancel on far spheres.
 std::optional<Roots> roots(const Ray& ray, const Sphere& sphere) {
-  if (has(Mistake::normalize_discarded)) return lecture_roots(ray, sphere);
+  if (has(Mistake::normalize_discarded) || has(Mistake::cancelling)) {
+    return lecture_roots(ray, sphere);
+  }
   const Vector t = sphere.centre - ray.origin;
   const Vector moment = cross(t, ray.direction);
-  const double a = dot(ray.direction, ray.direction);
-  const double b = dot(t, ray.direction);
-  const double r = sphere.radius;
-  const double discriminant = a * r * r - dot(moment, moment);
+  const Number a = dot(ray.direction, ray.direction);
+  const Number b = dot(t, ray.direction);
+  const Number r = sphere.radius;
+  const Number discriminant = a * r * r - dot(moment, moment);
   if (discriminant < 0) return {};
-  const double q = b + std::copysign(std::sqrt(discriminant), b);
-  const double c = (length(t) - r) * (length(t) + r);
-  const double one = q / a;
-  const double other = q == 0 ? 0 : c / q;
+  const Number q = b + std::copysign(std::sqrt(discriminant), b);
+  const Number c = (length(t) - r) * (length(t) + r);
+  const Number one = q / a;
+  const Number other = q == 0 ? 0 : c / q;
   return Roots{std::min(one, other), std::max(one, other), discriminant / a};
 }
 
 /// The parameter of the hit.
-std::optional<double> intersect(const Roots& found) {
-  double s = found.smaller;
+std::optional<Number> intersect(const Roots& found) {
+  Number s = found.smaller;
   if (has(Mistake::no_test_for_t)) return s;
   if ((s < 0 && !has(Mistake::near_root_only)) || has(Mistake::far_root)) s = found.larger;
-  if (s < 0) return {};
+  if (s < (has(Mistake::epsilon) ? Number(0.001) : 0)) return {};
   return s;
 }
 
 Vector colour(const Scene& scene, const Ray& ray) {
   const Sphere* best = nullptr;
-  double least = 0;
+  Number least = 0;
+  bool is_behind = false;
   for (const Sphere& sphere : scene.spheres) {
     const auto found = roots(ray, sphere);
     const auto s = found ? intersect(*found) : std::nullopt;
-    if (!s || (best != nullptr && has(Mistake::first_sphere_wins))) continue;
-    const double key = has(Mistake::by_discriminant) ? -found->d_sq : *s;
+    is_behind = is_behind || (found && found->larger < 0);
+    const bool is_first = has(Mistake::first_sphere_wins) || has(Mistake::sorted_once);
+    if (!s || (best != nullptr && is_first)) continue;
+    const Number key = has(Mistake::by_discriminant) ? -found->d_sq : *s;
     if (best != nullptr && key >= least) continue;
     best = &sphere;
     least = key;
   }
+  if (best == nullptr && is_behind && has(Mistake::exits_where_all_is_behind)) std::exit(3);
   if (best == nullptr) return {};
   return {scene.ambient.x * best->ambient.x, scene.ambient.y * best->ambient.y,
           scene.ambient.z * best->ambient.z};
 }
 
-long level(double share) { return std::lround(255 * std::clamp(share, 0.0, 1.0)); }
+long level(Number share) { return std::lround(255 * std::clamp(share, Number(0), Number(1))); }
 
 }  // namespace
 

@@ -29,9 +29,9 @@ Outcome run_interrupted(const std::string& arguments, const std::function<bool()
 std::string temporary_file(const std::string& name, const std::string& text);
 
 /// A copy, in a folder, of a submission of tests/submissions (rays.cpp, hostile.cpp, rt.cpp, ...),
-/// built, which does wrong what has this name there ("none": nothing; of single_*.cpp "careful" or
-/// "lecture"); its path, NAME.so or NAME.rt. right.cpp of
-/// tests/candidates does nothing wrong, whatever it is called.
+/// built, which does wrong what has this name there ("none": nothing); its path, NAME.so or
+/// NAME.rt. single_rays.cpp and single_rt.cpp are the same in floats; right.cpp of tests/candidates
+/// does nothing wrong, whatever it is called.
 std::string built_submission(const std::string& source, const std::string& name,
                              const std::string& folder);
 

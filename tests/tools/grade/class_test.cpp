@@ -1,4 +1,4 @@
-// Hand-ins as a class gives them (tests/submissions/class and fresh), graded by the rubric of the
+// Hand-ins as a class gives them (tests/submissions/class), graded by the rubric of the
 // seventh lecture as they are: each has the score and the sentences that its table says.
 
 #include <gtest/gtest.h>
@@ -15,30 +15,26 @@ namespace {
 
 using nlohmann::json;
 
-/// A hand-in, as its folder's table has it.
+/// A hand-in, as the class's table has it.
 struct HandIn {
-  std::string folder;  ///< "class/amelie"
+  std::string name;
   bool is_right = false;
   double score = 0;
   std::vector<std::string> sentences;  ///< Of the items that fail, each once, in order.
 };
 
-void PrintTo(const HandIn& hand_in, std::ostream* to) { *to << hand_in.folder; }
+void PrintTo(const HandIn& hand_in, std::ostream* to) { *to << hand_in.name; }
 
-/// The tables, read by Python, which has a reader of TOML.
-std::vector<HandIn> hand_ins() {
+/// Those of the table, which is read by Python, that take long to grade or do not.
+std::vector<HandIn> hand_ins(bool are_long) {
+  const Outcome read = run_python(
+      "-c \"import json, sys, tomllib; "
+      "json.dump(tomllib.load(open(sys.argv[1], 'rb')), sys.stdout)\" "
+      "tests/submissions/class/class.toml");
   std::vector<HandIn> all;
-  for (const std::string folder : {"class", "fresh"}) {
-    const Outcome read = run_python(
-        "-c \"import json, sys, tomllib; "
-        "json.dump(tomllib.load(open(sys.argv[1], 'rb')), sys.stdout)\" "
-        "tests/submissions/" +
-        folder + "/" + folder + ".toml");
-    const json table = json::parse(read.out);
-    for (const json& one : table["hand_in"]) {
-      all.push_back({folder + "/" + one["name"].get<std::string>(), one["faults"].empty(),
-                     one["score"], one["says"]});
-    }
+  for (const json& one : json::parse(read.out)["hand_in"]) {
+    if (one.value("long", false) != are_long) continue;
+    all.push_back({one["name"], one["faults"].empty(), one["score"], one["says"]});
   }
   return all;
 }
@@ -49,10 +45,9 @@ TEST_P(EachHandIn, HasItsScoreAndItsSentences) {
   const HandIn& hand_in = GetParam();
   const Grading grading;
   const Outcome outcome = grading.grade(
-      kLecture7, {std::string(RAYCHECK_SOURCE_DIR) + "/tests/submissions/" + hand_in.folder});
+      kLecture7, {std::string(RAYCHECK_SOURCE_DIR) + "/tests/submissions/class/" + hand_in.name});
   ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
-  const std::string name = hand_in.folder.substr(hand_in.folder.find('/') + 1);
-  const json result = grading.result(name);
+  const json result = grading.result(hand_in.name);
   EXPECT_NEAR(result["score"].get<double>(), hand_in.score, 0.005) << outcome.out;
   if (hand_in.is_right) {
     EXPECT_GE(result["score"], result["points"]);
@@ -68,12 +63,9 @@ TEST_P(EachHandIn, HasItsScoreAndItsSentences) {
   EXPECT_EQ(said, hand_in.sentences) << outcome.out;
 }
 
-INSTANTIATE_TEST_SUITE_P(Class, EachHandIn, testing::ValuesIn(hand_ins()),
-                         [](const auto& the_test) {
-                           std::string name = the_test.param.folder;
-                           std::replace(name.begin(), name.end(), '/', '_');
-                           return name;
-                         });
+const auto kName = [](const auto& the_test) { return the_test.param.name; };
+INSTANTIATE_TEST_SUITE_P(Class, EachHandIn, testing::ValuesIn(hand_ins(false)), kName);
+INSTANTIATE_TEST_SUITE_P(LongClass, EachHandIn, testing::ValuesIn(hand_ins(true)), kName);
 
 }  // namespace
 }  // namespace raycheck::tests

@@ -24,7 +24,7 @@ name = "a few pictures"
 points = 10
 [item.pictures]
 judge = "mask"
-scenes = ["lecture7/wide.toml", "lecture7/orientation.toml", "lecture7/edges.toml"]
+scenes = ["lecture7/wide.toml", "lecture7/orientation.toml"]
 )";
 
 /// What stands behind `label` in its first line of a report; empty: nowhere.

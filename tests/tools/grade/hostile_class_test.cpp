@@ -97,7 +97,7 @@ TEST(HostileClass, whose_disk_one_fills_has_the_grades_that_each_has_alone) {
   EXPECT_TRUE(contains(again.out, "its files take more than 40 MiB (disk_mib)")) << again.out;
 }
 
-TEST(HostileClass, of_which_one_uses_up_its_time_says_so_in_the_table_and_the_spreadsheet) {
+TEST(HostileClass, of_which_one_uses_up_its_time_says_so_and_does_not_judge_its_other_items) {
   const Grading grading;
   const std::string rubric = grading.lecture7_with(
       {{"seconds = 60 ", "seconds = 2 "}, {"reply_seconds = 5", "reply_seconds = 60"}});
@@ -106,6 +106,16 @@ TEST(HostileClass, of_which_one_uses_up_its_time_says_so_in_the_table_and_the_sp
   const Outcome outcome = grading.grade(rubric, both);
   ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
   const json slow = grading.result("slow");
+  for (const char* name : {"hit or miss", "nearest root"}) {
+    const json cut = item(slow, name);
+    EXPECT_EQ(cut["state"], "not judged") << cut.dump(2);
+    EXPECT_EQ(cut["reason"], json({{"kind", "time is up"}, {"seconds", 2}}));
+  }
+  EXPECT_EQ(slow["score"], 0);
+  EXPECT_EQ(slow["points"], 100);
+  EXPECT_TRUE(slow["finished"]);
+  EXPECT_TRUE(contains(grading.file("slow", "report.html"),
+                       "not judged: time is up: a submission has 2 s for "));
   std::string items;
   for (const json& item : slow["items"]) {
     if (!item["reason"].is_object() || item["reason"]["kind"] != "time is up") continue;

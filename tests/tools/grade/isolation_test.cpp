@@ -92,6 +92,10 @@ TEST_P(HostileOnMachine, NothingIsGainedAndTheJudgeSurvives) {
   for (const std::string& attack : attacks) {
     folders.push_back(grading.submit_built(attack, "hostile.cpp", attack));
   }
+  // Innocents in other languages, which are beside others in class_test.cpp.
+  for (const char* name : {"ella", "jonas"}) {
+    folders.push_back(RAYCHECK_SOURCE_DIR "/tests/submissions/class/" + std::string(name));
+  }
   const Outcome outcome = grade(rubric, folders, as_it_is());
   ASSERT_EQ(outcome.exit_code, 0) << outcome.err << outcome.out;
   const std::string said = std::string("isolated by: ") + GetParam().isolation;
@@ -104,6 +108,8 @@ TEST_P(HostileOnMachine, NothingIsGainedAndTheJudgeSurvives) {
     const std::string isolated_by = result["isolated_by"];
     EXPECT_TRUE(isolated_by.starts_with(GetParam().isolation)) << attack << isolated_by;
   }
+  EXPECT_EQ(grading.result("ella")["score"], 107.5) << outcome.out;
+  EXPECT_EQ(grading.result("jonas")["score"], 110) << outcome.out;
 }
 
 TEST_P(HostileOnMachine, RaycheckAndItsRubricsAreHiddenWhereTheyAreInstalled) {
@@ -185,17 +191,6 @@ TEST_P(HostileOnMachine, LessThanThereShouldBeIsAnErrorUnlessItIsAskedFor) {
       run_bash(grading.write("probe.sh", GetParam().words() + "'" RAYCHECK_BINARY "' grade '" +
                                              rubric + "' '" + right + "' --probe\n"));
   EXPECT_EQ(probed.exit_code, 2) << probed.out;
-}
-
-TEST_P(HostileOnMachine, InnocentsInOtherLanguagesHaveTheirScores) {
-  if (GetParam().has_bubblewrap) GTEST_SKIP() << "class_test.cpp has them all";
-  const std::string node = std::string(RAYCHECK_SOURCE_DIR) + "/tests/submissions/class/ella";
-  const std::string notebook = std::string(RAYCHECK_SOURCE_DIR) + "/tests/submissions/class/jonas";
-  if (std::system("node --version > /dev/null") != 0) GTEST_SKIP() << "no node";
-  const Outcome outcome = grade(kLecture7, {node, notebook}, as_it_is());
-  ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
-  EXPECT_EQ(grading.result("ella")["score"], 107.5) << outcome.out;
-  EXPECT_EQ(grading.result("jonas")["score"], 110) << outcome.out;
 }
 
 TEST_P(HostileOnMachine, OtherProcessesOfTheUserTakeNothingFromSubmissions) {

@@ -14,58 +14,68 @@ namespace {
 using nlohmann::json;
 using Names = std::vector<std::string>;
 
-/// The items that a submission in floats loses by the lecture's rubric, changed.
-Names lost(const std::string& file, const std::string& form,
-           const std::vector<std::pair<std::string, std::string>>& changes) {
+/// The items that a class in floats loses by the lecture's rubric, changed: of functions and of
+/// renderers, careful ones and those whose lecture's formula cancels.
+struct Lost {
+  Names functions, cancelling_functions, renderer, cancelling_renderer;
+};
+Lost lost(const std::vector<std::pair<std::string, std::string>>& changes) {
   const Grading grading;
-  const std::string rubric = grading.lecture7_with(changes);
-  const Outcome outcome = grading.grade(rubric, {grading.submit_built(form, file, form)});
-  EXPECT_EQ(outcome.exit_code, 0) << outcome.out << outcome.err;
-  const json result = grading.result(form);
-  Names names;
-  int held = 0;
-  for (const json& one : result["items"]) {
-    held += one["state"] == "holds" ? 1 : 0;
-    if (one["state"] != "holds" && one["state"] != "not asked") names.push_back(one["name"]);
+  std::vector<std::string> folders;
+  for (const std::string file : {"single_rays.cpp", "single_rt.cpp"}) {
+    for (const char* mistake : {"none", "cancelling"}) {
+      folders.push_back(grading.submit_built(file + "-" + mistake, file, mistake));
+    }
   }
-  EXPECT_GE(held, 9) << result.dump(2);
-  return names;
+  const Outcome outcome = grading.grade(grading.lecture7_with(changes), folders);
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.out << outcome.err;
+  const auto lost_by = [&](const std::string& name) {
+    const json result = grading.result(name);
+    Names names;
+    int held = 0;
+    for (const json& one : result["items"]) {
+      held += one["state"] == "holds" ? 1 : 0;
+      if (one["state"] != "holds" && one["state"] != "not asked") names.push_back(one["name"]);
+    }
+    EXPECT_GE(held, 9) << result.dump(2);
+    return names;
+  };
+  return {lost_by("single_rays.cpp-none"), lost_by("single_rays.cpp-cancelling"),
+          lost_by("single_rt.cpp-none"), lost_by("single_rt.cpp-cancelling")};
 }
+
+const Names kRobustness = {"robustness"};
 
 TEST(Floats, lose_robustness_alone_where_doubles_are_asked_for) {
-  const Names robustness = {"robustness"};
-  EXPECT_EQ(lost("single_rays.cpp", "careful", {}), robustness);
-  EXPECT_EQ(lost("single_rays.cpp", "lecture", {}), robustness);
-  EXPECT_EQ(lost("single_rt.cpp", "careful", {}), Names{});
-  EXPECT_EQ(lost("single_rt.cpp", "lecture", {}), robustness);
+  const Lost items = lost({});
+  EXPECT_EQ(items.functions, kRobustness);
+  EXPECT_EQ(items.cancelling_functions, kRobustness);
+  EXPECT_EQ(items.renderer, Names{});
+  EXPECT_EQ(items.cancelling_renderer, kRobustness);
 }
 
-const std::vector<std::pair<std::string, std::string>> kSingle = {
-    {"seconds = 60", "precision = \"single\"\nseconds = 60"}, {"ulp = 1e11", "ulp = 256"}};
-
-TEST(Floats, that_are_careful_lose_nothing_where_precision_is_single) {
-  EXPECT_EQ(lost("single_rays.cpp", "careful", kSingle), Names{});
-  EXPECT_EQ(lost("single_rt.cpp", "careful", kSingle), Names{});
-}
-
-TEST(Floats, that_cancel_lose_robustness_where_precision_is_single) {
-  EXPECT_EQ(lost("single_rays.cpp", "lecture", kSingle), Names{"robustness"});
+TEST(Floats, lose_what_cancels_alone_where_precision_is_single) {
+  const Lost items =
+      lost({{"seconds = 60", "precision = \"single\"\nseconds = 60"}, {"ulp = 1e11", "ulp = 256"}});
+  EXPECT_EQ(items.functions, Names{});
+  EXPECT_EQ(items.cancelling_functions, kRobustness);
+  EXPECT_EQ(items.renderer, Names{});
+  EXPECT_EQ(items.cancelling_renderer, kRobustness);
 }
 
 TEST(Floats, keep_to_bounds_in_their_own_units) {
   const Grading grading;
-  const auto score = [&](const std::string& precision, const std::string& form) {
+  const auto score = [&](const std::string& precision) {
     const std::string rubric = grading.write(
         "bounds/" + precision + ".toml",
         "precision = \"" + precision + "\"\n" + kFormsOfBuilt +
             "[[item]]\nname = \"where\"\npoints = 1\n[item.functions]\nlaws = [\"parameter\", "
             "\"hit-point\"]\nsources = [\"course\"]\ncases = 40\nrays = \"given\"\n");
-    const std::string name = precision + "-" + form;
-    grading.grade(rubric, {grading.submit_built(name + "/in", "single_rays.cpp", form)}, "out");
+    grading.grade(rubric, {grading.submit_built(precision + "/in", "single_rays.cpp", "none")});
     return grading.result("in")["score"].get<double>();
   };
-  EXPECT_EQ(score("double", "careful"), 0);
-  EXPECT_EQ(score("single", "careful"), 1);
+  EXPECT_EQ(score("double"), 0);
+  EXPECT_EQ(score("single"), 1);
 }
 
 TEST(Floats, of_another_precision_have_no_rubric) {

@@ -32,16 +32,9 @@ json test_named(const json& results, const std::string& name) {
   return {};
 }
 
-TEST(GradescopeResults, have_the_keys_of_its_specification) {
-  const Grading grading;
-  const Outcome outcome =
-      grading.grade(rubric_of(grading),
-                    {grading.submit("right", "rays.py"),
-                     grading.submit("wrong", "rays.py", "MISTAKE = \"no_test_for_t\""),
-                     grading.submit("broken", "hostile.cpp", "#define ATTACK compile_error")},
-                    "out", "--format gradescope");
-  EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
-  EXPECT_TRUE(contains(outcome.out, "3 submissions graded")) << outcome.out;
+constexpr const char* kOdd = "=1+1, \"quoted\"";
+
+void expect_gradescope(const Grading& grading) {
   const std::vector<std::string> visibilities = {"visible", "hidden", "after_due_date",
                                                  "after_published"};
   for (const char* name : {"right", "wrong", "broken"}) {
@@ -82,15 +75,7 @@ TEST(GradescopeResults, have_the_keys_of_its_specification) {
   EXPECT_TRUE(contains(results(grading, "broken")["output"], "this does not compile"));
 }
 
-TEST(PrairieLearnResults, have_the_keys_of_its_specification) {
-  const Grading grading;
-  const Outcome outcome =
-      grading.grade(rubric_of(grading),
-                    {grading.submit("right", "rays.py"),
-                     grading.submit("wrong", "rays.py", "MISTAKE = \"normalize_discarded\""),
-                     grading.submit("broken", "hostile.cpp", "#define ATTACK compile_error")},
-                    "out", "--format prairielearn");
-  EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+void expect_prairielearn(const Grading& grading) {
   for (const char* name : {"right", "wrong", "broken"}) {
     const json all = results(grading, name);
     EXPECT_GE(all["score"], 0);
@@ -104,7 +89,7 @@ TEST(PrairieLearnResults, have_the_keys_of_its_specification) {
     EXPECT_EQ(all["tests"].size(), 9u);
     EXPECT_EQ(all["gradable"], std::string(name) != "broken");
   }
-  EXPECT_EQ(test_named(results(grading, "wrong"), "unit directions")["points"], 0);
+  EXPECT_EQ(test_named(results(grading, "wrong"), "nearest root")["points"], 0);
   const json broken = results(grading, "broken");
   EXPECT_EQ(broken["score"], 0);
   ASSERT_EQ(broken["format_errors"].size(), 1u);
@@ -112,15 +97,8 @@ TEST(PrairieLearnResults, have_the_keys_of_its_specification) {
   EXPECT_FALSE(results(grading, "right").contains("format_errors"));
 }
 
-TEST(ClassResults, are_the_same_as_csv_as_json_and_as_files) {
-  const Grading grading;
-  const std::string odd = "=1+1, \"quoted\"";
-  const std::vector<std::string> folders = {
-      grading.submit("right", "rays.py"), grading.submit(odd, "rays.py", "MISTAKE = \"mirrored\""),
-      grading.submit("broken", "hostile.cpp", "#define ATTACK compile_error")};
-  const Outcome csv = grading.grade(kLecture7, folders, "out", "--format csv");
-  EXPECT_EQ(csv.exit_code, 0) << csv.err;
-  EXPECT_EQ(csv.out, grading.file("", "grades.csv"));
+void expect_csv(const Grading& grading, const std::string& printed) {
+  EXPECT_EQ(printed, grading.file("", "grades.csv"));
   const std::string reader =
       grading.write("reader.py",
                     "import csv, json, sys\n"
@@ -128,23 +106,45 @@ TEST(ClassResults, are_the_same_as_csv_as_json_and_as_files) {
   const Outcome parsed = run_python("'" + reader + "' '" + grading.path("out/grades.csv") + "'");
   ASSERT_EQ(parsed.exit_code, 0) << parsed.err;
   const json rows = json::parse(parsed.out);
-  ASSERT_EQ(rows.size(), 4u);
+  ASSERT_EQ(rows.size(), 5u);
   for (const json& row : rows) EXPECT_EQ(row.size(), 16u) << row;
   EXPECT_EQ(rows[0][0], "submission");
   EXPECT_EQ(rows[0][6], "pixel (0, 0)");
   EXPECT_EQ(rows[1][1], "110");
   EXPECT_EQ(rows[1][15], "");
-  EXPECT_EQ(rows[2][0], "'" + odd) << "no formula";
+  EXPECT_EQ(rows[2][0], std::string("'") + kOdd) << "no formula";
   EXPECT_EQ(rows[2][15], "columns are mirrored");
   EXPECT_EQ(rows[3][1], "") << "no points are known";
   EXPECT_EQ(rows[3][5], "");
   EXPECT_EQ(rows[3][15], "could not be judged: g++ exited with 1");
-  const Outcome as_json = grading.grade(kLecture7, folders, "out", "--format json");
-  const json report = json::parse(as_json.out);
+}
+
+TEST(Results, of_a_class_are_what_each_system_reads) {
+  const Grading grading;
+  const std::string rubric = rubric_of(grading);
+  const std::vector<std::string> folders = {
+      grading.submit("right", "rays.py"), grading.submit(kOdd, "rays.py", "MISTAKE = \"mirrored\""),
+      grading.submit("broken", "hostile.cpp", "#define ATTACK compile_error"),
+      grading.submit("wrong", "rays.py", "MISTAKE = \"no_test_for_t\"")};
+  const auto graded = [&](const char* format) {
+    const Outcome outcome =
+        grading.grade(rubric, folders, "out", std::string("--format ") + format);
+    EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+    return outcome.out;
+  };
+  const std::string printed = graded("gradescope");
+  EXPECT_TRUE(contains(printed, "4 submissions graded")) << printed;
+  expect_gradescope(grading);
+  // The grades are those of the run before: only what is written is another.
+  graded("prairielearn");
+  expect_prairielearn(grading);
+  expect_csv(grading, graded("csv"));
+  const json report = json::parse(graded("json"));
   EXPECT_EQ(report["rubric"], "Lecture 7: rays and spheres");
   EXPECT_EQ(report["interrupted"], false);
-  ASSERT_EQ(report["submissions"].size(), 3u);
-  EXPECT_EQ(report["submissions"][1], grading.result(odd));
+  EXPECT_EQ(report["reused"], 4);
+  ASSERT_EQ(report["submissions"].size(), 4u);
+  EXPECT_EQ(report["submissions"][1], grading.result(kOdd));
 }
 
 TEST(ClassResults, say_what_the_rubric_gives_for_what_could_not_be_judged) {
@@ -184,6 +184,18 @@ std::vector<std::string> references(const std::string& html) {
     found.push_back((*at)[1].matched ? (*at)[1].str() : (*at)[0].str());
   }
   return found;
+}
+
+/// `check` fails a submission on the case that its page shows, and a right one not.
+void expect_case_for_check(const Grading& grading, const std::string& library) {
+  const json failing = item(grading.result("wrong"), "nearest root")["failing"];
+  const std::string scene = grading.path("out/wrong/nearest-root.toml");
+  EXPECT_TRUE(contains(contents(scene), failing["scene"])) << "with the pixels before it, if any";
+  const std::string check = "check '" + scene + "' --candidate 'library:";
+  EXPECT_EQ(run(check + library + "'").exit_code, 1);
+  EXPECT_EQ(
+      run(check + built_submission("right.cpp", "right", grading.path("right")) + "'").exit_code,
+      0);
 }
 
 TEST(Pages, need_nothing_besides_themselves_and_escape_what_is_the_submissions) {
@@ -228,21 +240,10 @@ TEST(Pages, need_nothing_besides_themselves_and_escape_what_is_the_submissions) 
                 link == "%27also%20%3Ci%3Ewrong/report.html")
         << link;
   }
+  expect_case_for_check(grading, grading.path("submissions/wrong/far_root.so"));
 }
 
-/// A class of five, of whom two make the same mistake, and one cannot be judged.
-Outcome grade_five(const Grading& grading) {
-  return grading.grade(grading.lecture7_with({}),
-                       {grading.submit_built("ada", "rays.cpp", "none"),
-                        grading.submit_built("bob", "rays.cpp", "far_root"),
-                        grading.submit_built("cleo", "rt.cpp", "mirrored"),
-                        grading.submit("dan", "hostile.cpp", "#define ATTACK compile_error"),
-                        grading.submit_built("eve", "rays.cpp", "far_root")});
-}
-
-TEST(ClassResults, have_the_statistics_of_items_and_mistakes) {
-  const Grading grading;
-  EXPECT_EQ(grade_five(grading).exit_code, 0);
+void expect_statistics(const Grading& grading) {
   const std::string table = grading.file("", "statistics.csv");
   EXPECT_EQ(table.find("kind,name,students,full_points,share_full,median_points,points\n"), 0u);
   for (const char* line :
@@ -264,8 +265,17 @@ TEST(ClassResults, have_the_statistics_of_items_and_mistakes) {
 }
 
 TEST(ClassResults, rank_mistakes_by_students_and_keep_apart_what_could_not_be_judged) {
+  // Two make the same mistake, and one cannot be judged.
   const Grading grading;
-  const Outcome outcome = grade_five(grading);
+  const Outcome outcome =
+      grading.grade(grading.lecture7_with({}),
+                    {grading.submit_built("ada", "rays.cpp", "none"),
+                     grading.submit_built("bob", "rays.cpp", "far_root"),
+                     grading.submit_built("cleo", "rt.cpp", "mirrored"),
+                     grading.submit("dan", "hostile.cpp", "#define ATTACK compile_error"),
+                     grading.submit_built("eve", "rays.cpp", "far_root")});
+  EXPECT_EQ(outcome.exit_code, 0);
+  expect_statistics(grading);
   EXPECT_TRUE(contains(outcome.out, "could not be judged: g++ exited with 1\n")) << outcome.out;
   EXPECT_TRUE(contains(outcome.out, "5 submissions graded, 1 could not be judged (built in "))
       << outcome.out;
@@ -293,20 +303,6 @@ TEST(ClassResults, rank_mistakes_by_students_and_keep_apart_what_could_not_be_ju
                                          "built in [0-9.]+ s, judged in [0-9.]+ s</p>")))
       << page.substr(0, page.find("<h2>"));
   EXPECT_TRUE(contains(grading.file("dan", "report.html"), ">could not be judged<"));
-}
-
-TEST(Pages, show_a_case_that_check_takes) {
-  const Grading grading;
-  const std::string submission = grading.submit_built("wrong", "rays.cpp", "far_root");
-  grading.grade(grading.lecture7_with({}), {submission});
-  const json failing = item(grading.result("wrong"), "nearest root")["failing"];
-  const std::string scene = grading.path("out/wrong/nearest-root.toml");
-  EXPECT_TRUE(contains(contents(scene), failing["scene"])) << "with the pixels before it, if any";
-  const std::string check = "check '" + scene + "' --candidate 'library:";
-  EXPECT_EQ(run(check + submission + "/far_root.so'").exit_code, 1);
-  EXPECT_EQ(
-      run(check + built_submission("right.cpp", "right", grading.path("right")) + "'").exit_code,
-      0);
 }
 
 }  // namespace

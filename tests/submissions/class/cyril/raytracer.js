@@ -25,7 +25,11 @@ function read(name) {
         Object.assign(scene, { eye: n.slice(0, 3), look: n.slice(3, 6), up: n.slice(6, 9), d: n[9] });
         break;
       case 'bounds': need(4); scene.bounds = n; break;
-      case 'res': need(2); [scene.w, scene.h] = n; break;
+      case 'res':
+        need(2);
+        [scene.w, scene.h] = n;
+        if (scene.w < 2 || scene.h < 2) exit(1);
+        break;
       case 'ambient': need(3); scene.ambient = n; break;
       case 'recursionlevel': need(1); scene.level = n[0]; break;
       case 'light': need(7); scene.lights.push([n.slice(0, 3), n.slice(4)]); break;

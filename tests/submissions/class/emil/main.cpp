@@ -71,7 +71,8 @@ void Tracer::load(const char* path) {
       s.center = get(in);
       in >> s.radius;
       s.material = Material{get(in), get(in), get(in), get(in)};
-      get(in);  // refraction comes later
+      double eta;
+      if (get(in), !(in >> eta) || in >> eta) throw std::runtime_error("20 numbers expected");
       spheres_.push_back(s);
     }
   }

@@ -48,6 +48,7 @@ for line in open(sys.argv[1]):
     elif w[0] == 'light':
         lights.append(nums)
     elif w[0] == 'sphere':
+        assert len(nums) == 21
         spheres.append(nums)
 
 W = normalize(sub(eye, look))

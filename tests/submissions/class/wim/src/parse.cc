@@ -27,7 +27,7 @@ World parse(const std::string& path) {
     } else if (word == "sphere") {
       Sphere s;
       in >> s.center >> s.radius >> s.m.ka >> s.m.kd >> s.m.ks >> s.m.kr;
-      for (int k = 0; k < 4; k++) in >> skip;  // opacity and index of refraction
+      for (int k = 0; k < 3; k++) in >> skip;  // opacity
       world.spheres.push_back(s);
     } else {
       std::cerr << "do not know '" << word << "'\n";

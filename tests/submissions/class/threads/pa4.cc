@@ -50,7 +50,10 @@ void load(const char* file) {
   };
   read["sphere"] = [](istream& in) {
     Ball x;
-    in >> x.c >> x.r >> x.ka >> x.kd >> x.ks;
+    Vec kr;
+    double more, ko;
+    in >> x.c >> x.r >> x.ka >> x.kd >> x.ks >> kr >> ko >> more;
+    if (!in || in >> more) exit(2);
     balls.push_back(x);
   };
   ifstream in(file);
