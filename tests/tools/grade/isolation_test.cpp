@@ -115,15 +115,15 @@ TEST_P(HostileOnMachine, NothingIsGainedAndTheJudgeSurvives) {
 TEST_P(HostileOnMachine, RaycheckAndItsRubricsAreHiddenWhereTheyAreInstalled) {
   // Installed below /usr/local, for this test alone.
   const std::string build = fs::path(RAYCHECK_BINARY).parent_path().string();
-  const std::string install =
-      grading.write("install.sh",
-                    "set -e\nmount -t tmpfs none /usr/local\nmkdir -p /usr/local/bin "
-                    "/usr/local/share/raycheck /usr/local/include\ncp '" +
-                        build + "'/raycheck '" + build + "'/raycheck-* /usr/local/bin/\ncd '" +
-                        RAYCHECK_SOURCE_DIR +
-                        "'\ncp -r tools/grade/rubrics tools/external/adapters/* "
-                        "/usr/local/share/raycheck/\ncp -r include/raycheck "
-                        "/usr/local/include/\nexec \"$@\"\n");
+  const std::string install = grading.write(
+      "install.sh",
+      "set -e\nmount -t tmpfs none /usr/local\nmkdir -p /usr/local/bin "
+      "/usr/local/libexec/raycheck /usr/local/share/raycheck /usr/local/include\ncp '" +
+          build + "'/raycheck /usr/local/bin/\ncp '" + build +
+          "'/raycheck-* /usr/local/libexec/raycheck/\ncd '" + RAYCHECK_SOURCE_DIR +
+          "'\ncp -r tools/grade/rubrics tools/external/adapters/* "
+          "/usr/local/share/raycheck/\ncp -r include/raycheck "
+          "/usr/local/include/\nexec \"$@\"\n");
   const std::string before = "unshare -m sh '" + install + "' ";
   const std::string rubric = grading.lecture7_with({});
   const std::string attack = grading.submit_built("runs_raycheck", "hostile.cpp", "runs_raycheck");
@@ -338,7 +338,9 @@ TEST(HostileTemporaryFolder, WhereNothingRunsEndsGradingBeforeItBegins) {
 
 TEST(HostileSandbox, WithoutWhatStartsCandidatesIsRefusedAndBlamesNoOne) {
   const Grading grading;
-  fs::copy_file(RAYCHECK_BINARY, grading.path("raycheck"));
+  for (const char* program : {"raycheck", "raycheck-check", "raycheck-grade"}) {
+    fs::copy_file(fs::path(RAYCHECK_BINARY).parent_path() / program, grading.path(program));
+  }
   const std::string right = grading.submit("right", "rays.py");
   for (const std::string& command :
        {"grade " + grading.lecture7_with({}) + " " + right + " --out " + grading.path("out"),
