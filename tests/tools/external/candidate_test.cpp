@@ -106,9 +106,11 @@ class Altered {
  public:
   Altered(const std::string& from, const std::string& to) {
     std::string source = contents(std::string(RAYCHECK_SOURCE_DIR) + "/tests/candidates/right.cpp");
-    const std::size_t at = source.find(from);
+    std::size_t at = source.find(from);
     EXPECT_NE(at, std::string::npos) << from;
-    source.replace(at, from.size(), to);
+    for (; at != std::string::npos; at = source.find(from, at + to.size())) {
+      source.replace(at, from.size(), to);
+    }
     const std::string path = temporary_file("altered.cpp", source);
     const std::string words = "g++ -std=c++20 -O2 -fPIC -shared -I" RAYCHECK_SOURCE_DIR
                               "/include -isystem /usr/include/eigen3 -o " +

@@ -117,7 +117,7 @@ using namespace raycheck;
 static std::optional<Hit> intersect(const Ray&, const Sphere&, const Conventions&) {
   char name[4096] = {};
   if (readlink("/proc/self/exe", name, sizeof name - 1) < 0) return std::nullopt;
-  if (std::string(name).ends_with("raycheck")) return Hit{1, {1, 1, 1}};
+  if (std::string(name).ends_with("raycheck-study")) return Hit{1, {1, 1, 1}};
 #ifdef FAILS
   _exit(3);
 #endif

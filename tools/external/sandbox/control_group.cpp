@@ -2,6 +2,7 @@
 
 #include <fcntl.h>
 #include <fmt/core.h>
+#include <sys/file.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -99,8 +100,17 @@ std::string unescaped(const std::string& text) {
   return result;
 }
 
-/// Those of no process that lives; a number that is this one's was another's before. What still has
-/// processes in it stays.
+/// A group's folder, opened and held by its owner until it ends, however it does.
+int held_folder(const fs::path& group, int how) {
+  const int folder = open(group.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+  if (folder < 0 || flock(folder, how | LOCK_NB) == 0) return folder;
+  close(folder);
+  return -1;
+}
+
+/// Those of no process that lives, as far as this one can see, and that nobody holds: a process of
+/// another namespace has other numbers. A number that is this one's was another's before. What
+/// still has processes in it stays.
 void remove_dead_groups(const fs::path& own) {
   std::error_code error;
   for (fs::directory_iterator at(own, error), end; !error && at != end; at.increment(error)) {
@@ -112,7 +122,11 @@ void remove_dead_groups(const fs::path& own) {
     pid_t pid = 0;
     std::from_chars(rest.data(), rest.data() + rest.size(), pid);
     if (pid <= 0) continue;
-    if (pid == getpid() || (::kill(pid, 0) != 0 && errno == ESRCH)) rmdir(at->path().c_str());
+    if (pid != getpid() && (::kill(pid, 0) == 0 || errno != ESRCH)) continue;
+    const int folder = held_folder(at->path(), LOCK_EX);
+    if (folder < 0) continue;
+    rmdir(at->path().c_str());
+    close(folder);
   }
 }
 
@@ -223,6 +237,7 @@ ControlGroup::ControlGroup(const Layers& layers, const Limits& limits) {
   static std::atomic<std::uint64_t> number = 0;
   path_ = new_group(run_groups().value().own() /
                     fmt::format("{}{}-{}", kGroupPrefix, getpid(), number++));
+  folder_ = held_folder(path_, LOCK_SH);
   try {
     if (layers.group_memory) {
       write_value(path_ / "memory.max", std::to_string(limits.memory));
@@ -236,12 +251,14 @@ ControlGroup::ControlGroup(const Layers& layers, const Limits& limits) {
     }
   } catch (const std::exception&) {
     rmdir(path_.c_str());
+    if (folder_ >= 0) close(folder_);
     throw;
   }
 }
 
 ControlGroup::~ControlGroup() {
   kill();
+  if (folder_ >= 0) close(folder_);
   for (int k = 0; k < kMostLooks && rmdir(path_.c_str()) != 0 && errno == EBUSY; ++k) {
     usleep(kLookPause);
   }

@@ -50,6 +50,7 @@ class ControlGroup {
 
  private:
   std::filesystem::path path_;
+  int folder_ = -1;  ///< Held, so that no other run takes it for a dead one's.
 };
 
 }  // namespace raycheck::tools

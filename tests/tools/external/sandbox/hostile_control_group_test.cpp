@@ -1,7 +1,9 @@
 // Control groups of programs: that none is left by what it holds, or left behind, what they limit,
 // and what is said where none may be made.
 
+#include <fcntl.h>
 #include <gtest/gtest.h>
+#include <sys/file.h>
 #include <sys/stat.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -308,6 +310,21 @@ TEST(HostileControlGroup, HoldsWhatLeavesItsParentAndIsRemovedByTheNextRun) {
   const json next = delegated.judged("", group_renderer("pass"));
   EXPECT_NE(group_isolation(next).find("control group"), std::string::npos) << next;
   EXPECT_TRUE(groups_in(delegated.path()).empty()) << groups_in(delegated.path())[0];
+}
+
+TEST(HostileControlGroup, OfARunThatCannotBeSeenIsLeftAloneWhileItIsHeld) {
+  const Delegated delegated;
+  if (!delegated.why_not().empty()) GTEST_SKIP() << delegated.why_not();
+  // As of a run in another namespace of processes: no process here has this number.
+  const fs::path group = delegated.path() / "raycheck-99999999-0";
+  fs::create_directory(group);
+  const int held = open(group.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+  ASSERT_EQ(flock(held, LOCK_SH), 0);
+  delegated.judged("", group_renderer("pass"));
+  EXPECT_TRUE(fs::exists(group));
+  close(held);
+  delegated.judged("", group_renderer("pass"));
+  EXPECT_FALSE(fs::exists(group));
 }
 
 }  // namespace
