@@ -121,6 +121,9 @@ class Intake : public testing::Test {
   Grading grading_;
 };
 
+/// What takes long to build, or is tried in many forms.
+class LongIntake : public Intake {};
+
 Files with(const Files& files, const Files& more) {
   Files all = files;
   all.insert(all.end(), more.begin(), more.end());
@@ -169,7 +172,7 @@ TEST_F(Intake, builds_by_cmake) {
 const std::string kChecks =
     "#include <cstdio>\nint main() { std::puts(\"all is well\"); return 0; }\n";
 
-TEST_F(Intake, runs_of_several_programs_that_are_built_the_one_that_draws) {
+TEST_F(LongIntake, runs_of_several_programs_that_are_built_the_one_that_draws) {
   const auto result = expect_full(
       "several", with(kSources, {{"CMakeLists.txt",
                                   "cmake_minimum_required(VERSION 3.10)\nproject(shiny CXX)\n"
@@ -187,7 +190,7 @@ TEST_F(Intake, runs_of_several_programs_that_are_built_the_one_that_draws) {
                                        {"checks.cpp", kChecks}}));
 }
 
-TEST_F(Intake, tries_programs_that_are_called_tests_last) {
+TEST_F(LongIntake, tries_programs_that_are_called_tests_last) {
   // This one draws, too.
   const auto result = expect_full(
       "tests", with(kSources,
@@ -198,7 +201,7 @@ TEST_F(Intake, tries_programs_that_are_called_tests_last) {
   EXPECT_TRUE(contains(result["program"], "./raycheck-build/shiny ")) << result["program"];
 }
 
-TEST_F(Intake, says_of_several_programs_what_the_likeliest_says_where_none_draws) {
+TEST_F(LongIntake, says_of_several_programs_what_the_likeliest_says_where_none_draws) {
   expect_refused("none",
                  {{"CMakeLists.txt",
                    "cmake_minimum_required(VERSION 3.10)\nproject(shiny CXX)\n"
@@ -234,7 +237,7 @@ TEST_F(Intake, leaves_out_sources_that_do_not_compile_and_that_nothing_includes)
   expect_full("stray", with(kSources, {{"attempt.cpp", "this is no C++\n"}}));
 }
 
-TEST_F(Intake, finds_eigen_wherever_it_was) {
+TEST_F(LongIntake, finds_eigen_wherever_it_was) {
   if (!fs::exists("/usr/include/eigen3")) GTEST_SKIP() << "Eigen is not installed";
   const std::string use =
       "int unused() { return static_cast<int>(Eigen::Vector3d::Zero().size()); }\n";
@@ -260,7 +263,7 @@ TEST_F(Intake, finds_headers_by_names_of_other_systems) {
   EXPECT_FALSE(result["notes"].empty());
 }
 
-TEST_F(Intake, builds_java_with_packages_and_jars) {
+TEST_F(LongIntake, builds_java_with_packages_and_jars) {
   const std::string folder =
       submit("java", {{"src/de/uni/Main.java", kJava}, {"other/White.java", kJavaWhite}});
   const std::string jar = "cd '" + folder +
@@ -309,14 +312,14 @@ TEST_F(Intake, shows_the_first_and_the_last_of_what_a_compiler_says) {
                  {"line 1\n", "line 12\n... ", " lines left out ...\n", "line 60\n"});
 }
 
-TEST_F(Intake, shows_what_a_program_says_that_makes_no_picture) {
+TEST_F(LongIntake, shows_what_a_program_says_that_makes_no_picture) {
   expect_refused("silent", {{"rt.py", "print('usage: rt WIDTH HEIGHT')\n"}},
                  {"it made no picture {image}; it said: usage: rt WIDTH HEIGHT"});
   expect_refused("fails", {{"rt.py", "raise ValueError('no such key: res')\n"}},
                  {"it exited with 1\nTraceback", "ValueError: no such key: res"});
 }
 
-TEST_F(Intake, finds_the_picture_under_another_name) {
+TEST_F(LongIntake, finds_the_picture_under_another_name) {
   for (const char* const name : {"output.ppm", "images/result.ppm", "scene.ppm", "42.ppm"}) {
     std::string fixed = kPython;
     fixed.replace(fixed.find("sys.argv[2]"), 11, "\"" + std::string(name) + "\"");

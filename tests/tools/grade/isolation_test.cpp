@@ -159,10 +159,10 @@ TEST_P(HostileOnMachine, BombsSideBySideDoNotRaiseTheLimitOfEachOther) {
 TEST_P(HostileOnMachine, PicturesAndFoldersThatAreClosedAreNoFailureOfTheMachine) {
   const std::string rubric = grading.lecture7_with({{"preset = \"auto\"", "preset = \"B\""}});
   const std::string picture =
-      "import os, sys\nopen(sys.argv[2], 'w').write('P3 25 25 255 ' + "
-      "'255 255 255 ' * 625)\nos.chmod(sys.argv[2], 0)\n";
-  const std::string file = grading.write("file/rt.py", picture);
-  const std::string folder = grading.write("folder/rt.py", picture + "os.chmod('.', 0)\n");
+      "#!/bin/sh\n{ echo P3 25 25 255; yes 255 255 255 | head -n 625; } > $2\nchmod 0 $2\n";
+  const std::string file = grading.write("file/shell.rt", picture);
+  const std::string folder = grading.write("folder/shell.rt", picture + "chmod 0 .\n");
+  for (const std::string& program : {file, folder}) ASSERT_EQ(chmod(program.c_str(), 0755), 0);
   const Outcome outcome =
       grade(rubric, {fs::path(file).parent_path(), fs::path(folder).parent_path()}, as_it_is());
   EXPECT_EQ(outcome.exit_code, 0) << outcome.err << outcome.out;

@@ -262,7 +262,10 @@ TEST_F(Probe, says_of_colours_what_they_tell_and_nothing_where_spheres_are_not_s
       contains(notes_of("red", "SHOWN = lambda c: [c[0], 0, 0]\nSEEN = lambda v: v > 0\n"), note));
 }
 
-TEST_F(Probe, does_not_call_pictures_black_of_what_has_points) {
+/// Of renderers in Python that are tried in many forms.
+class LongProbe : public Probe {};
+
+TEST_F(LongProbe, does_not_call_pictures_black_of_what_has_points) {
   // It shows the spheres of every scene but of the dry run's, which has fifteen.
   const std::string odd =
       hand_in("odd", "rt.py",

@@ -10,7 +10,6 @@
 #include <limits>
 #include <map>
 #include <optional>
-#include <ostream>
 #include <set>
 #include <string>
 #include <tuple>
@@ -34,7 +33,7 @@ using scene::Vector3;
 using tools::Rubric;
 
 constexpr std::uint64_t kStoredSeeds = 1000;
-constexpr std::uint64_t kFreshSeeds[] = {271828, 3141592653, 0xfeed'beef'0123'4567};
+constexpr std::uint64_t kFreshSeed = 271828;
 /// Of the rubric's 100.
 constexpr double kMostEarned = 10;
 
@@ -162,10 +161,6 @@ enum class Cheat {
   kResized   ///< Answers the picture of any size that does, drawn in the size that is asked.
 };
 
-void PrintTo(Cheat cheat, std::ostream* to) {
-  *to << (cheat == Cheat::kKnown ? "known" : cheat == Cheat::kNearest ? "nearest" : "resized");
-}
-
 /// Looks that are equal but for the roundings of their numbers' six digits.
 constexpr double kSameLook = 1e-5;
 
@@ -182,35 +177,37 @@ ImageAnswer answer(Cheat cheat, const Scene& scene, const scene::Conventions& co
                  *scene.camera);
 }
 
-class HostileTable : public testing::TestWithParam<std::tuple<Cheat, std::uint64_t>> {};
+class HostileTable : public testing::TestWithParam<std::uint64_t> {};
 
 TEST_P(HostileTable, OfPicturesEarnsNextToNothing) {
-  const auto [cheat, seed] = GetParam();
-  int asked = 0, known = 0;
-  properties::Candidate candidate;
-  candidate.name = "table";
-  candidate.image = [&, cheat = cheat](const Scene& scene, const scene::Conventions& conventions) {
-    ++asked;
-    return answer(cheat, scene, conventions, known);
-  };
-  const properties::RunControl control;
-  double score = 0, points = 0;
-  std::string earned;
-  for (const tools::ItemGrade& item : tools::judge(lecture7(), {candidate, true}, seed, control)) {
-    score += item.score;
-    points += item.bonus ? 0 : item.points;
-    earned += item.score > 0 ? " " + item.name + ":" + std::to_string(item.score) : "";
+  for (const Cheat cheat : {Cheat::kKnown, Cheat::kNearest, Cheat::kResized}) {
+    SCOPED_TRACE(static_cast<int>(cheat));
+    int asked = 0, known = 0;
+    properties::Candidate candidate;
+    candidate.name = "table";
+    candidate.image = [&](const Scene& scene, const scene::Conventions& conventions) {
+      ++asked;
+      return answer(cheat, scene, conventions, known);
+    };
+    const properties::RunControl control;
+    double score = 0, points = 0;
+    std::string earned;
+    for (const tools::ItemGrade& item :
+         tools::judge(lecture7(), {candidate, true}, GetParam(), control)) {
+      score += item.score;
+      points += item.bonus ? 0 : item.points;
+      earned += item.score > 0 ? " " + item.name + ":" + std::to_string(item.score) : "";
+    }
+    EXPECT_EQ(points, 100);
+    EXPECT_LE(score, kMostEarned) << earned;
+    EXPECT_LE(10 * known, asked) << "a table of " << table().size() << " pictures";
+    EXPECT_GE(asked, 30);
   }
-  EXPECT_EQ(points, 100);
-  EXPECT_LE(score, kMostEarned) << earned;
-  EXPECT_LE(10 * known, asked) << "a table of " << table().size() << " pictures";
-  EXPECT_GE(asked, 30);
 }
 
-INSTANTIATE_TEST_SUITE_P(Lecture7, HostileTable,
-                         testing::Combine(testing::Values(Cheat::kKnown, Cheat::kNearest,
-                                                          Cheat::kResized),
-                                          testing::ValuesIn(kFreshSeeds)));
+INSTANTIATE_TEST_SUITE_P(Lecture7, HostileTable, testing::Values(kFreshSeed));
+INSTANTIATE_TEST_SUITE_P(LongLecture7, HostileTable,
+                         testing::Values(3141592653, 0xfeed'beef'0123'4567));
 
 /// All numbers of a scene.
 std::vector<double> numbers_of(Scene scene) {
@@ -225,7 +222,7 @@ TEST(HostileTables, OfFunctionsHaveNoCaseThatAFreshSeedAsks) {
   const auto store = [&](const Scene& scene) { stored.insert(numbers_of(scene)); };
   for (std::uint64_t seed = 1; seed <= kStoredSeeds; ++seed) for_each_case(false, seed, store);
   std::size_t asked = 0, known = 0;
-  for_each_case(false, kFreshSeeds[0], [&](const Scene& scene) {
+  for_each_case(false, kFreshSeed, [&](const Scene& scene) {
     ++asked;
     known += stored.contains(numbers_of(scene)) ? 1 : 0;
   });

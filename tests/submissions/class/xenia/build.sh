@@ -1,3 +1,0 @@
-#!/bin/sh
-mkdir -p classes
-javac -d classes src/raytracer/*.java
