@@ -16,8 +16,9 @@ set -e
 unset RAYCHECK_PEERS
 cd "$(mktemp -d)"
 trap 'rm -rf "$PWD"' EXIT
-mkdir -p bin build/release/tools
+mkdir -p bin build/release/tools tools
 cp "$source/run" "$source/packages.txt" .
+cp "$source/tools/commands.h" tools
 for program in bash cat dirname flock mkdir tee; do
   ln -s "$(type -P "$program")" bin
 done
