@@ -87,8 +87,8 @@ TEST(Explain, reports_the_step_at_which_the_textbook_goes_wrong) {
     }
   }
   // 10^8 radii away is more than is judged in floats, and no defect of theirs.
-  const json far = explained("scene/examples/far-sphere.toml --pixel 2,1");
-  for (const json& method : far["methods"]) {
+  const json floats = explained("scene/examples/far-sphere.toml --pixel 2,1");
+  for (const json& method : floats["methods"]) {
     if (method["name"] == "single-quadratic") {
       EXPECT_EQ(method["goes_wrong_at"], "v");
       EXPECT_EQ(method["standing"], "not judged");
