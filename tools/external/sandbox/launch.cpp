@@ -12,6 +12,7 @@
 #include <array>
 #include <atomic>
 #include <cerrno>
+#include <chrono>
 #include <csignal>
 #include <cstdio>
 #include <cstring>
@@ -20,6 +21,7 @@
 #include <system_error>
 #include <thread>
 
+#include "scene/interruption.h"
 #include "tools/external/sandbox/private_folder.h"
 #include "tools/external/sandbox/process_tree.h"
 #include "tools/external/sandbox/visible.h"
@@ -226,18 +228,28 @@ std::vector<std::string> jailed(const Confined& confined, const fs::path& folder
   return arguments;
 }
 
+/// Whether something is to be read, or the end, before a deadline.
+bool is_heard(int stream, std::chrono::steady_clock::time_point until) {
+  constexpr int kMilliseconds = 100;
+  while (std::chrono::steady_clock::now() < until) {
+    scene::poll();
+    pollfd one = {stream, POLLIN, 0};
+    if (poll(&one, 1, kMilliseconds) > 0) return true;
+  }
+  return false;
+}
+
 /// Waits until all layers are in place. Otherwise nothing of the process is left.
-/// Errors: ProcessFailure with what the layers said.
-void await_start(pid_t pid, int said) {
+/// Errors: ProcessFailure with what the layers said; scene::Interrupted.
+void await_start(pid_t pid, int said) try {
   std::string text;
   std::array<char, 4096> buffer{};
+  const auto until = std::chrono::steady_clock::now() + std::chrono::seconds(kStartSeconds);
   for (;;) {
-    pollfd one = {said, POLLIN, 0};
-    const int ready = poll(&one, 1, kStartSeconds * 1000);
-    if (ready < 0 && errno == EINTR) continue;
-    const ssize_t count = ready > 0 ? read(said, buffer.data(), buffer.size()) : 0;
+    const bool is_in_time = is_heard(said, until);
+    const ssize_t count = is_in_time ? read(said, buffer.data(), buffer.size()) : 0;
     if (count < 0 && errno == EINTR) continue;
-    if (ready == 0) text += fmt::format("not within {} s", kStartSeconds);
+    if (!is_in_time) text += fmt::format("not within {} s", kStartSeconds);
     if (count <= 0) break;
     text.append(buffer.data(), static_cast<std::size_t>(count));
     // What it says afterwards is of a program that is kept.
@@ -248,6 +260,9 @@ void await_start(pid_t pid, int said) {
   while (!text.empty() && text.back() == '\n') text.pop_back();
   throw ProcessFailure(FailureKind::kSystem,
                        "could not be started in its sandbox: " + (text.empty() ? "it died" : text));
+} catch (const scene::Interrupted&) {
+  end_supervised(pid);
+  throw;
 }
 
 }  // namespace

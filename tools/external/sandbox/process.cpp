@@ -269,6 +269,7 @@ void Process::listen() {
     if (count < 0 && !is_passing(errno)) fail(FailureKind::kSystem, std::strerror(errno));
     if (count <= 0) return;
     said_.append({buffer.data(), static_cast<std::size_t>(count)});
+    watch_->hear();
     if (count < static_cast<ssize_t>(buffer.size())) return;
   }
 }
@@ -303,6 +304,7 @@ std::string Process::exchange(std::string_view request,
     if (count < 0 && !is_passing(errno)) fail(FailureKind::kSystem, std::strerror(errno));
     if (count < 0) continue;
     answer_.append(buffer.data(), static_cast<std::size_t>(count));
+    watch_->hear();
     for (std::size_t end; (end = answer_.find('\n', searched)) != std::string::npos;) {
       const std::string_view line = std::string_view(answer_).substr(line_begin, end - line_begin);
       line_begin = searched = end + 1;
@@ -331,6 +333,7 @@ int Process::finish() {
       if (count < 0 && !is_passing(errno)) fail(FailureKind::kSystem, std::strerror(errno));
       if (count <= 0) break;
       printed_.append({buffer.data(), static_cast<std::size_t>(count)});
+      watch_->hear();
     }
     if (ended) {
       if (signal_of(status) != 0) fail_with(status);

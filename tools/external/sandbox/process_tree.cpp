@@ -201,6 +201,8 @@ bool end_children() {
 }
 
 bool end_supervised(pid_t supervisor) {
+  // It need not wait for a processor until they end.
+  kill_below(supervisor);
   kill(supervisor, SIGTERM);
   const auto deadline = std::chrono::steady_clock::now() + 2 * kMostEnding;
   int status = 0;

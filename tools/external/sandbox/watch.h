@@ -49,6 +49,8 @@ class Watch {
   void restart();
   /// Cheap where it is too early for the next look. `doing`: "gave no reply".
   std::optional<Stop> look(const char* doing);
+  /// It has said something: until then it may have waited to be heard.
+  void hear() { ran_ = Clock::now(); }
   /// It has ended, and it and all that it waited for have computed so much.
   void end(double cpu_seconds);
   /// Of its time, in seconds: what it computed since the last restart, as far as is known, and at
