@@ -125,6 +125,7 @@ std::string without_times(std::string line) {
       {std::regex(R"(^[-0-9.e]+ ms to plan, [-0-9.e]+ ms the image)"),
        "T ms to plan, T ms the image"},
       {std::regex(R"( +[-0-9.e]+ +~?[-0-9.e]+ +-?[0-9]+%  )"), " T  "},  // an item of a plan
+      {std::regex(" +ms with +ms without"), " ms with  ms without"},     // above them
       {std::regex(R"( +[0-9.]+ s(?=  ))"), " T s"},                      // of a dry run
       {std::regex("isolated by: .*$"), "isolated"},
       {std::regex(R"(built in [0-9.]+ s(, [0-9]+ from the store)?, judged in [0-9.]+ s)"),
