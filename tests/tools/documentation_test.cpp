@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <map>
@@ -125,9 +126,8 @@ std::string without_times(std::string line) {
       {std::regex(R"(^[-0-9.e]+ ms to plan, [-0-9.e]+ ms the image)"),
        "T ms to plan, T ms the image"},
       {std::regex(R"( +[-0-9.e]+ +~?[-0-9.e]+ +-?[0-9]+%  )"), " T  "},  // an item of a plan
-      {std::regex(R"( +ms with +ms without +saves  )"),
-       " ms with  ms without  saves  "},             // as wide as they are
-      {std::regex(R"( +[0-9.]+ s(?=  ))"), " T s"},  // of a dry run
+      {std::regex(" +ms with +ms without"), " ms with  ms without"},     // above them
+      {std::regex(R"( +[0-9.]+ s(?=  ))"), " T s"},                      // of a dry run
       {std::regex("isolated by: .*$"), "isolated"},
       {std::regex(R"(built in [0-9.]+ s(, [0-9]+ from the store)?, judged in [0-9.]+ s)"),
        "built and judged in T s"},
@@ -320,6 +320,8 @@ void expect_session(const std::filesystem::path& page, std::size_t fewest) {
 }
 
 TEST(LongDocumentation, instructors_get_from_an_empty_folder_to_a_graded_class) {
+  if (std::system("command -v node >/dev/null 2>&1") != 0)
+    GTEST_SKIP() << "no Node, which runs ella";
   expect_session(std::filesystem::path(RAYCHECK_SOURCE_DIR) / "docs/grading.md", 8);
 }
 
