@@ -217,7 +217,7 @@ TEST_F(Package, HasAProgramThatJudgesAndSendsAnAutograder) {
   // What goes to graders is the program of the package, and loads what is sent along.
   const std::string sent = (folder() / "sent").string();
   const Ended loaded = shell("python3 -m zipfile -e " + archive.string() + " " + sent + " && ldd " +
-                             sent + "/raycheck/bin/raycheck | grep libgmp");
+                             sent + "/raycheck/libexec/raycheck/raycheck-grade | grep libgmp");
   EXPECT_NE(loaded.text.find(sent), std::string::npos) << loaded.text;
 }
 
