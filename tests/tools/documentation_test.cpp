@@ -126,6 +126,7 @@ std::string without_times(std::string line) {
       {std::regex(R"(^[-0-9.e]+ ms to plan, [-0-9.e]+ ms the image)"),
        "T ms to plan, T ms the image"},
       {std::regex(R"( +[-0-9.e]+ +~?[-0-9.e]+ +-?[0-9]+%  )"), " T  "},  // an item of a plan
+      {std::regex(" +- +- +-  "), "  -  -  -  "},                        // one that is not timed
       {std::regex(" +ms with +ms without"), " ms with  ms without"},     // above them
       {std::regex(R"( +[0-9.]+ s(?=  ))"), " T s"},                      // of a dry run
       {std::regex("isolated by: .*$"), "isolated"},
@@ -136,11 +137,15 @@ std::string without_times(std::string line) {
   return line;
 }
 
+/// On a terminal this is one line that goes, and documents show what stays there.
+const std::regex kProgress("^submissions: [0-9]+ of [0-9]+ (tried|graded): .*");
+
 std::vector<std::string> lines_of(const std::string& text) {
   std::vector<std::string> lines;
   for (std::size_t at = 0; at < text.size();) {
     const std::size_t end = std::min(text.find('\n', at), text.size());
-    lines.push_back(without_times(text.substr(at, end - at)));
+    const std::string line = text.substr(at, end - at);
+    if (!std::regex_match(line, kProgress)) lines.push_back(without_times(line));
     at = end + 1;
   }
   return lines;
