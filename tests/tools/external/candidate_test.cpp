@@ -129,7 +129,8 @@ class Altered {
 TEST(Candidate, that_is_a_little_wrong_breaks_its_own_law_alone_in_the_first_report) {
   std::set<std::string> broken;
   const Altered wrong("return Hit{s, out(", "return Hit{s * (1 + 0x1p-46), out(");
-  for (const json& campaign : wrong.report("--cases 300")["campaigns"]) {
+  const json report = wrong.report("--cases 300");
+  for (const json& campaign : report["campaigns"]) {
     if (campaign["finding"] == "broken") broken.insert(campaign["law"]);
   }
   EXPECT_EQ(broken, std::set<std::string>{"parameter"});
