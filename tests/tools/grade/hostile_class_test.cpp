@@ -97,7 +97,7 @@ TEST(HostileClass, whose_disk_one_fills_has_the_grades_that_each_has_alone) {
   EXPECT_TRUE(contains(again.out, "its files take more than 40 MiB (disk_mib)")) << again.out;
 }
 
-TEST(HostileClass, of_which_one_uses_up_its_time_says_so_and_does_not_judge_its_other_items) {
+TEST(HostileClass, of_which_one_uses_up_its_time_says_so_in_the_table_and_the_spreadsheet) {
   const Grading grading;
   const std::string rubric = grading.lecture7_with(
       {{"seconds = 60 ", "seconds = 2 "}, {"reply_seconds = 5", "reply_seconds = 60"}});
