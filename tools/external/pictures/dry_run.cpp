@@ -3,6 +3,7 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 #include <map>
 #include <stdexcept>
@@ -237,12 +238,17 @@ class DryRunner {
   Refusal with_more_time(const Attempt& slow, DryRun& found) {
     const double seconds = renderer_.program.limits.seconds;
     renderer_.program.limits.seconds = kMoreTime * seconds;
+    const auto began = std::chrono::steady_clock::now();
     const Attempt again = attempt(rule_.form);
     if (!again.made) return slow.failure;
-    found.needed_seconds = again.seconds;
+    // Who computed less than it was allowed was stopped for waiting: then what passed is what it
+    // needs.
+    const std::chrono::duration<double> passed = std::chrono::steady_clock::now() - began;
+    const double needed = again.seconds > seconds ? again.seconds : passed.count();
+    found.needed_seconds = needed;
     return {fmt::format("it needs more time: {:.1f} s for a picture of {} x {} pixels, where "
                         "reply_seconds allows {}",
-                        again.seconds, scene_.camera->width, scene_.camera->height, seconds),
+                        needed, scene_.camera->width, scene_.camera->height, seconds),
             {}};
   }
 
