@@ -53,7 +53,7 @@ class Malformed(Exception):
 LONGEST = 4000  # digits: products of four doubles have fewer
 EXPONENTS = range(-1074, 1024)  # of doubles
 BRACKET_EXPONENTS = range(-(2**14), 2**14)  # of products of four doubles, and of roots, to more bits
-PLAIN_DIGITS = 16  # of integers that are no strings: up to 2^53
+PLAIN_DIGITS = 19  # of integers that are no strings: of 64 bits, as pixels have
 WORDS = ("nan", "inf", "-inf", SOME_SPHERE)  # in place of a number
 
 
@@ -191,7 +191,7 @@ NOT_CERTIFIED = fields({"reason": text})
 
 def plain_integer(digits):
     if len(digits.lstrip("-")) > PLAIN_DIGITS:
-        raise Malformed("an integer beyond 2^53 is not a string")
+        raise Malformed(f"an integer of more than {PLAIN_DIGITS} digits is not a string")
     return int(digits)
 
 

@@ -197,7 +197,8 @@ TEST(VerifyCertificates, fails_with_2_at_the_first_line_that_is_no_certificate) 
       {"[]", "certificate is not an object"},
       {"{}", "certificate.method is missing"},
       {std::string(100000, '['), "it is nested too deeply"},
-      {"{\"ray\":" + std::string(5000, '9') + "}", "an integer beyond 2^53 is not a string"}};
+      {"{\"ray\":" + std::string(5000, '9') + "}",
+       "an integer of more than 19 digits is not a string"}};
   // A power of two with such an exponent would not be computed in a lifetime.
   for (const auto& [where, value] : std::vector<std::pair<std::string, std::string>>{
            {"/pixel", "true"},
