@@ -11,7 +11,7 @@ import subprocess
 
 ELEMENT = "element-6066-11e4-a52e-4f735466cecf"  # how WebDriver names an element (section 11)
 KEYS = {"ArrowLeft": "\ue012", "ArrowUp": "\ue013", "ArrowRight": "\ue014", "ArrowDown": "\ue015", "Shift": "\ue008"}
-SCRIPT_SECONDS = 60
+SCRIPT_SECONDS = 600  # a backstop: pages open in seconds, on a busy machine in minutes
 
 
 def missing():
