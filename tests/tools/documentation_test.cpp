@@ -2,7 +2,6 @@
 
 #include <gtest/gtest.h>
 
-#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <map>
@@ -325,8 +324,7 @@ void expect_session(const std::filesystem::path& page, std::size_t fewest) {
 }
 
 TEST(LongDocumentation, instructors_get_from_an_empty_folder_to_a_graded_class) {
-  if (std::system("command -v node >/dev/null 2>&1") != 0)
-    GTEST_SKIP() << "no Node, which runs ella";
+  if (!is_installed("node")) GTEST_SKIP() << "Node is not installed, which runs ella";
   expect_session(std::filesystem::path(RAYCHECK_SOURCE_DIR) / "docs/grading.md", 8);
 }
 

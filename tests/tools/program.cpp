@@ -91,6 +91,10 @@ Outcome run_python(const std::string& arguments) { return start("python3", argum
 
 Outcome run_bash(const std::string& path) { return start("bash", "'" + path + "'"); }
 
+bool is_installed(const std::string& program) {
+  return std::system(("command -v '" + program + "' >/dev/null").c_str()) == 0;
+}
+
 Outcome run_interrupted(const std::string& arguments, const std::function<bool()>& when) {
   return start(RAYCHECK_BINARY, arguments, when);
 }

@@ -22,6 +22,9 @@ Outcome run_python(const std::string& arguments);
 /// Runs a script by bash.
 Outcome run_bash(const std::string& path);
 
+/// Whether there is such a program here; where there is none, tests of it are skipped.
+bool is_installed(const std::string& program);
+
 /// Starts it, sends SIGINT once `when` holds, and waits for its end.
 Outcome run_interrupted(const std::string& arguments, const std::function<bool()>& when);
 

@@ -30,8 +30,6 @@ void expect_right(const std::string& scene, const std::string& candidate) {
   EXPECT_GT(cases, 8u) << candidate;
 }
 
-bool has_java() { return std::system("command -v javac java >/dev/null 2>&1") == 0; }
-
 TEST(Candidate, is_right_as_a_library) {
   const std::string folder = temporary_file("library", "") + ".d";
   const std::string library = built_submission("right.cpp", "right", folder);
@@ -189,7 +187,7 @@ TEST(Candidate, is_right_in_python) {
 }
 
 TEST(Candidate, is_right_in_java) {
-  if (!has_java()) GTEST_SKIP() << "there is no Java here";
+  if (!is_installed("javac")) GTEST_SKIP() << "Java is not installed";
   const std::string folder = temporary_file("java", "") + ".d";
   const std::string root = RAYCHECK_SOURCE_DIR;
   ASSERT_EQ(std::system(("javac -d " + folder + " " + root +

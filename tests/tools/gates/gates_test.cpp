@@ -57,7 +57,7 @@ std::string read_by_python(const std::string& path) {
 
 /// Whether xmllint takes a file by junit.xsd; also where there is no xmllint, which is said.
 bool suits_schema(const std::string& path) {
-  if (std::system("command -v xmllint > /dev/null") != 0) {
+  if (!is_installed("xmllint")) {
     std::printf("xmllint is not installed: the schema is not tried\n");
     return true;
   }

@@ -264,6 +264,7 @@ TEST_F(Intake, finds_headers_by_names_of_other_systems) {
 }
 
 TEST_F(LongIntake, builds_java_with_packages_and_jars) {
+  if (!is_installed("javac")) GTEST_SKIP() << "Java is not installed";
   const std::string folder =
       submit("java", {{"src/de/uni/Main.java", kJava}, {"other/White.java", kJavaWhite}});
   const std::string jar = "cd '" + folder +
@@ -276,9 +277,13 @@ TEST_F(LongIntake, builds_java_with_packages_and_jars) {
             "renderer:java -cp raycheck-classes:lib/white.jar de.uni.Main {scene} {image}");
 }
 
-TEST_F(Intake, runs_python_javascript_and_notebooks) {
+TEST_F(Intake, runs_python_and_notebooks) {
   expect_full("python", {{"render.py", kPython}, {"size.py", kPythonSize}});
   expect_full("notebook", {{"Homework.ipynb", kNotebook}});
+}
+
+TEST_F(Intake, runs_javascript) {
+  if (!is_installed("node")) GTEST_SKIP() << "Node is not installed";
   expect_full("node", {{"package.json", R"({"main": "src/app"})"},
                        {"src/app.js", kJavaScript},
                        {"src/other.js", "process.argv;\n"}});

@@ -3,7 +3,6 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <cstdlib>
 #include <filesystem>
 #include <functional>
 #include <regex>
@@ -69,7 +68,7 @@ TEST(Manual, HasAPageForEveryCommandWithEveryOption) {
 }
 
 TEST(Manual, IsSetWithoutWarnings) {
-  if (std::system("command -v groff >/dev/null") != 0) GTEST_SKIP() << "groff is not installed";
+  if (!is_installed("groff")) GTEST_SKIP() << "groff is not installed";
   for (const auto& entry : fs::directory_iterator(std::string(RAYCHECK_MANUAL) + "/man/man1")) {
     const std::string script = temporary_file(
         "groff.sh", "groff -man -ww -Tutf8 '" + entry.path().string() + "' >/dev/null\n");
@@ -103,10 +102,6 @@ std::vector<std::string> lines_that_ask_for_options() {
   std::vector<std::string> lines = {"raycheck --"};
   for (const std::string& command : commands()) lines.push_back("raycheck " + command + " --");
   return lines;
-}
-
-bool is_installed(const std::string& shell) {
-  return std::system(("command -v " + shell + " >/dev/null").c_str()) == 0;
 }
 
 /// What a shell offers behind lines, a line of words each.
