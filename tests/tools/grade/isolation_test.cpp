@@ -109,7 +109,9 @@ TEST_P(HostileOnMachine, NothingIsGainedAndTheJudgeSurvives) {
     const std::string isolated_by = result["isolated_by"];
     EXPECT_TRUE(isolated_by.starts_with(GetParam().isolation)) << attack << isolated_by;
   }
-  if (has_node) EXPECT_EQ(grading.result("ella")["score"], 107.5) << outcome.out;
+  if (has_node) {
+    EXPECT_EQ(grading.result("ella")["score"], 107.5) << outcome.out;
+  }
   EXPECT_EQ(grading.result("jonas")["score"], 110) << outcome.out;
 }
 

@@ -6,6 +6,7 @@
 #include <system_error>
 
 #include "tools/external/sandbox/launch.h"
+#include "tools/external/sandbox/private_folder.h"
 
 namespace raycheck::tools {
 
@@ -28,7 +29,12 @@ std::vector<fs::path> system_paths() {
   return paths;
 }
 
-std::vector<fs::path> own_paths() { return {adapters(), prefix() / "lib"}; }
+std::vector<fs::path> own_paths() {
+  std::vector<fs::path> paths = {adapters()};
+  const fs::path libraries = prefix() / "lib";
+  if (fs::exists(libraries)) paths.push_back(readable_copy(libraries));
+  return paths;
+}
 
 namespace {
 

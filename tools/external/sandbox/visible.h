@@ -10,8 +10,8 @@ namespace raycheck::tools {
 /// does not start without where it is there and closed. Some may not be there.
 std::vector<std::filesystem::path> system_paths();
 
-/// What raycheck's helpers need besides the system: the adapters, and the libraries of a package.
-/// Some may not be there.
+/// What raycheck's helpers need besides the system: the adapters, and the libraries of a package
+/// where it brings some.
 std::vector<std::filesystem::path> own_paths();
 
 /// Of all these what gives away right answers, or what is asked: raycheck itself, wherever programs
