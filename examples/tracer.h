@@ -1,8 +1,7 @@
 // A small ray tracer's camera and spheres. Five classic mistakes can be asked of it by the variable
 // TRACER_MISTAKE of the environment: far_root, behind, upside_down, not_unit, pixel_step.
 
-#ifndef TRACER_H_
-#define TRACER_H_
+#pragma once
 
 #include <raycheck/judge.h>
 
@@ -78,5 +77,3 @@ inline raycheck::Candidate tracer() {
   candidate.intersect = intersect;
   return candidate;
 }
-
-#endif  // TRACER_H_

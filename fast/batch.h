@@ -1,5 +1,4 @@
-#ifndef RAYCHECK_FAST_BATCH_H_
-#define RAYCHECK_FAST_BATCH_H_
+#pragma once
 
 #include <cstddef>
 #include <cstdint>
@@ -45,5 +44,3 @@ struct Hits {
 };
 
 }  // namespace raycheck::fast
-
-#endif  // RAYCHECK_FAST_BATCH_H_

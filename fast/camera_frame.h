@@ -1,5 +1,4 @@
-#ifndef RAYCHECK_FAST_CAMERA_FRAME_H_
-#define RAYCHECK_FAST_CAMERA_FRAME_H_
+#pragma once
 
 #include "fast/domain.h"
 #include "scene/camera.h"
@@ -30,5 +29,3 @@ struct CameraFrame {
 CameraFrame camera_frame(const scene::Camera& camera);
 
 }  // namespace raycheck::fast
-
-#endif  // RAYCHECK_FAST_CAMERA_FRAME_H_

@@ -1,5 +1,4 @@
-#ifndef RAYCHECK_FAST_DOMAIN_H_
-#define RAYCHECK_FAST_DOMAIN_H_
+#pragma once
 
 namespace raycheck::fast {
 
@@ -22,5 +21,3 @@ inline constexpr Domain kSingleDomain = {0x1p-25, 0x1p25};
 inline constexpr Domain kWideDomain = {0x1p-500, 0x1p500};
 
 }  // namespace raycheck::fast
-
-#endif  // RAYCHECK_FAST_DOMAIN_H_

@@ -1,5 +1,4 @@
-#ifndef RAYCHECK_FAST_INTERSECT_H_
-#define RAYCHECK_FAST_INTERSECT_H_
+#pragma once
 
 #include <cstddef>
 #include <optional>
@@ -84,5 +83,3 @@ std::vector<std::optional<std::size_t>> nearest_spheres(const IntersectMethod& m
                                                         scene::Root root, scene::Tangent tangent);
 
 }  // namespace raycheck::fast
-
-#endif  // RAYCHECK_FAST_INTERSECT_H_

@@ -1,5 +1,4 @@
-#ifndef RAYCHECK_FAST_METHOD_LIST_H_
-#define RAYCHECK_FAST_METHOD_LIST_H_
+#pragma once
 
 // Every method of fast/, in the order of reports, a line each: what it does, and where it comes
 // from, is in its file in fast/methods/. Internal to fast/.
@@ -27,5 +26,3 @@
   METHOD(Focal)                            \
   METHOD(Incremental)                      \
   METHOD(Single)
-
-#endif  // RAYCHECK_FAST_METHOD_LIST_H_

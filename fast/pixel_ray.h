@@ -1,5 +1,4 @@
-#ifndef RAYCHECK_FAST_PIXEL_RAY_H_
-#define RAYCHECK_FAST_PIXEL_RAY_H_
+#pragma once
 
 #include <cstdint>
 #include <span>
@@ -61,5 +60,3 @@ PlanePosition plane_position(const scene::Camera& camera, const scene::Conventio
 std::span<const PixelRayMethod* const> pixel_ray_methods();
 
 }  // namespace raycheck::fast
-
-#endif  // RAYCHECK_FAST_PIXEL_RAY_H_

@@ -1,5 +1,4 @@
-#ifndef RAYCHECK_FAST_RAY_BY_RAY_H_
-#define RAYCHECK_FAST_RAY_BY_RAY_H_
+#pragma once
 
 // How a method that answers one ray at a time becomes an IntersectMethod, whatever numbers it
 // computes in. Such a Method is made of a sphere, `Method{sphere}`, and then answers rays:
@@ -53,5 +52,3 @@ std::optional<Hit> intersect_one_ray(const scene::Ray& ray, const scene::Sphere&
 }
 
 }  // namespace raycheck::fast
-
-#endif  // RAYCHECK_FAST_RAY_BY_RAY_H_

@@ -1,5 +1,4 @@
-#ifndef RAYCHECK_FAST_VISIBLE_H_
-#define RAYCHECK_FAST_VISIBLE_H_
+#pragma once
 
 #include <cstddef>
 #include <cstdint>
@@ -42,5 +41,3 @@ void see(const scene::Scene& scene, const scene::ScenePlan& plan, const PixelRay
          const IntersectMethod& intersect, const scene::PixelRectangle& pixels, SeenPixels& seen);
 
 }  // namespace raycheck::fast
-
-#endif  // RAYCHECK_FAST_VISIBLE_H_

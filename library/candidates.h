@@ -1,5 +1,4 @@
-#ifndef RAYCHECK_LIBRARY_CANDIDATES_H_
-#define RAYCHECK_LIBRARY_CANDIDATES_H_
+#pragma once
 
 #include <raycheck/judge.h>
 
@@ -17,5 +16,3 @@ properties::Case case_of(const Case& the_case);
 Case case_of(const properties::Case& the_case);
 
 }  // namespace raycheck::library
-
-#endif  // RAYCHECK_LIBRARY_CANDIDATES_H_

@@ -1,5 +1,4 @@
-#ifndef RAYCHECK_LIBRARY_CONVERSIONS_H_
-#define RAYCHECK_LIBRARY_CONVERSIONS_H_
+#pragma once
 
 // Between the structs that others see and those that raycheck computes with.
 
@@ -43,5 +42,3 @@ scene::Scene scene_of(const Scene& s);
 Scene scene_of(const scene::Scene& s);
 
 }  // namespace raycheck::library
-
-#endif  // RAYCHECK_LIBRARY_CONVERSIONS_H_

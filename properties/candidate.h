@@ -1,5 +1,4 @@
-#ifndef RAYCHECK_PROPERTIES_CANDIDATE_H_
-#define RAYCHECK_PROPERTIES_CANDIDATE_H_
+#pragma once
 
 #include <array>
 #include <cstddef>
@@ -183,5 +182,3 @@ struct Candidate : Functions, Promises, Domain, ImagePolicy {
 Candidate judged_in(scene::Precision precision, Candidate candidate);
 
 }  // namespace raycheck::properties
-
-#endif  // RAYCHECK_PROPERTIES_CANDIDATE_H_

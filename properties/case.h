@@ -1,5 +1,4 @@
-#ifndef RAYCHECK_PROPERTIES_CASE_H_
-#define RAYCHECK_PROPERTIES_CASE_H_
+#pragma once
 
 #include <cstddef>
 #include <vector>
@@ -22,5 +21,3 @@ std::size_t count_rays(const Case& the_case);
 std::vector<scene::Pixel> all_pixels(const scene::Camera& camera);
 
 }  // namespace raycheck::properties
-
-#endif  // RAYCHECK_PROPERTIES_CASE_H_

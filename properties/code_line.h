@@ -1,5 +1,4 @@
-#ifndef RAYCHECK_PROPERTIES_CODE_LINE_H_
-#define RAYCHECK_PROPERTIES_CODE_LINE_H_
+#pragma once
 
 #include <compare>
 #include <cstdint>
@@ -30,5 +29,3 @@ class FailedAtLine : public std::runtime_error {
 };
 
 }  // namespace raycheck::properties
-
-#endif  // RAYCHECK_PROPERTIES_CODE_LINE_H_

@@ -1,5 +1,4 @@
-#ifndef RAYCHECK_PROPERTIES_DOMAIN_H_
-#define RAYCHECK_PROPERTIES_DOMAIN_H_
+#pragma once
 
 #include <limits>
 
@@ -44,5 +43,3 @@ bool lengths_are_within(const scene::Scene& scene, double smallest, double large
 bool is_inside_domain(const Domain& domain, const scene::Scene& scene);
 
 }  // namespace raycheck::properties
-
-#endif  // RAYCHECK_PROPERTIES_DOMAIN_H_

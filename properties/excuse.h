@@ -1,5 +1,4 @@
-#ifndef RAYCHECK_PROPERTIES_EXCUSE_H_
-#define RAYCHECK_PROPERTIES_EXCUSE_H_
+#pragma once
 
 #include <array>
 #include <cstddef>
@@ -76,5 +75,3 @@ struct Excuse {
 };
 
 }  // namespace raycheck::properties
-
-#endif  // RAYCHECK_PROPERTIES_EXCUSE_H_

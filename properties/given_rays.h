@@ -1,5 +1,4 @@
-#ifndef RAYCHECK_PROPERTIES_GIVEN_RAYS_H_
-#define RAYCHECK_PROPERTIES_GIVEN_RAYS_H_
+#pragma once
 
 #include <cstdint>
 #include <optional>
@@ -30,5 +29,3 @@ std::optional<GivenRays> given_rays(const Case& the_case, const scene::Conventio
                                     scene::Precision precision = scene::Precision::kDouble);
 
 }  // namespace raycheck::properties
-
-#endif  // RAYCHECK_PROPERTIES_GIVEN_RAYS_H_

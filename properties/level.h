@@ -1,5 +1,4 @@
-#ifndef RAYCHECK_PROPERTIES_LEVEL_H_
-#define RAYCHECK_PROPERTIES_LEVEL_H_
+#pragma once
 
 #include <array>
 #include <cstddef>
@@ -20,5 +19,3 @@ constexpr std::string_view name(Level level) {
 }
 
 }  // namespace raycheck::properties
-
-#endif  // RAYCHECK_PROPERTIES_LEVEL_H_

@@ -1,5 +1,4 @@
-#ifndef RAYCHECK_PROPERTIES_NEAREST_HIT_ERROR_H_
-#define RAYCHECK_PROPERTIES_NEAREST_HIT_ERROR_H_
+#pragma once
 
 #include <cstdint>
 #include <optional>
@@ -28,5 +27,3 @@ struct NearestHitError {
 std::vector<NearestHitError> nearest_hit_errors(Trial& trial, std::span<const std::int32_t> seen);
 
 }  // namespace raycheck::properties
-
-#endif  // RAYCHECK_PROPERTIES_NEAREST_HIT_ERROR_H_

@@ -1,5 +1,4 @@
-#ifndef RAYCHECK_PROPERTIES_OTHER_SIZE_H_
-#define RAYCHECK_PROPERTIES_OTHER_SIZE_H_
+#pragma once
 
 #include <cstdint>
 #include <stdexcept>
@@ -20,5 +19,3 @@ class OtherSize : public std::runtime_error {
 };
 
 }  // namespace raycheck::properties
-
-#endif  // RAYCHECK_PROPERTIES_OTHER_SIZE_H_

@@ -1,5 +1,4 @@
-#ifndef RAYCHECK_PROPERTIES_QUANTILE_SKETCH_H_
-#define RAYCHECK_PROPERTIES_QUANTILE_SKETCH_H_
+#pragma once
 
 #include <cstddef>
 #include <cstdint>
@@ -64,5 +63,3 @@ class QuantileSketch {
 };
 
 }  // namespace raycheck::properties
-
-#endif  // RAYCHECK_PROPERTIES_QUANTILE_SKETCH_H_

@@ -1,5 +1,4 @@
-#ifndef RAYCHECK_PROPERTIES_QUANTITY_H_
-#define RAYCHECK_PROPERTIES_QUANTITY_H_
+#pragma once
 
 #include <array>
 #include <cstddef>
@@ -94,5 +93,3 @@ inline constexpr double kExcusedChange = kExcusedRoundoffs * kDoubleRoundoff;
 constexpr double excused_change(double unit_roundoff) { return kExcusedRoundoffs * unit_roundoff; }
 
 }  // namespace raycheck::properties
-
-#endif  // RAYCHECK_PROPERTIES_QUANTITY_H_

@@ -1,5 +1,4 @@
-#ifndef RAYCHECK_PROPERTIES_ROUNDED_CASE_H_
-#define RAYCHECK_PROPERTIES_ROUNDED_CASE_H_
+#pragma once
 
 #include <cstddef>
 #include <optional>
@@ -30,5 +29,3 @@ scene::Ray rounded_ray(scene::Ray ray, scene::Precision precision);
 bool is_of_format(const scene::Scene& scene, scene::Precision precision);
 
 }  // namespace raycheck::properties
-
-#endif  // RAYCHECK_PROPERTIES_ROUNDED_CASE_H_

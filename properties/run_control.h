@@ -1,5 +1,4 @@
-#ifndef RAYCHECK_PROPERTIES_RUN_CONTROL_H_
-#define RAYCHECK_PROPERTIES_RUN_CONTROL_H_
+#pragma once
 
 #include <functional>
 #include <string_view>
@@ -20,5 +19,3 @@ struct RunControl {
 };
 
 }  // namespace raycheck::properties
-
-#endif  // RAYCHECK_PROPERTIES_RUN_CONTROL_H_

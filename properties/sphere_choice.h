@@ -1,5 +1,4 @@
-#ifndef RAYCHECK_PROPERTIES_SPHERE_CHOICE_H_
-#define RAYCHECK_PROPERTIES_SPHERE_CHOICE_H_
+#pragma once
 
 // Which of several spheres a ray meets first, by a candidate and exactly. Internal to the laws.
 
@@ -42,5 +41,3 @@ struct SpheresMet {
 SpheresMet spheres_met(Trial& trial);
 
 }  // namespace raycheck::properties
-
-#endif  // RAYCHECK_PROPERTIES_SPHERE_CHOICE_H_

@@ -1,5 +1,4 @@
-#ifndef RAYCHECK_PROPERTIES_STABILITY_H_
-#define RAYCHECK_PROPERTIES_STABILITY_H_
+#pragma once
 
 #include <array>
 #include <cstddef>
@@ -50,5 +49,3 @@ struct Stability {
 };
 
 }  // namespace raycheck::properties
-
-#endif  // RAYCHECK_PROPERTIES_STABILITY_H_

@@ -1,5 +1,4 @@
-#ifndef RAYCHECK_PROPERTIES_STAGE_H_
-#define RAYCHECK_PROPERTIES_STAGE_H_
+#pragma once
 
 #include <string_view>
 
@@ -20,5 +19,3 @@ constexpr Quantity main_quantity(Stage stage) {
 }
 
 }  // namespace raycheck::properties
-
-#endif  // RAYCHECK_PROPERTIES_STAGE_H_

@@ -1,5 +1,4 @@
-#ifndef RAYCHECK_PROPERTIES_TALLY_H_
-#define RAYCHECK_PROPERTIES_TALLY_H_
+#pragma once
 
 #include <array>
 #include <cstddef>
@@ -134,5 +133,3 @@ struct Tally {
 };
 
 }  // namespace raycheck::properties
-
-#endif  // RAYCHECK_PROPERTIES_TALLY_H_

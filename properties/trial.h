@@ -1,5 +1,4 @@
-#ifndef RAYCHECK_PROPERTIES_TRIAL_H_
-#define RAYCHECK_PROPERTIES_TRIAL_H_
+#pragma once
 
 #include <algorithm>
 #include <cstddef>
@@ -286,5 +285,3 @@ constexpr Question root_asked(const reference::Intersection& at) {
 const HitAnswer* find_hit(const SphereHits& hits, std::size_t ray);
 
 }  // namespace raycheck::properties
-
-#endif  // RAYCHECK_PROPERTIES_TRIAL_H_

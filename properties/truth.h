@@ -1,5 +1,4 @@
-#ifndef RAYCHECK_PROPERTIES_TRUTH_H_
-#define RAYCHECK_PROPERTIES_TRUTH_H_
+#pragma once
 
 #include <algorithm>
 #include <cstddef>
@@ -87,5 +86,3 @@ class SharedTruths {
 };
 
 }  // namespace raycheck::properties
-
-#endif  // RAYCHECK_PROPERTIES_TRUTH_H_

@@ -1,5 +1,4 @@
-#ifndef RAYCHECK_PROPERTIES_VERDICT_H_
-#define RAYCHECK_PROPERTIES_VERDICT_H_
+#pragma once
 
 #include <array>
 #include <compare>
@@ -161,5 +160,3 @@ class Verdict {
 };
 
 }  // namespace raycheck::properties
-
-#endif  // RAYCHECK_PROPERTIES_VERDICT_H_

@@ -1,5 +1,4 @@
-#ifndef RAYCHECK_REFERENCE_ENCLOSURE_H_
-#define RAYCHECK_REFERENCE_ENCLOSURE_H_
+#pragma once
 
 #include <arb.h>
 
@@ -103,5 +102,3 @@ Enclosure abs(const Enclosure& value);
 using Enclosure3 = Triple<Enclosure>;
 
 }  // namespace raycheck::reference
-
-#endif  // RAYCHECK_REFERENCE_ENCLOSURE_H_

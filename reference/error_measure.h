@@ -1,5 +1,4 @@
-#ifndef RAYCHECK_REFERENCE_ERROR_MEASURE_H_
-#define RAYCHECK_REFERENCE_ERROR_MEASURE_H_
+#pragma once
 
 #include "reference/enclosure.h"
 #include "scene/geometry.h"
@@ -51,5 +50,3 @@ Enclosure3 enclose_exactly(const scene::UnitVector3& given);
 double in_units_of_u(const Enclosure& x);
 
 }  // namespace raycheck::reference
-
-#endif  // RAYCHECK_REFERENCE_ERROR_MEASURE_H_

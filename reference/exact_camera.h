@@ -1,5 +1,4 @@
-#ifndef RAYCHECK_REFERENCE_EXACT_CAMERA_H_
-#define RAYCHECK_REFERENCE_EXACT_CAMERA_H_
+#pragma once
 
 #include <memory>
 
@@ -48,5 +47,3 @@ class ExactCamera {
 };
 
 }  // namespace raycheck::reference
-
-#endif  // RAYCHECK_REFERENCE_EXACT_CAMERA_H_

@@ -1,5 +1,4 @@
-#ifndef RAYCHECK_REFERENCE_EXACT_RAY_H_
-#define RAYCHECK_REFERENCE_EXACT_RAY_H_
+#pragma once
 
 #include <array>
 #include <cstddef>
@@ -184,5 +183,3 @@ class ExactRay {
 };
 
 }  // namespace raycheck::reference
-
-#endif  // RAYCHECK_REFERENCE_EXACT_RAY_H_

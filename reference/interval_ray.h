@@ -1,5 +1,4 @@
-#ifndef RAYCHECK_REFERENCE_INTERVAL_RAY_H_
-#define RAYCHECK_REFERENCE_INTERVAL_RAY_H_
+#pragma once
 
 #include <optional>
 
@@ -28,5 +27,3 @@ std::optional<IntervalIntersection> intersect_by_intervals(const scene::Ray& ray
                                                            scene::Root root);
 
 }  // namespace raycheck::reference
-
-#endif  // RAYCHECK_REFERENCE_INTERVAL_RAY_H_

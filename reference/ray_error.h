@@ -1,5 +1,4 @@
-#ifndef RAYCHECK_REFERENCE_RAY_ERROR_H_
-#define RAYCHECK_REFERENCE_RAY_ERROR_H_
+#pragma once
 
 #include <optional>
 
@@ -39,5 +38,3 @@ bool is_at_other_root(const ExactRay& ray, const scene::Sphere& sphere,
 inline constexpr int kOtherRootShare = 4;  ///< One over the share.
 
 }  // namespace raycheck::reference
-
-#endif  // RAYCHECK_REFERENCE_RAY_ERROR_H_

@@ -1,5 +1,4 @@
-#ifndef RAYCHECK_SCENE_CAMERA_H_
-#define RAYCHECK_SCENE_CAMERA_H_
+#pragma once
 
 #include <cstdint>
 #include <optional>
@@ -38,5 +37,3 @@ struct Pixel {
 };
 
 }  // namespace raycheck::scene
-
-#endif  // RAYCHECK_SCENE_CAMERA_H_

@@ -1,5 +1,4 @@
-#ifndef RAYCHECK_SCENE_CONVENTIONS_H_
-#define RAYCHECK_SCENE_CONVENTIONS_H_
+#pragma once
 
 #include <array>
 #include <cstddef>
@@ -86,5 +85,3 @@ constexpr std::string_view name(Tangent value) {
 }
 
 }  // namespace raycheck::scene
-
-#endif  // RAYCHECK_SCENE_CONVENTIONS_H_

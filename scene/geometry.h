@@ -1,5 +1,4 @@
-#ifndef RAYCHECK_SCENE_GEOMETRY_H_
-#define RAYCHECK_SCENE_GEOMETRY_H_
+#pragma once
 
 namespace raycheck::scene {
 
@@ -47,5 +46,3 @@ struct Sphere {
 };
 
 }  // namespace raycheck::scene
-
-#endif  // RAYCHECK_SCENE_GEOMETRY_H_

@@ -1,5 +1,4 @@
-#ifndef RAYCHECK_SCENE_INTERRUPTION_H_
-#define RAYCHECK_SCENE_INTERRUPTION_H_
+#pragma once
 
 #include <functional>
 
@@ -27,5 +26,3 @@ class Interruptible {
 void poll();
 
 }  // namespace raycheck::scene
-
-#endif  // RAYCHECK_SCENE_INTERRUPTION_H_

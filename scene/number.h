@@ -1,5 +1,4 @@
-#ifndef RAYCHECK_SCENE_NUMBER_H_
-#define RAYCHECK_SCENE_NUMBER_H_
+#pragma once
 
 #include <optional>
 #include <string>
@@ -31,5 +30,3 @@ std::string hexfloat(double value);
 std::string digits_and_hexfloat(double value);
 
 }  // namespace raycheck::scene
-
-#endif  // RAYCHECK_SCENE_NUMBER_H_

@@ -1,5 +1,4 @@
-#ifndef RAYCHECK_SCENE_PRECISION_H_
-#define RAYCHECK_SCENE_PRECISION_H_
+#pragma once
 
 #include <array>
 #include <cmath>
@@ -40,5 +39,3 @@ double rounded_to(Precision precision, double x);
 double next_after(Precision precision, double x, double toward);
 
 }  // namespace raycheck::scene
-
-#endif  // RAYCHECK_SCENE_PRECISION_H_

@@ -1,5 +1,4 @@
-#ifndef RAYCHECK_SCENE_SCENE_H_
-#define RAYCHECK_SCENE_SCENE_H_
+#pragma once
 
 #include <optional>
 #include <vector>
@@ -21,5 +20,3 @@ struct Scene {
 };
 
 }  // namespace raycheck::scene
-
-#endif  // RAYCHECK_SCENE_SCENE_H_

@@ -1,5 +1,4 @@
-#ifndef RAYCHECK_SCENE_SCENE_SCALARS_H_
-#define RAYCHECK_SCENE_SCENE_SCALARS_H_
+#pragma once
 
 // The numbers of a scene, one after the other. Internal to properties/.
 
@@ -48,5 +47,3 @@ void for_each_length(scene::Scene& scene, Visit visit) {
 }
 
 }  // namespace raycheck::properties
-
-#endif  // RAYCHECK_SCENE_SCENE_SCALARS_H_

@@ -1,5 +1,4 @@
-#ifndef RAYCHECK_SCENE_TEXT_H_
-#define RAYCHECK_SCENE_TEXT_H_
+#pragma once
 
 #include <string>
 #include <string_view>
@@ -15,5 +14,3 @@ std::string visible(std::string_view text);
 std::string visible_line(std::string_view text);
 
 }  // namespace raycheck::scene
-
-#endif  // RAYCHECK_SCENE_TEXT_H_

@@ -1,5 +1,4 @@
-#ifndef RAYCHECK_SCENE_VALIDATE_H_
-#define RAYCHECK_SCENE_VALIDATE_H_
+#pragma once
 
 #include <string>
 #include <vector>
@@ -32,5 +31,3 @@ void require_valid(const Scene& scene);
 void require_valid(const Conventions& conventions);
 
 }  // namespace raycheck::scene
-
-#endif  // RAYCHECK_SCENE_VALIDATE_H_

@@ -1,5 +1,4 @@
-#ifndef RAYCHECK_TOOLS_ALL_COMMANDS_H_
-#define RAYCHECK_TOOLS_ALL_COMMANDS_H_
+#pragma once
 
 #include "tools/commands.h"
 
@@ -13,5 +12,3 @@ inline constexpr LinkedCommand kAllCommands[] = {
 };
 
 }  // namespace raycheck::tools
-
-#endif  // RAYCHECK_TOOLS_ALL_COMMANDS_H_

@@ -1,5 +1,4 @@
-#ifndef RAYCHECK_TOOLS_ARGUMENTS_H_
-#define RAYCHECK_TOOLS_ARGUMENTS_H_
+#pragma once
 
 // What the commands share of reading arguments and writing reports. Internal to the commands.
 
@@ -142,5 +141,3 @@ void draw_or_say(const std::vector<Plot>& plots, const std::string& path);
 int exit_code(bool was_interrupted, bool found, bool checked);
 
 }  // namespace raycheck::tools
-
-#endif  // RAYCHECK_TOOLS_ARGUMENTS_H_

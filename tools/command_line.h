@@ -1,5 +1,4 @@
-#ifndef RAYCHECK_TOOLS_COMMAND_LINE_H_
-#define RAYCHECK_TOOLS_COMMAND_LINE_H_
+#pragma once
 
 #include <span>
 #include <string_view>
@@ -22,5 +21,3 @@ std::vector<Command> make_program(CLI::App& program, std::span<const LinkedComma
 int run_command_line(int argc, char** argv, std::span<const LinkedCommand> linked);
 
 }  // namespace raycheck::tools
-
-#endif  // RAYCHECK_TOOLS_COMMAND_LINE_H_

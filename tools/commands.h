@@ -1,5 +1,4 @@
-#ifndef RAYCHECK_TOOLS_COMMANDS_H_
-#define RAYCHECK_TOOLS_COMMANDS_H_
+#pragma once
 
 // The commands, and the programs that have them: raycheck starts these, as git does. CMake and run
 // read the rows.
@@ -70,5 +69,3 @@ constexpr const CommandRow* find_command(std::string_view name) {
 inline constexpr std::string_view kAnswersForAll = find_command("check")->program;
 
 }  // namespace raycheck::tools
-
-#endif  // RAYCHECK_TOOLS_COMMANDS_H_

@@ -1,5 +1,4 @@
-#ifndef RAYCHECK_TOOLS_EXIT_CODES_H_
-#define RAYCHECK_TOOLS_EXIT_CODES_H_
+#pragma once
 
 namespace raycheck::tools {
 
@@ -12,5 +11,3 @@ inline constexpr int kExitNothingChecked = 4;
 inline constexpr int kExitOfSignal = 128;
 
 }  // namespace raycheck::tools
-
-#endif  // RAYCHECK_TOOLS_EXIT_CODES_H_

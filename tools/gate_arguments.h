@@ -1,5 +1,4 @@
-#ifndef RAYCHECK_TOOLS_GATE_ARGUMENTS_H_
-#define RAYCHECK_TOOLS_GATE_ARGUMENTS_H_
+#pragma once
 
 // What commands that gate continuous integration share of reading arguments. Internal to the
 // commands.
@@ -80,5 +79,3 @@ class GateFiles {
 };
 
 }  // namespace raycheck::tools
-
-#endif  // RAYCHECK_TOOLS_GATE_ARGUMENTS_H_

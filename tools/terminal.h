@@ -1,5 +1,4 @@
-#ifndef RAYCHECK_TOOLS_TERMINAL_H_
-#define RAYCHECK_TOOLS_TERMINAL_H_
+#pragma once
 
 #include <chrono>
 #include <cstddef>
@@ -57,5 +56,3 @@ class Progress {
 properties::RunControl run_control(std::string what, int threads = 1);
 
 }  // namespace raycheck::tools
-
-#endif  // RAYCHECK_TOOLS_TERMINAL_H_

@@ -1,5 +1,4 @@
-#ifndef RAYCHECK_TOOLS_WRITTEN_FILES_H_
-#define RAYCHECK_TOOLS_WRITTEN_FILES_H_
+#pragma once
 
 namespace CLI {
 class App;
@@ -14,5 +13,3 @@ namespace raycheck::tools {
 void require_written_apart(const CLI::App& command);
 
 }  // namespace raycheck::tools
-
-#endif  // RAYCHECK_TOOLS_WRITTEN_FILES_H_

@@ -1,5 +1,4 @@
-#ifndef RAYCHECK_FAST_INTERNAL_BATCH_ARRAYS_H_
-#define RAYCHECK_FAST_INTERNAL_BATCH_ARRAYS_H_
+#pragma once
 
 // A batch as bare arrays, for code that is compiled for one target and so must not instantiate what
 // others share. Internal to fast/.
@@ -53,5 +52,3 @@ void intersect_by(BatchKernel kernel, const Rays& rays, const scene::Sphere& sph
                   scene::Root root, scene::Tangent tangent, Hits& hits);
 
 }  // namespace raycheck::fast
-
-#endif  // RAYCHECK_FAST_INTERNAL_BATCH_ARRAYS_H_

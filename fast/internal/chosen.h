@@ -1,5 +1,4 @@
-#ifndef RAYCHECK_FAST_INTERNAL_CHOSEN_H_
-#define RAYCHECK_FAST_INTERNAL_CHOSEN_H_
+#pragma once
 
 #include "fast/intersect.h"
 
@@ -12,5 +11,3 @@ struct Chosen {
 };
 
 }  // namespace raycheck::fast
-
-#endif  // RAYCHECK_FAST_INTERNAL_CHOSEN_H_

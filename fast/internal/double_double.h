@@ -1,5 +1,4 @@
-#ifndef RAYCHECK_FAST_INTERNAL_DOUBLE_DOUBLE_H_
-#define RAYCHECK_FAST_INTERNAL_DOUBLE_DOUBLE_H_
+#pragma once
 
 // Numbers of about 106 bits as unevaluated sums of two doubles. Internal to fast/.
 // Source: Joldes, Muller and Popescu, Tight and rigorous error bounds for basic building blocks of
@@ -80,5 +79,3 @@ inline bool operator==(const DoubleDouble& x, const DoubleDouble& y) {
 inline bool operator>=(const DoubleDouble& x, const DoubleDouble& y) { return y < x || x == y; }
 
 }  // namespace raycheck::fast
-
-#endif  // RAYCHECK_FAST_INTERNAL_DOUBLE_DOUBLE_H_

@@ -1,5 +1,4 @@
-#ifndef RAYCHECK_FAST_INTERNAL_EIGEN_H_
-#define RAYCHECK_FAST_INTERNAL_EIGEN_H_
+#pragma once
 
 // Between the plain structs of scene/ and Eigen's vectors. Internal to fast/.
 
@@ -18,5 +17,3 @@ Triple plain(const Eigen::Vector3d& value) {
 }
 
 }  // namespace raycheck::fast
-
-#endif  // RAYCHECK_FAST_INTERNAL_EIGEN_H_

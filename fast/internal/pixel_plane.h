@@ -1,5 +1,4 @@
-#ifndef RAYCHECK_FAST_INTERNAL_PIXEL_PLANE_H_
-#define RAYCHECK_FAST_INTERNAL_PIXEL_PLANE_H_
+#pragma once
 
 // The image plane that every pixel ray method walks over. Internal to fast/.
 
@@ -64,5 +63,3 @@ inline void store(Vectors& out, std::size_t k, const Eigen::Vector3d& value) {
 }
 
 }  // namespace raycheck::fast
-
-#endif  // RAYCHECK_FAST_INTERNAL_PIXEL_PLANE_H_

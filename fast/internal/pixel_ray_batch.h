@@ -1,5 +1,4 @@
-#ifndef RAYCHECK_FAST_INTERNAL_PIXEL_RAY_BATCH_H_
-#define RAYCHECK_FAST_INTERNAL_PIXEL_RAY_BATCH_H_
+#pragma once
 
 // The loops over pixels of the methods that make each ray on its own. Internal to fast/.
 
@@ -42,5 +41,3 @@ template <class Method, scene::Origin kOrigin>
 }
 
 }  // namespace raycheck::fast
-
-#endif  // RAYCHECK_FAST_INTERNAL_PIXEL_RAY_BATCH_H_

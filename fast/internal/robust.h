@@ -1,5 +1,4 @@
-#ifndef RAYCHECK_FAST_INTERNAL_ROBUST_H_
-#define RAYCHECK_FAST_INTERNAL_ROBUST_H_
+#pragma once
 
 // The three steps of the method `robust`: doubles, pairs of doubles, integers. The first two answer
 // only where bounds on their own errors prove the answer. Internal to fast/.
@@ -28,5 +27,3 @@ Chosen answer_by_integers(const scene::Ray& ray, const scene::Sphere& sphere, sc
                           scene::Tangent tangent);
 
 }  // namespace raycheck::fast
-
-#endif  // RAYCHECK_FAST_INTERNAL_ROBUST_H_

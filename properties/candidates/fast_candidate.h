@@ -1,5 +1,4 @@
-#ifndef RAYCHECK_PROPERTIES_CANDIDATES_FAST_CANDIDATE_H_
-#define RAYCHECK_PROPERTIES_CANDIDATES_FAST_CANDIDATE_H_
+#pragma once
 
 #include "fast/intersect.h"
 #include "fast/pixel_ray.h"
@@ -26,5 +25,3 @@ Candidate fast_candidate(const fast::PixelRayMethod& rays, const fast::Intersect
                          const scene::PlanItems& items = {});
 
 }  // namespace raycheck::properties
-
-#endif  // RAYCHECK_PROPERTIES_CANDIDATES_FAST_CANDIDATE_H_

@@ -1,5 +1,4 @@
-#ifndef RAYCHECK_PROPERTIES_CANDIDATES_REFERENCE_METHODS_H_
-#define RAYCHECK_PROPERTIES_CANDIDATES_REFERENCE_METHODS_H_
+#pragma once
 
 #include <span>
 
@@ -38,5 +37,3 @@ extern const fast::IntersectMethod kReferenceField;
 std::span<const fast::IntersectMethod* const> exact_methods();
 
 }  // namespace raycheck::properties
-
-#endif  // RAYCHECK_PROPERTIES_CANDIDATES_REFERENCE_METHODS_H_

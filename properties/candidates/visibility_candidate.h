@@ -1,5 +1,4 @@
-#ifndef RAYCHECK_PROPERTIES_CANDIDATES_VISIBILITY_CANDIDATE_H_
-#define RAYCHECK_PROPERTIES_CANDIDATES_VISIBILITY_CANDIDATE_H_
+#pragma once
 
 #include <cstdint>
 
@@ -15,5 +14,3 @@ inline constexpr std::int64_t kMostCertifiedPixelsAcross = 1 << 12;
 Candidate certified_candidate(const scene::PlanItems& items = {});
 
 }  // namespace raycheck::properties
-
-#endif  // RAYCHECK_PROPERTIES_CANDIDATES_VISIBILITY_CANDIDATE_H_

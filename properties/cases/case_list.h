@@ -1,5 +1,4 @@
-#ifndef RAYCHECK_PROPERTIES_CASES_CASE_LIST_H_
-#define RAYCHECK_PROPERTIES_CASES_CASE_LIST_H_
+#pragma once
 
 // The sources of cases by subject, each defined in the file of that name. Internal to the cases.
 
@@ -16,5 +15,3 @@ extern const std::span<const CaseSource> kRaySources;      // ray_cases.cpp
 extern const std::span<const CaseSource> kContactSources;  // contact_cases.cpp
 
 }  // namespace raycheck::properties
-
-#endif  // RAYCHECK_PROPERTIES_CASES_CASE_LIST_H_

@@ -1,5 +1,4 @@
-#ifndef RAYCHECK_PROPERTIES_CASES_CASE_SOURCE_H_
-#define RAYCHECK_PROPERTIES_CASES_CASE_SOURCE_H_
+#pragma once
 
 #include <cstdint>
 #include <optional>
@@ -81,5 +80,3 @@ const ChosenSource& chosen_by(std::span<const ChosenSource> sources, std::uint64
 ChosenSource chosen_source(std::string_view name);
 
 }  // namespace raycheck::properties
-
-#endif  // RAYCHECK_PROPERTIES_CASES_CASE_SOURCE_H_

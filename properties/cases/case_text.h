@@ -1,5 +1,4 @@
-#ifndef RAYCHECK_PROPERTIES_CASES_CASE_TEXT_H_
-#define RAYCHECK_PROPERTIES_CASES_CASE_TEXT_H_
+#pragma once
 
 #include <string>
 #include <string_view>
@@ -12,5 +11,3 @@ namespace raycheck::properties {
 std::string scene_text(const Case& the_case, std::string_view comment = {});
 
 }  // namespace raycheck::properties
-
-#endif  // RAYCHECK_PROPERTIES_CASES_CASE_TEXT_H_

@@ -1,5 +1,4 @@
-#ifndef RAYCHECK_PROPERTIES_CASES_GENERATORS_H_
-#define RAYCHECK_PROPERTIES_CASES_GENERATORS_H_
+#pragma once
 
 // What the makers of random cases share. Internal to properties/. Nothing here calls a function
 // that differs between machines, but for Random::power_of_ten().
@@ -94,5 +93,3 @@ Case valid_case(std::uint64_t seed, Fill fill) {
 }
 
 }  // namespace raycheck::properties
-
-#endif  // RAYCHECK_PROPERTIES_CASES_GENERATORS_H_

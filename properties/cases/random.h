@@ -1,5 +1,4 @@
-#ifndef RAYCHECK_PROPERTIES_CASES_RANDOM_H_
-#define RAYCHECK_PROPERTIES_CASES_RANDOM_H_
+#pragma once
 
 #include <cmath>
 #include <cstdint>
@@ -56,5 +55,3 @@ class Random {
 };
 
 }  // namespace raycheck::properties
-
-#endif  // RAYCHECK_PROPERTIES_CASES_RANDOM_H_

@@ -1,5 +1,4 @@
-#ifndef RAYCHECK_PROPERTIES_CASES_SCENE_CASES_H_
-#define RAYCHECK_PROPERTIES_CASES_SCENE_CASES_H_
+#pragma once
 
 #include <cstdint>
 #include <optional>
@@ -26,5 +25,3 @@ class SceneCases {
 };
 
 }  // namespace raycheck::properties
-
-#endif  // RAYCHECK_PROPERTIES_CASES_SCENE_CASES_H_

@@ -1,5 +1,4 @@
-#ifndef RAYCHECK_PROPERTIES_CASES_SHRINK_H_
-#define RAYCHECK_PROPERTIES_CASES_SHRINK_H_
+#pragma once
 
 #include <functional>
 #include <vector>
@@ -24,5 +23,3 @@ std::vector<Case> simpler(const Case& the_case);
 Case smallest(Case from, int tries, const std::function<bool(const Case&)>& still);
 
 }  // namespace raycheck::properties
-
-#endif  // RAYCHECK_PROPERTIES_CASES_SHRINK_H_

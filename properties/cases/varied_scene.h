@@ -1,5 +1,4 @@
-#ifndef RAYCHECK_PROPERTIES_CASES_VARIED_SCENE_H_
-#define RAYCHECK_PROPERTIES_CASES_VARIED_SCENE_H_
+#pragma once
 
 #include <array>
 #include <cstdint>
@@ -48,5 +47,3 @@ scene::Scene varied_scene(const scene::Scene& scene, std::span<const Variation> 
                           std::uint64_t seed);
 
 }  // namespace raycheck::properties
-
-#endif  // RAYCHECK_PROPERTIES_CASES_VARIED_SCENE_H_

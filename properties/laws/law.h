@@ -1,5 +1,4 @@
-#ifndef RAYCHECK_PROPERTIES_LAWS_LAW_H_
-#define RAYCHECK_PROPERTIES_LAWS_LAW_H_
+#pragma once
 
 #include <optional>
 #include <span>
@@ -77,5 +76,3 @@ const Law* find_law(std::string_view name);
 Verdict apply(const Law& law, Trial& trial);
 
 }  // namespace raycheck::properties
-
-#endif  // RAYCHECK_PROPERTIES_LAWS_LAW_H_

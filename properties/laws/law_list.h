@@ -1,5 +1,4 @@
-#ifndef RAYCHECK_PROPERTIES_LAWS_LAW_LIST_H_
-#define RAYCHECK_PROPERTIES_LAWS_LAW_LIST_H_
+#pragma once
 
 // The laws by subject, each defined in the file of that name. Internal to the laws.
 
@@ -27,5 +26,3 @@ std::vector<double> numbers(const Triple& value) {
 }
 
 }  // namespace raycheck::properties
-
-#endif  // RAYCHECK_PROPERTIES_LAWS_LAW_LIST_H_

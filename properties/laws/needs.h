@@ -1,5 +1,4 @@
-#ifndef RAYCHECK_PROPERTIES_LAWS_NEEDS_H_
-#define RAYCHECK_PROPERTIES_LAWS_NEEDS_H_
+#pragma once
 
 #include <string_view>
 
@@ -46,5 +45,3 @@ inline constexpr Needs kOfIntersections =
 std::string_view what_is_missing(Needs needs, const Trial& trial);
 
 }  // namespace raycheck::properties
-
-#endif  // RAYCHECK_PROPERTIES_LAWS_NEEDS_H_

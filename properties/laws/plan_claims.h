@@ -1,5 +1,4 @@
-#ifndef RAYCHECK_PROPERTIES_LAWS_PLAN_CLAIMS_H_
-#define RAYCHECK_PROPERTIES_LAWS_PLAN_CLAIMS_H_
+#pragma once
 
 // What a candidate's plans say of a scene, and the pixels at which that is tried. Internal to
 // properties/.
@@ -58,5 +57,3 @@ class PlanStatements {
 };
 
 }  // namespace raycheck::properties
-
-#endif  // RAYCHECK_PROPERTIES_LAWS_PLAN_CLAIMS_H_

@@ -1,5 +1,4 @@
-#ifndef RAYCHECK_PROPERTIES_MISTAKES_ALTERED_HITS_H_
-#define RAYCHECK_PROPERTIES_MISTAKES_ALTERED_HITS_H_
+#pragma once
 
 // How a candidate answers rays that has a choice of its own among roots, hits or spheres: what
 // mistakes and mutants are made of.
@@ -63,5 +62,3 @@ std::optional<HitFormulas> joined(HitFormulas one, const HitFormulas& other);
 NearestSpheres nearest_by(const HitFormulas& formulas);
 
 }  // namespace raycheck::properties
-
-#endif  // RAYCHECK_PROPERTIES_MISTAKES_ALTERED_HITS_H_

@@ -1,5 +1,4 @@
-#ifndef RAYCHECK_PROPERTIES_MISTAKES_ANSWER_EXAMINATION_H_
-#define RAYCHECK_PROPERTIES_MISTAKES_ANSWER_EXAMINATION_H_
+#pragma once
 
 // A candidate's answers, step by step, beside what is right. Internal to answer_explanation.
 
@@ -64,5 +63,3 @@ class Examination {
 };
 
 }  // namespace raycheck::properties
-
-#endif  // RAYCHECK_PROPERTIES_MISTAKES_ANSWER_EXAMINATION_H_

@@ -1,5 +1,4 @@
-#ifndef RAYCHECK_PROPERTIES_MISTAKES_ANSWER_EXPLANATION_H_
-#define RAYCHECK_PROPERTIES_MISTAKES_ANSWER_EXPLANATION_H_
+#pragma once
 
 #include <array>
 #include <optional>
@@ -44,5 +43,3 @@ std::vector<AnswerCause> answer_causes(std::span<const Case> cases, const Candid
 std::vector<Explanation> explanations(const std::vector<AnswerCause>& causes);
 
 }  // namespace raycheck::properties
-
-#endif  // RAYCHECK_PROPERTIES_MISTAKES_ANSWER_EXPLANATION_H_

@@ -1,5 +1,4 @@
-#ifndef RAYCHECK_PROPERTIES_MISTAKES_CAUSES_H_
-#define RAYCHECK_PROPERTIES_MISTAKES_CAUSES_H_
+#pragma once
 
 #include <cstdint>
 #include <vector>
@@ -21,5 +20,3 @@ inline constexpr std::uint64_t kFewestErrorsOfACause = 3;
 std::vector<Explanation> causes(const std::vector<Case>& cases, const Candidate& candidate);
 
 }  // namespace raycheck::properties
-
-#endif  // RAYCHECK_PROPERTIES_MISTAKES_CAUSES_H_

@@ -1,5 +1,4 @@
-#ifndef RAYCHECK_PROPERTIES_MISTAKES_CHANGED_QUESTION_H_
-#define RAYCHECK_PROPERTIES_MISTAKES_CHANGED_QUESTION_H_
+#pragma once
 
 // Mistakes that answer another question rightly, with the candidates that make them.
 
@@ -18,5 +17,3 @@ Mistake convention_mistake(std::string sentence, const ChangeConventions& change
 Mistake pixel_mistake(std::string sentence, const ChangePixel& change);
 
 }  // namespace raycheck::properties
-
-#endif  // RAYCHECK_PROPERTIES_MISTAKES_CHANGED_QUESTION_H_

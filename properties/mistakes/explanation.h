@@ -1,5 +1,4 @@
-#ifndef RAYCHECK_PROPERTIES_MISTAKES_EXPLANATION_H_
-#define RAYCHECK_PROPERTIES_MISTAKES_EXPLANATION_H_
+#pragma once
 
 #include <cstdint>
 #include <string>
@@ -22,5 +21,3 @@ constexpr std::uint64_t most_unexplained(std::uint64_t errors) {
 }
 
 }  // namespace raycheck::properties
-
-#endif  // RAYCHECK_PROPERTIES_MISTAKES_EXPLANATION_H_

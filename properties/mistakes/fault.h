@@ -1,5 +1,4 @@
-#ifndef RAYCHECK_PROPERTIES_MISTAKES_FAULT_H_
-#define RAYCHECK_PROPERTIES_MISTAKES_FAULT_H_
+#pragma once
 
 #include <functional>
 #include <optional>
@@ -59,5 +58,3 @@ class FaultyView {
 ImageAnswer predicted(const Fault& fault, const scene::Scene& scene);
 
 }  // namespace raycheck::properties
-
-#endif  // RAYCHECK_PROPERTIES_MISTAKES_FAULT_H_

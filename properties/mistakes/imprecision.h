@@ -1,5 +1,4 @@
-#ifndef RAYCHECK_PROPERTIES_MISTAKES_IMPRECISION_H_
-#define RAYCHECK_PROPERTIES_MISTAKES_IMPRECISION_H_
+#pragma once
 
 // What right formulas may give where their roundings count: not one answer, but several.
 
@@ -73,5 +72,3 @@ struct DoubtTally {
 };
 
 }  // namespace raycheck::properties
-
-#endif  // RAYCHECK_PROPERTIES_MISTAKES_IMPRECISION_H_

@@ -1,5 +1,4 @@
-#ifndef RAYCHECK_PROPERTIES_MISTAKES_MISTAKE_LIST_H_
-#define RAYCHECK_PROPERTIES_MISTAKES_MISTAKE_LIST_H_
+#pragma once
 
 // The mistakes by subject, each list in the file of that name, and the candidate that they are made
 // from. Internal to properties/.
@@ -26,5 +25,3 @@ std::vector<Mistake> intersect_mistakes();
 std::vector<Mistake> threshold_mistakes();
 
 }  // namespace raycheck::properties
-
-#endif  // RAYCHECK_PROPERTIES_MISTAKES_MISTAKE_LIST_H_

@@ -1,5 +1,4 @@
-#ifndef RAYCHECK_PROPERTIES_MISTAKES_MISTAKES_H_
-#define RAYCHECK_PROPERTIES_MISTAKES_MISTAKES_H_
+#pragma once
 
 #include <functional>
 #include <span>
@@ -59,5 +58,3 @@ const Mistake* find_mistake(std::string_view sentence);
 scene::Scene mistaken(const Mistake& mistake, scene::Scene scene);
 
 }  // namespace raycheck::properties
-
-#endif  // RAYCHECK_PROPERTIES_MISTAKES_MISTAKES_H_

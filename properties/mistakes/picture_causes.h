@@ -1,5 +1,4 @@
-#ifndef RAYCHECK_PROPERTIES_MISTAKES_PICTURE_CAUSES_H_
-#define RAYCHECK_PROPERTIES_MISTAKES_PICTURE_CAUSES_H_
+#pragma once
 
 #include <cstdint>
 #include <optional>
@@ -78,5 +77,3 @@ std::uint64_t pixels_left(const ShownPicture& picture, const Fault& fault, Arith
 std::vector<Explanation> explanations(const Causes& causes);
 
 }  // namespace raycheck::properties
-
-#endif  // RAYCHECK_PROPERTIES_MISTAKES_PICTURE_CAUSES_H_

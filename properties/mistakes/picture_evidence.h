@@ -1,5 +1,4 @@
-#ifndef RAYCHECK_PROPERTIES_MISTAKES_PICTURE_EVIDENCE_H_
-#define RAYCHECK_PROPERTIES_MISTAKES_PICTURE_EVIDENCE_H_
+#pragma once
 
 // Pictures, and how well a fault agrees with them. Internal to picture_causes.
 
@@ -68,5 +67,3 @@ bool is_as(const std::optional<std::size_t>& shown, const std::optional<std::siz
 std::uint64_t count_otherwise(const ImageAnswer& image, const ImageAnswer& expected);
 
 }  // namespace raycheck::properties
-
-#endif  // RAYCHECK_PROPERTIES_MISTAKES_PICTURE_EVIDENCE_H_

@@ -1,5 +1,4 @@
-#ifndef RAYCHECK_PROPERTIES_MISTAKES_PICTURE_SUSPECTS_H_
-#define RAYCHECK_PROPERTIES_MISTAKES_PICTURE_SUSPECTS_H_
+#pragma once
 
 // The faults that explain wrong pictures. Internal to picture_causes.
 
@@ -23,5 +22,3 @@ struct Suspect {
 std::vector<Suspect> find_suspects(const Pictures& pictures);
 
 }  // namespace raycheck::properties
-
-#endif  // RAYCHECK_PROPERTIES_MISTAKES_PICTURE_SUSPECTS_H_

@@ -1,5 +1,4 @@
-#ifndef RAYCHECK_PROPERTIES_MISTAKES_SHAPE_CAUSE_H_
-#define RAYCHECK_PROPERTIES_MISTAKES_SHAPE_CAUSE_H_
+#pragma once
 
 #include <optional>
 #include <span>
@@ -29,5 +28,3 @@ struct ShapeCause {
 std::optional<ShapeCause> shape_cause(std::span<const TriedScene> tried);
 
 }  // namespace raycheck::properties
-
-#endif  // RAYCHECK_PROPERTIES_MISTAKES_SHAPE_CAUSE_H_

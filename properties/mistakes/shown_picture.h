@@ -1,5 +1,4 @@
-#ifndef RAYCHECK_PROPERTIES_MISTAKES_SHOWN_PICTURE_H_
-#define RAYCHECK_PROPERTIES_MISTAKES_SHOWN_PICTURE_H_
+#pragma once
 
 #include <optional>
 
@@ -24,5 +23,3 @@ struct ShownPicture {
 std::optional<ShownPicture> shown_picture(scene::Scene scene, const Candidate& candidate);
 
 }  // namespace raycheck::properties
-
-#endif  // RAYCHECK_PROPERTIES_MISTAKES_SHOWN_PICTURE_H_

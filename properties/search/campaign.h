@@ -1,5 +1,4 @@
-#ifndef RAYCHECK_PROPERTIES_SEARCH_CAMPAIGN_H_
-#define RAYCHECK_PROPERTIES_SEARCH_CAMPAIGN_H_
+#pragma once
 
 #include <array>
 #include <cstdint>
@@ -151,5 +150,3 @@ CampaignResult run_replay(const Replay& replay, const Candidate& candidate,
                           std::optional<double> max_error = {}, bool strict = false);
 
 }  // namespace raycheck::properties
-
-#endif  // RAYCHECK_PROPERTIES_SEARCH_CAMPAIGN_H_

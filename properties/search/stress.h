@@ -1,5 +1,4 @@
-#ifndef RAYCHECK_PROPERTIES_SEARCH_STRESS_H_
-#define RAYCHECK_PROPERTIES_SEARCH_STRESS_H_
+#pragma once
 
 #include <cstdint>
 #include <optional>
@@ -73,5 +72,3 @@ std::optional<double> error_slope(int base, std::span<const int> severities,
                                   std::span<const double> errors);
 
 }  // namespace raycheck::properties
-
-#endif  // RAYCHECK_PROPERTIES_SEARCH_STRESS_H_

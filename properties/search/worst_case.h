@@ -1,5 +1,4 @@
-#ifndef RAYCHECK_PROPERTIES_SEARCH_WORST_CASE_H_
-#define RAYCHECK_PROPERTIES_SEARCH_WORST_CASE_H_
+#pragma once
 
 #include <array>
 #include <cstdint>
@@ -48,5 +47,3 @@ std::optional<WorstCase> find_worst_case(const Candidate& candidate, Stage stage
 const Law* law_of(Stage stage, Quantity quantity);
 
 }  // namespace raycheck::properties
-
-#endif  // RAYCHECK_PROPERTIES_SEARCH_WORST_CASE_H_

@@ -1,5 +1,4 @@
-#ifndef RAYCHECK_REFERENCE_ACCOUNT_CLOSED_FORM_H_
-#define RAYCHECK_REFERENCE_ACCOUNT_CLOSED_FORM_H_
+#pragma once
 
 #include <array>
 #include <memory>
@@ -94,5 +93,3 @@ class ClosedFormRay {
 };
 
 }  // namespace raycheck::reference
-
-#endif  // RAYCHECK_REFERENCE_ACCOUNT_CLOSED_FORM_H_

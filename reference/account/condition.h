@@ -1,5 +1,4 @@
-#ifndef RAYCHECK_REFERENCE_ACCOUNT_CONDITION_H_
-#define RAYCHECK_REFERENCE_ACCOUNT_CONDITION_H_
+#pragma once
 
 #include <optional>
 
@@ -76,5 +75,3 @@ double condition_of_computed_point(const ExactRay& ray, const scene::Sphere& sph
                                    Arithmetic arithmetic = Arithmetic::kFiltered);
 
 }  // namespace raycheck::reference
-
-#endif  // RAYCHECK_REFERENCE_ACCOUNT_CONDITION_H_

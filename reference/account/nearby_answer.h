@@ -1,5 +1,4 @@
-#ifndef RAYCHECK_REFERENCE_ACCOUNT_NEARBY_ANSWER_H_
-#define RAYCHECK_REFERENCE_ACCOUNT_NEARBY_ANSWER_H_
+#pragma once
 
 #include <optional>
 #include <vector>
@@ -59,5 +58,3 @@ NearbyAnswer right_nearby(const ExactRay& ray, const scene::Sphere& sphere,
                           const Neighbourhood& around, const std::optional<double>& answer);
 
 }  // namespace raycheck::reference
-
-#endif  // RAYCHECK_REFERENCE_ACCOUNT_NEARBY_ANSWER_H_

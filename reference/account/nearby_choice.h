@@ -1,5 +1,4 @@
-#ifndef RAYCHECK_REFERENCE_ACCOUNT_NEARBY_CHOICE_H_
-#define RAYCHECK_REFERENCE_ACCOUNT_NEARBY_CHOICE_H_
+#pragma once
 
 #include <cstddef>
 #include <span>
@@ -32,5 +31,3 @@ NearbyAnswer right_nearby(const ExactRay& ray, std::span<const scene::Sphere> sp
                           const Neighbourhood& around, const FirstMet& claim);
 
 }  // namespace raycheck::reference
-
-#endif  // RAYCHECK_REFERENCE_ACCOUNT_NEARBY_CHOICE_H_

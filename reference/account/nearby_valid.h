@@ -1,5 +1,4 @@
-#ifndef RAYCHECK_REFERENCE_ACCOUNT_NEARBY_VALID_H_
-#define RAYCHECK_REFERENCE_ACCOUNT_NEARBY_VALID_H_
+#pragma once
 
 #include <optional>
 #include <span>
@@ -30,5 +29,3 @@ NearbyAnswer refuted_nearby(const ExactRay& ray, std::span<const scene::Sphere> 
 bool is_outside(const scene::ValidRoots& valid, double radius, double s);
 
 }  // namespace raycheck::reference
-
-#endif  // RAYCHECK_REFERENCE_ACCOUNT_NEARBY_VALID_H_

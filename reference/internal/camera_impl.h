@@ -1,5 +1,4 @@
-#ifndef RAYCHECK_REFERENCE_INTERNAL_CAMERA_IMPL_H_
-#define RAYCHECK_REFERENCE_INTERNAL_CAMERA_IMPL_H_
+#pragma once
 
 // What an ExactCamera holds. Internal to reference/.
 
@@ -35,5 +34,3 @@ void require_pixel_of(const scene::Camera& camera, const scene::Pixel& pixel);
 inline Enclosure3 coordinates(const EnclosureKernel::Vector_3& v) { return {v.x(), v.y(), v.z()}; }
 
 }  // namespace raycheck::reference
-
-#endif  // RAYCHECK_REFERENCE_INTERNAL_CAMERA_IMPL_H_

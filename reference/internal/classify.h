@@ -1,5 +1,4 @@
-#ifndef RAYCHECK_REFERENCE_INTERNAL_CLASSIFY_H_
-#define RAYCHECK_REFERENCE_INTERNAL_CLASSIFY_H_
+#pragma once
 
 // From the signs of coefficients to an intersection. Internal to reference/.
 
@@ -51,5 +50,3 @@ std::optional<Intersection> classify(Sign sign, scene::Root convention) {
 }
 
 }  // namespace raycheck::reference
-
-#endif  // RAYCHECK_REFERENCE_INTERNAL_CLASSIFY_H_

@@ -1,5 +1,4 @@
-#ifndef RAYCHECK_REFERENCE_INTERNAL_DOUBLE_DOUBLE_H_
-#define RAYCHECK_REFERENCE_INTERNAL_DOUBLE_DOUBLE_H_
+#pragma once
 
 #include <cmath>
 #include <limits>
@@ -175,5 +174,3 @@ inline DoubleDouble sqrt(const DoubleDouble& a) {
 }
 
 }  // namespace raycheck::reference
-
-#endif  // RAYCHECK_REFERENCE_INTERNAL_DOUBLE_DOUBLE_H_

@@ -1,5 +1,4 @@
-#ifndef RAYCHECK_REFERENCE_INTERNAL_ERROR_FORMULAS_H_
-#define RAYCHECK_REFERENCE_INTERNAL_ERROR_FORMULAS_H_
+#pragma once
 
 // The formulas of reference/error_measure.h and reference/ray_error.h over number types, and the
 // rung of double-doubles that comes before balls. Internal to reference/.
@@ -67,5 +66,3 @@ inline std::optional<double> narrow_error_in_u(const DoubleDouble& error) {
 }
 
 }  // namespace raycheck::reference
-
-#endif  // RAYCHECK_REFERENCE_INTERNAL_ERROR_FORMULAS_H_

@@ -1,5 +1,4 @@
-#ifndef RAYCHECK_REFERENCE_INTERNAL_FORMULAS_H_
-#define RAYCHECK_REFERENCE_INTERNAL_FORMULAS_H_
+#pragma once
 
 // The formulas of cameras, rays and spheres, written once over a CGAL kernel K and instantiated
 // with the kernels of reference/internal/kernels.h, the differentiating ones of
@@ -247,5 +246,3 @@ typename K::Vector_3 hit_point(const LineAndSphere<K>& pair, int root_sign) {
 }
 
 }  // namespace raycheck::reference
-
-#endif  // RAYCHECK_REFERENCE_INTERNAL_FORMULAS_H_

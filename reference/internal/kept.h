@@ -1,5 +1,4 @@
-#ifndef RAYCHECK_REFERENCE_INTERNAL_KEPT_H_
-#define RAYCHECK_REFERENCE_INTERNAL_KEPT_H_
+#pragma once
 
 // A value that is computed when first asked for. Internal to reference/.
 
@@ -43,5 +42,3 @@ class Kept {
 };
 
 }  // namespace raycheck::reference
-
-#endif  // RAYCHECK_REFERENCE_INTERNAL_KEPT_H_

@@ -1,5 +1,4 @@
-#ifndef RAYCHECK_REFERENCE_INTERNAL_KERNELS_H_
-#define RAYCHECK_REFERENCE_INTERNAL_KERNELS_H_
+#pragma once
 
 // The number types under which the formulas of reference/internal/formulas.h are instantiated.
 // Internal to reference/: it brings in CGAL.
@@ -113,5 +112,3 @@ typename K::Vector_3 lift_vector(const Lift& lift, const Triple& value) {
 }
 
 }  // namespace raycheck::reference
-
-#endif  // RAYCHECK_REFERENCE_INTERNAL_KERNELS_H_

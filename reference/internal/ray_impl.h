@@ -1,5 +1,4 @@
-#ifndef RAYCHECK_REFERENCE_INTERNAL_RAY_IMPL_H_
-#define RAYCHECK_REFERENCE_INTERNAL_RAY_IMPL_H_
+#pragma once
 
 // A ray's line under each kernel, and what an EnclosedRay holds. Internal to reference/.
 
@@ -91,5 +90,3 @@ struct EnclosedRay::Impl {
 };
 
 }  // namespace raycheck::reference
-
-#endif  // RAYCHECK_REFERENCE_INTERNAL_RAY_IMPL_H_

@@ -1,5 +1,4 @@
-#ifndef RAYCHECK_REFERENCE_INTERNAL_ROUNDING_H_
-#define RAYCHECK_REFERENCE_INTERNAL_ROUNDING_H_
+#pragma once
 
 // From a way to enclose a number at any precision, and a way to compare it exactly with a rational,
 // to a narrow enclosure and to the correctly rounded double. Internal to reference/.
@@ -84,5 +83,3 @@ double round_to_single(double nearest, Compare compare) {
 }
 
 }  // namespace raycheck::reference
-
-#endif  // RAYCHECK_REFERENCE_INTERNAL_ROUNDING_H_

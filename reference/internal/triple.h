@@ -1,5 +1,4 @@
-#ifndef RAYCHECK_REFERENCE_INTERNAL_TRIPLE_H_
-#define RAYCHECK_REFERENCE_INTERNAL_TRIPLE_H_
+#pragma once
 
 namespace raycheck::reference {
 
@@ -29,5 +28,3 @@ Number norm(const Triple<Number>& a) {
 }
 
 }  // namespace raycheck::reference
-
-#endif  // RAYCHECK_REFERENCE_INTERNAL_TRIPLE_H_

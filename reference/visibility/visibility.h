@@ -1,5 +1,4 @@
-#ifndef RAYCHECK_REFERENCE_VISIBILITY_VISIBILITY_H_
-#define RAYCHECK_REFERENCE_VISIBILITY_VISIBILITY_H_
+#pragma once
 
 #include <array>
 #include <cstddef>
@@ -95,5 +94,3 @@ DecidedBy nearest_in_parallel(const Visibility& visibility, std::int64_t j_begin
                               std::int64_t j_end, const SeenRows& rows, int threads);
 
 }  // namespace raycheck::reference
-
-#endif  // RAYCHECK_REFERENCE_VISIBILITY_VISIBILITY_H_

@@ -1,5 +1,4 @@
-#ifndef RAYCHECK_REFERENCE_VISIBILITY_VISIBILITY_BOUND_H_
-#define RAYCHECK_REFERENCE_VISIBILITY_VISIBILITY_BOUND_H_
+#pragma once
 
 // The numbers that the bound of reference/visibility/visibility_kernel.h is made of. Internal to
 // reference/.
@@ -35,5 +34,3 @@ PlaneSizes plane_sizes(const std::vector<scene::Bounds>& alpha,
 FilteredSphere filtered(const scene::SpherePlan& plan, std::size_t index, const PlaneSizes& sizes);
 
 }  // namespace raycheck::reference
-
-#endif  // RAYCHECK_REFERENCE_VISIBILITY_VISIBILITY_BOUND_H_

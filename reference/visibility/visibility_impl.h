@@ -1,5 +1,4 @@
-#ifndef RAYCHECK_REFERENCE_VISIBILITY_VISIBILITY_IMPL_H_
-#define RAYCHECK_REFERENCE_VISIBILITY_VISIBILITY_IMPL_H_
+#pragma once
 
 // What Visibility keeps of a scene, and the walk over bands and tiles that its questions share.
 // Internal to reference/.
@@ -132,5 +131,3 @@ DecidedBy classes_of_rows(const Visibility::Impl& impl, std::size_t sphere, std:
                           std::int64_t j_end, std::span<HitClass> classes);
 
 }  // namespace raycheck::reference
-
-#endif  // RAYCHECK_REFERENCE_VISIBILITY_VISIBILITY_IMPL_H_

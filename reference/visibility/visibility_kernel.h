@@ -1,5 +1,4 @@
-#ifndef RAYCHECK_REFERENCE_VISIBILITY_VISIBILITY_KERNEL_H_
-#define RAYCHECK_REFERENCE_VISIBILITY_VISIBILITY_KERNEL_H_
+#pragma once
 
 // The filter of certified visibility: a tile of pixels against spheres, front to back, in doubles
 // of whatever width the machine has, every decision within a bound on its error. Internal to
@@ -121,5 +120,3 @@ double finish_tile(const Tile& tile, int row_begin, int row_end, int columns, co
                    const TileScale& scale, const TileOutput& output);
 
 }  // namespace raycheck::reference
-
-#endif  // RAYCHECK_REFERENCE_VISIBILITY_VISIBILITY_KERNEL_H_

@@ -1,5 +1,4 @@
-#ifndef RAYCHECK_SCENE_FILES_DRIVER_ENTRIES_H_
-#define RAYCHECK_SCENE_FILES_DRIVER_ENTRIES_H_
+#pragma once
 
 #include <cstddef>
 #include <string>
@@ -23,5 +22,3 @@ struct DriverEntry {
 std::vector<DriverEntry> driver_entries(std::string_view text);
 
 }  // namespace raycheck::scene
-
-#endif  // RAYCHECK_SCENE_FILES_DRIVER_ENTRIES_H_

@@ -1,5 +1,4 @@
-#ifndef RAYCHECK_SCENE_FILES_FILE_TEXT_H_
-#define RAYCHECK_SCENE_FILES_FILE_TEXT_H_
+#pragma once
 
 #include <cstdint>
 #include <filesystem>
@@ -17,5 +16,3 @@ inline constexpr std::uintmax_t kMostFileBytes = std::uintmax_t{256} << 20;
 std::string file_text(const std::filesystem::path& path, std::uintmax_t most = kMostFileBytes);
 
 }  // namespace raycheck::scene
-
-#endif  // RAYCHECK_SCENE_FILES_FILE_TEXT_H_

@@ -1,5 +1,4 @@
-#ifndef RAYCHECK_SCENE_FILES_LOCATED_FIELDS_H_
-#define RAYCHECK_SCENE_FILES_LOCATED_FIELDS_H_
+#pragma once
 
 #include <cstddef>
 #include <cstdint>
@@ -42,5 +41,3 @@ class LocatedFields {
 std::optional<std::int64_t> parse_integer(std::string_view text);
 
 }  // namespace raycheck::scene
-
-#endif  // RAYCHECK_SCENE_FILES_LOCATED_FIELDS_H_

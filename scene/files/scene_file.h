@@ -1,5 +1,4 @@
-#ifndef RAYCHECK_SCENE_FILES_SCENE_FILE_H_
-#define RAYCHECK_SCENE_FILES_SCENE_FILE_H_
+#pragma once
 
 #include <array>
 #include <cstddef>
@@ -55,5 +54,3 @@ LoadedScene read_driver_file(std::string_view text, std::string_view file,
 std::string write_toml(const Scene& scene, std::string_view comment = {});
 
 }  // namespace raycheck::scene
-
-#endif  // RAYCHECK_SCENE_FILES_SCENE_FILE_H_

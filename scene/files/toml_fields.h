@@ -1,5 +1,4 @@
-#ifndef RAYCHECK_SCENE_FILES_TOML_FIELDS_H_
-#define RAYCHECK_SCENE_FILES_TOML_FIELDS_H_
+#pragma once
 
 // What the readers of TOML files share; only they see toml++.
 
@@ -136,5 +135,3 @@ void read_conventions(TomlFields& fields, const TomlFields::Table& from, Convent
 }
 
 }  // namespace raycheck::scene
-
-#endif  // RAYCHECK_SCENE_FILES_TOML_FIELDS_H_

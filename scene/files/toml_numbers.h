@@ -1,5 +1,4 @@
-#ifndef RAYCHECK_SCENE_FILES_TOML_NUMBERS_H_
-#define RAYCHECK_SCENE_FILES_TOML_NUMBERS_H_
+#pragma once
 
 #include <cstddef>
 #include <string>
@@ -23,5 +22,3 @@ inline constexpr std::size_t kMostNested = 32;
 std::string with_numbers_quoted(std::string_view toml, const LocatedFields& located);
 
 }  // namespace raycheck::scene
-
-#endif  // RAYCHECK_SCENE_FILES_TOML_NUMBERS_H_

@@ -1,5 +1,4 @@
-#ifndef RAYCHECK_SCENE_PLAN_BOUNDS_H_
-#define RAYCHECK_SCENE_PLAN_BOUNDS_H_
+#pragma once
 
 #include <algorithm>
 #include <cmath>
@@ -112,5 +111,3 @@ inline Bounds sqrt(const Bounds& x) {
 }
 
 }  // namespace raycheck::scene
-
-#endif  // RAYCHECK_SCENE_PLAN_BOUNDS_H_

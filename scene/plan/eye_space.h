@@ -1,5 +1,4 @@
-#ifndef RAYCHECK_SCENE_PLAN_EYE_SPACE_H_
-#define RAYCHECK_SCENE_PLAN_EYE_SPACE_H_
+#pragma once
 
 #include <array>
 
@@ -68,5 +67,3 @@ class EyeSpace {
 };
 
 }  // namespace raycheck::scene
-
-#endif  // RAYCHECK_SCENE_PLAN_EYE_SPACE_H_

@@ -1,5 +1,4 @@
-#ifndef RAYCHECK_SCENE_PLAN_PLAN_H_
-#define RAYCHECK_SCENE_PLAN_PLAN_H_
+#pragma once
 
 #include <array>
 #include <cstddef>
@@ -97,5 +96,3 @@ ScenePlan plan_scene(const Scene& scene, const Conventions& conventions, Wanted 
                      const PlanItems& items = {});
 
 }  // namespace raycheck::scene
-
-#endif  // RAYCHECK_SCENE_PLAN_PLAN_H_

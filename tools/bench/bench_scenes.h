@@ -1,5 +1,4 @@
-#ifndef RAYCHECK_TOOLS_BENCH_BENCH_SCENES_H_
-#define RAYCHECK_TOOLS_BENCH_BENCH_SCENES_H_
+#pragma once
 
 #include <cstdint>
 #include <string>
@@ -45,5 +44,3 @@ std::string wrong_answers(const fast::PixelRayMethod& rays, const fast::Intersec
                           const scene::Scene& scene);
 
 }  // namespace raycheck::tools
-
-#endif  // RAYCHECK_TOOLS_BENCH_BENCH_SCENES_H_

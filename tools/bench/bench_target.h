@@ -1,5 +1,4 @@
-#ifndef RAYCHECK_TOOLS_BENCH_BENCH_TARGET_H_
-#define RAYCHECK_TOOLS_BENCH_BENCH_TARGET_H_
+#pragma once
 
 namespace raycheck::tools {
 
@@ -9,5 +8,3 @@ namespace raycheck::tools {
 bool choose_target(int& argc, char** argv);
 
 }  // namespace raycheck::tools
-
-#endif  // RAYCHECK_TOOLS_BENCH_BENCH_TARGET_H_

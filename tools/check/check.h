@@ -1,5 +1,4 @@
-#ifndef RAYCHECK_TOOLS_CHECK_CHECK_H_
-#define RAYCHECK_TOOLS_CHECK_CHECK_H_
+#pragma once
 
 #include <cstdint>
 #include <optional>
@@ -114,5 +113,3 @@ struct CheckReport {
 CheckReport check(const CheckOptions& options, const properties::RunControl& control = {});
 
 }  // namespace raycheck::tools
-
-#endif  // RAYCHECK_TOOLS_CHECK_CHECK_H_

@@ -1,5 +1,4 @@
-#ifndef RAYCHECK_TOOLS_CHECK_CHECK_PAGE_H_
-#define RAYCHECK_TOOLS_CHECK_CHECK_PAGE_H_
+#pragma once
 
 #include <vector>
 
@@ -20,5 +19,3 @@ ViewDocument check_document(const CheckReport& report, const CheckPageOptions& o
                             const properties::RunControl& control);
 
 }  // namespace raycheck::tools
-
-#endif  // RAYCHECK_TOOLS_CHECK_CHECK_PAGE_H_

@@ -1,5 +1,4 @@
-#ifndef RAYCHECK_TOOLS_CHECK_CHECK_VIEWS_H_
-#define RAYCHECK_TOOLS_CHECK_CHECK_VIEWS_H_
+#pragma once
 
 // The views of `check`, each in the file of its name.
 
@@ -54,5 +53,3 @@ Json candidate_json(const CandidateReport& candidate, std::size_t top);
 std::string check_certificates(const CheckReport& report);
 
 }  // namespace raycheck::tools
-
-#endif  // RAYCHECK_TOOLS_CHECK_CHECK_VIEWS_H_

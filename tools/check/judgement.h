@@ -1,5 +1,4 @@
-#ifndef RAYCHECK_TOOLS_CHECK_JUDGEMENT_H_
-#define RAYCHECK_TOOLS_CHECK_JUDGEMENT_H_
+#pragma once
 
 // How `check` judges many rays. Internal to it.
 
@@ -81,5 +80,3 @@ class Judgement {
 };
 
 }  // namespace raycheck::tools
-
-#endif  // RAYCHECK_TOOLS_CHECK_JUDGEMENT_H_

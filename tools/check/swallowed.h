@@ -1,5 +1,4 @@
-#ifndef RAYCHECK_TOOLS_CHECK_SWALLOWED_H_
-#define RAYCHECK_TOOLS_CHECK_SWALLOWED_H_
+#pragma once
 
 #include <cstddef>
 #include <cstdint>
@@ -41,5 +40,3 @@ inline constexpr std::size_t kKeptSwallowed = 10;
 Swallowed swallowed(properties::Trial& trial);
 
 }  // namespace raycheck::tools
-
-#endif  // RAYCHECK_TOOLS_CHECK_SWALLOWED_H_

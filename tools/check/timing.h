@@ -1,5 +1,4 @@
-#ifndef RAYCHECK_TOOLS_CHECK_TIMING_H_
-#define RAYCHECK_TOOLS_CHECK_TIMING_H_
+#pragma once
 
 #include <vector>
 
@@ -13,5 +12,3 @@ Timing time_methods(const MethodPair& methods, const scene::Scene& scene,
                     const scene::Conventions& conventions, const std::vector<scene::Pixel>& pixels);
 
 }  // namespace raycheck::tools
-
-#endif  // RAYCHECK_TOOLS_CHECK_TIMING_H_

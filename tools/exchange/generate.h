@@ -1,5 +1,4 @@
-#ifndef RAYCHECK_TOOLS_EXCHANGE_GENERATE_H_
-#define RAYCHECK_TOOLS_EXCHANGE_GENERATE_H_
+#pragma once
 
 #include <cstdint>
 #include <optional>
@@ -31,5 +30,3 @@ std::string questions(const properties::ChosenSource& source, std::uint64_t seed
                       scene::Precision precision);
 
 }  // namespace raycheck::tools
-
-#endif  // RAYCHECK_TOOLS_EXCHANGE_GENERATE_H_

@@ -1,5 +1,4 @@
-#ifndef RAYCHECK_TOOLS_EXCHANGE_VERIFY_H_
-#define RAYCHECK_TOOLS_EXCHANGE_VERIFY_H_
+#pragma once
 
 #include <cstddef>
 #include <cstdint>
@@ -75,5 +74,3 @@ VerifyReport verify(const ReadMore& answers, const VerifyOptions& options,
                     const properties::RunControl& control = {});
 
 }  // namespace raycheck::tools
-
-#endif  // RAYCHECK_TOOLS_EXCHANGE_VERIFY_H_

@@ -1,5 +1,4 @@
-#ifndef RAYCHECK_TOOLS_EXCHANGE_VERIFY_VIEWS_H_
-#define RAYCHECK_TOOLS_EXCHANGE_VERIFY_VIEWS_H_
+#pragma once
 
 // The views of `verify`, each in the file of its name.
 
@@ -17,5 +16,3 @@ inline constexpr View<VerifyReport> kVerifyViews[] = {
 };
 
 }  // namespace raycheck::tools
-
-#endif  // RAYCHECK_TOOLS_EXCHANGE_VERIFY_VIEWS_H_

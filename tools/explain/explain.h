@@ -1,5 +1,4 @@
-#ifndef RAYCHECK_TOOLS_EXPLAIN_EXPLAIN_H_
-#define RAYCHECK_TOOLS_EXPLAIN_EXPLAIN_H_
+#pragma once
 
 #include <cstddef>
 #include <memory>
@@ -109,5 +108,3 @@ struct ExplainReport {
 ExplainReport explain(const ExplainOptions& options);
 
 }  // namespace raycheck::tools
-
-#endif  // RAYCHECK_TOOLS_EXPLAIN_EXPLAIN_H_

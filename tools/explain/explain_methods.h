@@ -1,5 +1,4 @@
-#ifndef RAYCHECK_TOOLS_EXPLAIN_EXPLAIN_METHODS_H_
-#define RAYCHECK_TOOLS_EXPLAIN_EXPLAIN_METHODS_H_
+#pragma once
 
 // The methods' side of `explain`. Internal to tools/explain/.
 
@@ -86,5 +85,3 @@ MethodReport judge_intersection(const fast::IntersectMethod& method, const scene
                                 const Subject& subject, const SphereReport& exact);
 
 }  // namespace raycheck::tools
-
-#endif  // RAYCHECK_TOOLS_EXPLAIN_EXPLAIN_METHODS_H_

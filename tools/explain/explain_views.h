@@ -1,5 +1,4 @@
-#ifndef RAYCHECK_TOOLS_EXPLAIN_EXPLAIN_VIEWS_H_
-#define RAYCHECK_TOOLS_EXPLAIN_EXPLAIN_VIEWS_H_
+#pragma once
 
 // The views of `explain`, each in the file of its name.
 
@@ -25,5 +24,3 @@ inline constexpr View<ExplainReport> kExplainViews[] = {
 };
 
 }  // namespace raycheck::tools
-
-#endif  // RAYCHECK_TOOLS_EXPLAIN_EXPLAIN_VIEWS_H_

@@ -1,5 +1,4 @@
-#ifndef RAYCHECK_TOOLS_EXTERNAL_ANSWER_STORE_H_
-#define RAYCHECK_TOOLS_EXTERNAL_ANSWER_STORE_H_
+#pragma once
 
 #include <optional>
 #include <string>
@@ -31,5 +30,3 @@ class AnswerStore {
 constexpr bool is_lasting(FailureKind kind) { return kind != FailureKind::kSystem; }
 
 }  // namespace raycheck::tools
-
-#endif  // RAYCHECK_TOOLS_EXTERNAL_ANSWER_STORE_H_

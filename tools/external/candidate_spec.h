@@ -1,5 +1,4 @@
-#ifndef RAYCHECK_TOOLS_EXTERNAL_CANDIDATE_SPEC_H_
-#define RAYCHECK_TOOLS_EXTERNAL_CANDIDATE_SPEC_H_
+#pragma once
 
 #include <array>
 #include <stdexcept>
@@ -48,5 +47,3 @@ class CandidateError : public std::invalid_argument {
 CandidateSpec parse_candidate(const std::string& text);
 
 }  // namespace raycheck::tools
-
-#endif  // RAYCHECK_TOOLS_EXTERNAL_CANDIDATE_SPEC_H_

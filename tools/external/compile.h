@@ -1,5 +1,4 @@
-#ifndef RAYCHECK_TOOLS_EXTERNAL_COMPILE_H_
-#define RAYCHECK_TOOLS_EXTERNAL_COMPILE_H_
+#pragma once
 
 #include <filesystem>
 #include <functional>
@@ -39,5 +38,3 @@ void build(const std::filesystem::path& folder, const BuildWords& words,
            const std::filesystem::path& to, const RunOptions& options);
 
 }  // namespace raycheck::tools
-
-#endif  // RAYCHECK_TOOLS_EXTERNAL_COMPILE_H_

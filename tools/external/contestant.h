@@ -1,5 +1,4 @@
-#ifndef RAYCHECK_TOOLS_EXTERNAL_CONTESTANT_H_
-#define RAYCHECK_TOOLS_EXTERNAL_CONTESTANT_H_
+#pragma once
 
 #include <string>
 #include <variant>
@@ -27,5 +26,3 @@ std::vector<std::string> lasting_names(const std::vector<Contestant>& contestant
 std::vector<Contestant> contestants(const std::vector<MethodPair>& pairs);
 
 }  // namespace raycheck::tools
-
-#endif  // RAYCHECK_TOOLS_EXTERNAL_CONTESTANT_H_

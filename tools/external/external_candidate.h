@@ -1,5 +1,4 @@
-#ifndef RAYCHECK_TOOLS_EXTERNAL_EXTERNAL_CANDIDATE_H_
-#define RAYCHECK_TOOLS_EXTERNAL_EXTERNAL_CANDIDATE_H_
+#pragma once
 
 #include <filesystem>
 #include <memory>
@@ -70,5 +69,3 @@ using LastFailure = std::shared_ptr<std::optional<FailureKind>>;
 properties::Candidate external_candidate(const External& external,
                                          const LastFailure& last = nullptr);
 }  // namespace raycheck::tools
-
-#endif  // RAYCHECK_TOOLS_EXTERNAL_EXTERNAL_CANDIDATE_H_

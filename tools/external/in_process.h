@@ -1,5 +1,4 @@
-#ifndef RAYCHECK_TOOLS_EXTERNAL_IN_PROCESS_H_
-#define RAYCHECK_TOOLS_EXTERNAL_IN_PROCESS_H_
+#pragma once
 
 #include <raycheck/candidate.h>
 
@@ -22,5 +21,3 @@ raycheck_camera to_c(const scene::Camera& camera);
 raycheck_conventions to_c(const scene::Conventions& conventions);
 
 }  // namespace raycheck::tools
-
-#endif  // RAYCHECK_TOOLS_EXTERNAL_IN_PROCESS_H_

@@ -1,5 +1,4 @@
-#ifndef RAYCHECK_TOOLS_EXTERNAL_LOCATE_H_
-#define RAYCHECK_TOOLS_EXTERNAL_LOCATE_H_
+#pragma once
 
 #include <filesystem>
 #include <memory>
@@ -42,5 +41,3 @@ External compiled_external(const CandidateSpec& spec, const std::filesystem::pat
                            const RunOptions& options);
 
 }  // namespace raycheck::tools
-
-#endif  // RAYCHECK_TOOLS_EXTERNAL_LOCATE_H_

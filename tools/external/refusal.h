@@ -1,5 +1,4 @@
-#ifndef RAYCHECK_TOOLS_EXTERNAL_REFUSAL_H_
-#define RAYCHECK_TOOLS_EXTERNAL_REFUSAL_H_
+#pragma once
 
 #include <string>
 
@@ -12,5 +11,3 @@ struct Refusal {
 };
 
 }  // namespace raycheck::tools
-
-#endif  // RAYCHECK_TOOLS_EXTERNAL_REFUSAL_H_

@@ -1,5 +1,4 @@
-#ifndef RAYCHECK_TOOLS_EXTERNAL_SOURCE_LINES_H_
-#define RAYCHECK_TOOLS_EXTERNAL_SOURCE_LINES_H_
+#pragma once
 
 #include <cstdint>
 #include <filesystem>
@@ -40,5 +39,3 @@ class SourceLines {
 };
 
 }  // namespace raycheck::tools
-
-#endif  // RAYCHECK_TOOLS_EXTERNAL_SOURCE_LINES_H_

@@ -1,5 +1,4 @@
-#ifndef RAYCHECK_TOOLS_EXTERNAL_STAGED_H_
-#define RAYCHECK_TOOLS_EXTERNAL_STAGED_H_
+#pragma once
 
 #include <vector>
 
@@ -14,5 +13,3 @@ namespace raycheck::tools {
 std::vector<StagedMethod> staged(const External& external);
 
 }  // namespace raycheck::tools
-
-#endif  // RAYCHECK_TOOLS_EXTERNAL_STAGED_H_

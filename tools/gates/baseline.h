@@ -1,5 +1,4 @@
-#ifndef RAYCHECK_TOOLS_GATES_BASELINE_H_
-#define RAYCHECK_TOOLS_GATES_BASELINE_H_
+#pragma once
 
 #include <algorithm>
 #include <compare>
@@ -93,5 +92,3 @@ Ratchet compare(const Baseline& baseline, const Findings& findings);
 Baseline updated(Baseline baseline, const Findings& findings);
 
 }  // namespace raycheck::tools
-
-#endif  // RAYCHECK_TOOLS_GATES_BASELINE_H_

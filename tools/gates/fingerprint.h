@@ -1,5 +1,4 @@
-#ifndef RAYCHECK_TOOLS_GATES_FINGERPRINT_H_
-#define RAYCHECK_TOOLS_GATES_FINGERPRINT_H_
+#pragma once
 
 #include <string>
 #include <string_view>
@@ -11,5 +10,3 @@ namespace raycheck::tools {
 std::string fingerprint(std::string_view text);
 
 }  // namespace raycheck::tools
-
-#endif  // RAYCHECK_TOOLS_GATES_FINGERPRINT_H_

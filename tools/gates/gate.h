@@ -1,5 +1,4 @@
-#ifndef RAYCHECK_TOOLS_GATES_GATE_H_
-#define RAYCHECK_TOOLS_GATES_GATE_H_
+#pragma once
 
 #include <array>
 #include <cstdint>
@@ -78,5 +77,3 @@ void complete(Gate& gate, bool was_interrupted);
 std::string outcomes_text(const Gate& gate);
 
 }  // namespace raycheck::tools
-
-#endif  // RAYCHECK_TOOLS_GATES_GATE_H_

@@ -1,5 +1,4 @@
-#ifndef RAYCHECK_TOOLS_GATES_GATE_VIEWS_H_
-#define RAYCHECK_TOOLS_GATES_GATE_VIEWS_H_
+#pragma once
 
 // How continuous integration is told: each view in the file of its name. docs/ci.md cites what its
 // readers say that they read.
@@ -49,5 +48,3 @@ std::string sarif(const Gate& gate);
 std::vector<std::string> sarif_warnings(const Gate& gate);
 
 }  // namespace raycheck::tools
-
-#endif  // RAYCHECK_TOOLS_GATES_GATE_VIEWS_H_

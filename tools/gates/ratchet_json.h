@@ -1,5 +1,4 @@
-#ifndef RAYCHECK_TOOLS_GATES_RATCHET_JSON_H_
-#define RAYCHECK_TOOLS_GATES_RATCHET_JSON_H_
+#pragma once
 
 #include <optional>
 
@@ -12,5 +11,3 @@ namespace raycheck::tools {
 Json ratchet_json(const std::optional<Ratchet>& ratchet);
 
 }  // namespace raycheck::tools
-
-#endif  // RAYCHECK_TOOLS_GATES_RATCHET_JSON_H_

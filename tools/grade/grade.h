@@ -1,5 +1,4 @@
-#ifndef RAYCHECK_TOOLS_GRADE_GRADE_H_
-#define RAYCHECK_TOOLS_GRADE_GRADE_H_
+#pragma once
 
 #include <cstdint>
 #include <map>
@@ -50,5 +49,3 @@ std::vector<SubmissionGrade> try_rubric(const Rubric& rubric, std::uint64_t seed
                                         const properties::RunControl& control = {});
 
 }  // namespace raycheck::tools
-
-#endif  // RAYCHECK_TOOLS_GRADE_GRADE_H_

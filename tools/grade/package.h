@@ -1,5 +1,4 @@
-#ifndef RAYCHECK_TOOLS_GRADE_PACKAGE_H_
-#define RAYCHECK_TOOLS_GRADE_PACKAGE_H_
+#pragma once
 
 #include <cstdint>
 #include <string>
@@ -14,5 +13,3 @@ namespace raycheck::tools {
 void write_package(const Rubric& rubric, std::uint64_t seed, const std::string& path);
 
 }  // namespace raycheck::tools
-
-#endif  // RAYCHECK_TOOLS_GRADE_PACKAGE_H_

@@ -1,5 +1,4 @@
-#ifndef RAYCHECK_TOOLS_GRADE_PROBE_H_
-#define RAYCHECK_TOOLS_GRADE_PROBE_H_
+#pragma once
 
 #include <optional>
 #include <set>
@@ -37,5 +36,3 @@ struct ProbeReport {
 ProbeReport probe(const GradeOptions& options, const properties::RunControl& control = {});
 
 }  // namespace raycheck::tools
-
-#endif  // RAYCHECK_TOOLS_GRADE_PROBE_H_

@@ -1,5 +1,4 @@
-#ifndef RAYCHECK_TOOLS_GRADE_PROBE_VIEWS_H_
-#define RAYCHECK_TOOLS_GRADE_PROBE_VIEWS_H_
+#pragma once
 
 #include <string>
 
@@ -14,5 +13,3 @@ std::string probe_json(const ProbeReport& report, const ViewOptions& options);
 inline constexpr View<ProbeReport> kProbeViews[] = {{"text", probe_text}, {"json", probe_json}};
 
 }  // namespace raycheck::tools
-
-#endif  // RAYCHECK_TOOLS_GRADE_PROBE_VIEWS_H_

@@ -1,5 +1,4 @@
-#ifndef RAYCHECK_TOOLS_GRADE_SELF_TEST_H_
-#define RAYCHECK_TOOLS_GRADE_SELF_TEST_H_
+#pragma once
 
 #include <filesystem>
 
@@ -17,5 +16,3 @@ void test_environment(const Rubric& rubric, const Layers& layers,
                       const std::filesystem::path& store = {});
 
 }  // namespace raycheck::tools
-
-#endif  // RAYCHECK_TOOLS_GRADE_SELF_TEST_H_

@@ -1,5 +1,4 @@
-#ifndef RAYCHECK_TOOLS_GRADE_SUGGESTION_H_
-#define RAYCHECK_TOOLS_GRADE_SUGGESTION_H_
+#pragma once
 
 #include <string>
 
@@ -14,5 +13,3 @@ namespace raycheck::tools {
 std::string suggestion(const ProbeReport& report);
 
 }  // namespace raycheck::tools
-
-#endif  // RAYCHECK_TOOLS_GRADE_SUGGESTION_H_

@@ -1,5 +1,4 @@
-#ifndef RAYCHECK_TOOLS_IMAGE_IMAGE_H_
-#define RAYCHECK_TOOLS_IMAGE_IMAGE_H_
+#pragma once
 
 #include <array>
 #include <cstdint>
@@ -89,5 +88,3 @@ ImageReport make_image(const ImageOptions& options, PictureFile& file,
                        const properties::RunControl& control = {});
 
 }  // namespace raycheck::tools
-
-#endif  // RAYCHECK_TOOLS_IMAGE_IMAGE_H_

@@ -1,5 +1,4 @@
-#ifndef RAYCHECK_TOOLS_IMAGE_IMAGE_PAINT_H_
-#define RAYCHECK_TOOLS_IMAGE_IMAGE_PAINT_H_
+#pragma once
 
 // How pixels are coloured by what they see.
 
@@ -83,5 +82,3 @@ std::function<properties::Candidate()> answering_candidate(
     const std::shared_ptr<const OtherMethod>& other, const MethodPair& methods);
 
 }  // namespace raycheck::tools
-
-#endif  // RAYCHECK_TOOLS_IMAGE_IMAGE_PAINT_H_

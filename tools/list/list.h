@@ -1,5 +1,4 @@
-#ifndef RAYCHECK_TOOLS_LIST_LIST_H_
-#define RAYCHECK_TOOLS_LIST_LIST_H_
+#pragma once
 
 #include <span>
 
@@ -30,5 +29,3 @@ constexpr double in_own_unit(double bound, scene::Precision precision) {
 }
 
 }  // namespace raycheck::tools
-
-#endif  // RAYCHECK_TOOLS_LIST_LIST_H_

@@ -1,5 +1,4 @@
-#ifndef RAYCHECK_TOOLS_MANUAL_COMPLETIONS_H_
-#define RAYCHECK_TOOLS_MANUAL_COMPLETIONS_H_
+#pragma once
 
 // Scripts by which shells complete commands, options and files. Internal to the manual.
 
@@ -12,5 +11,3 @@ std::string zsh_completion(const ManualCommand& program, std::span<const ManualC
 std::string fish_completion(const ManualCommand& program, std::span<const ManualCommand> commands);
 
 }  // namespace raycheck::tools
-
-#endif  // RAYCHECK_TOOLS_MANUAL_COMPLETIONS_H_

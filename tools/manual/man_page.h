@@ -1,5 +1,4 @@
-#ifndef RAYCHECK_TOOLS_MANUAL_MAN_PAGE_H_
-#define RAYCHECK_TOOLS_MANUAL_MAN_PAGE_H_
+#pragma once
 
 // The pages of manual.h, in the macros of man(7). Internal to the manual.
 
@@ -12,5 +11,3 @@ std::string program_page(const ManualCommand& program, const std::string& versio
 std::string command_page(const ManualCommand& command, const std::string& version);
 
 }  // namespace raycheck::tools
-
-#endif  // RAYCHECK_TOOLS_MANUAL_MAN_PAGE_H_

@@ -1,5 +1,4 @@
-#ifndef RAYCHECK_TOOLS_MANUAL_MANUAL_H_
-#define RAYCHECK_TOOLS_MANUAL_MANUAL_H_
+#pragma once
 
 #include <span>
 #include <string>
@@ -33,5 +32,3 @@ std::vector<ManualFile> manual_files(const ManualCommand& program, const std::st
                                      std::span<const ManualCommand> commands);
 
 }  // namespace raycheck::tools
-
-#endif  // RAYCHECK_TOOLS_MANUAL_MANUAL_H_

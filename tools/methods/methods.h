@@ -1,5 +1,4 @@
-#ifndef RAYCHECK_TOOLS_METHODS_METHODS_H_
-#define RAYCHECK_TOOLS_METHODS_METHODS_H_
+#pragma once
 
 #include <functional>
 #include <memory>
@@ -91,5 +90,3 @@ std::vector<MethodPair> all_pairs();
 std::vector<MethodPair> each_method_once();
 
 }  // namespace raycheck::tools
-
-#endif  // RAYCHECK_TOOLS_METHODS_METHODS_H_

@@ -1,5 +1,4 @@
-#ifndef RAYCHECK_TOOLS_METHODS_OTHERS_TEXT_H_
-#define RAYCHECK_TOOLS_METHODS_OTHERS_TEXT_H_
+#pragma once
 
 #include <string>
 #include <vector>
@@ -12,5 +11,3 @@ namespace raycheck::tools {
 std::string others_text(const std::vector<StagedMethod>& methods);
 
 }  // namespace raycheck::tools
-
-#endif  // RAYCHECK_TOOLS_METHODS_OTHERS_TEXT_H_

@@ -1,5 +1,4 @@
-#ifndef RAYCHECK_TOOLS_PEERS_PEERS_H_
-#define RAYCHECK_TOOLS_PEERS_PEERS_H_
+#pragma once
 
 // Intersection methods of other libraries, to be compared with those of fast/. Each asks what its
 // library documents (its contract) and answers by the conventions that its library fixes; nothing
@@ -30,5 +29,3 @@ inline std::optional<double> choose(const std::pair<double, double>& roots, scen
 }
 
 }  // namespace raycheck::peers
-
-#endif  // RAYCHECK_TOOLS_PEERS_PEERS_H_

@@ -1,5 +1,4 @@
-#ifndef RAYCHECK_TOOLS_PEERS_TEXTBOOK_H_
-#define RAYCHECK_TOOLS_PEERS_TEXTBOOK_H_
+#pragma once
 
 #include "scene/geometry.h"
 
@@ -19,5 +18,3 @@ inline Quadratic textbook(const scene::Ray& ray, const scene::Sphere& sphere) {
 }
 
 }  // namespace raycheck::peers
-
-#endif  // RAYCHECK_TOOLS_PEERS_TEXTBOOK_H_

@@ -1,5 +1,4 @@
-#ifndef RAYCHECK_TOOLS_PEERS_VECGEOM_SIMD_H_
-#define RAYCHECK_TOOLS_PEERS_VECGEOM_SIMD_H_
+#pragma once
 
 #include <span>
 
@@ -15,5 +14,3 @@ void distances_by_vecgeom(const fast::Rays& rays, const scene::Sphere& sphere,
                           std::span<double> parameters);
 
 }  // namespace raycheck::peers
-
-#endif  // RAYCHECK_TOOLS_PEERS_VECGEOM_SIMD_H_

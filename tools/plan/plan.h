@@ -1,5 +1,4 @@
-#ifndef RAYCHECK_TOOLS_PLAN_PLAN_H_
-#define RAYCHECK_TOOLS_PLAN_PLAN_H_
+#pragma once
 
 #include <array>
 #include <cstdint>
@@ -84,5 +83,3 @@ struct PlanReport {
 PlanReport make_plan(const PlanOptions& options, const properties::RunControl& control = {});
 
 }  // namespace raycheck::tools
-
-#endif  // RAYCHECK_TOOLS_PLAN_PLAN_H_

@@ -1,5 +1,4 @@
-#ifndef RAYCHECK_TOOLS_PLAN_PLAN_TIMING_H_
-#define RAYCHECK_TOOLS_PLAN_PLAN_TIMING_H_
+#pragma once
 
 #include "tools/plan/plan.h"
 
@@ -12,5 +11,3 @@ namespace raycheck::tools {
 void time_plan(PlanReport& report);
 
 }  // namespace raycheck::tools
-
-#endif  // RAYCHECK_TOOLS_PLAN_PLAN_TIMING_H_

@@ -1,5 +1,4 @@
-#ifndef RAYCHECK_TOOLS_PLAN_PLAN_VIEWS_H_
-#define RAYCHECK_TOOLS_PLAN_PLAN_VIEWS_H_
+#pragma once
 
 // The views of `plan`, each in the file of its name.
 
@@ -17,5 +16,3 @@ inline constexpr View<PlanReport> kPlanViews[] = {
 };
 
 }  // namespace raycheck::tools
-
-#endif  // RAYCHECK_TOOLS_PLAN_PLAN_VIEWS_H_

@@ -1,5 +1,4 @@
-#ifndef RAYCHECK_TOOLS_PROPERTIES_PROPERTIES_H_
-#define RAYCHECK_TOOLS_PROPERTIES_PROPERTIES_H_
+#pragma once
 
 #include <cstdint>
 #include <optional>
@@ -75,5 +74,3 @@ PropertiesReport run_properties(const PropertiesOptions& options,
                                 const properties::RunControl& control = {});
 
 }  // namespace raycheck::tools
-
-#endif  // RAYCHECK_TOOLS_PROPERTIES_PROPERTIES_H_

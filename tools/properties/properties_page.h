@@ -1,5 +1,4 @@
-#ifndef RAYCHECK_TOOLS_PROPERTIES_PROPERTIES_PAGE_H_
-#define RAYCHECK_TOOLS_PROPERTIES_PROPERTIES_PAGE_H_
+#pragma once
 
 #include <string>
 
@@ -13,5 +12,3 @@ ViewDocument properties_document(const PropertiesReport& report,
                                  const properties::RunControl& control);
 
 }  // namespace raycheck::tools
-
-#endif  // RAYCHECK_TOOLS_PROPERTIES_PROPERTIES_PAGE_H_

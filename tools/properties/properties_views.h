@@ -1,5 +1,4 @@
-#ifndef RAYCHECK_TOOLS_PROPERTIES_PROPERTIES_VIEWS_H_
-#define RAYCHECK_TOOLS_PROPERTIES_PROPERTIES_VIEWS_H_
+#pragma once
 
 // The views of `properties`, each in the file of its name.
 
@@ -50,5 +49,3 @@ std::string replay_text(const CampaignReport& campaign, const std::string& repla
 std::string failure_text(const CampaignReport& campaign, bool colours);
 
 }  // namespace raycheck::tools
-
-#endif  // RAYCHECK_TOOLS_PROPERTIES_PROPERTIES_VIEWS_H_

@@ -1,5 +1,4 @@
-#ifndef RAYCHECK_TOOLS_REPORT_CERTIFICATE_H_
-#define RAYCHECK_TOOLS_REPORT_CERTIFICATE_H_
+#pragma once
 
 #include <string>
 #include <string_view>
@@ -21,5 +20,3 @@ Json certificate(const scene::Scene& scene, const scene::Conventions& convention
 std::string certificates_text(const std::vector<Json>& certificates);
 
 }  // namespace raycheck::tools
-
-#endif  // RAYCHECK_TOOLS_REPORT_CERTIFICATE_H_

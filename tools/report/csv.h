@@ -1,5 +1,4 @@
-#ifndef RAYCHECK_TOOLS_REPORT_CSV_H_
-#define RAYCHECK_TOOLS_REPORT_CSV_H_
+#pragma once
 
 #include <string>
 #include <string_view>
@@ -12,5 +11,3 @@ namespace raycheck::tools {
 std::string csv_cell(std::string_view text);
 
 }  // namespace raycheck::tools
-
-#endif  // RAYCHECK_TOOLS_REPORT_CSV_H_

@@ -1,5 +1,4 @@
-#ifndef RAYCHECK_TOOLS_REPORT_DATA_ADDRESS_H_
-#define RAYCHECK_TOOLS_REPORT_DATA_ADDRESS_H_
+#pragma once
 
 #include <string>
 #include <string_view>
@@ -14,5 +13,3 @@ std::string base64(std::string_view bytes);
 std::string data_address(std::string_view type, std::string_view bytes);
 
 }  // namespace raycheck::tools
-
-#endif  // RAYCHECK_TOOLS_REPORT_DATA_ADDRESS_H_

@@ -1,5 +1,4 @@
-#ifndef RAYCHECK_TOOLS_REPORT_HTML_TEXT_H_
-#define RAYCHECK_TOOLS_REPORT_HTML_TEXT_H_
+#pragma once
 
 #include <string>
 #include <string_view>
@@ -11,5 +10,3 @@ namespace raycheck::tools {
 std::string escaped(std::string_view text);
 
 }  // namespace raycheck::tools
-
-#endif  // RAYCHECK_TOOLS_REPORT_HTML_TEXT_H_

@@ -1,5 +1,4 @@
-#ifndef RAYCHECK_TOOLS_REPORT_JSON_H_
-#define RAYCHECK_TOOLS_REPORT_JSON_H_
+#pragma once
 
 #include <nlohmann/json_fwd.hpp>
 #include <optional>
@@ -62,5 +61,3 @@ Json standings_json(const properties::Verdict& verdict);
 Json decided_by_json(const reference::DecidedBy& decided_by);
 
 }  // namespace raycheck::tools
-
-#endif  // RAYCHECK_TOOLS_REPORT_JSON_H_

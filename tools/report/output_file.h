@@ -1,5 +1,4 @@
-#ifndef RAYCHECK_TOOLS_REPORT_OUTPUT_FILE_H_
-#define RAYCHECK_TOOLS_REPORT_OUTPUT_FILE_H_
+#pragma once
 
 #include <fstream>
 #include <string>
@@ -48,5 +47,3 @@ void require_no_input(const std::string& named_by, const std::string& path,
                       const std::vector<std::string>& inputs);
 
 }  // namespace raycheck::tools
-
-#endif  // RAYCHECK_TOOLS_REPORT_OUTPUT_FILE_H_

@@ -1,5 +1,4 @@
-#ifndef RAYCHECK_TOOLS_REPORT_PICTURE_FILE_H_
-#define RAYCHECK_TOOLS_REPORT_PICTURE_FILE_H_
+#pragma once
 
 #include <cstdint>
 #include <memory>
@@ -53,5 +52,3 @@ class PictureFile {
 };
 
 }  // namespace raycheck::tools
-
-#endif  // RAYCHECK_TOOLS_REPORT_PICTURE_FILE_H_

@@ -1,5 +1,4 @@
-#ifndef RAYCHECK_TOOLS_REPORT_PICTURE_READER_H_
-#define RAYCHECK_TOOLS_REPORT_PICTURE_READER_H_
+#pragma once
 
 #include <cstdint>
 #include <optional>
@@ -37,5 +36,3 @@ ReadPicture parse_picture(std::string_view bytes, std::int64_t most,
                           const std::optional<PictureSize>& wanted = {});
 
 }  // namespace raycheck::tools
-
-#endif  // RAYCHECK_TOOLS_REPORT_PICTURE_READER_H_

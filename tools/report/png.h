@@ -1,5 +1,4 @@
-#ifndef RAYCHECK_TOOLS_REPORT_PNG_H_
-#define RAYCHECK_TOOLS_REPORT_PNG_H_
+#pragma once
 
 #include <cstdint>
 #include <span>
@@ -15,5 +14,3 @@ namespace raycheck::tools {
 std::string png_bytes(std::int64_t width, std::int64_t height, std::span<const Colour> pixels);
 
 }  // namespace raycheck::tools
-
-#endif  // RAYCHECK_TOOLS_REPORT_PNG_H_

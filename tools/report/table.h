@@ -1,5 +1,4 @@
-#ifndef RAYCHECK_TOOLS_REPORT_TABLE_H_
-#define RAYCHECK_TOOLS_REPORT_TABLE_H_
+#pragma once
 
 #include <string>
 #include <string_view>
@@ -33,5 +32,3 @@ class Table {
 };
 
 }  // namespace raycheck::tools
-
-#endif  // RAYCHECK_TOOLS_REPORT_TABLE_H_

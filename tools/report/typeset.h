@@ -1,5 +1,4 @@
-#ifndef RAYCHECK_TOOLS_REPORT_TYPESET_H_
-#define RAYCHECK_TOOLS_REPORT_TYPESET_H_
+#pragma once
 
 #include <span>
 #include <string>
@@ -21,5 +20,3 @@ std::string mathml(const reference::ClosedForm& form);
 std::string mathml(std::span<const reference::ClosedForm> forms);
 
 }  // namespace raycheck::tools
-
-#endif  // RAYCHECK_TOOLS_REPORT_TYPESET_H_

@@ -1,5 +1,4 @@
-#ifndef RAYCHECK_TOOLS_REPORT_VIEW_H_
-#define RAYCHECK_TOOLS_REPORT_VIEW_H_
+#pragma once
 
 #include <string>
 #include <string_view>
@@ -29,5 +28,3 @@ struct View {
 };
 
 }  // namespace raycheck::tools
-
-#endif  // RAYCHECK_TOOLS_REPORT_VIEW_H_

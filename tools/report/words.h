@@ -1,5 +1,4 @@
-#ifndef RAYCHECK_TOOLS_REPORT_WORDS_H_
-#define RAYCHECK_TOOLS_REPORT_WORDS_H_
+#pragma once
 
 #include <cstdint>
 #include <functional>
@@ -99,5 +98,3 @@ std::string shell_word(const std::string& word);
 std::string count_text(std::uint64_t count, std::string_view noun);
 
 }  // namespace raycheck::tools
-
-#endif  // RAYCHECK_TOOLS_REPORT_WORDS_H_

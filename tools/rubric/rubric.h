@@ -1,5 +1,4 @@
-#ifndef RAYCHECK_TOOLS_RUBRIC_RUBRIC_H_
-#define RAYCHECK_TOOLS_RUBRIC_RUBRIC_H_
+#pragma once
 
 #include <cstddef>
 #include <string>
@@ -29,5 +28,3 @@ struct CopiedRubric {
 CopiedRubric copy_rubric(const std::string& name, const std::string& out);
 
 }  // namespace raycheck::tools
-
-#endif  // RAYCHECK_TOOLS_RUBRIC_RUBRIC_H_

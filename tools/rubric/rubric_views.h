@@ -1,5 +1,4 @@
-#ifndef RAYCHECK_TOOLS_RUBRIC_RUBRIC_VIEWS_H_
-#define RAYCHECK_TOOLS_RUBRIC_RUBRIC_VIEWS_H_
+#pragma once
 
 #include <string>
 #include <vector>
@@ -12,5 +11,3 @@ std::string rubrics_text(const std::vector<ShippedRubric>& rubrics);
 std::string copied_text(const CopiedRubric& copied);
 
 }  // namespace raycheck::tools
-
-#endif  // RAYCHECK_TOOLS_RUBRIC_RUBRIC_VIEWS_H_

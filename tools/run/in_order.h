@@ -1,5 +1,4 @@
-#ifndef RAYCHECK_TOOLS_RUN_IN_ORDER_H_
-#define RAYCHECK_TOOLS_RUN_IN_ORDER_H_
+#pragma once
 
 #include <tbb/global_control.h>
 #include <tbb/parallel_pipeline.h>
@@ -52,5 +51,3 @@ void in_order(std::int64_t count, const properties::RunControl& control, const M
 }
 
 }  // namespace raycheck::tools
-
-#endif  // RAYCHECK_TOOLS_RUN_IN_ORDER_H_

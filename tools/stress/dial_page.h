@@ -1,5 +1,4 @@
-#ifndef RAYCHECK_TOOLS_STRESS_DIAL_PAGE_H_
-#define RAYCHECK_TOOLS_STRESS_DIAL_PAGE_H_
+#pragma once
 
 #include "tools/stress/stress.h"
 #include "tools/view/document.h"
@@ -12,5 +11,3 @@ namespace raycheck::tools {
 ViewDocument dial_document(const StressOptions& options, const properties::RunControl& control);
 
 }  // namespace raycheck::tools
-
-#endif  // RAYCHECK_TOOLS_STRESS_DIAL_PAGE_H_

@@ -1,5 +1,4 @@
-#ifndef RAYCHECK_TOOLS_STRESS_STRESS_H_
-#define RAYCHECK_TOOLS_STRESS_STRESS_H_
+#pragma once
 
 #include <cstdint>
 #include <optional>
@@ -65,5 +64,3 @@ struct StressReport {
 StressReport run_stress(const StressOptions& options, const properties::RunControl& control = {});
 
 }  // namespace raycheck::tools
-
-#endif  // RAYCHECK_TOOLS_STRESS_STRESS_H_

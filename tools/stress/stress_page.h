@@ -1,5 +1,4 @@
-#ifndef RAYCHECK_TOOLS_STRESS_STRESS_PAGE_H_
-#define RAYCHECK_TOOLS_STRESS_STRESS_PAGE_H_
+#pragma once
 
 #include "tools/stress/stress.h"
 #include "tools/view/document.h"
@@ -14,5 +13,3 @@ ChartFacet stress_facet(const FamilyReport& family, properties::Stage stage,
 ViewDocument stress_document(const StressReport& report);
 
 }  // namespace raycheck::tools
-
-#endif  // RAYCHECK_TOOLS_STRESS_STRESS_PAGE_H_

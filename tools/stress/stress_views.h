@@ -1,5 +1,4 @@
-#ifndef RAYCHECK_TOOLS_STRESS_STRESS_VIEWS_H_
-#define RAYCHECK_TOOLS_STRESS_STRESS_VIEWS_H_
+#pragma once
 
 // The views of `stress`, each in the file of its name.
 
@@ -27,5 +26,3 @@ std::string stress_certificates(const StressReport& report);
 std::vector<Plot> stress_plots(const StressReport& report);
 
 }  // namespace raycheck::tools
-
-#endif  // RAYCHECK_TOOLS_STRESS_STRESS_VIEWS_H_

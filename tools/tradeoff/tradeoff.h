@@ -1,5 +1,4 @@
-#ifndef RAYCHECK_TOOLS_TRADEOFF_TRADEOFF_H_
-#define RAYCHECK_TOOLS_TRADEOFF_TRADEOFF_H_
+#pragma once
 
 #include <algorithm>
 #include <cstdint>
@@ -114,5 +113,3 @@ TradeoffReport run_tradeoff(const TradeoffOptions& options,
                             const properties::RunControl& control = {});
 
 }  // namespace raycheck::tools
-
-#endif  // RAYCHECK_TOOLS_TRADEOFF_TRADEOFF_H_

@@ -1,5 +1,4 @@
-#ifndef RAYCHECK_TOOLS_TRADEOFF_TRADEOFF_FRONT_H_
-#define RAYCHECK_TOOLS_TRADEOFF_TRADEOFF_FRONT_H_
+#pragma once
 
 #include <cstddef>
 #include <utility>
@@ -12,5 +11,3 @@ namespace raycheck::tools {
 std::vector<std::size_t> pareto_front(const std::vector<std::pair<double, double>>& points);
 
 }  // namespace raycheck::tools
-
-#endif  // RAYCHECK_TOOLS_TRADEOFF_TRADEOFF_FRONT_H_

@@ -1,5 +1,4 @@
-#ifndef RAYCHECK_TOOLS_TRADEOFF_TRADEOFF_ITEMS_H_
-#define RAYCHECK_TOOLS_TRADEOFF_TRADEOFF_ITEMS_H_
+#pragma once
 
 // What the stopwatch of `tradeoff` times. Internal to tools/tradeoff/.
 
@@ -58,5 +57,3 @@ struct PixelBatch {
 };
 
 }  // namespace raycheck::tools
-
-#endif  // RAYCHECK_TOOLS_TRADEOFF_TRADEOFF_ITEMS_H_

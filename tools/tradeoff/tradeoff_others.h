@@ -1,5 +1,4 @@
-#ifndef RAYCHECK_TOOLS_TRADEOFF_TRADEOFF_OTHERS_H_
-#define RAYCHECK_TOOLS_TRADEOFF_TRADEOFF_OTHERS_H_
+#pragma once
 
 // Someone else's library under the stopwatch of `tradeoff`: in raycheck's own process, by the same
 // loops as raycheck's methods. Internal to tools/tradeoff/.
@@ -28,5 +27,3 @@ OthersTimed others_rays(const OtherMethod& other, const properties::Candidate& j
                         const std::vector<PixelBatch>& batches);
 
 }  // namespace raycheck::tools
-
-#endif  // RAYCHECK_TOOLS_TRADEOFF_TRADEOFF_OTHERS_H_

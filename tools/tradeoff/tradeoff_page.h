@@ -1,5 +1,4 @@
-#ifndef RAYCHECK_TOOLS_TRADEOFF_TRADEOFF_PAGE_H_
-#define RAYCHECK_TOOLS_TRADEOFF_TRADEOFF_PAGE_H_
+#pragma once
 
 #include "tools/tradeoff/tradeoff.h"
 #include "tools/view/document.h"
@@ -10,5 +9,3 @@ namespace raycheck::tools {
 ViewDocument tradeoff_document(const TradeoffReport& report);
 
 }  // namespace raycheck::tools
-
-#endif  // RAYCHECK_TOOLS_TRADEOFF_TRADEOFF_PAGE_H_

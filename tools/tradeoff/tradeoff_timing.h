@@ -1,5 +1,4 @@
-#ifndef RAYCHECK_TOOLS_TRADEOFF_TRADEOFF_TIMING_H_
-#define RAYCHECK_TOOLS_TRADEOFF_TRADEOFF_TIMING_H_
+#pragma once
 
 // The stopwatch of `tradeoff`. Internal to tools/tradeoff/.
 
@@ -25,5 +24,3 @@ std::vector<Duration> time_pixels(const properties::Case& the_case,
                                   const std::vector<MethodPair>& pairs);
 
 }  // namespace raycheck::tools
-
-#endif  // RAYCHECK_TOOLS_TRADEOFF_TRADEOFF_TIMING_H_

@@ -1,5 +1,4 @@
-#ifndef RAYCHECK_TOOLS_TRADEOFF_TRADEOFF_VIEWS_H_
-#define RAYCHECK_TOOLS_TRADEOFF_TRADEOFF_VIEWS_H_
+#pragma once
 
 // The views of `tradeoff`, each in the file of its name.
 
@@ -25,5 +24,3 @@ inline constexpr View<TradeoffReport> kTradeoffViews[] = {
 std::vector<Plot> tradeoff_plots(const TradeoffReport& report);
 
 }  // namespace raycheck::tools
-
-#endif  // RAYCHECK_TOOLS_TRADEOFF_TRADEOFF_VIEWS_H_

@@ -1,5 +1,4 @@
-#ifndef RAYCHECK_TOOLS_TRY_TRY_H_
-#define RAYCHECK_TOOLS_TRY_TRY_H_
+#pragma once
 
 #include <cstdint>
 #include <memory>
@@ -39,5 +38,3 @@ struct TryReport {
 TryReport try_submission(const TryOptions& options, const properties::RunControl& control = {});
 
 }  // namespace raycheck::tools
-
-#endif  // RAYCHECK_TOOLS_TRY_TRY_H_

@@ -1,5 +1,4 @@
-#ifndef RAYCHECK_TOOLS_TRY_TRY_VIEWS_H_
-#define RAYCHECK_TOOLS_TRY_TRY_VIEWS_H_
+#pragma once
 
 #include <string>
 
@@ -10,5 +9,3 @@ namespace raycheck::tools {
 std::string try_text(const TryReport& report);
 
 }  // namespace raycheck::tools
-
-#endif  // RAYCHECK_TOOLS_TRY_TRY_VIEWS_H_

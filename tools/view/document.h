@@ -1,5 +1,4 @@
-#ifndef RAYCHECK_TOOLS_VIEW_DOCUMENT_H_
-#define RAYCHECK_TOOLS_VIEW_DOCUMENT_H_
+#pragma once
 
 // What a page shows, as data. The page's script draws it and computes nothing that a claim rests
 // on.
@@ -198,5 +197,3 @@ struct ViewDocument {
 };
 
 }  // namespace raycheck::tools
-
-#endif  // RAYCHECK_TOOLS_VIEW_DOCUMENT_H_

@@ -1,5 +1,4 @@
-#ifndef RAYCHECK_TOOLS_VIEW_DOCUMENT_JSON_H_
-#define RAYCHECK_TOOLS_VIEW_DOCUMENT_JSON_H_
+#pragma once
 
 #include <string>
 
@@ -15,5 +14,3 @@ std::string document_line(const ViewDocument& document);
 std::string panel_line(const Panel& panel);
 
 }  // namespace raycheck::tools
-
-#endif  // RAYCHECK_TOOLS_VIEW_DOCUMENT_JSON_H_

@@ -1,5 +1,4 @@
-#ifndef RAYCHECK_TOOLS_VIEW_SCENE_VIEW_H_
-#define RAYCHECK_TOOLS_VIEW_SCENE_VIEW_H_
+#pragma once
 
 #include "properties/run_control.h"
 #include "tools/methods/methods.h"
@@ -44,5 +43,3 @@ SceneView view_of(const scene::Scene& scene, const SceneViewOptions& options,
                   std::vector<std::string>& left_out, const properties::RunControl& control);
 
 }  // namespace raycheck::tools
-
-#endif  // RAYCHECK_TOOLS_VIEW_SCENE_VIEW_H_

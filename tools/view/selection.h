@@ -1,5 +1,4 @@
-#ifndef RAYCHECK_TOOLS_VIEW_SELECTION_H_
-#define RAYCHECK_TOOLS_VIEW_SELECTION_H_
+#pragma once
 
 #include <vector>
 
@@ -20,5 +19,3 @@ std::vector<Selection> selections_of(const properties::Case& the_case,
                                      const properties::Place& found);
 
 }  // namespace raycheck::tools
-
-#endif  // RAYCHECK_TOOLS_VIEW_SELECTION_H_

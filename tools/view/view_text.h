@@ -1,5 +1,4 @@
-#ifndef RAYCHECK_TOOLS_VIEW_VIEW_TEXT_H_
-#define RAYCHECK_TOOLS_VIEW_VIEW_TEXT_H_
+#pragma once
 
 #include <string>
 
@@ -11,5 +10,3 @@ namespace raycheck::tools {
 std::string view_text(const ViewDocument& document, const std::string& file, std::size_t bytes);
 
 }  // namespace raycheck::tools
-
-#endif  // RAYCHECK_TOOLS_VIEW_VIEW_TEXT_H_

@@ -1,5 +1,4 @@
-#ifndef RAYCHECK_TOOLS_VIEW_VIEW_WORDS_H_
-#define RAYCHECK_TOOLS_VIEW_VIEW_WORDS_H_
+#pragma once
 
 // What pages say of commands, and of what they have no room for; in view_words_text.cpp.
 
@@ -57,5 +56,3 @@ std::string findings_found(const Kept& places, std::uint64_t errors);
 std::vector<std::array<std::string, 2>> words_of_pages();
 
 }  // namespace raycheck::tools
-
-#endif  // RAYCHECK_TOOLS_VIEW_VIEW_WORDS_H_

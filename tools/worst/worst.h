@@ -1,5 +1,4 @@
-#ifndef RAYCHECK_TOOLS_WORST_WORST_H_
-#define RAYCHECK_TOOLS_WORST_WORST_H_
+#pragma once
 
 #include <cstdint>
 #include <optional>
@@ -41,5 +40,3 @@ struct WorstReport {
 WorstReport find_worst(const WorstOptions& options, const properties::RunControl& control = {});
 
 }  // namespace raycheck::tools
-
-#endif  // RAYCHECK_TOOLS_WORST_WORST_H_

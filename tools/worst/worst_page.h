@@ -1,5 +1,4 @@
-#ifndef RAYCHECK_TOOLS_WORST_WORST_PAGE_H_
-#define RAYCHECK_TOOLS_WORST_WORST_PAGE_H_
+#pragma once
 
 #include <string>
 
@@ -13,5 +12,3 @@ namespace raycheck::tools {
 ViewDocument worst_document(const WorstReport& report, const properties::RunControl& control);
 
 }  // namespace raycheck::tools
-
-#endif  // RAYCHECK_TOOLS_WORST_WORST_PAGE_H_

@@ -1,5 +1,4 @@
-#ifndef RAYCHECK_TOOLS_WORST_WORST_VIEWS_H_
-#define RAYCHECK_TOOLS_WORST_WORST_VIEWS_H_
+#pragma once
 
 // The views of `worst`, each in the file of its name.
 
@@ -21,5 +20,3 @@ inline constexpr View<WorstReport> kWorstViews[] = {
 std::string worst_scene(const WorstReport& report);
 
 }  // namespace raycheck::tools
-
-#endif  // RAYCHECK_TOOLS_WORST_WORST_VIEWS_H_

@@ -1,5 +1,4 @@
-#ifndef RAYCHECK_REFERENCE_ACCOUNT_INTERNAL_ANSWER_BOX_H_
-#define RAYCHECK_REFERENCE_ACCOUNT_INTERNAL_ANSWER_BOX_H_
+#pragma once
 
 // The neighbourhood of a ray, a sphere and an answer as the box [-1, 1]^n. Internal to reference/.
 
@@ -79,5 +78,3 @@ class AnswerBox {
 };
 
 }  // namespace raycheck::reference
-
-#endif  // RAYCHECK_REFERENCE_ACCOUNT_INTERNAL_ANSWER_BOX_H_

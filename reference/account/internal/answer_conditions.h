@@ -1,5 +1,4 @@
-#ifndef RAYCHECK_REFERENCE_ACCOUNT_INTERNAL_ANSWER_CONDITIONS_H_
-#define RAYCHECK_REFERENCE_ACCOUNT_INTERNAL_ANSWER_CONDITIONS_H_
+#pragma once
 
 // What must be so for an answer to be right. Internal to reference/.
 
@@ -25,5 +24,3 @@ std::vector<std::vector<Condition>> alternatives(const AnswerBox& box);
 bool are_refuted(AnswerBox& box, const std::vector<Condition>& all);
 
 }  // namespace raycheck::reference
-
-#endif  // RAYCHECK_REFERENCE_ACCOUNT_INTERNAL_ANSWER_CONDITIONS_H_

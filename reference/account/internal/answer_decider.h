@@ -1,5 +1,4 @@
-#ifndef RAYCHECK_REFERENCE_ACCOUNT_INTERNAL_ANSWER_DECIDER_H_
-#define RAYCHECK_REFERENCE_ACCOUNT_INTERNAL_ANSWER_DECIDER_H_
+#pragma once
 
 // What makes an answer about a ray and a sphere right, as functions of changed inputs. Internal to
 // reference/.
@@ -149,5 +148,3 @@ inline LinearForm linear_form(const Variation& variation) {
 }
 
 }  // namespace raycheck::reference
-
-#endif  // RAYCHECK_REFERENCE_ACCOUNT_INTERNAL_ANSWER_DECIDER_H_

@@ -1,5 +1,4 @@
-#ifndef RAYCHECK_REFERENCE_ACCOUNT_INTERNAL_ANSWER_INPUTS_H_
-#define RAYCHECK_REFERENCE_ACCOUNT_INTERNAL_ANSWER_INPUTS_H_
+#pragma once
 
 // The inputs of rays and spheres as they are listed in an InputChange. Internal to reference/.
 
@@ -13,5 +12,3 @@ namespace raycheck::reference {
 std::vector<double> inputs_of(const ExactRay& ray, std::span<const scene::Sphere> spheres);
 
 }  // namespace raycheck::reference
-
-#endif  // RAYCHECK_REFERENCE_ACCOUNT_INTERNAL_ANSWER_INPUTS_H_

@@ -1,5 +1,4 @@
-#ifndef RAYCHECK_REFERENCE_ACCOUNT_INTERNAL_ANSWER_PLACES_H_
-#define RAYCHECK_REFERENCE_ACCOUNT_INTERNAL_ANSWER_PLACES_H_
+#pragma once
 
 // Where an answer may be right, to first order. Internal to reference/.
 
@@ -24,5 +23,3 @@ std::vector<double> on_zero(const AnswerBox& box, Decider decider, const Variati
                             std::vector<double> t);
 
 }  // namespace raycheck::reference
-
-#endif  // RAYCHECK_REFERENCE_ACCOUNT_INTERNAL_ANSWER_PLACES_H_

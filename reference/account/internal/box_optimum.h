@@ -1,5 +1,4 @@
-#ifndef RAYCHECK_REFERENCE_ACCOUNT_INTERNAL_BOX_OPTIMUM_H_
-#define RAYCHECK_REFERENCE_ACCOUNT_INTERNAL_BOX_OPTIMUM_H_
+#pragma once
 
 // Linear programs over a box, of at most one equation or of several inequalities, in doubles: where
 // to look, which proves nothing. Internal to reference/.
@@ -44,5 +43,3 @@ struct LeastOptimum {
 LeastOptimum highest_least(const std::vector<LinearForm>& forms);
 
 }  // namespace raycheck::reference
-
-#endif  // RAYCHECK_REFERENCE_ACCOUNT_INTERNAL_BOX_OPTIMUM_H_

@@ -1,5 +1,4 @@
-#ifndef RAYCHECK_REFERENCE_ACCOUNT_INTERNAL_CHOICE_FORMS_H_
-#define RAYCHECK_REFERENCE_ACCOUNT_INTERNAL_CHOICE_FORMS_H_
+#pragma once
 
 // What must be so of a ray and some spheres for one of them to be met first, over parts of a
 // neighbourhood. Internal to reference/.
@@ -101,5 +100,3 @@ class ChoiceForms {
 };
 
 }  // namespace raycheck::reference
-
-#endif  // RAYCHECK_REFERENCE_ACCOUNT_INTERNAL_CHOICE_FORMS_H_

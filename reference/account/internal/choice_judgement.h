@@ -1,5 +1,4 @@
-#ifndef RAYCHECK_REFERENCE_ACCOUNT_INTERNAL_CHOICE_JUDGEMENT_H_
-#define RAYCHECK_REFERENCE_ACCOUNT_INTERNAL_CHOICE_JUDGEMENT_H_
+#pragma once
 
 // Whether a ray meets first what it is said to, as it is or at changed inputs. Internal to
 // reference/.
@@ -33,5 +32,3 @@ Judgement judge(const ChoiceQuestion& question);
 Judgement judge_changed(const ChoiceQuestion& question, const InputChange& change);
 
 }  // namespace raycheck::reference
-
-#endif  // RAYCHECK_REFERENCE_ACCOUNT_INTERNAL_CHOICE_JUDGEMENT_H_

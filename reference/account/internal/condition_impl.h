@@ -1,5 +1,4 @@
-#ifndef RAYCHECK_REFERENCE_ACCOUNT_INTERNAL_CONDITION_IMPL_H_
-#define RAYCHECK_REFERENCE_ACCOUNT_INTERNAL_CONDITION_IMPL_H_
+#pragma once
 
 // From a quantity as a function of a lift to its condition number. Internal to reference/.
 
@@ -130,5 +129,3 @@ inline bool half_chord_is_zero(const ExactRay& ray, const scene::Sphere& sphere)
 }
 
 }  // namespace raycheck::reference
-
-#endif  // RAYCHECK_REFERENCE_ACCOUNT_INTERNAL_CONDITION_IMPL_H_

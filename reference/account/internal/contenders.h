@@ -1,5 +1,4 @@
-#ifndef RAYCHECK_REFERENCE_ACCOUNT_INTERNAL_CONTENDERS_H_
-#define RAYCHECK_REFERENCE_ACCOUNT_INTERNAL_CONTENDERS_H_
+#pragma once
 
 // Which spheres matter to what a ray of a neighbourhood meets first, by intervals. Internal to
 // reference/.
@@ -24,5 +23,3 @@ Contenders contenders(const ExactRay& ray, std::span<const scene::Sphere> sphere
                       const Neighbourhood& around, const FirstMet& claim);
 
 }  // namespace raycheck::reference
-
-#endif  // RAYCHECK_REFERENCE_ACCOUNT_INTERNAL_CONTENDERS_H_

@@ -1,5 +1,4 @@
-#ifndef RAYCHECK_REFERENCE_ACCOUNT_INTERNAL_DUAL_H_
-#define RAYCHECK_REFERENCE_ACCOUNT_INTERNAL_DUAL_H_
+#pragma once
 
 // Numbers that carry their derivatives: the formulas of reference/internal/formulas.h, run with
 // them, give exact derivatives by the chain rule (forward-mode automatic differentiation). Internal
@@ -140,5 +139,3 @@ class DualLift {
 };
 
 }  // namespace raycheck::reference
-
-#endif  // RAYCHECK_REFERENCE_ACCOUNT_INTERNAL_DUAL_H_

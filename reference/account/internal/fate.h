@@ -1,5 +1,4 @@
-#ifndef RAYCHECK_REFERENCE_ACCOUNT_INTERNAL_FATE_H_
-#define RAYCHECK_REFERENCE_ACCOUNT_INTERNAL_FATE_H_
+#pragma once
 
 // What may become of a ray and a sphere in a neighbourhood, by intervals. Internal to reference/.
 
@@ -39,5 +38,3 @@ bool is_far_from_right(const ExactRay& ray, const scene::Sphere& sphere,
                        const Neighbourhood& around, const std::optional<double>& answer);
 
 }  // namespace raycheck::reference
-
-#endif  // RAYCHECK_REFERENCE_ACCOUNT_INTERNAL_FATE_H_

@@ -1,5 +1,4 @@
-#ifndef RAYCHECK_REFERENCE_ACCOUNT_INTERNAL_INEQUALITIES_H_
-#define RAYCHECK_REFERENCE_ACCOUNT_INTERNAL_INEQUALITIES_H_
+#pragma once
 
 // What must not be negative, several at once, over a box. Internal to reference/.
 
@@ -27,5 +26,3 @@ inline bool exclude_each_other(const std::vector<Variation>& all, const LeastOpt
 }
 
 }  // namespace raycheck::reference
-
-#endif  // RAYCHECK_REFERENCE_ACCOUNT_INTERNAL_INEQUALITIES_H_

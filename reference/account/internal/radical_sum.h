@@ -1,5 +1,4 @@
-#ifndef RAYCHECK_REFERENCE_ACCOUNT_INTERNAL_RADICAL_SUM_H_
-#define RAYCHECK_REFERENCE_ACCOUNT_INTERNAL_RADICAL_SUM_H_
+#pragma once
 
 #include <functional>
 #include <map>
@@ -56,5 +55,3 @@ inline RadicalSum second_root(const RadicalSum& rational) { return first_root(ra
 ClosedForm closed_form_of_sum(const RadicalSum& a, const RadicalSum& b, const RadicalSum& c);
 
 }  // namespace raycheck::reference
-
-#endif  // RAYCHECK_REFERENCE_ACCOUNT_INTERNAL_RADICAL_SUM_H_

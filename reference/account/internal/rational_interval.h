@@ -1,5 +1,4 @@
-#ifndef RAYCHECK_REFERENCE_ACCOUNT_INTERNAL_RATIONAL_INTERVAL_H_
-#define RAYCHECK_REFERENCE_ACCOUNT_INTERNAL_RATIONAL_INTERVAL_H_
+#pragma once
 
 // The number type of proofs: the formulas of reference/internal/formulas.h over intervals with
 // rational ends, which anyone can recompute. Internal to reference/.
@@ -89,5 +88,3 @@ inline std::optional<int> certain_sign(const RationalInterval& value) {
 }
 
 }  // namespace raycheck::reference
-
-#endif  // RAYCHECK_REFERENCE_ACCOUNT_INTERNAL_RATIONAL_INTERVAL_H_

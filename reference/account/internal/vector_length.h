@@ -1,5 +1,4 @@
-#ifndef RAYCHECK_REFERENCE_ACCOUNT_INTERNAL_VECTOR_LENGTH_H_
-#define RAYCHECK_REFERENCE_ACCOUNT_INTERNAL_VECTOR_LENGTH_H_
+#pragma once
 
 // How long a vector is that varies over a box, by its shares along directions: they are linear in
 // the inputs where its square is not. Internal to reference/.
@@ -34,5 +33,3 @@ bool is_shorter(const VectorAndLength& both, const std::array<double, 3>& axis,
                 const std::function<bool(const std::vector<double>&)>& is_found);
 
 }  // namespace raycheck::reference
-
-#endif  // RAYCHECK_REFERENCE_ACCOUNT_INTERNAL_VECTOR_LENGTH_H_

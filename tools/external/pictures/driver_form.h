@@ -1,5 +1,4 @@
-#ifndef RAYCHECK_TOOLS_EXTERNAL_PICTURES_DRIVER_FORM_H_
-#define RAYCHECK_TOOLS_EXTERNAL_PICTURES_DRIVER_FORM_H_
+#pragma once
 
 #include <array>
 #include <optional>
@@ -84,5 +83,3 @@ std::string driver_text(const scene::Scene& scene, const DriverForm& form,
                         const std::vector<Colour>& colours);
 
 }  // namespace raycheck::tools
-
-#endif  // RAYCHECK_TOOLS_EXTERNAL_PICTURES_DRIVER_FORM_H_

@@ -1,5 +1,4 @@
-#ifndef RAYCHECK_TOOLS_EXTERNAL_PICTURES_DRIVER_RULE_H_
-#define RAYCHECK_TOOLS_EXTERNAL_PICTURES_DRIVER_RULE_H_
+#pragma once
 
 #include <string_view>
 
@@ -26,5 +25,3 @@ DriverRule driver_rule(std::string_view name);
 DriverRule read_driver(scene::TomlFields& fields, const scene::TomlFields::Table& from);
 
 }  // namespace raycheck::tools
-
-#endif  // RAYCHECK_TOOLS_EXTERNAL_PICTURES_DRIVER_RULE_H_

@@ -1,5 +1,4 @@
-#ifndef RAYCHECK_TOOLS_EXTERNAL_PICTURES_DRY_RUN_H_
-#define RAYCHECK_TOOLS_EXTERNAL_PICTURES_DRY_RUN_H_
+#pragma once
 
 #include <optional>
 #include <string>
@@ -41,5 +40,3 @@ DryRun dry_run(Renderer renderer, const DriverRule& rule,
                const properties::RunControl& control = {});
 
 }  // namespace raycheck::tools
-
-#endif  // RAYCHECK_TOOLS_EXTERNAL_PICTURES_DRY_RUN_H_

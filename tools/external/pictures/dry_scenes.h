@@ -1,5 +1,4 @@
-#ifndef RAYCHECK_TOOLS_EXTERNAL_PICTURES_DRY_SCENES_H_
-#define RAYCHECK_TOOLS_EXTERNAL_PICTURES_DRY_SCENES_H_
+#pragma once
 
 #include "tools/external/pictures/driver_form.h"
 
@@ -16,5 +15,3 @@ scene::Scene symmetric_scene();
 scene::Scene middle_spheres();
 
 }  // namespace raycheck::tools
-
-#endif  // RAYCHECK_TOOLS_EXTERNAL_PICTURES_DRY_SCENES_H_

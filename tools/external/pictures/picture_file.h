@@ -1,5 +1,4 @@
-#ifndef RAYCHECK_TOOLS_EXTERNAL_PICTURES_PICTURE_FILE_H_
-#define RAYCHECK_TOOLS_EXTERNAL_PICTURES_PICTURE_FILE_H_
+#pragma once
 
 #include <filesystem>
 #include <optional>
@@ -21,5 +20,3 @@ std::optional<FoundPicture> found_picture(const std::filesystem::path& folder,
                                           const std::string& named, const std::string& scene);
 
 }  // namespace raycheck::tools
-
-#endif  // RAYCHECK_TOOLS_EXTERNAL_PICTURES_PICTURE_FILE_H_

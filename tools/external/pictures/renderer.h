@@ -1,5 +1,4 @@
-#ifndef RAYCHECK_TOOLS_EXTERNAL_PICTURES_RENDERER_H_
-#define RAYCHECK_TOOLS_EXTERNAL_PICTURES_RENDERER_H_
+#pragma once
 
 #include <memory>
 #include <string>
@@ -63,5 +62,3 @@ properties::ImageAnswer render(const Renderer& renderer, const scene::Scene& sce
                                scene::Rows rows);
 
 }  // namespace raycheck::tools
-
-#endif  // RAYCHECK_TOOLS_EXTERNAL_PICTURES_RENDERER_H_

@@ -1,5 +1,4 @@
-#ifndef RAYCHECK_TOOLS_EXTERNAL_PICTURES_SPHERE_COLOURS_H_
-#define RAYCHECK_TOOLS_EXTERNAL_PICTURES_SPHERE_COLOURS_H_
+#pragma once
 
 #include <array>
 #include <cstddef>
@@ -42,5 +41,3 @@ class SphereColours {
 };
 
 }  // namespace raycheck::tools
-
-#endif  // RAYCHECK_TOOLS_EXTERNAL_PICTURES_SPHERE_COLOURS_H_

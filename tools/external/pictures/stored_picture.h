@@ -1,5 +1,4 @@
-#ifndef RAYCHECK_TOOLS_EXTERNAL_PICTURES_STORED_PICTURE_H_
-#define RAYCHECK_TOOLS_EXTERNAL_PICTURES_STORED_PICTURE_H_
+#pragma once
 
 #include <optional>
 #include <string>
@@ -14,5 +13,3 @@ std::string stored_text(const MadePicture& made);
 std::optional<MadePicture> stored_picture(std::string_view text);
 
 }  // namespace raycheck::tools
-
-#endif  // RAYCHECK_TOOLS_EXTERNAL_PICTURES_STORED_PICTURE_H_

@@ -1,5 +1,4 @@
-#ifndef RAYCHECK_TOOLS_EXTERNAL_PROTOCOL_FRAMES_H_
-#define RAYCHECK_TOOLS_EXTERNAL_PROTOCOL_FRAMES_H_
+#pragma once
 
 // The line in which raycheck-worker says where in its own code a library died or threw: "frames"
 // and the innermost frames first, hexadecimal offsets in the library's file.
@@ -23,5 +22,3 @@ inline constexpr std::size_t kMostFramesLine = kFramesWord.size() + 17 * kMostFr
 std::vector<std::uint64_t> frames_in(std::string_view text);
 
 }  // namespace raycheck::tools
-
-#endif  // RAYCHECK_TOOLS_EXTERNAL_PROTOCOL_FRAMES_H_

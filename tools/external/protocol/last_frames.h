@@ -1,5 +1,4 @@
-#ifndef RAYCHECK_TOOLS_EXTERNAL_PROTOCOL_LAST_FRAMES_H_
-#define RAYCHECK_TOOLS_EXTERNAL_PROTOCOL_LAST_FRAMES_H_
+#pragma once
 
 // Where in its own code a library was when it died or threw. Runs in the candidate's process.
 
@@ -24,5 +23,3 @@ void follow(void* library);
 std::string frames_of_throw(const std::exception& error);
 
 }  // namespace raycheck::tools
-
-#endif  // RAYCHECK_TOOLS_EXTERNAL_PROTOCOL_LAST_FRAMES_H_

@@ -1,5 +1,4 @@
-#ifndef RAYCHECK_TOOLS_EXTERNAL_PROTOCOL_PROTOCOL_H_
-#define RAYCHECK_TOOLS_EXTERNAL_PROTOCOL_PROTOCOL_H_
+#pragma once
 
 // The lines that raycheck and a candidate's process exchange, as docs/candidates.md has them.
 
@@ -101,5 +100,3 @@ constexpr std::size_t most_bytes(std::size_t lines) {
 }
 
 }  // namespace raycheck::tools
-
-#endif  // RAYCHECK_TOOLS_EXTERNAL_PROTOCOL_PROTOCOL_H_

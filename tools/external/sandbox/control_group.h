@@ -1,5 +1,4 @@
-#ifndef RAYCHECK_TOOLS_EXTERNAL_SANDBOX_CONTROL_GROUP_H_
-#define RAYCHECK_TOOLS_EXTERNAL_SANDBOX_CONTROL_GROUP_H_
+#pragma once
 
 #include <cstdint>
 #include <filesystem>
@@ -54,5 +53,3 @@ class ControlGroup {
 };
 
 }  // namespace raycheck::tools
-
-#endif  // RAYCHECK_TOOLS_EXTERNAL_SANDBOX_CONTROL_GROUP_H_

@@ -1,5 +1,4 @@
-#ifndef RAYCHECK_TOOLS_EXTERNAL_SANDBOX_FILE_TREE_H_
-#define RAYCHECK_TOOLS_EXTERNAL_SANDBOX_FILE_TREE_H_
+#pragma once
 
 #include <cstdint>
 #include <filesystem>
@@ -35,5 +34,3 @@ struct DiskUse {
 DiskUse disk_use(const std::filesystem::path& folder);
 
 }  // namespace raycheck::tools
-
-#endif  // RAYCHECK_TOOLS_EXTERNAL_SANDBOX_FILE_TREE_H_

@@ -1,5 +1,4 @@
-#ifndef RAYCHECK_TOOLS_EXTERNAL_SANDBOX_JAIL_CALLS_H_
-#define RAYCHECK_TOOLS_EXTERNAL_SANDBOX_JAIL_CALLS_H_
+#pragma once
 
 #include <sys/types.h>
 
@@ -23,5 +22,3 @@ enum class Reach {
 void forbid_calls(Reach reach, pid_t judge);
 
 }  // namespace raycheck::tools
-
-#endif  // RAYCHECK_TOOLS_EXTERNAL_SANDBOX_JAIL_CALLS_H_

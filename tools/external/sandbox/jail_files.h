@@ -1,5 +1,4 @@
-#ifndef RAYCHECK_TOOLS_EXTERNAL_SANDBOX_JAIL_FILES_H_
-#define RAYCHECK_TOOLS_EXTERNAL_SANDBOX_JAIL_FILES_H_
+#pragma once
 
 #include <filesystem>
 #include <vector>
@@ -20,5 +19,3 @@ struct FileRights {
 bool keep_to_files(const FileRights& rights);
 
 }  // namespace raycheck::tools
-
-#endif  // RAYCHECK_TOOLS_EXTERNAL_SANDBOX_JAIL_FILES_H_

@@ -1,5 +1,4 @@
-#ifndef RAYCHECK_TOOLS_EXTERNAL_SANDBOX_KEPT_TEXT_H_
-#define RAYCHECK_TOOLS_EXTERNAL_SANDBOX_KEPT_TEXT_H_
+#pragma once
 
 #include <cstddef>
 #include <string>
@@ -25,5 +24,3 @@ class KeptText {
 };
 
 }  // namespace raycheck::tools
-
-#endif  // RAYCHECK_TOOLS_EXTERNAL_SANDBOX_KEPT_TEXT_H_

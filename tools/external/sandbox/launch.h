@@ -1,5 +1,4 @@
-#ifndef RAYCHECK_TOOLS_EXTERNAL_SANDBOX_LAUNCH_H_
-#define RAYCHECK_TOOLS_EXTERNAL_SANDBOX_LAUNCH_H_
+#pragma once
 
 #include <sys/types.h>
 
@@ -115,5 +114,3 @@ pid_t launch(const Confined& confined, const std::filesystem::path& folder, std:
              const std::filesystem::path& group, const Streams& streams);
 
 }  // namespace raycheck::tools
-
-#endif  // RAYCHECK_TOOLS_EXTERNAL_SANDBOX_LAUNCH_H_

@@ -1,5 +1,4 @@
-#ifndef RAYCHECK_TOOLS_EXTERNAL_SANDBOX_LAYERS_H_
-#define RAYCHECK_TOOLS_EXTERNAL_SANDBOX_LAYERS_H_
+#pragma once
 
 #include <string>
 #include <vector>
@@ -47,5 +46,3 @@ enum class Sandbox {
 LayersHere chosen_layers(Sandbox sandbox);
 
 }  // namespace raycheck::tools
-
-#endif  // RAYCHECK_TOOLS_EXTERNAL_SANDBOX_LAYERS_H_

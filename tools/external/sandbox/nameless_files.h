@@ -1,5 +1,4 @@
-#ifndef RAYCHECK_TOOLS_EXTERNAL_SANDBOX_NAMELESS_FILES_H_
-#define RAYCHECK_TOOLS_EXTERNAL_SANDBOX_NAMELESS_FILES_H_
+#pragma once
 
 #include <cstdint>
 #include <vector>
@@ -19,5 +18,3 @@ struct NamelessFiles {
 NamelessFiles nameless_files(const std::vector<ProcessState>& processes);
 
 }  // namespace raycheck::tools
-
-#endif  // RAYCHECK_TOOLS_EXTERNAL_SANDBOX_NAMELESS_FILES_H_

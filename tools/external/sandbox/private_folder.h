@@ -1,5 +1,4 @@
-#ifndef RAYCHECK_TOOLS_EXTERNAL_SANDBOX_PRIVATE_FOLDER_H_
-#define RAYCHECK_TOOLS_EXTERNAL_SANDBOX_PRIVATE_FOLDER_H_
+#pragma once
 
 #include <filesystem>
 #include <string>
@@ -33,5 +32,3 @@ void open_to_others(const std::filesystem::path& path);
 std::filesystem::path readable_copy(const std::filesystem::path& path);
 
 }  // namespace raycheck::tools
-
-#endif  // RAYCHECK_TOOLS_EXTERNAL_SANDBOX_PRIVATE_FOLDER_H_

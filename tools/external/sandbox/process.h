@@ -1,5 +1,4 @@
-#ifndef RAYCHECK_TOOLS_EXTERNAL_SANDBOX_PROCESS_H_
-#define RAYCHECK_TOOLS_EXTERNAL_SANDBOX_PROCESS_H_
+#pragma once
 
 #include <sys/types.h>
 
@@ -79,5 +78,3 @@ class Process {
 };
 
 }  // namespace raycheck::tools
-
-#endif  // RAYCHECK_TOOLS_EXTERNAL_SANDBOX_PROCESS_H_

@@ -1,5 +1,4 @@
-#ifndef RAYCHECK_TOOLS_EXTERNAL_SANDBOX_PROCESS_TREE_H_
-#define RAYCHECK_TOOLS_EXTERNAL_SANDBOX_PROCESS_TREE_H_
+#pragma once
 
 #include <sys/types.h>
 
@@ -50,5 +49,3 @@ bool end_children();
 bool end_supervised(pid_t supervisor);
 
 }  // namespace raycheck::tools
-
-#endif  // RAYCHECK_TOOLS_EXTERNAL_SANDBOX_PROCESS_TREE_H_

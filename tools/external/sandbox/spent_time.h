@@ -1,5 +1,4 @@
-#ifndef RAYCHECK_TOOLS_EXTERNAL_SANDBOX_SPENT_TIME_H_
-#define RAYCHECK_TOOLS_EXTERNAL_SANDBOX_SPENT_TIME_H_
+#pragma once
 
 #include <atomic>
 
@@ -18,5 +17,3 @@ class SpentTime {
 };
 
 }  // namespace raycheck::tools
-
-#endif  // RAYCHECK_TOOLS_EXTERNAL_SANDBOX_SPENT_TIME_H_

@@ -1,5 +1,4 @@
-#ifndef RAYCHECK_TOOLS_EXTERNAL_SANDBOX_STARTING_FOLDER_H_
-#define RAYCHECK_TOOLS_EXTERNAL_SANDBOX_STARTING_FOLDER_H_
+#pragma once
 
 #include <cstdint>
 #include <filesystem>
@@ -30,5 +29,3 @@ struct StartingFolder {
 void lay_out(const StartingFolder& start, const std::filesystem::path& folder, std::uint64_t user);
 
 }  // namespace raycheck::tools
-
-#endif  // RAYCHECK_TOOLS_EXTERNAL_SANDBOX_STARTING_FOLDER_H_

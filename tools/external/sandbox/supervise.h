@@ -1,5 +1,4 @@
-#ifndef RAYCHECK_TOOLS_EXTERNAL_SANDBOX_SUPERVISE_H_
-#define RAYCHECK_TOOLS_EXTERNAL_SANDBOX_SUPERVISE_H_
+#pragma once
 
 #include <string>
 
@@ -12,5 +11,3 @@ namespace raycheck::tools {
 bool supervise(const std::string& group);
 
 }  // namespace raycheck::tools
-
-#endif  // RAYCHECK_TOOLS_EXTERNAL_SANDBOX_SUPERVISE_H_

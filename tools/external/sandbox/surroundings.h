@@ -1,5 +1,4 @@
-#ifndef RAYCHECK_TOOLS_EXTERNAL_SANDBOX_SURROUNDINGS_H_
-#define RAYCHECK_TOOLS_EXTERNAL_SANDBOX_SURROUNDINGS_H_
+#pragma once
 
 #include <cerrno>
 #include <mutex>
@@ -47,5 +46,3 @@ class Surroundings {
 };
 
 }  // namespace raycheck::tools
-
-#endif  // RAYCHECK_TOOLS_EXTERNAL_SANDBOX_SURROUNDINGS_H_

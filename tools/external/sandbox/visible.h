@@ -1,5 +1,4 @@
-#ifndef RAYCHECK_TOOLS_EXTERNAL_SANDBOX_VISIBLE_H_
-#define RAYCHECK_TOOLS_EXTERNAL_SANDBOX_VISIBLE_H_
+#pragma once
 
 #include <filesystem>
 #include <vector>
@@ -19,5 +18,3 @@ std::vector<std::filesystem::path> own_paths();
 std::vector<std::filesystem::path> hidden_paths();
 
 }  // namespace raycheck::tools
-
-#endif  // RAYCHECK_TOOLS_EXTERNAL_SANDBOX_VISIBLE_H_

@@ -1,5 +1,4 @@
-#ifndef RAYCHECK_TOOLS_EXTERNAL_SANDBOX_WATCH_H_
-#define RAYCHECK_TOOLS_EXTERNAL_SANDBOX_WATCH_H_
+#pragma once
 
 #include <sys/types.h>
 
@@ -81,5 +80,3 @@ class Watch {
 };
 
 }  // namespace raycheck::tools
-
-#endif  // RAYCHECK_TOOLS_EXTERNAL_SANDBOX_WATCH_H_

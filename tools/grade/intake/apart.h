@@ -1,5 +1,4 @@
-#ifndef RAYCHECK_TOOLS_GRADE_INTAKE_APART_H_
-#define RAYCHECK_TOOLS_GRADE_INTAKE_APART_H_
+#pragma once
 
 #include <string>
 #include <vector>
@@ -13,5 +12,3 @@ namespace raycheck::tools {
 void require_apart(const std::string& out, const std::vector<Submission>& submissions);
 
 }  // namespace raycheck::tools
-
-#endif  // RAYCHECK_TOOLS_GRADE_INTAKE_APART_H_

@@ -1,5 +1,4 @@
-#ifndef RAYCHECK_TOOLS_GRADE_INTAKE_AS_IT_COMES_H_
-#define RAYCHECK_TOOLS_GRADE_INTAKE_AS_IT_COMES_H_
+#pragma once
 
 #include <filesystem>
 
@@ -16,5 +15,3 @@ Built build_as_it_comes(const std::filesystem::path& folder, const HandedInFiles
                         const std::filesystem::path& to, const RunOptions& options);
 
 }  // namespace raycheck::tools
-
-#endif  // RAYCHECK_TOOLS_GRADE_INTAKE_AS_IT_COMES_H_

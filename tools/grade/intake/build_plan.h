@@ -1,5 +1,4 @@
-#ifndef RAYCHECK_TOOLS_GRADE_INTAKE_BUILD_PLAN_H_
-#define RAYCHECK_TOOLS_GRADE_INTAKE_BUILD_PLAN_H_
+#pragma once
 
 #include <string>
 #include <string_view>
@@ -48,5 +47,3 @@ bool is_elf(std::string_view text);
 bool is_program_here(std::string_view text);
 
 }  // namespace raycheck::tools
-
-#endif  // RAYCHECK_TOOLS_GRADE_INTAKE_BUILD_PLAN_H_

@@ -1,5 +1,4 @@
-#ifndef RAYCHECK_TOOLS_GRADE_INTAKE_BUILDING_H_
-#define RAYCHECK_TOOLS_GRADE_INTAKE_BUILDING_H_
+#pragma once
 
 #include <filesystem>
 #include <string>
@@ -43,5 +42,3 @@ std::string answers_key(const std::string& build, const CandidateSpec& program,
                         const Limits& limits);
 
 }  // namespace raycheck::tools
-
-#endif  // RAYCHECK_TOOLS_GRADE_INTAKE_BUILDING_H_

@@ -1,5 +1,4 @@
-#ifndef RAYCHECK_TOOLS_GRADE_INTAKE_HANDED_IN_H_
-#define RAYCHECK_TOOLS_GRADE_INTAKE_HANDED_IN_H_
+#pragma once
 
 #include <cstdint>
 #include <filesystem>
@@ -47,5 +46,3 @@ std::string digest_of(const HandedInPaths& paths);
 HandedInFiles read_files(const std::map<std::string, std::filesystem::path>& paths);
 
 }  // namespace raycheck::tools
-
-#endif  // RAYCHECK_TOOLS_GRADE_INTAKE_HANDED_IN_H_

@@ -1,5 +1,4 @@
-#ifndef RAYCHECK_TOOLS_GRADE_INTAKE_INCLUDE_REPAIRS_H_
-#define RAYCHECK_TOOLS_GRADE_INTAKE_INCLUDE_REPAIRS_H_
+#pragma once
 
 #include <string>
 #include <vector>
@@ -26,5 +25,3 @@ std::vector<IncludeRepair> include_repairs(const HandedInFiles& files, const Ven
 std::string repair_words(const std::vector<IncludeRepair>& repairs);
 
 }  // namespace raycheck::tools
-
-#endif  // RAYCHECK_TOOLS_GRADE_INTAKE_INCLUDE_REPAIRS_H_

@@ -1,5 +1,4 @@
-#ifndef RAYCHECK_TOOLS_GRADE_INTAKE_NOTEBOOK_H_
-#define RAYCHECK_TOOLS_GRADE_INTAKE_NOTEBOOK_H_
+#pragma once
 
 #include <optional>
 #include <string>
@@ -12,5 +11,3 @@ namespace raycheck::tools {
 std::optional<std::string> notebook_module(std::string_view text);
 
 }  // namespace raycheck::tools
-
-#endif  // RAYCHECK_TOOLS_GRADE_INTAKE_NOTEBOOK_H_

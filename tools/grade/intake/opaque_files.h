@@ -1,5 +1,4 @@
-#ifndef RAYCHECK_TOOLS_GRADE_INTAKE_OPAQUE_FILES_H_
-#define RAYCHECK_TOOLS_GRADE_INTAKE_OPAQUE_FILES_H_
+#pragma once
 
 #include <filesystem>
 #include <map>
@@ -28,5 +27,3 @@ std::vector<OpaqueFile> opaque_files(const HandedInFiles& files,
                                      const std::map<std::string, std::filesystem::path>& paths);
 
 }  // namespace raycheck::tools
-
-#endif  // RAYCHECK_TOOLS_GRADE_INTAKE_OPAQUE_FILES_H_

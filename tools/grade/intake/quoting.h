@@ -1,5 +1,4 @@
-#ifndef RAYCHECK_TOOLS_GRADE_INTAKE_QUOTING_H_
-#define RAYCHECK_TOOLS_GRADE_INTAKE_QUOTING_H_
+#pragma once
 
 #include <string>
 #include <string_view>
@@ -20,5 +19,3 @@ std::string with_mark(std::string text, std::string_view mark, const std::string
 std::string lower_case(std::string text);
 
 }  // namespace raycheck::tools
-
-#endif  // RAYCHECK_TOOLS_GRADE_INTAKE_QUOTING_H_

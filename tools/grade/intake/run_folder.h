@@ -1,5 +1,4 @@
-#ifndef RAYCHECK_TOOLS_GRADE_INTAKE_RUN_FOLDER_H_
-#define RAYCHECK_TOOLS_GRADE_INTAKE_RUN_FOLDER_H_
+#pragma once
 
 #include <cstdint>
 #include <memory>
@@ -27,5 +26,3 @@ std::shared_ptr<const StartingFolder> run_folder(const HandedInFiles& files,
                                                  std::shared_ptr<const PrivateFolder> copy);
 
 }  // namespace raycheck::tools
-
-#endif  // RAYCHECK_TOOLS_GRADE_INTAKE_RUN_FOLDER_H_

@@ -1,5 +1,4 @@
-#ifndef RAYCHECK_TOOLS_GRADE_INTAKE_SOURCES_H_
-#define RAYCHECK_TOOLS_GRADE_INTAKE_SOURCES_H_
+#pragma once
 
 #include <string>
 #include <string_view>
@@ -72,5 +71,3 @@ std::vector<std::string> own_sources(const HandedInFiles& files, const Vendored&
 }
 
 }  // namespace raycheck::tools
-
-#endif  // RAYCHECK_TOOLS_GRADE_INTAKE_SOURCES_H_

@@ -1,5 +1,4 @@
-#ifndef RAYCHECK_TOOLS_GRADE_INTAKE_STARTING_H_
-#define RAYCHECK_TOOLS_GRADE_INTAKE_STARTING_H_
+#pragma once
 
 #include <memory>
 #include <string>
@@ -32,5 +31,3 @@ struct BuiltSubmission {
 RunnableSubmission likeliest(const BuiltSubmission& built, const properties::RunControl& control);
 
 }  // namespace raycheck::tools
-
-#endif  // RAYCHECK_TOOLS_GRADE_INTAKE_STARTING_H_

@@ -1,5 +1,4 @@
-#ifndef RAYCHECK_TOOLS_GRADE_INTAKE_SUBMISSION_H_
-#define RAYCHECK_TOOLS_GRADE_INTAKE_SUBMISSION_H_
+#pragma once
 
 #include <filesystem>
 #include <memory>
@@ -97,5 +96,3 @@ RunnableSubmission prepare(const Submission& submission, const Rubric& rubric,
                            const properties::RunControl& control = {}, Store* store = nullptr);
 
 }  // namespace raycheck::tools
-
-#endif  // RAYCHECK_TOOLS_GRADE_INTAKE_SUBMISSION_H_

@@ -1,5 +1,4 @@
-#ifndef RAYCHECK_TOOLS_GRADE_JUDGING_CASE_TRIAL_H_
-#define RAYCHECK_TOOLS_GRADE_JUDGING_CASE_TRIAL_H_
+#pragma once
 
 // One case of an item, asked and judged. Internal to grading.
 
@@ -47,5 +46,3 @@ CaseOutcome try_case(const std::vector<const properties::Law*>& laws,
                      const properties::Case& the_case, const Examinee& examinee);
 
 }  // namespace raycheck::tools
-
-#endif  // RAYCHECK_TOOLS_GRADE_JUDGING_CASE_TRIAL_H_

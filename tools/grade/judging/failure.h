@@ -1,5 +1,4 @@
-#ifndef RAYCHECK_TOOLS_GRADE_JUDGING_FAILURE_H_
-#define RAYCHECK_TOOLS_GRADE_JUDGING_FAILURE_H_
+#pragma once
 
 // What there is to say about a case on which an item fails. Internal to grading.
 
@@ -27,5 +26,3 @@ std::optional<FailingCase> failing_case(const properties::Case& the_case, const 
                                         const Examinee& examinee);
 
 }  // namespace raycheck::tools
-
-#endif  // RAYCHECK_TOOLS_GRADE_JUDGING_FAILURE_H_

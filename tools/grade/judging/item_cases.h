@@ -1,5 +1,4 @@
-#ifndef RAYCHECK_TOOLS_GRADE_JUDGING_ITEM_CASES_H_
-#define RAYCHECK_TOOLS_GRADE_JUDGING_ITEM_CASES_H_
+#pragma once
 
 #include <cstdint>
 #include <optional>
@@ -45,5 +44,3 @@ class ItemCases {
 };
 
 }  // namespace raycheck::tools
-
-#endif  // RAYCHECK_TOOLS_GRADE_JUDGING_ITEM_CASES_H_

@@ -1,5 +1,4 @@
-#ifndef RAYCHECK_TOOLS_GRADE_JUDGING_ITEM_CAUSES_H_
-#define RAYCHECK_TOOLS_GRADE_JUDGING_ITEM_CAUSES_H_
+#pragma once
 
 // Which mistakes the items of a submission fail by. Internal to grading.
 
@@ -48,5 +47,3 @@ void charge_once(const Rubric& rubric, const std::vector<ItemCause>& causes,
                  std::vector<ItemTrial>& trials);
 
 }  // namespace raycheck::tools
-
-#endif  // RAYCHECK_TOOLS_GRADE_JUDGING_ITEM_CAUSES_H_

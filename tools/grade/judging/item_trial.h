@@ -1,5 +1,4 @@
-#ifndef RAYCHECK_TOOLS_GRADE_JUDGING_ITEM_TRIAL_H_
-#define RAYCHECK_TOOLS_GRADE_JUDGING_ITEM_TRIAL_H_
+#pragma once
 
 // The cases of one item, asked and judged; what its points are is said when all items are known.
 // Internal to grading.
@@ -51,5 +50,3 @@ ItemTrial try_item(const ItemTask& task, const ItemCases& cases, const ItemExami
                    const std::function<ItemReason()>& reason_to_stop, ItemGrade grade);
 
 }  // namespace raycheck::tools
-
-#endif  // RAYCHECK_TOOLS_GRADE_JUDGING_ITEM_TRIAL_H_

@@ -1,5 +1,4 @@
-#ifndef RAYCHECK_TOOLS_GRADE_JUDGING_JUDGE_H_
-#define RAYCHECK_TOOLS_GRADE_JUDGING_JUDGE_H_
+#pragma once
 
 #include <cstdint>
 #include <memory>
@@ -41,5 +40,3 @@ std::vector<ItemGrade> judge(const Rubric& rubric, Judged judged, std::uint64_t 
 double score_of(const Item& item, std::uint64_t held, std::uint64_t cases);
 
 }  // namespace raycheck::tools
-
-#endif  // RAYCHECK_TOOLS_GRADE_JUDGING_JUDGE_H_

@@ -1,5 +1,4 @@
-#ifndef RAYCHECK_TOOLS_GRADE_PAGES_ANSWERED_H_
-#define RAYCHECK_TOOLS_GRADE_PAGES_ANSWERED_H_
+#pragma once
 
 #include <memory>
 
@@ -19,5 +18,3 @@ std::shared_ptr<const OtherMethod> answered(const FailingCase& failing, const To
                                             const Layers& isolation);
 
 }  // namespace raycheck::tools
-
-#endif  // RAYCHECK_TOOLS_GRADE_PAGES_ANSWERED_H_

@@ -1,5 +1,4 @@
-#ifndef RAYCHECK_TOOLS_GRADE_PAGES_DRAWING_H_
-#define RAYCHECK_TOOLS_GRADE_PAGES_DRAWING_H_
+#pragma once
 
 // A failing case in a drawing that a report has in it.
 
@@ -16,5 +15,3 @@ namespace raycheck::tools {
 std::string drawing_html(const FailingCase& failing, const SceneView& figure);
 
 }  // namespace raycheck::tools
-
-#endif  // RAYCHECK_TOOLS_GRADE_PAGES_DRAWING_H_

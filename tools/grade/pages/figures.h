@@ -1,5 +1,4 @@
-#ifndef RAYCHECK_TOOLS_GRADE_PAGES_FIGURES_H_
-#define RAYCHECK_TOOLS_GRADE_PAGES_FIGURES_H_
+#pragma once
 
 // The failing cases of functions, to look at.
 
@@ -24,5 +23,3 @@ ViewDocument figures_document(const StudentGrade& grade);
 std::string figure_address(std::size_t finding);
 
 }  // namespace raycheck::tools
-
-#endif  // RAYCHECK_TOOLS_GRADE_PAGES_FIGURES_H_

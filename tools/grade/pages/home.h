@@ -1,5 +1,4 @@
-#ifndef RAYCHECK_TOOLS_GRADE_PAGES_HOME_H_
-#define RAYCHECK_TOOLS_GRADE_PAGES_HOME_H_
+#pragma once
 
 // How students repeat at home what was graded.
 
@@ -25,5 +24,3 @@ std::vector<HomeCommand> commands_for_case(const StudentGrade& grade, std::size_
 HomeCommand command_for_all(const StudentGrade& grade);
 
 }  // namespace raycheck::tools
-
-#endif  // RAYCHECK_TOOLS_GRADE_PAGES_HOME_H_

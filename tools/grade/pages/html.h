@@ -1,5 +1,4 @@
-#ifndef RAYCHECK_TOOLS_GRADE_PAGES_HTML_H_
-#define RAYCHECK_TOOLS_GRADE_PAGES_HTML_H_
+#pragma once
 
 #include <string>
 #include <string_view>
@@ -15,5 +14,3 @@ std::string page(std::string_view title, std::string_view body);
 std::string download(std::string_view file, std::string_view text);
 
 }  // namespace raycheck::tools
-
-#endif  // RAYCHECK_TOOLS_GRADE_PAGES_HTML_H_

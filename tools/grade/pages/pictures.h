@@ -1,5 +1,4 @@
-#ifndef RAYCHECK_TOOLS_GRADE_PAGES_PICTURES_H_
-#define RAYCHECK_TOOLS_GRADE_PAGES_PICTURES_H_
+#pragma once
 
 // The pictures of a failing case, as pages show them.
 
@@ -20,5 +19,3 @@ std::string difference_text(const FailingCase& failing, std::string_view whose =
 std::string pictures_html(const FailingCase& failing, std::string_view whose = "yours");
 
 }  // namespace raycheck::tools
-
-#endif  // RAYCHECK_TOOLS_GRADE_PAGES_PICTURES_H_

@@ -1,5 +1,4 @@
-#ifndef RAYCHECK_TOOLS_GRADE_PAGES_PLANE_DRAWING_H_
-#define RAYCHECK_TOOLS_GRADE_PAGES_PLANE_DRAWING_H_
+#pragma once
 
 #include <array>
 #include <optional>
@@ -48,5 +47,3 @@ class PlaneDrawing {
 };
 
 }  // namespace raycheck::tools
-
-#endif  // RAYCHECK_TOOLS_GRADE_PAGES_PLANE_DRAWING_H_

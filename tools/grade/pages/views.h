@@ -1,5 +1,4 @@
-#ifndef RAYCHECK_TOOLS_GRADE_PAGES_VIEWS_H_
-#define RAYCHECK_TOOLS_GRADE_PAGES_VIEWS_H_
+#pragma once
 
 #include <span>
 #include <string>
@@ -41,5 +40,3 @@ struct StudentPages {
 StudentPages student_pages(const StudentGrade& grade);
 
 }  // namespace raycheck::tools
-
-#endif  // RAYCHECK_TOOLS_GRADE_PAGES_VIEWS_H_

@@ -1,5 +1,4 @@
-#ifndef RAYCHECK_TOOLS_GRADE_PAGES_WORDING_H_
-#define RAYCHECK_TOOLS_GRADE_PAGES_WORDING_H_
+#pragma once
 
 // The words that several views have for the same results.
 
@@ -73,5 +72,3 @@ std::string submission_text(const std::vector<const Item*>& items, const Submiss
 std::string item_text(const StudentGrade& all, std::size_t k);
 
 }  // namespace raycheck::tools
-
-#endif  // RAYCHECK_TOOLS_GRADE_PAGES_WORDING_H_

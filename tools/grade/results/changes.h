@@ -1,5 +1,4 @@
-#ifndef RAYCHECK_TOOLS_GRADE_RESULTS_CHANGES_H_
-#define RAYCHECK_TOOLS_GRADE_RESULTS_CHANGES_H_
+#pragma once
 
 // Scores beside those of an earlier grading, and why they changed.
 
@@ -55,5 +54,3 @@ struct ClassChanges {
 std::optional<SubmissionChange> change_of(const EarlierGrade& earlier, const SubmissionGrade& now);
 
 }  // namespace raycheck::tools
-
-#endif  // RAYCHECK_TOOLS_GRADE_RESULTS_CHANGES_H_

@@ -1,5 +1,4 @@
-#ifndef RAYCHECK_TOOLS_GRADE_RESULTS_CLASS_GRADE_H_
-#define RAYCHECK_TOOLS_GRADE_RESULTS_CLASS_GRADE_H_
+#pragma once
 
 #include <cstdint>
 #include <optional>
@@ -32,5 +31,3 @@ struct ClassGrade {
 };
 
 }  // namespace raycheck::tools
-
-#endif  // RAYCHECK_TOOLS_GRADE_RESULTS_CLASS_GRADE_H_

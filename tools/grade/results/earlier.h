@@ -1,5 +1,4 @@
-#ifndef RAYCHECK_TOOLS_GRADE_RESULTS_EARLIER_H_
-#define RAYCHECK_TOOLS_GRADE_RESULTS_EARLIER_H_
+#pragma once
 
 #include <cstdint>
 #include <filesystem>
@@ -34,5 +33,3 @@ Json inputs_json(const GradeInputs& inputs);
 GradeInputs inputs_of(const Json& json);
 
 }  // namespace raycheck::tools
-
-#endif  // RAYCHECK_TOOLS_GRADE_RESULTS_EARLIER_H_

@@ -1,5 +1,4 @@
-#ifndef RAYCHECK_TOOLS_GRADE_RESULTS_IMAGE_RUNS_H_
-#define RAYCHECK_TOOLS_GRADE_RESULTS_IMAGE_RUNS_H_
+#pragma once
 
 #include <cstddef>
 #include <string>
@@ -17,5 +16,3 @@ std::string runs_of(const properties::ImageAnswer& image);
 properties::ImageAnswer image_of(const std::string& runs, std::size_t pixels);
 
 }  // namespace raycheck::tools
-
-#endif  // RAYCHECK_TOOLS_GRADE_RESULTS_IMAGE_RUNS_H_

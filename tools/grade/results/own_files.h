@@ -1,5 +1,4 @@
-#ifndef RAYCHECK_TOOLS_GRADE_RESULTS_OWN_FILES_H_
-#define RAYCHECK_TOOLS_GRADE_RESULTS_OWN_FILES_H_
+#pragma once
 
 #include <filesystem>
 #include <map>
@@ -44,5 +43,3 @@ class OwnFiles {
 };
 
 }  // namespace raycheck::tools
-
-#endif  // RAYCHECK_TOOLS_GRADE_RESULTS_OWN_FILES_H_

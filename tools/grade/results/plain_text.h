@@ -1,5 +1,4 @@
-#ifndef RAYCHECK_TOOLS_GRADE_RESULTS_PLAIN_TEXT_H_
-#define RAYCHECK_TOOLS_GRADE_RESULTS_PLAIN_TEXT_H_
+#pragma once
 
 #include <string>
 
@@ -10,5 +9,3 @@ namespace raycheck::tools {
 std::string plain_text(const std::string& said);
 
 }  // namespace raycheck::tools
-
-#endif  // RAYCHECK_TOOLS_GRADE_RESULTS_PLAIN_TEXT_H_

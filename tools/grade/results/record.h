@@ -1,5 +1,4 @@
-#ifndef RAYCHECK_TOOLS_GRADE_RESULTS_RECORD_H_
-#define RAYCHECK_TOOLS_GRADE_RESULTS_RECORD_H_
+#pragma once
 
 #include <string>
 #include <string_view>
@@ -24,5 +23,3 @@ Json driver_json(const DriverForm& form);
 SubmissionGrade read_record(std::string_view text);
 
 }  // namespace raycheck::tools
-
-#endif  // RAYCHECK_TOOLS_GRADE_RESULTS_RECORD_H_

@@ -1,5 +1,4 @@
-#ifndef RAYCHECK_TOOLS_GRADE_RESULTS_RECORD_ANSWERS_H_
-#define RAYCHECK_TOOLS_GRADE_RESULTS_RECORD_ANSWERS_H_
+#pragma once
 
 // The answers about one ray in a record. Internal to tools/grade/results/.
 
@@ -14,5 +13,3 @@ Json answers_json(const RayAnswers& answers);
 RayAnswers answers_of(const Json& json);
 
 }  // namespace raycheck::tools
-
-#endif  // RAYCHECK_TOOLS_GRADE_RESULTS_RECORD_ANSWERS_H_

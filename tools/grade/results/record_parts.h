@@ -1,5 +1,4 @@
-#ifndef RAYCHECK_TOOLS_GRADE_RESULTS_RECORD_PARTS_H_
-#define RAYCHECK_TOOLS_GRADE_RESULTS_RECORD_PARTS_H_
+#pragma once
 
 // What several parts of a record are written and read by. Internal to tools/grade/results/.
 
@@ -28,5 +27,3 @@ auto if_any(const Json& json, const Read& read) -> std::optional<decltype(read(j
 std::vector<double> numbers(const Json& list);
 
 }  // namespace raycheck::tools
-
-#endif  // RAYCHECK_TOOLS_GRADE_RESULTS_RECORD_PARTS_H_

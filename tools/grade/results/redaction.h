@@ -1,5 +1,4 @@
-#ifndef RAYCHECK_TOOLS_GRADE_RESULTS_REDACTION_H_
-#define RAYCHECK_TOOLS_GRADE_RESULTS_REDACTION_H_
+#pragma once
 
 #include <string>
 #include <vector>
@@ -30,5 +29,3 @@ struct StudentGrade {
 StudentGrade student_grade(const Rubric& rubric, const SubmissionGrade& grade, HiddenBy hidden_by);
 
 }  // namespace raycheck::tools
-
-#endif  // RAYCHECK_TOOLS_GRADE_RESULTS_REDACTION_H_

@@ -1,5 +1,4 @@
-#ifndef RAYCHECK_TOOLS_GRADE_RESULTS_RESULT_H_
-#define RAYCHECK_TOOLS_GRADE_RESULTS_RESULT_H_
+#pragma once
 
 // What grading finds out, as data; views (views.h) make words of it.
 
@@ -197,5 +196,3 @@ struct SubmissionGrade {
 inline bool could_be_judged(const SubmissionGrade& grade) { return !grade.refused; }
 
 }  // namespace raycheck::tools
-
-#endif  // RAYCHECK_TOOLS_GRADE_RESULTS_RESULT_H_

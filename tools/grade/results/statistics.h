@@ -1,5 +1,4 @@
-#ifndef RAYCHECK_TOOLS_GRADE_RESULTS_STATISTICS_H_
-#define RAYCHECK_TOOLS_GRADE_RESULTS_STATISTICS_H_
+#pragma once
 
 // What a graded class has in common.
 
@@ -45,5 +44,3 @@ struct MistakeStatistics {
 std::vector<MistakeStatistics> mistake_statistics(const ClassGrade& graded);
 
 }  // namespace raycheck::tools
-
-#endif  // RAYCHECK_TOOLS_GRADE_RESULTS_STATISTICS_H_

@@ -1,5 +1,4 @@
-#ifndef RAYCHECK_TOOLS_GRADE_RESULTS_TOLERATED_H_
-#define RAYCHECK_TOOLS_GRADE_RESULTS_TOLERATED_H_
+#pragma once
 
 #include "properties/candidate.h"
 #include "tools/grade/rubric/rubric.h"
@@ -10,5 +9,3 @@ namespace raycheck::tools {
 properties::Candidate tolerated(properties::Candidate candidate, const Tolerance& tolerance);
 
 }  // namespace raycheck::tools
-
-#endif  // RAYCHECK_TOOLS_GRADE_RESULTS_TOLERATED_H_

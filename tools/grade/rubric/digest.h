@@ -1,5 +1,4 @@
-#ifndef RAYCHECK_TOOLS_GRADE_RUBRIC_DIGEST_H_
-#define RAYCHECK_TOOLS_GRADE_RUBRIC_DIGEST_H_
+#pragma once
 
 #include <cstdint>
 #include <string>
@@ -16,5 +15,3 @@ std::string digest(const std::vector<std::string>& texts);
 std::uint64_t secret_seed(std::string_view secret, std::string_view name);
 
 }  // namespace raycheck::tools
-
-#endif  // RAYCHECK_TOOLS_GRADE_RUBRIC_DIGEST_H_

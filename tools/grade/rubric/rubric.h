@@ -1,5 +1,4 @@
-#ifndef RAYCHECK_TOOLS_GRADE_RUBRIC_RUBRIC_H_
-#define RAYCHECK_TOOLS_GRADE_RUBRIC_RUBRIC_H_
+#pragma once
 
 #include <array>
 #include <cstdint>
@@ -152,5 +151,3 @@ struct Rubric {
 Rubric load_rubric(const std::filesystem::path& path, const std::string& dialect = "");
 
 }  // namespace raycheck::tools
-
-#endif  // RAYCHECK_TOOLS_GRADE_RUBRIC_RUBRIC_H_

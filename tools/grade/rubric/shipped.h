@@ -1,5 +1,4 @@
-#ifndef RAYCHECK_TOOLS_GRADE_RUBRIC_SHIPPED_H_
-#define RAYCHECK_TOOLS_GRADE_RUBRIC_SHIPPED_H_
+#pragma once
 
 // The rubrics that come with raycheck, and their scenes.
 
@@ -20,5 +19,3 @@ std::optional<std::filesystem::path> shipped_rubric(const std::filesystem::path&
 std::optional<std::filesystem::path> shipped_scene(const std::filesystem::path& name);
 
 }  // namespace raycheck::tools
-
-#endif  // RAYCHECK_TOOLS_GRADE_RUBRIC_SHIPPED_H_

@@ -1,5 +1,4 @@
-#ifndef RAYCHECK_TOOLS_GRADE_RUBRIC_VARIATIONS_H_
-#define RAYCHECK_TOOLS_GRADE_RUBRIC_VARIATIONS_H_
+#pragma once
 
 #include <vector>
 
@@ -14,5 +13,3 @@ std::vector<properties::Variation> read_variations(const scene::TomlFields& fiel
                                                    const scene::TomlFields::Field& field);
 
 }  // namespace raycheck::tools
-
-#endif  // RAYCHECK_TOOLS_GRADE_RUBRIC_VARIATIONS_H_

@@ -1,5 +1,4 @@
-#ifndef RAYCHECK_TOOLS_GRADE_STORE_ANSWER_FILE_H_
-#define RAYCHECK_TOOLS_GRADE_STORE_ANSWER_FILE_H_
+#pragma once
 
 #include <filesystem>
 #include <map>
@@ -33,5 +32,3 @@ class AnswerFile : public AnswerStore {
 };
 
 }  // namespace raycheck::tools
-
-#endif  // RAYCHECK_TOOLS_GRADE_STORE_ANSWER_FILE_H_

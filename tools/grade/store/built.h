@@ -1,5 +1,4 @@
-#ifndef RAYCHECK_TOOLS_GRADE_STORE_BUILT_H_
-#define RAYCHECK_TOOLS_GRADE_STORE_BUILT_H_
+#pragma once
 
 #include <string>
 #include <vector>
@@ -17,5 +16,3 @@ struct Built {
 };
 
 }  // namespace raycheck::tools
-
-#endif  // RAYCHECK_TOOLS_GRADE_STORE_BUILT_H_

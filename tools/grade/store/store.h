@@ -1,5 +1,4 @@
-#ifndef RAYCHECK_TOOLS_GRADE_STORE_STORE_H_
-#define RAYCHECK_TOOLS_GRADE_STORE_STORE_H_
+#pragma once
 
 #include <filesystem>
 #include <functional>
@@ -44,5 +43,3 @@ class Store {
 };
 
 }  // namespace raycheck::tools
-
-#endif  // RAYCHECK_TOOLS_GRADE_STORE_STORE_H_

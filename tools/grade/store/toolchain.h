@@ -1,5 +1,4 @@
-#ifndef RAYCHECK_TOOLS_GRADE_STORE_TOOLCHAIN_H_
-#define RAYCHECK_TOOLS_GRADE_STORE_TOOLCHAIN_H_
+#pragma once
 
 #include <string>
 
@@ -11,5 +10,3 @@ namespace raycheck::tools {
 std::string toolchain();
 
 }  // namespace raycheck::tools
-
-#endif  // RAYCHECK_TOOLS_GRADE_STORE_TOOLCHAIN_H_

@@ -1,5 +1,4 @@
-#ifndef RAYCHECK_TOOLS_REPORT_PLOT_PLOT_H_
-#define RAYCHECK_TOOLS_REPORT_PLOT_PLOT_H_
+#pragma once
 
 #include <cstddef>
 #include <stdexcept>
@@ -77,5 +76,3 @@ struct PlotTerminal {
 PlotTerminal plot_terminal(const std::string& path);
 
 }  // namespace raycheck::tools
-
-#endif  // RAYCHECK_TOOLS_REPORT_PLOT_PLOT_H_

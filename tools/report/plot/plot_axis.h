@@ -1,5 +1,4 @@
-#ifndef RAYCHECK_TOOLS_REPORT_PLOT_PLOT_AXIS_H_
-#define RAYCHECK_TOOLS_REPORT_PLOT_PLOT_AXIS_H_
+#pragma once
 
 #include <string>
 #include <vector>
@@ -55,5 +54,3 @@ class PlotAxis {
 };
 
 }  // namespace raycheck::tools
-
-#endif  // RAYCHECK_TOOLS_REPORT_PLOT_PLOT_AXIS_H_

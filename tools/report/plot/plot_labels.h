@@ -1,5 +1,4 @@
-#ifndef RAYCHECK_TOOLS_REPORT_PLOT_PLOT_LABELS_H_
-#define RAYCHECK_TOOLS_REPORT_PLOT_PLOT_LABELS_H_
+#pragma once
 
 #include <array>
 #include <string>
@@ -54,5 +53,3 @@ std::vector<PlacedName> names_beside(const std::vector<NamedPoint>& points,
                                      const PlotBox& frame);
 
 }  // namespace raycheck::tools
-
-#endif  // RAYCHECK_TOOLS_REPORT_PLOT_PLOT_LABELS_H_

@@ -1,5 +1,4 @@
-#ifndef RAYCHECK_TOOLS_REPORT_PLOT_PLOT_SERIES_H_
-#define RAYCHECK_TOOLS_REPORT_PLOT_PLOT_SERIES_H_
+#pragma once
 
 // How gnuplot is told to draw a series. Internal to tools/report/plot/.
 
@@ -33,5 +32,3 @@ std::string series_data(const PlotSeries& series, const PlotFrame& frame);
 std::vector<std::string> series_parts(const PlotSeries& series, const std::string& block);
 
 }  // namespace raycheck::tools
-
-#endif  // RAYCHECK_TOOLS_REPORT_PLOT_PLOT_SERIES_H_

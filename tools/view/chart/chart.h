@@ -1,5 +1,4 @@
-#ifndef RAYCHECK_TOOLS_VIEW_CHART_CHART_H_
-#define RAYCHECK_TOOLS_VIEW_CHART_CHART_H_
+#pragma once
 
 // Errors of methods against their run time, or against severity, as data.
 
@@ -87,5 +86,3 @@ std::optional<ChartPoint> chart_point(
     const std::vector<properties::Quantity>& quantities);
 
 }  // namespace raycheck::tools
-
-#endif  // RAYCHECK_TOOLS_VIEW_CHART_CHART_H_

@@ -1,5 +1,4 @@
-#ifndef RAYCHECK_TOOLS_VIEW_CHART_CHART_JSON_H_
-#define RAYCHECK_TOOLS_VIEW_CHART_CHART_JSON_H_
+#pragma once
 
 #include "tools/report/json.h"
 #include "tools/view/chart/chart.h"
@@ -10,5 +9,3 @@ namespace raycheck::tools {
 Json chart_json(const ChartView& chart);
 
 }  // namespace raycheck::tools
-
-#endif  // RAYCHECK_TOOLS_VIEW_CHART_CHART_JSON_H_

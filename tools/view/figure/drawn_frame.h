@@ -1,5 +1,4 @@
-#ifndef RAYCHECK_TOOLS_VIEW_FIGURE_DRAWN_FRAME_H_
-#define RAYCHECK_TOOLS_VIEW_FIGURE_DRAWN_FRAME_H_
+#pragma once
 
 #include <cmath>
 #include <functional>
@@ -51,5 +50,3 @@ inline bool is_finite(const Drawn& a) {
 }
 
 }  // namespace raycheck::tools
-
-#endif  // RAYCHECK_TOOLS_VIEW_FIGURE_DRAWN_FRAME_H_

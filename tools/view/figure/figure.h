@@ -1,5 +1,4 @@
-#ifndef RAYCHECK_TOOLS_VIEW_FIGURE_FIGURE_H_
-#define RAYCHECK_TOOLS_VIEW_FIGURE_FIGURE_H_
+#pragma once
 
 #include "reference/exact_ray.h"
 #include "tools/view/document.h"
@@ -16,5 +15,3 @@ PanelDrawing drawing_of(const DrawnFrame& frame, const reference::ExactRay& ray,
                         const scene::Sphere* sphere, const scene::Conventions& conventions);
 
 }  // namespace raycheck::tools
-
-#endif  // RAYCHECK_TOOLS_VIEW_FIGURE_FIGURE_H_

@@ -1,5 +1,4 @@
-#ifndef RAYCHECK_TOOLS_VIEW_FIGURE_FIGURE_JSON_H_
-#define RAYCHECK_TOOLS_VIEW_FIGURE_FIGURE_JSON_H_
+#pragma once
 
 #include "tools/report/json.h"
 #include "tools/view/document.h"
@@ -15,5 +14,3 @@ Json figure_json(const SceneView& view);
 Json drawing_json(const PanelDrawing& drawing);
 
 }  // namespace raycheck::tools
-
-#endif  // RAYCHECK_TOOLS_VIEW_FIGURE_FIGURE_JSON_H_

@@ -1,5 +1,4 @@
-#ifndef RAYCHECK_TOOLS_VIEW_FIGURE_FIGURE_PARTS_H_
-#define RAYCHECK_TOOLS_VIEW_FIGURE_FIGURE_PARTS_H_
+#pragma once
 
 // What figures draw between, at and beside the places that have a name: the same in every page. A
 // part is drawn where all its places are there, and its layer is switched on.
@@ -36,5 +35,3 @@ const std::vector<PartMark>& part_marks();
 const std::vector<PartName>& part_names();
 
 }  // namespace raycheck::tools
-
-#endif  // RAYCHECK_TOOLS_VIEW_FIGURE_FIGURE_PARTS_H_

@@ -1,5 +1,4 @@
-#ifndef RAYCHECK_TOOLS_VIEW_PAGE_ASSETS_H_
-#define RAYCHECK_TOOLS_VIEW_PAGE_ASSETS_H_
+#pragma once
 
 // The files of tools/view/page/ and three.js, as the build has put them into the program.
 
@@ -13,5 +12,3 @@ extern const std::string_view kPageScript;    ///< The modules, bundled.
 extern const std::string_view kThree;         ///< three.js and those of its examples that are used.
 
 }  // namespace raycheck::tools
-
-#endif  // RAYCHECK_TOOLS_VIEW_PAGE_ASSETS_H_

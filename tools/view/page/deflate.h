@@ -1,5 +1,4 @@
-#ifndef RAYCHECK_TOOLS_VIEW_PAGE_DEFLATE_H_
-#define RAYCHECK_TOOLS_VIEW_PAGE_DEFLATE_H_
+#pragma once
 
 #include <cstddef>
 #include <string>
@@ -14,5 +13,3 @@ std::string deflated(std::string_view text);
 std::size_t deflated_behind(std::string_view before, std::string_view text);
 
 }  // namespace raycheck::tools
-
-#endif  // RAYCHECK_TOOLS_VIEW_PAGE_DEFLATE_H_

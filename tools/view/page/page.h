@@ -1,5 +1,4 @@
-#ifndef RAYCHECK_TOOLS_VIEW_PAGE_PAGE_H_
-#define RAYCHECK_TOOLS_VIEW_PAGE_PAGE_H_
+#pragma once
 
 #include <string>
 
@@ -12,5 +11,3 @@ namespace raycheck::tools {
 std::string page(const ViewDocument& document);
 
 }  // namespace raycheck::tools
-
-#endif  // RAYCHECK_TOOLS_VIEW_PAGE_PAGE_H_

@@ -1,5 +1,4 @@
-#ifndef RAYCHECK_TOOLS_VIEW_PANEL_MICROSCOPE_H_
-#define RAYCHECK_TOOLS_VIEW_PANEL_MICROSCOPE_H_
+#pragma once
 
 #include "reference/exact_ray.h"
 #include "tools/view/document.h"
@@ -20,5 +19,3 @@ scene::Precision microscope_precision(const ExplainReport& report);
 inline constexpr int kMostMicroscopeBits = 6144;
 
 }  // namespace raycheck::tools
-
-#endif  // RAYCHECK_TOOLS_VIEW_PANEL_MICROSCOPE_H_

@@ -1,5 +1,4 @@
-#ifndef RAYCHECK_TOOLS_VIEW_PANEL_PANEL_H_
-#define RAYCHECK_TOOLS_VIEW_PANEL_PANEL_H_
+#pragma once
 
 #include "tools/view/document.h"
 #include "tools/view/figure/figure.h"
@@ -27,5 +26,3 @@ Panel panel_of(const scene::Scene& scene, const DrawnFrame& frame, const Selecti
 bool is_typeset(const Step& step);
 
 }  // namespace raycheck::tools
-
-#endif  // RAYCHECK_TOOLS_VIEW_PANEL_PANEL_H_

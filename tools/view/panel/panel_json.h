@@ -1,5 +1,4 @@
-#ifndef RAYCHECK_TOOLS_VIEW_PANEL_PANEL_JSON_H_
-#define RAYCHECK_TOOLS_VIEW_PANEL_PANEL_JSON_H_
+#pragma once
 
 #include <string>
 
@@ -19,5 +18,3 @@ Json told_json(const ExplainReport& report);
 Json microscope_json(const Microscope& microscope);
 
 }  // namespace raycheck::tools
-
-#endif  // RAYCHECK_TOOLS_VIEW_PANEL_PANEL_JSON_H_

@@ -1,5 +1,4 @@
-#ifndef RAYCHECK_TOOLS_VIEW_PANEL_SAGE_H_
-#define RAYCHECK_TOOLS_VIEW_PANEL_SAGE_H_
+#pragma once
 
 #include <string>
 
@@ -12,5 +11,3 @@ namespace raycheck::tools {
 std::string sage_input(const ExplainReport& report);
 
 }  // namespace raycheck::tools
-
-#endif  // RAYCHECK_TOOLS_VIEW_PANEL_SAGE_H_

@@ -1,5 +1,4 @@
-#ifndef RAYCHECK_TOOLS_VIEW_PICTURES_DRAWN_PICTURE_H_
-#define RAYCHECK_TOOLS_VIEW_PICTURES_DRAWN_PICTURE_H_
+#pragma once
 
 #include <cstdint>
 #include <vector>
@@ -25,5 +24,3 @@ std::unique_ptr<Painter> drawn_error_painter(const scene::Scene& scene,
                                              properties::Candidate candidate);
 
 }  // namespace raycheck::tools
-
-#endif  // RAYCHECK_TOOLS_VIEW_PICTURES_DRAWN_PICTURE_H_

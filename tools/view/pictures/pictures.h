@@ -1,5 +1,4 @@
-#ifndef RAYCHECK_TOOLS_VIEW_PICTURES_PICTURES_H_
-#define RAYCHECK_TOOLS_VIEW_PICTURES_PICTURES_H_
+#pragma once
 
 #include <functional>
 
@@ -23,5 +22,3 @@ SceneImages images_of(const scene::Scene& scene, const std::vector<CandidateMake
                       const properties::RunControl& control);
 
 }  // namespace raycheck::tools
-
-#endif  // RAYCHECK_TOOLS_VIEW_PICTURES_PICTURES_H_
