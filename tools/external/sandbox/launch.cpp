@@ -139,7 +139,8 @@ std::uint64_t most_processes(const Confined& confined, std::uint64_t user) {
 }
 
 /// Where bubblewrap may bind files, and where not.
-void bind(const Confined& confined, const fs::path& folder, std::vector<std::string>& arguments) {
+void bind(const Confined& confined, const fs::path& folder, std::uint64_t user,
+          std::vector<std::string>& arguments) {
   const auto add = [&](std::initializer_list<std::string> more) {
     arguments.insert(arguments.end(), more);
   };
@@ -162,6 +163,8 @@ void bind(const Confined& confined, const fs::path& folder, std::vector<std::str
   }
   shown.insert(shown.end(), confined.readable.begin(), confined.readable.end());
   for (const fs::path& hidden : hidden_paths()) {
+    // Already kept from that user, and from bubblewrap, which runs as it.
+    if (user != 0 && !others_may_enter(hidden.parent_path())) continue;
     for (const fs::path& one : shown) {
       std::error_code error;
       const fs::path real = fs::canonical(one, error);
@@ -214,7 +217,7 @@ std::vector<std::string> jailed(const Confined& confined, const fs::path& folder
     add({"--", "bwrap", "--unshare-all", "--die-with-parent", "--new-session", "--proc", "/proc",
          "--dev", "/dev", "--remount-ro", "/dev", "--size", half, "--tmpfs", "/dev/shm", "--size",
          half, "--tmpfs", "/tmp"});
-    bind(confined, folder, arguments);
+    bind(confined, folder, user, arguments);
     add({"--", jail});
   }
   // In the namespace of users that bubblewrap made: outside, the user's other processes count too.

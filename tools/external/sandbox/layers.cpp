@@ -16,6 +16,7 @@
 
 #include "tools/external/sandbox/control_group.h"
 #include "tools/external/sandbox/launch.h"
+#include "tools/external/sandbox/private_folder.h"
 #include "tools/external/sandbox/process.h"
 
 namespace raycheck::tools {
@@ -52,14 +53,6 @@ bool is_plain(char c) {
          std::string_view("/._-+,@=%").find(c) != std::string_view::npos;
 }
 
-bool others_may_enter(const fs::path& path) {
-  for (fs::path folder = fs::canonical(path);; folder = folder.parent_path()) {
-    const fs::perms perms = fs::status(folder).permissions();
-    if ((perms & fs::perms::others_exec) == fs::perms::none) return false;
-    if (folder == folder.root_path()) return true;
-  }
-}
-
 /// Candidates are built and run there, by their own commands.
 void check_temporary_folder() {
   const auto [name, path] = temporary_folder();
@@ -79,7 +72,7 @@ void check_temporary_folder() {
   std::error_code error;
   if (!fs::is_directory(path, error)) fail("there is no such folder");
   if (access(path.c_str(), R_OK | W_OK | X_OK) != 0) fail(std::strerror(errno));
-  if (geteuid() == 0 && !others_may_enter(path)) {
+  if (geteuid() == 0 && !others_may_enter(fs::canonical(path))) {
     fail("other users may not enter it, and candidates run as users of their own");
   }
 }

@@ -28,18 +28,22 @@ constexpr const char* kHeldBy = "held-by-raycheck";
 
 }  // namespace
 
+bool others_may_enter(fs::path folder) {
+  std::error_code error;
+  for (;; folder = folder.parent_path()) {
+    const fs::perms perms = fs::status(folder, error).permissions();
+    if (error || (perms & fs::perms::others_exec) == fs::perms::none) return false;
+    if (folder == folder.root_path()) return true;
+  }
+}
+
 bool others_may_read(const fs::path& path) {
   std::error_code error;
   const fs::perms own = fs::status(path, error).permissions();
   const fs::perms needed = fs::is_directory(path, error)
                                ? fs::perms::others_read | fs::perms::others_exec
                                : fs::perms::others_read;
-  if (error || (own & needed) != needed) return false;
-  for (fs::path folder = path.parent_path();; folder = folder.parent_path()) {
-    const fs::perms perms = fs::status(folder, error).permissions();
-    if (error || (perms & fs::perms::others_exec) == fs::perms::none) return false;
-    if (folder == folder.root_path()) return true;
-  }
+  return !error && (own & needed) == needed && others_may_enter(path.parent_path());
 }
 
 void open_to_others(const fs::path& path) {

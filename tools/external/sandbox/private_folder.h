@@ -21,6 +21,9 @@ class PrivateFolder {
 /// A text without the names of such folders, which differ from run to run.
 std::string without_private_folders(const std::string& text);
 
+/// Whether a user of its own may enter a folder, by all that lead to it.
+bool others_may_enter(std::filesystem::path folder);
+
 /// Whether a user of its own may read a path.
 bool others_may_read(const std::filesystem::path& path);
 
