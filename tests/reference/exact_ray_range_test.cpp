@@ -103,21 +103,16 @@ void expect_refused(const std::function<void()>& action, const std::string& fiel
 TEST(InvalidInput, IsRefusedByTheNameOfItsField) {
   expect_refused([] { ExactRay(Ray{{0, kNaN, 0}, {1, 0, 0}}); }, "ray.origin");
   expect_refused([] { ExactRay(Ray{{0, 0, 0}, {0, 0, 0}}); }, "ray.direction");
-  expect_refused([] { ExactRay(Ray{{0, 0, 0}, {1, 0, kInfinity}}); }, "ray.direction");
-  const Camera good{{0, 0, 9}, {0, 0, 0}, {0, 1, 0}, -1, {}, -1, 1, -1, 1, 3, 3};
-  const auto refuses = [&](const std::function<void(Camera&)>& change, const std::string& field) {
-    Camera camera = good;
-    change(camera);
-    expect_refused([&] { ExactCamera(camera, {}); }, field);
-  };
-  refuses([](Camera& c) { c.eye.x = kNaN; }, "camera.eye");
-  refuses([](Camera& c) { c.look_at = c.eye; }, "camera.look_at");
-  refuses([](Camera& c) { c.up = {0, 0, 1e-300}; }, "camera.up");
-  refuses([](Camera& c) { c.near = 0; }, "camera.near");
-  refuses([](Camera& c) { c.right = c.left; }, "camera.right");
-  refuses([](Camera& c) { c.top = c.bottom; }, "camera.top");
-  refuses([](Camera& c) { c.width = 1; }, "camera.width");
-  refuses([](Camera& c) { c.height = 0; }, "camera.height");
+  Camera camera{{0, 0, 9}, {0, 0, 0}, {0, 1, 0}, -1, {}, -1, 1, -1, 1, 3, 2};
+  const ExactCamera exact(camera, {});
+  EXPECT_NO_THROW(ExactRay(exact, {2, 1}));
+  for (const scene::Pixel& pixel : {scene::Pixel{3, 0}, {0, 2}, {-1, 0}, {0, -1}}) {
+    expect_refused([&] { ExactRay(exact, pixel); }, "pixel");
+  }
+  camera.up = {0, 0, 1e-300};
+  expect_refused([&] { ExactCamera(camera, {}); }, "camera.up");
+  camera.width = 1;
+  expect_refused([&] { ExactCamera(camera, {}); }, "camera.width");
 }
 
 TEST(InvalidInput, OfASphereIsRefusedByEveryFunctionThatTakesOne) {
@@ -137,15 +132,6 @@ TEST(InvalidInput, OfASphereIsRefusedByEveryFunctionThatTakesOne) {
       refuses([&] { ray.rounded_point(bad, kSmallerHit); });
       refuses([&] { ray.enclose(128).half_chord_sq(bad); });
     }
-  }
-}
-
-TEST(InvalidInput, APixelOutsideTheImageIsRefused) {
-  const Camera camera{{0, 0, 9}, {0, 0, 0}, {0, 1, 0}, -1, {}, -1, 1, -1, 1, 3, 2};
-  const ExactCamera exact(camera, {});
-  EXPECT_NO_THROW(ExactRay(exact, {2, 1}));
-  for (const scene::Pixel& pixel : {scene::Pixel{3, 0}, {0, 2}, {-1, 0}, {0, -1}}) {
-    expect_refused([&] { ExactRay(exact, pixel); }, "pixel");
   }
 }
 

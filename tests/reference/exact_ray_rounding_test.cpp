@@ -14,7 +14,7 @@ namespace raycheck::reference {
 namespace {
 
 /// How many values were compared, and how many of them lie at the ends of the double range.
-struct Counts {
+struct RoundedCounts {
   int values = 0;
   int hits = 0;
   int subnormal = 0;
@@ -41,14 +41,14 @@ struct Counts {
 
 template <class Value, class Narrow, class Truth>
 void expect_value(const Value& rounded, const Narrow& enclosure, const Truth& truth,
-                  Counts& counts) {
+                  RoundedCounts& counts) {
   EXPECT_TRUE(is_nearest(rounded, truth));
   EXPECT_TRUE(contains(enclosure, truth));
   counts.count(rounded);
 }
 
 void expect_hit(const ExactRay& ray, const Big3& L, const Big3& D, const Big& unit,
-                const scene::Sphere& sphere, Counts& counts) {
+                const scene::Sphere& sphere, RoundedCounts& counts) {
   const Intersection at = ray.intersect(sphere);
   const LectureHit truth = lecture_hit(L, D, sphere);
   if (at.hit_class == HitClass::kMiss) {
@@ -62,7 +62,7 @@ void expect_hit(const ExactRay& ray, const Big3& L, const Big3& D, const Big& un
   expect_value(ray.rounded_point(sphere, at), ray.point(sphere, at), L + s * D, counts);
 }
 
-void expect_camera_is_rounded(Random& random, Sizes sizes, Counts& counts) {
+void expect_camera_is_rounded(Random& random, Sizes sizes, RoundedCounts& counts) {
   const scene::Camera camera = random_camera(random, sizes);
   const scene::Conventions conventions = random_conventions(random);
   const scene::Pixel pixel = random_pixel(random, camera);
@@ -90,7 +90,7 @@ void expect_camera_is_rounded(Random& random, Sizes sizes, Counts& counts) {
   }
 }
 
-void expect_given_ray_is_rounded(Random& random, Sizes sizes, Counts& counts) {
+void expect_given_ray_is_rounded(Random& random, Sizes sizes, RoundedCounts& counts) {
   const scene::Ray given = random_ray(random, sizes);
   const scene::Sphere sphere = random_sphere(random, sizes);
   SCOPED_TRACE(spelled(given) + spelled(sphere));
@@ -103,49 +103,33 @@ void expect_given_ray_is_rounded(Random& random, Sizes sizes, Counts& counts) {
 }
 
 template <class Expect>
-Counts repeated(int times, std::uint64_t seed, Sizes sizes, Expect expect) {
+RoundedCounts repeated(int times, std::uint64_t seed, Sizes sizes, Expect expect) {
   Random random(seed);
-  Counts counts;
+  RoundedCounts counts;
   for (int k = 0; k < times && !testing::Test::HasFailure(); ++k) expect(random, sizes, counts);
   return counts;
 }
 
-TEST(CameraValues, OfOrdinarySizeAreCorrectlyRounded) {
-  const Counts counts = repeated(400, 1, Sizes::kOrdinary, expect_camera_is_rounded);
-  EXPECT_GE(counts.values, 7000);
-  EXPECT_GE(counts.hits, 100);
+TEST(CameraValues, OfEverySizeAreCorrectlyRounded) {
+  const RoundedCounts ordinary = repeated(400, 1, Sizes::kOrdinary, expect_camera_is_rounded);
+  const RoundedCounts whole = repeated(400, 2, Sizes::kSmallIntegers, expect_camera_is_rounded);
+  const RoundedCounts all = repeated(400, 3, Sizes::kAll, expect_camera_is_rounded);
+  for (const RoundedCounts& counts : {ordinary, whole, all}) {
+    EXPECT_GE(counts.values, 7000);
+    EXPECT_GE(counts.hits, 50);
+  }
+  EXPECT_GE(whole.zero, 100);
+  EXPECT_GE(all.subnormal, 10);
+  EXPECT_GE(all.overflowed, 3);
 }
 
-TEST(CameraValues, OfSmallIntegersAreCorrectlyRoundedAndExactZerosFound) {
-  const Counts counts = repeated(400, 2, Sizes::kSmallIntegers, expect_camera_is_rounded);
-  EXPECT_GE(counts.values, 7000);
-  EXPECT_GE(counts.hits, 100);
-  EXPECT_GE(counts.zero, 100);
-}
-
-TEST(CameraValues, OfAllSizesAreCorrectlyRoundedAtBothEndsOfTheRange) {
-  const Counts counts = repeated(400, 3, Sizes::kAll, expect_camera_is_rounded);
-  EXPECT_GE(counts.values, 7000);
-  EXPECT_GE(counts.hits, 50);
-  EXPECT_GE(counts.subnormal, 10);
-  EXPECT_GE(counts.overflowed, 3);
-}
-
-TEST(RayValues, OfOrdinarySizeAreCorrectlyRounded) {
-  const Counts counts = repeated(2000, 4, Sizes::kOrdinary, expect_given_ray_is_rounded);
-  EXPECT_GE(counts.hits, 300);
-}
-
-TEST(RayValues, OfSmallIntegersAreCorrectlyRounded) {
-  const Counts counts = repeated(2000, 5, Sizes::kSmallIntegers, expect_given_ray_is_rounded);
-  EXPECT_GE(counts.hits, 300);
-}
-
-TEST(RayValues, OfAllSizesAreCorrectlyRoundedAtBothEndsOfTheRange) {
-  const Counts counts = repeated(2000, 6, Sizes::kAll, expect_given_ray_is_rounded);
-  EXPECT_GE(counts.hits, 300);
-  EXPECT_GE(counts.subnormal, 30);
-  EXPECT_GE(counts.overflowed, 25);
+TEST(RayValues, OfEverySizeAreCorrectlyRounded) {
+  const RoundedCounts ordinary = repeated(2000, 4, Sizes::kOrdinary, expect_given_ray_is_rounded);
+  const RoundedCounts whole = repeated(2000, 5, Sizes::kSmallIntegers, expect_given_ray_is_rounded);
+  const RoundedCounts all = repeated(2000, 6, Sizes::kAll, expect_given_ray_is_rounded);
+  for (const RoundedCounts& counts : {ordinary, whole, all}) EXPECT_GE(counts.hits, 300);
+  EXPECT_GE(all.subnormal, 30);
+  EXPECT_GE(all.overflowed, 25);
 }
 
 TEST(RayValues, ExactMidpointsGoToTheEvenDouble) {

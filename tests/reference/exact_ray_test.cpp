@@ -2,7 +2,6 @@
 
 #include <gtest/gtest.h>
 
-#include <limits>
 #include <vector>
 
 #include "tests/reference/random_cases.h"
@@ -10,9 +9,7 @@
 namespace raycheck::reference {
 namespace {
 
-using scene::Camera;
 using scene::Conventions;
-using scene::Origin;
 using scene::Ray;
 using scene::Root;
 using scene::Sphere;
@@ -48,33 +45,6 @@ TEST(Nearest, FollowsTheConventions) {
   EXPECT_EQ(ray.nearest(spheres, conventions)->index, 1u);
   conventions.tangent = scene::Tangent::kMiss;
   EXPECT_EQ(ray.nearest(spheres, conventions)->index, 2u);
-}
-
-TEST(Nearest, AMirroredPairTiesAtAnIrrationalParameter) {
-  const ExactRay ray(Ray{{0, 0, 0}, {1, 0, 2}});
-  const Sphere left{{3, 1, 5}, 2};
-  const Sphere right{{3, -1, 5}, 2};
-  const Sphere nearer{{3, -1, 5}, std::nextafter(2, 3)};
-  for (const Engine engine : {Engine::kFiltered, Engine::kFieldOnly}) {
-    EXPECT_EQ(ray.compare(left, kSmallerHit, right, kSmallerHit, engine), 0);
-    EXPECT_EQ(ray.compare(left, kSmallerHit, nearer, kSmallerHit, engine), 1);
-    EXPECT_EQ(ray.compare(left, kLargerHit, nearer, kLargerHit, engine), -1);
-    EXPECT_EQ(ray.compare(left, kSmallerHit, right, kLargerHit, engine), -1);
-  }
-}
-
-TEST(Nearest, TiesAreFoundThroughACamera) {
-  for (const Origin origin : {Origin::kPixel, Origin::kFocal}) {
-    Conventions conventions;
-    conventions.origin = origin;
-    // An oblique camera that looks along the diagonal; the spheres are each other's mirror images.
-    const Camera camera{{7, 7, 7}, {0, 0, 0}, {0, 0, 1}, -2, {}, -1, 1, -1, 1, 3, 3};
-    const ExactRay centre(ExactCamera(camera, conventions), {1, 1});
-    const std::vector<Sphere> spheres{{{2, 1, 1}, 2}, {{1, 2, 1}, 2}, {{1, 1, 2}, 2}};
-    const auto nearest = centre.nearest(spheres, conventions);
-    ASSERT_TRUE(nearest.has_value());
-    EXPECT_EQ(nearest->ties, (std::vector<std::size_t>{0, 1, 2}));
-  }
 }
 
 }  // namespace

@@ -108,11 +108,7 @@ int check_expressions(Sizes sizes, std::uint64_t seed, int count) {
 
 TEST(DoubleDouble, HoldsTheExactResultOfExpressions) {
   EXPECT_GE(check_expressions(Sizes::kOrdinary, 1, 5000), 20000);
-}
-TEST(DoubleDouble, HoldsTheExactResultOfExpressionsOfIntegers) {
   EXPECT_GE(check_expressions(Sizes::kSmallIntegers, 2, 3000), 12000);
-}
-TEST(DoubleDouble, HoldsTheExactResultAllOverTheDoubles) {
   EXPECT_GE(check_expressions(Sizes::kAll, 3, 5000), 10000);
 }
 
