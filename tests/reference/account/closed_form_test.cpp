@@ -54,23 +54,6 @@ TEST(ClosedForm, HitsOutsideTheFieldKeepOneNestedRoot) {
   EXPECT_EQ(s, "-sqrt(" + d_sq + ") + " + ray.axial_distance(sphere).text());
 }
 
-TEST(ClosedForm, IsASumOfTermsInTheOrderOfItsText) {
-  const ClosedForm s =
-      ClosedFormRay(Ray{{1, 1, 3}, {4, 3, 0}}).parameter(kLectureSphere, kSmallerHit);
-  ASSERT_EQ(s.terms.size(), 2U);
-  const ClosedForm::Term &root = s.terms[0], &rational = s.terms[1];
-  EXPECT_TRUE(root.negative);
-  EXPECT_TRUE(root.numerator.is_one());
-  EXPECT_EQ(root.denominator.digits, "25");
-  ASSERT_EQ(root.radicands.size(), 1U);
-  EXPECT_EQ(root.radicands[0].text(), "109");
-  EXPECT_FALSE(root.is_rational());
-  EXPECT_FALSE(rational.negative);
-  EXPECT_TRUE(rational.is_rational());
-  EXPECT_EQ(rational.numerator.digits, "28");
-  EXPECT_TRUE(ClosedFormRay(Ray{{0, 0, 0}, {1, 0, 0}}).direction()[1].is_zero());
-}
-
 TEST(ClosedForm, NestedRootsKeepTheirCoefficients) {
   const ClosedForm two{{{.numerator = {"2"}}}};
   const ClosedForm three{{{.numerator = {"3"}}}};
