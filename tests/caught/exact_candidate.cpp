@@ -114,6 +114,9 @@ const std::vector<Sight>& Sights::of(const Scene& scene, const Conventions& conv
       scene, conventions, pixels);
 }
 
+namespace {
+
+/// The image that shows what is seen through some pixels, and nothing elsewhere.
 properties::ImageAnswer image_of(const Scene& scene, const Sights::Pixels& pixels,
                                  const std::vector<std::optional<properties::SeenAnswer>>& seen) {
   const Camera& camera = *scene.camera;
@@ -123,6 +126,52 @@ properties::ImageAnswer image_of(const Scene& scene, const Sights::Pixels& pixel
     image[static_cast<std::size_t>(pixels[k].j * camera.width + pixels[k].i)] = seen[k]->sphere;
   }
   return image;
+}
+
+}  // namespace
+
+void answer_by_sights(Candidate& candidate, const std::shared_ptr<Sights>& sights,
+                      const std::shared_ptr<Sights::Pixels>& looked_at, const ChangeSight& change) {
+  const auto of_rays = [sights, change](Candidate::Rays rays, Candidate::Spheres spheres,
+                                        const Conventions& conventions) {
+    std::vector<Sight> seen = sights->of(list_of(rays), list_of(spheres), conventions);
+    for (Sight& sight : seen) change(sight);
+    return seen;
+  };
+  candidate.intersect = [of_rays](Candidate::Rays rays, Candidate::Spheres spheres,
+                                  const Conventions& conventions) {
+    for (const Sphere& sphere : spheres) scene::require_valid(sphere);
+    const std::vector<Sight> seen = of_rays(rays, spheres, conventions);
+    std::vector<SphereHits> answers(spheres.size());
+    for (std::size_t ray = 0; ray < seen.size(); ++ray) {
+      for (std::size_t sphere = 0; sphere < spheres.size(); ++sphere) {
+        if (const auto& hit = seen[ray].spheres[sphere].hit) answers[sphere].push_back({ray, *hit});
+      }
+    }
+    return answers;
+  };
+  candidate.nearest = [of_rays](Candidate::Rays rays, Candidate::Spheres spheres,
+                                const Conventions& conventions) {
+    std::vector<std::optional<std::size_t>> answers;
+    for (const Sight& sight : of_rays(rays, spheres, conventions)) answers.push_back(sight.nearest);
+    return answers;
+  };
+  candidate.visible = [sights, change](const Scene& scene, const Conventions& conventions,
+                                       Candidate::Pixels pixels) {
+    std::vector<std::optional<properties::SeenAnswer>> answers;
+    for (Sight sight : sights->of(scene, conventions, list_of(pixels))) {
+      change(sight);
+      answers.emplace_back();
+      if (!sight.nearest) continue;
+      answers.back() = {*sight.nearest, sight.spheres[*sight.nearest].hit->parameter};
+    }
+    return answers;
+  };
+  candidate.most_image_pixels = 1 << 14;
+  candidate.image = [see = candidate.visible, looked_at](const Scene& scene,
+                                                         const Conventions& conventions) {
+    return image_of(scene, *looked_at, see(scene, conventions, *looked_at));
+  };
 }
 
 Candidate exact_candidate(const std::shared_ptr<Sights>& sights,
@@ -147,45 +196,10 @@ Candidate exact_candidate(const std::shared_ptr<Sights>& sights,
   };
   candidate.pixel_rays = from(scene::Origin::kPixel);
   candidate.focal_rays = from(scene::Origin::kFocal);
-  candidate.intersect = [sights](Candidate::Rays rays, Candidate::Spheres spheres,
-                                 const Conventions& conventions) {
-    for (const Sphere& sphere : spheres) scene::require_valid(sphere);
-    const auto& seen = sights->of(list_of(rays), list_of(spheres), conventions);
-    std::vector<SphereHits> answers(spheres.size());
-    for (std::size_t ray = 0; ray < seen.size(); ++ray) {
-      for (std::size_t sphere = 0; sphere < spheres.size(); ++sphere) {
-        const auto& hit = seen[ray].spheres[sphere].hit;
-        if (hit) answers[sphere].push_back({ray, *hit});
-      }
-    }
-    return answers;
-  };
-  candidate.nearest = [sights](Candidate::Rays rays, Candidate::Spheres spheres,
-                               const Conventions& conventions) {
-    std::vector<std::optional<std::size_t>> answers;
-    for (const Sight& one : sights->of(list_of(rays), list_of(spheres), conventions)) {
-      answers.push_back(one.nearest);
-    }
-    return answers;
-  };
   candidate.plan = [](const Scene& scene, const Conventions& conventions, scene::Wanted wanted) {
     return scene::plan_scene(scene, conventions, wanted);
   };
-  candidate.visible = [sights](const Scene& scene, const Conventions& conventions,
-                               Candidate::Pixels pixels) {
-    std::vector<std::optional<properties::SeenAnswer>> answers;
-    for (const Sight& one : sights->of(scene, conventions, list_of(pixels))) {
-      answers.emplace_back();
-      if (!one.nearest) continue;
-      answers.back() = {*one.nearest, one.spheres[*one.nearest].hit->parameter};
-    }
-    return answers;
-  };
-  candidate.most_image_pixels = 1 << 14;
-  candidate.image = [see = candidate.visible, looked_at](const Scene& scene,
-                                                         const Conventions& conventions) {
-    return image_of(scene, *looked_at, see(scene, conventions, *looked_at));
-  };
+  answer_by_sights(candidate, sights, looked_at, [](Sight&) {});
   return candidate;
 }
 

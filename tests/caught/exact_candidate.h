@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <deque>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <tuple>
@@ -68,9 +69,12 @@ inline constexpr properties::Domain kRoundedDomain = {.smallest_length = 0x1p-50
                                                       .smallest_camera_length = 0x1p-250,
                                                       .largest_camera_length = 0x1p250};
 
-/// The image that shows what is seen through some pixels, and nothing elsewhere.
-properties::ImageAnswer image_of(const scene::Scene& scene, const Sights::Pixels& pixels,
-                                 const std::vector<std::optional<properties::SeenAnswer>>& seen);
+/// What is seen of the spheres, changed; the nearest is the one of the least s.
+using ChangeSight = std::function<void(Sight&)>;
+
+/// Has a candidate answer, in all that it decides, what is true but for a change.
+void answer_by_sights(properties::Candidate& candidate, const std::shared_ptr<Sights>& sights,
+                      const std::shared_ptr<Sights::Pixels>& looked_at, const ChangeSight& change);
 
 /// `exact`: every answer is the exact one, correctly rounded, and remembered for a while. It is
 /// held to what anyone else's code is held to: the bounds of direct/cross, with no domain, and no

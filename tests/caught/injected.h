@@ -23,12 +23,12 @@ struct ExactParts {
 struct ErrorKind {
   std::string_view name;      ///< "s"
   std::string_view sentence;  ///< "s times 1 + 2^-k"
-  int base;
-  int smallest;  ///< The largest k: no double differs by less.
   /// The laws that might notice it.
   std::vector<std::string_view> laws;
   properties::Candidate (*inject)(const ExactParts& exact, double size);
   bool of_rays_made = false;  ///< Of the rays that are made of a camera, not of given ones.
+  int base = 2;
+  int smallest = 53;  ///< The largest k: no double differs by less.
 };
 
 std::span<const ErrorKind> error_kinds();

@@ -85,10 +85,10 @@ std::string excused_table() {
     std::vector<std::string> laws, candidates;
     for (const std::string_view law : why.laws) laws.push_back(code(law));
     for (const std::string_view candidate : why.candidates) candidates.push_back(code(candidate));
-    const std::string severities = why.from == why.to
-                                       ? std::to_string(why.from)
-                                       : std::to_string(why.from) + " to " + std::to_string(why.to);
-    table += line_of({code(why.source), severities, joined(laws),
+    const auto& [source, from, to] = why.where;
+    std::string severities = std::to_string(from);
+    if (from != to) severities += " to " + std::to_string(to);
+    table += line_of({code(source), severities, joined(laws),
                       candidates.empty() ? "any" : joined(candidates), std::string(why.reason)});
   }
   return table;

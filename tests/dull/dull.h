@@ -1,10 +1,14 @@
 #ifndef RAYCHECK_TESTS_DULL_DULL_H_
 #define RAYCHECK_TESTS_DULL_DULL_H_
 
+#include <bit>
+#include <cstdint>
+#include <initializer_list>
 #include <string_view>
 #include <vector>
 
 #include "properties/candidate.h"
+#include "properties/cases/random.h"
 
 namespace raycheck::dull {
 
@@ -23,6 +27,14 @@ std::vector<Dull> all_dull(const properties::Candidate& right);
 std::vector<Dull> dull_hits(const properties::Candidate& right);
 std::vector<Dull> dull_rays(const properties::Candidate& right);
 std::vector<Dull> dull_scenes(const properties::Candidate& right);
+
+/// Random numbers that depend on what was asked alone.
+inline properties::Random random_of(std::initializer_list<double> asked) {
+  std::uint64_t sum = 0;
+  for (const double x : asked)
+    sum = properties::Random(sum ^ std::bit_cast<std::uint64_t>(x)).bits();
+  return properties::Random(sum);
+}
 
 }  // namespace raycheck::dull
 

@@ -9,7 +9,6 @@
 #include "properties/mistakes/altered_hits.h"
 #include "reference/exact_ray.h"
 #include "tests/dull/dull.h"
-#include "tests/dull/hash.h"
 #include "tests/numbers.h"
 
 namespace raycheck::dull {

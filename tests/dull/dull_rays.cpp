@@ -7,7 +7,6 @@
 #include <utility>
 
 #include "tests/dull/dull.h"
-#include "tests/dull/hash.h"
 #include "tests/numbers.h"
 
 namespace raycheck::dull {

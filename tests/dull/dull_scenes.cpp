@@ -8,7 +8,6 @@
 #include <utility>
 
 #include "tests/dull/dull.h"
-#include "tests/dull/hash.h"
 
 namespace raycheck::dull {
 namespace {

@@ -95,8 +95,8 @@ bool WhyExcused::is_about(const Judged& judged) const {
   const auto is_among = [](const auto& names, std::string_view name) {
     return std::find(names.begin(), names.end(), name) != names.end();
   };
-  return judged.where.source->name == source && from <= severity && severity <= to &&
-         is_among(laws, judged.law->name) &&
+  return judged.where.source->name == where.source && where.from <= severity &&
+         severity <= where.to && is_among(laws, judged.law->name) &&
          (candidates.empty() || is_among(candidates, judged.dull->candidate.name));
 }
 

@@ -62,8 +62,10 @@ inline constexpr std::ptrdiff_t kManyExcused = 8;
 
 /// Why wrong answers of dull candidates are excused somewhere, rightly.
 struct WhyExcused {
-  std::string_view source;
-  int from, to;  ///< Severities.
+  struct Severities {
+    std::string_view source;
+    int from, to;
+  } where;
   std::vector<std::string_view> laws;
   std::vector<std::string_view> candidates;  ///< Empty: any.
   std::string_view reason;

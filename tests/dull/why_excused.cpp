@@ -3,6 +3,10 @@
 namespace raycheck::dull {
 namespace {
 
+using Names = std::vector<std::string_view>;
+const Names kDecisions = {"class", "nearest-root", "nearest-sphere"};
+const Names kKnowTheClass = {"knows-hits-at-0", "knows-hits-at-the-origin"};
+
 constexpr const char* kManyAtTheSurface =
     "rays start within a few roundings of every sphere's surface, so that which of those that are "
     "hit is nearest depends on these";
@@ -11,115 +15,77 @@ constexpr const char* kManyAtTheSurface =
 
 std::span<const WhyExcused> why_excused() {
   static const std::vector<WhyExcused> kReasons = {
-      {"tangent-ulps",
-       48,
-       53,
-       {"class", "nearest-root", "nearest-sphere"},
+      {{"tangent-ulps", 48, 53},
+       kDecisions,
        {},
        "the impact parameter is within 2^-48 of the radius, and 16 u, 2^-49, of each input moves "
        "it as far: a tangent is a miss for a radius a rounding smaller, its roots are as near "
        "together as their distance from s = 0 is uncertain"},
-      {"tangent-ulps",
-       53,
-       53,
+      {{"tangent-ulps", 53, 53},
        {"parameter", "hit-point", "scaling", "axes"},
        {},
        "at an exact tangent an s whose backward error is within its bound is allowed: it may be "
        "off by half of its bits"},
-      {"tangency",
-       14,
-       16,
-       {"class", "nearest-root", "nearest-sphere"},
+      {{"tangency", 14, 16},
+       kDecisions,
        {},
        "the impact parameter is within 10^-14 of the radius, up to a thousand radii away: 16 u of "
        "that distance moves it as far"},
-      {"horizon",
-       15,
-       15,
+      {{"horizon", 15, 15},
        {"class", "nearest-root", "parameter", "hit-point"},
        {},
        "the eye is within 10^-15 radii of the surface and the rays level: 16 u takes it inside, "
        "and the line off the sphere"},
-      {"surface",
-       14,
-       15,
-       {"nearest-sphere"},
-       {"knows-hits-at-0", "knows-hits-at-the-origin"},
-       kManyAtTheSurface},
-      {"surface",
-       15,
-       15,
+      {{"surface", 14, 15}, {"nearest-sphere"}, kKnowTheClass, kManyAtTheSurface},
+      {{"surface", 15, 15},
        {"parameter", "hit-point"},
        {},
        "the near root is of the size of the rounding of the inputs: 0 is right for inputs close "
        "by"},
-      {"surface",
-       16,
-       16,
+      {{"surface", 16, 16},
        {"parameter"},
        {},
        "the exact s is 0, where a relative error has no size and the condition number is infinite; "
        "`backward-error` and `hit-point` convict a wrong one"},
-      {"distance",
-       14,
-       15,
-       {"class", "nearest-root", "nearest-sphere"},
+      {{"distance", 14, 15},
+       kDecisions,
        {},
        "16 u of 10^14 radii is a fifth of a radius, of 10^15 more than one: which root, which "
        "sphere and soon whether any is met depends on the last bits of the inputs"},
-      {"far-world",
-       15,
-       15,
-       {"class", "nearest-root", "nearest-sphere"},
+      {{"far-world", 15, 15},
+       kDecisions,
        {},
        "16 u of 10^15 is more than the whole scene, which any answer then may be right about"},
-      {"far-camera",
-       14,
-       15,
+      {{"far-camera", 14, 15},
        {"class", "nearest-root", "nearest-sphere", "visible-sphere", "growing-radius", "scaling",
         "axes"},
        {},
        "16 u of 10^15 is more than the whole scene, which any answer then may be right about"},
-      {"far-camera",
-       6,
-       15,
+      {{"far-camera", 6, 15},
        {"image"},
        {},
        "an image is excused by relative changes of 10^-6, which 10^6 away is the size of the "
        "scene: no picture that is kept in single precision can show it"},
-      {"up",
-       14,
-       15,
+      {{"up", 14, 15},
        {"class", "nearest-root", "nearest-sphere", "visible-sphere", "growing-radius",
         "focal-and-pixel", "scaling", "axes"},
        {},
        "16 u of `up` and of the view are as much as the angle between them: the image may be "
        "turned by any angle"},
-      {"up",
-       5,
-       15,
+      {{"up", 5, 15},
        {"image"},
        {},
        "an image is excused by relative changes of 10^-6, and of `up` and of the view these are as "
        "much as a tenth of the angle between them: the image may be turned by as much"},
-      {"near-plane",
-       14,
-       15,
+      {{"near-plane", 14, 15}, {"nearest-sphere"}, kKnowTheClass, kManyAtTheSurface},
+      {{"coincident", 15, 16},
        {"nearest-sphere"},
-       {"knows-hits-at-0", "knows-hits-at-the-origin"},
-       kManyAtTheSurface},
-      {"coincident",
-       15,
-       16,
-       {"nearest-sphere"},
-       {"knows-hits-at-0", "knows-hits-at-the-origin"},
+       kKnowTheClass,
        "all spheres that are hit are within a rounding of each other: any of them may be the "
        "nearest"},
-      {"ties",
-       0,
-       0,
+      {{"ties", 0, 0},
        {"nearest-sphere"},
-       {"knows-hits-at-0", "knows-hits-at-the-origin"},
+       kKnowTheClass,
        "all spheres that are hit are equal, or an ulp of the radius apart"},
   };
   return kReasons;

@@ -1,15 +1,14 @@
+// What every method that makes rays does beyond what the laws say of its answers.
+
 #include "fast/pixel_ray.h"
 
 #include <gtest/gtest.h>
 
-#include <cmath>
 #include <stdexcept>
 #include <string>
+#include <vector>
 
-#include "properties/cases/case_source.h"
-#include "properties/quantity.h"
-#include "reference/account/condition.h"
-#include "reference/error_measure.h"
+#include "fast/camera_frame.h"
 
 namespace raycheck::fast {
 namespace {
@@ -17,13 +16,9 @@ namespace {
 using scene::Camera;
 using scene::Conventions;
 using scene::Pixel;
-using scene::Point3;
 using scene::UnitVector3;
 
 const Camera kFirst = {{8, 8, 100}, {8, 8, 54}, {0, 1, 0}, -30, {}, -30, 30, -20, 20, 2, 2};
-Point3 point(const Vectors& vectors, std::size_t k) {
-  return {vectors.x.at(k), vectors.y.at(k), vectors.z.at(k)};
-}
 
 UnitVector3 direction(const Rays& rays, std::size_t k) {
   return {rays.direction.x.at(k), rays.direction.y.at(k), rays.direction.z.at(k)};
@@ -81,72 +76,23 @@ TEST(PixelRay, RefusesByTheNameOfTheField) {
   EXPECT_NO_THROW(kDirectRays.focal_rays(camera, centres, pixels, rays));
 }
 
-/// Calls visit(scene, exact ray, pixel) for pixels of random cameras, whose images are wide enough
-/// for every step of `incremental`.
-template <class Visit>
-void for_each_pixel(std::initializer_list<const char*> sources, Visit visit) {
-  for (const char* source : sources) {
-    for (std::uint64_t seed = 0; seed < 400; ++seed) {
-      auto the_case = properties::chosen_source(source).make(seed);
-      scene::Scene& scene = the_case.scene;
-      if (seed % 2 == 1) {
-        constexpr std::int64_t kWider = 100;
-        scene.camera->width *= kWider;
-        for (Pixel& pixel : the_case.pixels) {
-          pixel.i = pixel.i * kWider + static_cast<std::int64_t>(seed) % kWider;
-        }
-      }
-      const reference::ExactCamera camera(*scene.camera, scene.conventions);
-      for (const Pixel& pixel : the_case.pixels) {
-        visit(scene, reference::ExactRay(camera, pixel), pixel);
-      }
-    }
+/// Which field camera_frame refuses, in what it says.
+std::string frame_refusal(const Camera& camera) {
+  try {
+    camera_frame(camera);
+  } catch (const std::invalid_argument& error) {
+    return error.what();
   }
+  return "none";
 }
 
-/// Holds a method to its bounds, as they stand while the condition numbers are moderate.
-void expect_within_bounds(const PixelRayMethod& method,
-                          std::initializer_list<const char*> sources) {
-  SCOPED_TRACE(method.name);
-  int points_judged = 0;
-  int directions_judged = 0;
-  for_each_pixel(
-      sources, [&](const scene::Scene& scene, const reference::ExactRay& exact, Pixel pixel) {
-        const std::span<const Pixel> pixels(&pixel, 1);
-        if (method.pixel_points != nullptr &&
-            reference::condition_of_pixel_point(exact) <= properties::kModerateCondition) {
-          ++points_judged;
-          Vectors points;
-          method.pixel_points(*scene.camera, scene.conventions, pixels, points);
-          EXPECT_LE(reference::relative_error(point(points, 0), exact.pixel_point()),
-                    method.max_point_ulp);
-        }
-        if (reference::condition_of_direction(exact) > properties::kModerateCondition) return;
-        ++directions_judged;
-        Rays rays;
-        method.focal_rays(*scene.camera, scene.conventions, pixels, rays);
-        EXPECT_LE(reference::angle_error(direction(rays, 0), exact.direction()),
-                  method.max_direction_ulp);
-        EXPECT_LE(reference::unit_defect(direction(rays, 0)), method.max_unit_defect_ulp);
-      });
-  EXPECT_GT(directions_judged, 400 * static_cast<int>(sources.size()));
-  if (method.pixel_points != nullptr) {
-    EXPECT_GT(points_judged, 500 * static_cast<int>(sources.size()));
-  }
-}
-
-TEST(PixelRay, IsWithinItsBoundsOnRandomCameras) {
-  for (const PixelRayMethod* method : {&kDirectRays, &kFocalRays, &kIncrementalRays}) {
-    expect_within_bounds(*method, {"cameras", "plain-cameras", "far-camera", "up"});
-  }
-}
-
-TEST(PixelRay, OfSinglePrecisionIsWithinItsBoundsNearTheOrigin) {
-  expect_within_bounds(kSingleRays, {"cameras", "plain-cameras"});
-}
-
-TEST(PixelRay, OfTheLectureIsWithinItsBoundsFromPlainEyes) {
-  expect_within_bounds(kLectureRays, {"plain-cameras"});
+TEST(CameraFrame, RefusesByTheNameOfTheField) {
+  Camera camera = kFirst;
+  camera.up = {0, 0, -3};
+  EXPECT_NE(frame_refusal(camera).find("camera.up"), std::string::npos) << frame_refusal(camera);
+  camera = kFirst;
+  camera.look_at = camera.eye;
+  EXPECT_NE(frame_refusal(camera).find("camera.look_at"), std::string::npos);
 }
 
 }  // namespace

@@ -1,10 +1,7 @@
-#include "tests/mutants/careful.h"
-
-#include <Eigen/Dense>
-#include <algorithm>
 #include <cmath>
 #include <utility>
 
+#include "fast/intersect.h"
 #include "properties/mistakes/altered_hits.h"
 #include "tests/mutants/mutants.h"
 
@@ -12,111 +9,58 @@ namespace raycheck::mutants {
 namespace {
 
 using properties::Candidate;
-using properties::FrameAnswer;
 using properties::Hit;
-using properties::HitAnswer;
-using scene::Camera;
 using scene::Conventions;
-using scene::Pixel;
-using scene::Point3;
 using scene::Ray;
 using scene::Sphere;
-using Vector = Eigen::Vector3d;
+using scene::Vector3;
 
-template <class Triple>
-Vector in(const Triple& v) {
-  return {v.x, v.y, v.z};
-}
-template <class Triple>
-Triple out(const Vector& v) {
-  return {v.x(), v.y(), v.z()};
+Vector3 turned(const Vector3& D, double angle) {
+  const Vector3 any = std::abs(D.x) < std::abs(D.y) ? Vector3{0, D.z, -D.y} : Vector3{-D.z, 0, D.x};
+  const double share = angle / std::hypot(any.x, any.y, any.z);
+  return {D.x + share * any.x, D.y + share * any.y, D.z + share * any.z};
 }
 
-FrameAnswer frame(const Camera& camera) {
-  const Vector w = (in(camera.eye) - in(camera.look_at)).normalized();
-  const Vector u = in(camera.up).cross(w).normalized();
-  return {out<scene::UnitVector3>(u), out<scene::UnitVector3>(w.cross(u)),
-          out<scene::UnitVector3>(w)};
+/// Whether the line passes within `band` radii of the sphere's edge.
+bool is_in_band(const fast::Roots& roots, const Sphere& sphere, double band) {
+  return std::abs(roots.half_chord_sq) < 2 * band * sphere.radius * sphere.radius;
 }
 
-double position(double low, double high, double index, double count, scene::Samples samples) {
-  return samples == scene::Samples::kCentres ? low + (high - low) * ((index + 0.5) / count)
-                                             : low + (high - low) * (index / (count - 1));
-}
-
-/// P - E
-Vector sight(const Camera& camera, const Conventions& asked, const Pixel& pixel) {
-  const auto [u, v, w] = frame(camera);
-  const auto width = static_cast<double>(camera.width);
-  const auto height = static_cast<double>(camera.height);
-  auto row = static_cast<double>(pixel.j);
-  if (asked.rows == scene::Rows::kTopFirst) row = height - 1 - row;
-  const double alpha =
-      position(camera.left, camera.right, static_cast<double>(pixel.i), width, asked.samples);
-  const double beta = position(camera.bottom, camera.top, row, height, asked.samples);
-  return camera.near * in(w) + alpha * in(u) + beta * in(v);
-}
-
-scene::Vector3 turned(const Vector& direction, double angle) {
-  return out<scene::Vector3>((direction + angle * direction.unitOrthogonal()).normalized());
-}
-
-Hit intersect(const Ray& ray, const Sphere& sphere, const Conventions& asked, const Fault& fault) {
-  const Vector origin = in(ray.origin), d = in(ray.direction), to = in(sphere.centre) - origin;
-  const double a = d.squaredNorm(), b = to.dot(d), r = sphere.radius;
-  const double impact = to.cross(d).norm() / std::sqrt(a);
-  // r^2 a - |to x d|^2 does not cancel on far spheres.
-  double discriminant = a * r * r - to.cross(d).squaredNorm();
-  if (std::abs(impact - r) < fault.band * r) discriminant = discriminant < 0 ? 0 : -1;
-  if (discriminant < 0 || (discriminant == 0 && asked.tangent == scene::Tangent::kMiss)) return {};
-  const double q = b >= 0 ? b + std::sqrt(discriminant) : b - std::sqrt(discriminant);
-  const double distance = to.norm();
-  const double c = (distance - r) * (distance + r);
-  const double one = q / a, other = q == 0 ? 0 : c / q;
-  double s = std::min(one, other);
-  if (s < 0 && asked.root == scene::Root::kNearest) s = std::max(one, other);
-  if (s < 0 || s < fault.epsilon) return {};
-  return HitAnswer{s * (1 + fault.s), out<Point3>((1 + fault.Q) * (origin + s * d))};
+Hit changed(const Ray& ray, const Sphere& sphere, const Fault& fault, Hit hit) {
+  const fast::Roots roots = fast::kCross.roots(ray, sphere);
+  if (is_in_band(roots, sphere, fault.band)) {
+    const Vector3& d = ray.direction;
+    const double middle = roots.axial_distance / std::hypot(d.x, d.y, d.z);
+    hit = hit || !(middle >= 0) ? Hit() : properties::hit_at(ray, middle);
+  }
+  if (!hit || hit->parameter < fault.epsilon) return {};
+  hit->parameter *= 1 + fault.s;
+  for (double* x : {&hit->point.x, &hit->point.y, &hit->point.z}) *x *= 1 + fault.Q;
+  return hit;
 }
 
 }  // namespace
 
 Candidate careful_candidate(std::string name, const Fault& fault) {
-  const Candidate plain = unmutated();
-  Candidate candidate;
+  Candidate candidate = unmutated();
   candidate.name = std::move(name);
-  candidate.refuses = false;
-  candidate.max_error = plain.max_error;
-  candidate.max_error_end_to_end = plain.max_error_end_to_end;
-  candidate.frame = frame;
-  candidate.pixel_points = [](const Camera& camera, const Conventions& asked,
-                              Candidate::Pixels pixels) {
-    std::vector<Point3> points;
-    for (const Pixel& pixel : pixels) {
-      points.push_back(out<Point3>(in(camera.eye) + sight(camera, asked, pixel)));
-    }
-    return points;
-  };
-  const auto rays_from = [fault](bool eye) {
-    return [fault, eye](const Camera& camera, const Conventions& asked, Candidate::Pixels pixels) {
-      std::vector<Ray> rays;
-      for (const Pixel& pixel : pixels) {
-        const Vector g = sight(camera, asked, pixel);
-        rays.push_back(
-            {eye ? camera.eye : out<Point3>(in(camera.eye) + g),
-             fault.D == 0 ? out<scene::Vector3>(g.normalized()) : turned(g.normalized(), fault.D)});
-      }
+  for (auto* make : {&candidate.pixel_rays, &candidate.focal_rays}) {
+    *make = [base = *make, fault](const scene::Camera& camera, const Conventions& asked,
+                                  Candidate::Pixels pixels) {
+      std::vector<Ray> rays = base(camera, asked, pixels);
+      for (Ray& ray : rays) ray.direction = turned(ray.direction, fault.D);
       return rays;
     };
-  };
-  candidate.pixel_rays = rays_from(false);
-  candidate.focal_rays = rays_from(true);
-  properties::answer_by(
-      candidate, [fault](Candidate::Rays rays, const Sphere& sphere, const Conventions& asked) {
-        std::vector<Hit> hits;
-        for (const Ray& ray : rays) hits.push_back(intersect(ray, sphere, asked, fault));
-        return hits;
-      });
+  }
+  properties::answer_by(candidate,
+                        [base = properties::hits_of(unmutated()), fault](
+                            Candidate::Rays rays, const Sphere& sphere, const Conventions& asked) {
+                          std::vector<Hit> hits = base(rays, sphere, asked);
+                          for (std::size_t k = 0; k < hits.size(); ++k) {
+                            hits[k] = changed(rays[k], sphere, fault, hits[k]);
+                          }
+                          return hits;
+                        });
   return candidate;
 }
 

@@ -44,14 +44,19 @@ Candidate with_sphere(std::string name, std::function<Sphere(const Sphere&)> cha
 
 /// Answers changed after the fact.
 Candidate with_hits(std::string name,
-                    std::function<Hit(const Ray&, const Sphere&, const Hit&)> change) {
+                    std::function<Hit(const Ray&, const Sphere&, const Conventions&, Hit)> change,
+                    bool checked = true) {
   Candidate candidate = intersecting(std::move(name));
-  answer_by(candidate, [base = unmutated_hits(), change](Candidate::Rays rays, const Sphere& sphere,
-                                                         const Conventions& conventions) {
-    std::vector<Hit> hits = base(rays, sphere, conventions);
-    for (std::size_t k = 0; k < hits.size(); ++k) hits[k] = change(rays[k], sphere, hits[k]);
-    return hits;
-  });
+  answer_by(candidate,
+            [base = unmutated_hits(), change, checked](Candidate::Rays rays, const Sphere& sphere,
+                                                       const Conventions& conventions) {
+              std::vector<Hit> hits(rays.size());
+              if (checked) hits = base(rays, sphere, conventions);
+              for (std::size_t k = 0; k < hits.size(); ++k) {
+                hits[k] = change(rays[k], sphere, conventions, hits[k]);
+              }
+              return hits;
+            });
   return candidate;
 }
 
@@ -59,23 +64,18 @@ Candidate with_hits(std::string name,
 Candidate with_choice(std::string name,
                       std::function<Hit(const Ray&, const fast::Roots&, const Conventions&)> choose,
                       bool checked = true) {
-  Candidate candidate = intersecting(std::move(name));
-  answer_by(candidate,
-            [base = unmutated_hits(), choose, checked](Candidate::Rays rays, const Sphere& sphere,
-                                                       const Conventions& conventions) {
-              if (checked) base(rays, sphere, conventions);
-              std::vector<Hit> hits;
-              for (const Ray& ray : rays) {
-                hits.push_back(choose(ray, fast::kCross.roots(ray, sphere), conventions));
-              }
-              return hits;
-            });
-  return candidate;
+  return with_hits(
+      std::move(name),
+      [choose](const Ray& ray, const Sphere& sphere, const Conventions& conventions, const Hit&) {
+        return choose(ray, fast::kCross.roots(ray, sphere), conventions);
+      },
+      checked);
 }
 
 /// The roots of a s^2 + b s + c by q = -(b - sign(b) sqrt(b^2 - 4ac))/2, which cancels where the
 /// other sign would not; for an origin on the surface q is 0, and c/q no number.
-Hit hit_by_cancelling_roots(const Ray& ray, const Sphere& sphere, const Conventions& conventions) {
+Hit hit_by_cancelling_roots(const Ray& ray, const Sphere& sphere, const Conventions& conventions,
+                            const Hit&) {
   const auto dot = [](const scene::Vector3& u, const scene::Vector3& v) {
     return u.x * v.x + u.y * v.y + u.z * v.z;
   };
@@ -90,19 +90,6 @@ Hit hit_by_cancelling_roots(const Ray& ray, const Sphere& sphere, const Conventi
   std::tie(roots.smaller, roots.larger) = std::minmax({q / a, c / q});
   if (std::isnan(c / q)) return {};
   return properties::usual_choice(ray, roots, conventions);
-}
-
-Candidate with_cancelling_roots() {
-  Candidate candidate = intersecting("cancelling-roots");
-  answer_by(candidate, [base = unmutated_hits()](Candidate::Rays rays, const Sphere& sphere,
-                                                 const Conventions& conventions) {
-    std::vector<Hit> hits = base(rays, sphere, conventions);
-    for (std::size_t k = 0; k < hits.size(); ++k) {
-      hits[k] = hit_by_cancelling_roots(rays[k], sphere, conventions);
-    }
-    return hits;
-  });
-  return candidate;
 }
 
 /// What direct/cross chooses, but for a least s and a least discriminant.
@@ -165,7 +152,7 @@ std::vector<Mutant> value_mutants() {
       {"spheres wider than 16 are culled",
        {"growing-radius", "class"},
        with_hits("large-spheres-vanish",
-                 [](const Ray&, const Sphere& sphere, const Hit& hit) {
+                 [](const auto&, const Sphere& sphere, const auto&, const Hit& hit) {
                    return sphere.radius > 16 ? Hit() : hit;
                  })},
       {"the centre's z is kept in single precision",
@@ -181,7 +168,7 @@ std::vector<Mutant> value_mutants() {
       {"Q is kept in single precision",
        {"hit-point"},
        with_hits("single-point",
-                 [](const Ray&, const Sphere&, Hit hit) {
+                 [](const auto&, const auto&, const auto&, Hit hit) {
                    if (!hit) return hit;
                    for (double* x : {&hit->point.x, &hit->point.y, &hit->point.z}) {
                      if (std::abs(*x) < 1e30) *x = static_cast<double>(static_cast<float>(*x));
@@ -191,7 +178,7 @@ std::vector<Mutant> value_mutants() {
       {"s is kept in single precision",
        {"parameter", "backward-error"},
        with_hits("single-parameter",
-                 [](const Ray& ray, const Sphere&, const Hit& hit) -> Hit {
+                 [](const Ray& ray, const auto&, const auto&, const Hit& hit) -> Hit {
                    if (!hit || !(hit->parameter < 1e30)) return hit;
                    return hit_at(ray, static_cast<double>(static_cast<float>(hit->parameter)));
                  })},
@@ -216,7 +203,7 @@ std::vector<Mutant> intersect_mutants() {
        properties::Level::kDemanding},
       {"the stable quadratic formula with the sign of its square root the wrong way round",
        {"class", "parameter", "backward-error"},
-       with_cancelling_roots(),
+       with_hits("cancelling-roots", hit_by_cancelling_roots),
        properties::Level::kExtreme},
       from_mistake("first-wins", "the first sphere in the file wins", {"nearest-sphere"}),
       from_mistake("last-wins", "the last sphere in the file wins", {"nearest-sphere"})};

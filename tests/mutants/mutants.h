@@ -28,6 +28,18 @@ properties::Candidate unmutated();
 Mutant from_mistake(std::string name, std::string_view sentence,
                     std::vector<std::string_view> caught_by);
 
+/// By how much a careful candidate is off; not at all by default.
+struct Fault {
+  double s = 0;        ///< s times 1 + this
+  double Q = 0;        ///< Q moved by this share of its distance from the world's origin
+  double D = 0;        ///< directions turned by this
+  double epsilon = 0;  ///< hits at less than this are dropped
+  double band = 0;     ///< hit and miss exchanged where |b - r| < this r, b the impact parameter
+};
+
+/// What the mutants are made of, which breaks no law, but for a fault.
+properties::Candidate careful_candidate(std::string name, const Fault& fault);
+
 /// Every mutant; the names of their candidates differ.
 std::vector<Mutant> all_mutants();
 

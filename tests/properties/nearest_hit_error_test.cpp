@@ -37,38 +37,31 @@ std::vector<NearestHitError> errors_of(const std::vector<std::optional<std::size
   return nearest_hit_errors(trial, std::vector<std::int32_t>{1, touched, kNoSphere});
 }
 
+/// Any of spheres that are equally near is right.
 TEST(NearestHitError, IsMeasuredWhereTheSphereIsRight) {
-  const auto errors = errors_of({1, 0, std::nullopt});
-  ASSERT_EQ(errors.size(), 3u);
-  for (const NearestHitError& error : errors) EXPECT_EQ(error.wrong, Wrong::kNot);
-  EXPECT_EQ(errors[0].ulp, 0);
-  EXPECT_EQ(errors[1].ulp, 0);
-  EXPECT_FALSE(errors[2].ulp);
-}
-
-TEST(NearestHitError, TakesAnyOfSpheresThatAreEquallyNear) {
-  const auto errors = errors_of({2, 0, std::nullopt});
-  EXPECT_EQ(errors[0].wrong, Wrong::kNot);
-  EXPECT_EQ(errors[0].ulp, 0);
+  for (const std::size_t nearest : {1u, 2u}) {
+    const auto errors = errors_of({nearest, 0, std::nullopt});
+    ASSERT_EQ(errors.size(), 3u);
+    for (const NearestHitError& error : errors) EXPECT_EQ(error.wrong, Wrong::kNot);
+    EXPECT_EQ(errors[0].ulp, 0);
+    EXPECT_EQ(errors[1].ulp, 0);
+    EXPECT_FALSE(errors[2].ulp);
+  }
 }
 
 TEST(NearestHitError, SaysHowAnAnswerIsWrong) {
-  const auto errors = errors_of({0, std::nullopt, 1});
-  EXPECT_EQ(errors[0].wrong, Wrong::kWrongSphere);
-  EXPECT_EQ(errors[1].wrong, Wrong::kMissed);
-  EXPECT_EQ(errors[2].wrong, Wrong::kFalseHit);
-  for (const NearestHitError& error : errors) EXPECT_FALSE(error.ulp);
-  EXPECT_EQ(errors[0].standing, Standing::kDefect);
-  EXPECT_EQ(errors[1].standing, Standing::kExcused);  // a tangent
-  EXPECT_EQ(errors[2].standing, Standing::kDefect);
-}
-
-TEST(NearestHitError, LeavesTangentsUnjudgedWhereTheConventionDoes) {
-  const auto errors = errors_of({0, std::nullopt, 1}, scene::Tangent::kEither);
-  EXPECT_EQ(errors[0].standing, Standing::kDefect);
-  EXPECT_EQ(errors[1].wrong, Wrong::kMissed);
-  EXPECT_EQ(errors[1].standing, Standing::kNotJudged);
-  EXPECT_EQ(errors[2].standing, Standing::kDefect);
+  // A tangent is excused, or not judged, as its convention is.
+  for (const auto& [tangent, standing] : {std::pair(scene::Tangent::kHit, Standing::kExcused),
+                                          {scene::Tangent::kEither, Standing::kNotJudged}}) {
+    const auto errors = errors_of({0, std::nullopt, 1}, tangent);
+    EXPECT_EQ(errors[0].wrong, Wrong::kWrongSphere);
+    EXPECT_EQ(errors[1].wrong, Wrong::kMissed);
+    EXPECT_EQ(errors[2].wrong, Wrong::kFalseHit);
+    for (const NearestHitError& error : errors) EXPECT_FALSE(error.ulp);
+    EXPECT_EQ(errors[0].standing, Standing::kDefect);
+    EXPECT_EQ(errors[1].standing, standing);
+    EXPECT_EQ(errors[2].standing, Standing::kDefect);
+  }
 }
 
 }  // namespace

@@ -6,10 +6,10 @@
 #include <limits>
 
 #include "properties/candidates/fast_candidate.h"
-#include "properties/given_rays.h"
 #include "properties/laws/law.h"
 #include "properties/rounded_case.h"
 #include "properties/search/campaign.h"
+#include "scene/validate.h"
 
 namespace raycheck::properties {
 namespace {
@@ -121,25 +121,6 @@ TEST(SinglePrecision, BreaksTheLawOfEveryFlaw) {
   EXPECT_TRUE(broken("direction", {.direction = 0x1p-15}));
 }
 
-TEST(SinglePrecision, CountsUlpAndUOfFloat) {
-  Case one;
-  one.scene.rays = {{{0, 0, 0}, {1, 0, 0}}};
-  one.scene.spheres = {{{3, 0, 0}, 1}};
-  Candidate candidate = judged_in(kSingle, Candidate{});
-  candidate.intersect = [](Candidate::Rays, Candidate::Spheres, const scene::Conventions&) {
-    return std::vector<SphereHits>{{{0, {2 + 3 * 0x1p-22, {2 + 0x1p-22, 0, 0}}}}};
-  };
-  Trial trial(one, candidate, {.max_error = 0});
-  const Verdict s = apply(*find_law("parameter"), trial);
-  EXPECT_EQ(s.tallies().at(Quantity::kParameter).max(), 3);
-  EXPECT_EQ(s.worst(1).front().precision, kSingle);
-  const Verdict Q = apply(*find_law("hit-point"), trial);
-  EXPECT_NEAR(*Q.tallies().at(Quantity::kHitPoint).max(), 2, 1e-6);  // 2^-22 / 2 / 2^-24
-  const Verdict backward = apply(*find_law("backward-error"), trial);
-  EXPECT_GT(*backward.tallies().at(Quantity::kBackwardError).max(), 0.1);
-  EXPECT_LT(*backward.tallies().at(Quantity::kBackwardError).max(), 16);
-}
-
 TEST(SinglePrecision, ExcusesSixteenUOfFloat) {
   // The line passes the unit sphere at `height`, and the answer is a miss.
   const auto excuse = [](double height) {
@@ -204,17 +185,6 @@ TEST(SinglePrecision, AsksFloatsOnly) {
   }
 }
 
-TEST(SinglePrecision, GivesRaysOfFloats) {
-  Case one;
-  one.scene.camera = scene::Camera{{1, 2, 3}, {0, 0, 0}, {0, 1, 0}, -1, {}, -1, 1, -1, 1, 7, 5};
-  one.scene.spheres = {{{0, 0, 0}, 1}};
-  one.pixels = {{2, 3}, {4, 1}};
-  const auto given = given_rays(one, {}, kSingle);
-  ASSERT_TRUE(given);
-  EXPECT_TRUE(is_of_format(given->the_case.scene, kSingle));
-  EXPECT_FALSE(is_of_format(given_rays(one, {})->the_case.scene, kSingle));
-}
-
 TEST(SinglePrecision, KeepsBoundsInOwnUnits) {
   const Candidate cross = fast_candidate(fast::kDirectRays, fast::kCross);
   const Candidate lecture = fast_candidate(fast::kSingleRays, fast::kSingleLecture);
@@ -237,6 +207,39 @@ TEST(SinglePrecision, CountsCasesThatFloatsCannotHold) {
   EXPECT_GT(result.counts.left_out, 50);
   EXPECT_NE(result.counts.reason.find("leaves their range"), std::string::npos)
       << result.counts.reason;
+}
+
+Case a_case(const scene::Ray& ray, const scene::Sphere& sphere) {
+  Case one;
+  one.scene.rays = {ray};
+  one.scene.spheres = {sphere};
+  return one;
+}
+
+TEST(RoundedCase, RoundsEveryNumberToTheNearestFloat) {
+  const Case given = a_case({{0.1, 0, 1}, {1, 1 + 0x1p-24, 0}}, {{1 + 0x1.8p-23, 2, 3}, 0.5});
+  const RoundedCase rounded = rounded_case(given, kSingle);
+  ASSERT_TRUE(rounded.the_case);
+  EXPECT_EQ(rounded.changed, 3u);
+  EXPECT_EQ(rounded.reason, "");
+  const scene::Scene& scene = rounded.the_case->scene;
+  EXPECT_EQ(scene.rays[0].origin.x, static_cast<double>(0.1F));
+  EXPECT_EQ(scene.rays[0].direction.y, 1);            // a tie: to even
+  EXPECT_EQ(scene.spheres[0].centre.x, 1 + 0x1p-22);  // likewise
+  EXPECT_FALSE(is_of_format(given.scene, kSingle));
+  EXPECT_TRUE(is_of_format(scene, kSingle));
+  EXPECT_EQ(rounded_case(*rounded.the_case, kSingle).changed, 0u);
+}
+
+TEST(RoundedCase, LeavesOutWhatBecomesNoProblemAndSaysWhy) {
+  Case one;
+  one.scene.camera =
+      scene::Camera{{1, 0, 0}, {1 + 0x1p-40, 0, 0}, {0, 1, 0}, -1, {}, -1, 1, -1, 1, 2, 2};
+  one.pixels = {{0, 0}};
+  ASSERT_TRUE(scene::defects(one.scene).empty());
+  const RoundedCase lost = rounded_case(one, kSingle);
+  EXPECT_FALSE(lost.the_case);
+  EXPECT_NE(lost.reason.find("look_at"), std::string::npos) << lost.reason;
 }
 
 }  // namespace

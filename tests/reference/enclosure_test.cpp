@@ -61,7 +61,11 @@ TEST(EnclosureArithmetic, ContainsTheTruth) {
       const Enclosure x(a, bits);
       const Enclosure y(b, bits);
       const Enclosure z(c, bits);
-      ASSERT_TRUE(contains(x * y + z, Big(a) * Big(b) + Big(c)));
+      const Enclosure sum = x * y + z;
+      const Big truth = Big(a) * Big(b) + Big(c);
+      ASSERT_TRUE(contains(sum, truth));
+      ASSERT_TRUE(sum.lower() == -kInfinity || Big(sum.lower()) <= truth);
+      ASSERT_TRUE(sum.upper() == kInfinity || Big(sum.upper()) >= truth);
       ASSERT_TRUE(contains(x - y * z, Big(a) - Big(b) * Big(c)));
       ASSERT_TRUE(contains(-abs(x - y), -abs(Big(a) - Big(b))));
       ASSERT_TRUE(contains(sqrt(abs(x * y)), sqrt(abs(Big(a) * Big(b)))));
@@ -69,18 +73,6 @@ TEST(EnclosureArithmetic, ContainsTheTruth) {
         ASSERT_TRUE(contains((x - y) / z, (Big(a) - Big(b)) / Big(c)));
       }
     }
-  }
-}
-
-TEST(EnclosureArithmetic, BoundsOfABallSurroundItsTruth) {
-  Random random(3);
-  for (int k = 0; k < 3000; ++k) {
-    const double a = any_double(random);
-    const double b = any_double(random);
-    const Enclosure product = Enclosure(a, 20) * Enclosure(b, 20);
-    const Big truth = Big(a) * Big(b);
-    ASSERT_TRUE(product.lower() == -kInfinity || Big(product.lower()) <= truth);
-    ASSERT_TRUE(product.upper() == kInfinity || Big(product.upper()) >= truth);
   }
 }
 
@@ -128,15 +120,6 @@ TEST(EnclosureWidth, IsRelativeToTheValue) {
   EXPECT_LE(ball.relative_radius(), 0x1.001p-80);
   EXPECT_EQ(Enclosure(0.1, 64).relative_radius(), 0);
   EXPECT_EQ((ball - ball).relative_radius(), kInfinity);
-}
-
-TEST(EnclosureVectors, FollowTheirDefinitions) {
-  const Enclosure3 a{Enclosure(1), Enclosure(2), Enclosure(2)};
-  const Enclosure3 b{Enclosure(4), Enclosure(-3), Enclosure(5)};
-  EXPECT_TRUE(contains(dot(a, b), Big(8)));
-  EXPECT_TRUE(contains(norm(a), Big(3)));
-  EXPECT_TRUE(contains(cross(a, b), Big3{16, 3, -11}));
-  EXPECT_TRUE(contains(a - b, Big3{-3, 5, -3}));
 }
 
 }  // namespace

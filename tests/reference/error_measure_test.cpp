@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 #include <utility>
+#include <vector>
 
 #include "tests/numbers.h"
 #include "tests/reference/big_float.h"
@@ -16,50 +17,46 @@ namespace {
 Enclosure real(double x) { return Enclosure(x, 192); }
 Enclosure3 real3(double x, double y, double z) { return {real(x), real(y), real(z)}; }
 
-TEST(UlpError, CountsTheGapAroundTheTruth) {
-  EXPECT_EQ(ulp_error(1, real(1)), 0);
-  EXPECT_EQ(ulp_error(nudged(1.5, 1), real(1.5)), 1);
-  EXPECT_EQ(ulp_error(nudged(-1.5, 3), real(-1.5)), 3);
-  const Enclosure between = real(1.5) + real(0x1p-54);
-  EXPECT_EQ(ulp_error(1.5, between), 0.25);
-  EXPECT_EQ(ulp_error(nudged(1.5, 1), between), 0.75);
-}
+struct UlpCase {
+  const char* what;
+  double given;
+  Enclosure exact;
+  double ulp;
+  scene::Precision precision = scene::Precision::kDouble;
+};
 
-TEST(UlpError, JustAboveAPowerOfTwoTheGapIsTwiceTheOneBelow) {
-  EXPECT_EQ(ulp_error(nudged(1, 1), real(1)), 1);
-  EXPECT_EQ(ulp_error(nudged(1, -1), real(1)), 0.5);
-  EXPECT_EQ(ulp_error(1, real(nudged(1, -1))), 1);
-  EXPECT_EQ(ulp_error(1, real(1) - real(0x1p-54)), 0.5);
-}
-
-TEST(UlpError, OfSubnormalsCountsTheSmallestDouble) {
-  EXPECT_EQ(ulp_error(2 * kSmallest, real(kSmallest)), 1);
-  EXPECT_EQ(ulp_error(0, real(5 * kSmallest)), 5);
-  EXPECT_EQ(ulp_error(nudged(kSmallestNormal, -2), real(kSmallestNormal)), 2);
-  EXPECT_EQ(ulp_error(nudged(2 * kSmallestNormal, 1), real(2 * kSmallestNormal)), 1);
-  const Enclosure below_all = real(kSmallest) * real(0.25);
-  EXPECT_EQ(ulp_error(0, below_all), 0.25);
-  EXPECT_EQ(ulp_error(kSmallest, below_all), 0.75);
-}
-
-TEST(UlpError, OfAnExactZeroIsNothingOrEverything) {
-  EXPECT_EQ(ulp_error(0, real(0)), 0);
-  EXPECT_EQ(ulp_error(-0.0, real(0)), 0);
-  EXPECT_EQ(ulp_error(kSmallest, real(0)), kInfinity);
-}
-
-TEST(UlpError, OfWhatIsNotFiniteIsInfinite) {
-  for (const double given : {kInfinity, -kInfinity, kNaN}) {
-    EXPECT_EQ(ulp_error(given, real(1)), kInfinity);
-    EXPECT_EQ(ulp_error(given, real(kLargest)), kInfinity);
+TEST(UlpError, IsCountedInGapsAroundTheTruth) {
+  constexpr auto kSingle = scene::Precision::kSingle;
+  const Enclosure between = real(1.5) + real(0x1p-54), below_all = real(kSmallest) * real(0.25);
+  for (const auto& [what, given, exact, ulp, precision] : std::vector<UlpCase>{
+           {"none", 1, real(1), 0},
+           {"of a negative", nudged(-1.5, 3), real(-1.5), 3},
+           {"of no double, below", 1.5, between, 0.25},
+           {"of no double, above", nudged(1.5, 1), between, 0.75},
+           {"above a power of two", nudged(1, 1), real(1), 1},
+           {"below it, where doubles are nearer", nudged(1, -1), real(1), 0.5},
+           {"of what is below it", 1, real(1) - real(0x1p-54), 0.5},
+           {"of subnormals", 0, real(5 * kSmallest), 5},
+           {"below the normal ones", nudged(kSmallestNormal, -2), real(kSmallestNormal), 2},
+           {"of less than any", 0, below_all, 0.25},
+           {"of less than any, above", kSmallest, below_all, 0.75},
+           {"of a zero", -0.0, real(0), 0},
+           {"of a zero, missed", kSmallest, real(0), kInfinity},
+           {"at the end of the range", nudged(kLargest, -1), real(kLargest), 1},
+           {"of the wrong sign", -1, real(1), 0x1p53},
+           {"too many to count", 1, real(kSmallest), kInfinity},
+           {"infinite", kInfinity, real(kLargest), kInfinity},
+           {"no number", kNaN, real(1), kInfinity},
+           {"of a truth without bounds", 1, Enclosure(1) / Enclosure(0), kInfinity},
+           {"of a float", 1 + 0x1p-23, real(1), 1, kSingle},
+           {"below a power of two of floats", 1 - 0x1p-24, real(1), 0.5, kSingle},
+           {"of no float", 3, real(3 + 0x1p-24), 0.25, kSingle},
+           {"of subnormal floats", 0, real(0x1p-140), 0x1p9, kSingle},
+           {"of less than any float", 0x1p-149, real(0x1p-151), 0.75, kSingle},
+           {"below the normal floats", 0x1p-126, real(0x1p-126 - 0x1p-149), 1, kSingle},
+           {"at twice the least of these", 0x1p-125, real(0x1p-125 + 0x1p-148), 1, kSingle}}) {
+    EXPECT_EQ(ulp_error(given, exact, precision), ulp) << what;
   }
-}
-
-TEST(UlpError, SpansTheWholeRange) {
-  EXPECT_EQ(ulp_error(nudged(kLargest, -1), real(kLargest)), 1);
-  EXPECT_EQ(ulp_error(-1, real(1)), 0x1p53);
-  EXPECT_EQ(ulp_error(1, real(kSmallest)), kInfinity);
-  EXPECT_EQ(ulp_error(kSmallest, real(1)), 0x1p52);
 }
 
 TEST(UlpError, IsAnUpperBoundThatANarrowEnclosureMakesSharp) {
@@ -79,11 +76,6 @@ TEST(UlpError, IsAnUpperBoundThatANarrowEnclosureMakesSharp) {
     const bool is_power_of_two = magnitude == power_of_two(exponent - 1);
     ASSERT_LE(Big(bound), error * (is_power_of_two ? 2 : 1) + power_of_two(-25));
   }
-}
-
-TEST(UlpError, OfATruthThatIsNotBoundedIsInfinite) {
-  EXPECT_EQ(ulp_error(1, Enclosure(1) / Enclosure(0)), kInfinity);
-  EXPECT_EQ(ulp_error(1, Enclosure(0) / Enclosure(0)), kInfinity);
 }
 
 TEST(RelativeError, IsTheDistanceOverTheLengthInUnitsOfU) {
@@ -141,16 +133,6 @@ TEST(InUnitsOfU, BoundsFromAbove) {
   EXPECT_EQ(in_units_of_u(real(0)), 0);
   EXPECT_EQ(in_units_of_u(real(kLargest)), kInfinity);
   EXPECT_EQ(in_units_of_u(Enclosure(1) / Enclosure(0)), kInfinity);
-}
-
-TEST(EncloseExactly, HoldsTheGivenDoublesAndNothingElse) {
-  const Enclosure3 ball = enclose_exactly(scene::Point3{0.1, -kSmallest, kLargest});
-  EXPECT_EQ(ball.x.lower(), 0.1);
-  EXPECT_EQ(ball.x.upper(), 0.1);
-  EXPECT_EQ(ball.y.upper(), -kSmallest);
-  EXPECT_EQ(ball.z.lower(), kLargest);
-  EXPECT_EQ(enclose_exactly(scene::Vector3{0.1, 0, 0}).x.relative_radius(), 0);
-  EXPECT_EQ(enclose_exactly(scene::UnitVector3{0.1, 0, 0}).x.upper(), 0.1);
 }
 
 }  // namespace

@@ -13,8 +13,10 @@
 namespace raycheck::reference {
 namespace {
 
+constexpr auto kSingle = scene::Precision::kSingle;
+
 /// How many values were compared, and how many of them lie at the ends of the double range.
-struct Counts {
+struct RoundedCounts {
   int values = 0;
   int hits = 0;
   int subnormal = 0;
@@ -41,14 +43,14 @@ struct Counts {
 
 template <class Value, class Narrow, class Truth>
 void expect_value(const Value& rounded, const Narrow& enclosure, const Truth& truth,
-                  Counts& counts) {
+                  RoundedCounts& counts) {
   EXPECT_TRUE(is_nearest(rounded, truth));
   EXPECT_TRUE(contains(enclosure, truth));
   counts.count(rounded);
 }
 
 void expect_hit(const ExactRay& ray, const Big3& L, const Big3& D, const Big& unit,
-                const scene::Sphere& sphere, Counts& counts) {
+                const scene::Sphere& sphere, RoundedCounts& counts) {
   const Intersection at = ray.intersect(sphere);
   const LectureHit truth = lecture_hit(L, D, sphere);
   if (at.hit_class == HitClass::kMiss) {
@@ -62,7 +64,7 @@ void expect_hit(const ExactRay& ray, const Big3& L, const Big3& D, const Big& un
   expect_value(ray.rounded_point(sphere, at), ray.point(sphere, at), L + s * D, counts);
 }
 
-void expect_camera_is_rounded(Random& random, Sizes sizes, Counts& counts) {
+void expect_camera_is_rounded(Random& random, Sizes sizes, RoundedCounts& counts) {
   const scene::Camera camera = random_camera(random, sizes);
   const scene::Conventions conventions = random_conventions(random);
   const scene::Pixel pixel = random_pixel(random, camera);
@@ -90,7 +92,7 @@ void expect_camera_is_rounded(Random& random, Sizes sizes, Counts& counts) {
   }
 }
 
-void expect_given_ray_is_rounded(Random& random, Sizes sizes, Counts& counts) {
+void expect_given_ray_is_rounded(Random& random, Sizes sizes, RoundedCounts& counts) {
   const scene::Ray given = random_ray(random, sizes);
   const scene::Sphere sphere = random_sphere(random, sizes);
   SCOPED_TRACE(spelled(given) + spelled(sphere));
@@ -103,49 +105,33 @@ void expect_given_ray_is_rounded(Random& random, Sizes sizes, Counts& counts) {
 }
 
 template <class Expect>
-Counts repeated(int times, std::uint64_t seed, Sizes sizes, Expect expect) {
+RoundedCounts repeated(int times, std::uint64_t seed, Sizes sizes, Expect expect) {
   Random random(seed);
-  Counts counts;
+  RoundedCounts counts;
   for (int k = 0; k < times && !testing::Test::HasFailure(); ++k) expect(random, sizes, counts);
   return counts;
 }
 
-TEST(CameraValues, OfOrdinarySizeAreCorrectlyRounded) {
-  const Counts counts = repeated(400, 1, Sizes::kOrdinary, expect_camera_is_rounded);
-  EXPECT_GE(counts.values, 7000);
-  EXPECT_GE(counts.hits, 100);
+TEST(CameraValues, OfEverySizeAreCorrectlyRounded) {
+  const RoundedCounts ordinary = repeated(400, 1, Sizes::kOrdinary, expect_camera_is_rounded);
+  const RoundedCounts whole = repeated(400, 2, Sizes::kSmallIntegers, expect_camera_is_rounded);
+  const RoundedCounts all = repeated(400, 3, Sizes::kAll, expect_camera_is_rounded);
+  for (const RoundedCounts& counts : {ordinary, whole, all}) {
+    EXPECT_GE(counts.values, 7000);
+    EXPECT_GE(counts.hits, 50);
+  }
+  EXPECT_GE(whole.zero, 100);
+  EXPECT_GE(all.subnormal, 10);
+  EXPECT_GE(all.overflowed, 3);
 }
 
-TEST(CameraValues, OfSmallIntegersAreCorrectlyRoundedAndExactZerosFound) {
-  const Counts counts = repeated(400, 2, Sizes::kSmallIntegers, expect_camera_is_rounded);
-  EXPECT_GE(counts.values, 7000);
-  EXPECT_GE(counts.hits, 100);
-  EXPECT_GE(counts.zero, 100);
-}
-
-TEST(CameraValues, OfAllSizesAreCorrectlyRoundedAtBothEndsOfTheRange) {
-  const Counts counts = repeated(400, 3, Sizes::kAll, expect_camera_is_rounded);
-  EXPECT_GE(counts.values, 7000);
-  EXPECT_GE(counts.hits, 50);
-  EXPECT_GE(counts.subnormal, 10);
-  EXPECT_GE(counts.overflowed, 3);
-}
-
-TEST(RayValues, OfOrdinarySizeAreCorrectlyRounded) {
-  const Counts counts = repeated(2000, 4, Sizes::kOrdinary, expect_given_ray_is_rounded);
-  EXPECT_GE(counts.hits, 300);
-}
-
-TEST(RayValues, OfSmallIntegersAreCorrectlyRounded) {
-  const Counts counts = repeated(2000, 5, Sizes::kSmallIntegers, expect_given_ray_is_rounded);
-  EXPECT_GE(counts.hits, 300);
-}
-
-TEST(RayValues, OfAllSizesAreCorrectlyRoundedAtBothEndsOfTheRange) {
-  const Counts counts = repeated(2000, 6, Sizes::kAll, expect_given_ray_is_rounded);
-  EXPECT_GE(counts.hits, 300);
-  EXPECT_GE(counts.subnormal, 30);
-  EXPECT_GE(counts.overflowed, 25);
+TEST(RayValues, OfEverySizeAreCorrectlyRounded) {
+  const RoundedCounts ordinary = repeated(2000, 4, Sizes::kOrdinary, expect_given_ray_is_rounded);
+  const RoundedCounts whole = repeated(2000, 5, Sizes::kSmallIntegers, expect_given_ray_is_rounded);
+  const RoundedCounts all = repeated(2000, 6, Sizes::kAll, expect_given_ray_is_rounded);
+  for (const RoundedCounts& counts : {ordinary, whole, all}) EXPECT_GE(counts.hits, 300);
+  EXPECT_GE(all.subnormal, 30);
+  EXPECT_GE(all.overflowed, 25);
 }
 
 TEST(RayValues, ExactMidpointsGoToTheEvenDouble) {
@@ -171,6 +157,44 @@ TEST(RayValues, EnclosuresAreAsNarrowAsAsked) {
       EXPECT_TRUE(ray.direction(bits).z.is_within(bits));
     }
   }
+}
+
+/// s of the ray along x from 0 at a sphere around (centre, 0, 0).
+double rounded_s(double centre, double radius, scene::Precision precision) {
+  const ExactRay ray(scene::Ray{{0, 0, 0}, {1, 0, 0}});
+  const scene::Sphere sphere{{centre, 0, 0}, radius};
+  return ray.rounded_parameter(sphere, ray.intersect(sphere), precision);
+}
+
+TEST(RoundedToFloat, IsRoundedOnce) {
+  // 2 - r lies at, just above and just below the midpoint of 1 and the next float; the double
+  // nearest to all three is that midpoint.
+  const double at = 1 - 0x1p-24;
+  for (const double r : {at, at - 0x1p-53, at + 0x1p-53}) {
+    EXPECT_EQ(rounded_s(2, r, scene::Precision::kDouble), 1 + 0x1p-24);
+  }
+  EXPECT_EQ(rounded_s(2, at, kSingle), 1);
+  EXPECT_EQ(rounded_s(2, at - 0x1p-53, kSingle), 1 + 0x1p-23);
+  EXPECT_EQ(rounded_s(2, at + 0x1p-53, kSingle), 1);
+}
+
+TEST(RoundedToFloat, OverflowsAndUnderflowsAsFloatsDo) {
+  const double beyond = 0x1p128 - 0x1p103;
+  EXPECT_EQ(rounded_s(beyond, 0, kSingle), kInfinity);
+  EXPECT_EQ(rounded_s(std::nextafter(beyond, 0), 0, kSingle), 0x1p128 - 0x1p104);
+  EXPECT_EQ(rounded_s(0x1p-150, 0, kSingle), 0);
+  EXPECT_EQ(rounded_s(std::nextafter(0x1p-150, 1), 0, kSingle), 0x1p-149);
+  EXPECT_EQ(rounded_s(0x1.8p-148, 0, kSingle), 0x1.8p-148);
+  EXPECT_EQ(rounded_s(0x1.4p-148, 0, kSingle), 0x1p-148);
+}
+
+TEST(RoundedToFloat, HasNoNegativeZero) {
+  const ExactRay ray(scene::Ray{{0, 0, 0}, {1, -0x1p-160, 0}});
+  const scene::Sphere sphere{{4, 0, 0}, 1};
+  const scene::Point3 Q = ray.rounded_point(sphere, ray.intersect(sphere), kSingle);
+  EXPECT_EQ(Q.x, 3);
+  EXPECT_EQ(Q.y, 0);
+  EXPECT_FALSE(std::signbit(Q.y));
 }
 
 }  // namespace

@@ -1,8 +1,9 @@
 """Decides rays and spheres by integers alone, as an oracle for python_oracle_test.cpp.
 
-Each line of standard input holds ten hexfloats: origin, direction, centre, radius. Each line of
-output holds the class of the whole line (miss, tangent, hit), the signs of the two roots of
-|o + t d - C|^2 = r^2, and the double nearest to each (ties to even), as hexfloats.
+Each line of standard input: ten hexfloats (origin, direction, centre, radius), t_min, t_max, the
+ends ("[]", "[)", "(]", "()"), "absolute" or "radius", the culling and the root convention. Each line
+of output: miss, or tangent or hit, near or far, and the doubles nearest to both roots of
+|o + t d - C|^2 = r^2 (ties to even), as hexfloats.
 """
 
 import math
@@ -48,7 +49,8 @@ def nearest_double(a, b, c, larger):
 
 
 for line in sys.stdin:
-    numbers = [Fraction(float.fromhex(word)) for word in line.split()]
+    words = line.split()
+    numbers = [Fraction(float.fromhex(word)) for word in words[:10]]
     scale = math.lcm(*(x.denominator for x in numbers))
     ox, oy, oz, dx, dy, dz, cx, cy, cz, r = (int(x * scale) for x in numbers)
     fx, fy, fz = cx - ox, cy - oy, cz - oz
@@ -56,9 +58,31 @@ for line in sys.stdin:
     b = fx * dx + fy * dy + fz * dz
     c = fx * fx + fy * fy + fz * fz - r * r
     discriminant = b * b - a * c
-    if discriminant < 0:
+    low, high = (float.fromhex(word) for word in words[10:12])
+    ends, unit, culling, convention = words[12:]
+
+    def beyond(t, larger):
+        """The sign of t - root."""
+        if t == math.inf:
+            return 1
+        t = Fraction(t) * (numbers[9] if unit == "radius" else 1)
+        side = t * a - b
+        value = side * t - b * t + c
+        if larger:
+            return (value > 0) - (value < 0) if side >= 0 else -1
+        return (value < 0) - (value > 0) if side <= 0 else 1
+
+    def counts(larger):
+        first, last = beyond(low, larger), beyond(high, larger)
+        above = first < 0 or (first == 0 and ends[0] == "[")
+        return above and (last > 0 or (last == 0 and ends[1] == "]"))
+
+    allowed = [("near", False)] if culling != "front-faces" else []
+    if culling != "back-faces" and convention != "smaller":
+        allowed.append(("far", True))
+    found = [name for name, larger in allowed if counts(larger)] if discriminant >= 0 else []
+    if not found:
         print("miss")
         continue
-    signs = (-sign_at(0, a, b, c, larger) for larger in (False, True))
     roots = (nearest_double(a, b, c, larger).hex() for larger in (False, True))
-    print("tangent" if discriminant == 0 else "hit", *signs, *roots)
+    print("tangent" if discriminant == 0 else "hit", found[0], *roots)

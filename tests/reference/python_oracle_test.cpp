@@ -1,184 +1,190 @@
-// Given rays and spheres against tests/reference/oracle.py, which knows only Python's integers.
+// Given rays and spheres against tests/reference/oracle.py, which knows only Python's integers and
+// fractions: which root is met, by every convention, and the doubles nearest to both.
 
 #include <gtest/gtest.h>
 #include <unistd.h>
 
+#include <cmath>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
-#include <limits>
+#include <map>
 #include <sstream>
 #include <string>
 #include <vector>
 
 #include "reference/exact_ray.h"
 #include "scene/number.h"
+#include "tests/numbers.h"
 #include "tests/reference/random_cases.h"
 
 namespace raycheck::reference {
 namespace {
 
 using scene::Ray;
-using scene::Root;
-using scene::Sphere;
 
-struct Case {
+struct Asked {
   Ray ray;
-  Sphere sphere;
+  scene::Sphere sphere;
+  scene::Conventions conventions = {};
 };
 
-/// A file of this process that removes itself.
-class TemporaryFile {
- public:
-  explicit TemporaryFile(const std::string& name)
-      : path_(std::filesystem::temp_directory_path() /
-              ("raycheck_" + std::to_string(getpid()) + "_" + name)) {}
-  TemporaryFile(const TemporaryFile&) = delete;
-  TemporaryFile& operator=(const TemporaryFile&) = delete;
-  ~TemporaryFile() { std::filesystem::remove(path_); }
-  std::string path() const { return path_.string(); }
-
- private:
-  std::filesystem::path path_;
-};
+std::string line_of(const Asked& one) {
+  constexpr const char* kEnds[] = {"[]", "[)", "(]", "()"};
+  std::string line;
+  const auto& [o, d] = one.ray;
+  const auto& [c, r] = one.sphere;
+  const scene::ValidRoots& valid = one.conventions.valid;
+  for (const double x : {o.x, o.y, o.z, d.x, d.y, d.z, c.x, c.y, c.z, r, valid.t_min}) {
+    line += scene::hexfloat(x) + " ";
+  }
+  line += std::isinf(valid.t_max) ? "inf" : scene::hexfloat(valid.t_max);
+  return line + " " + kEnds[static_cast<int>(valid.ends)] + " " + std::string(name(valid.unit)) +
+         " " + std::string(name(valid.culling)) + " " + std::string(name(one.conventions.root));
+}
 
 /// The oracle's answers, a line a case; fails when it cannot be asked.
-std::vector<std::string> ask_oracle(const std::vector<Case>& cases) {
-  const TemporaryFile questions("questions.txt");
-  const TemporaryFile answers("answers.txt");
+std::vector<std::string> ask_oracle(const std::vector<Asked>& cases) {
+  const std::string base = (std::filesystem::temp_directory_path() /
+                            ("raycheck_" + std::to_string(getpid()) + "_oracle"))
+                               .string();
   {
-    std::ofstream out(questions.path());
-    for (const auto& [ray, sphere] : cases) {
-      const auto& [o, d] = ray;
-      const scene::Point3& c = sphere.centre;
-      for (const double x : {o.x, o.y, o.z, d.x, d.y, d.z, c.x, c.y, c.z, sphere.radius}) {
-        out << scene::hexfloat(x) << ' ';
-      }
-      out << '\n';
-    }
+    std::ofstream out(base + ".in");
+    for (const Asked& one : cases) out << line_of(one) << '\n';
   }
   const std::string command = "python3 '" RAYCHECK_SOURCE_DIR "/tests/reference/oracle.py' < '" +
-                              questions.path() + "' > '" + answers.path() + "'";
+                              base + ".in' > '" + base + ".out'";
   EXPECT_EQ(std::system(command.c_str()), 0) << "python3 is needed: " << command;
   std::vector<std::string> lines;
-  std::ifstream in(answers.path());
-  for (std::string line; std::getline(in, line);) lines.push_back(line);
+  {
+    std::ifstream in(base + ".out");
+    for (std::string line; std::getline(in, line);) lines.push_back(line);
+  }
+  std::filesystem::remove(base + ".in");
+  std::filesystem::remove(base + ".out");
   return lines;
 }
 
-/// One line of the oracle.
-struct Answer {
-  std::string line_class;
-  int smaller_sign = 0;
-  int larger_sign = 0;
-  double smaller = 0;
-  double larger = 0;
+/// "miss", or "hit near" and the like.
+std::string met(const ExactRay& ray, const Asked& one, const scene::Conventions& conventions) {
+  const Intersection at = ray.intersect(one.sphere, conventions);
+  if (at.hit_class == HitClass::kMiss) return "miss";
+  return std::string(at.hit_class == HitClass::kTangent ? "tangent " : "hit ") +
+         (at.root == WhichRoot::kSmaller ? "near" : "far");
+}
 
-  explicit Answer(const std::string& line) {
-    std::istringstream in(line);
-    std::string smaller_text;
-    std::string larger_text;
-    in >> line_class;
-    if (line_class == "miss") return;
-    in >> smaller_sign >> larger_sign >> smaller_text >> larger_text;
-    smaller = std::strtod(smaller_text.c_str(), nullptr);
-    larger = std::strtod(larger_text.c_str(), nullptr);
-  }
-  Intersection intersection(Root convention) const {
-    if (line_class == "miss") return {};
-    const HitClass hit = line_class == "tangent" ? HitClass::kTangent : HitClass::kHit;
-    if (smaller_sign >= 0) return {hit, WhichRoot::kSmaller};
-    if (convention == Root::kSmaller || larger_sign < 0) return {};
-    return {hit, WhichRoot::kLarger};
-  }
-};
+/// How often what is met, or s, is of each kind.
+using Counts = std::map<std::string, int>;
 
-struct Counts {
-  int hits = 0;
-  int larger_roots = 0;
-  int tangents = 0;
-  int misses = 0;
-  int zeros = 0;
-  int subnormal = 0;
-  int overflowed = 0;
-};
-
-Counts expect_oracle_agrees(const std::vector<Case>& cases) {
+template <class Make>
+Counts expect_oracle_agrees(int count, std::uint64_t seed, Make make) {
+  Random random(seed);
+  std::vector<Asked> cases;
+  for (int k = 0; k < count; ++k) cases.push_back(make(random));
   const std::vector<std::string> lines = ask_oracle(cases);
   EXPECT_EQ(lines.size(), cases.size());
   Counts counts;
   for (std::size_t k = 0; k < lines.size() && !testing::Test::HasFailure(); ++k) {
-    const auto& [given, sphere] = cases[k];
-    SCOPED_TRACE(spelled(given) + spelled(sphere) + " " + lines[k]);
-    const Answer answer(lines[k]);
-    const ExactRay ray(given);
-    EXPECT_TRUE(ray.intersect(sphere, Root::kSmaller) == answer.intersection(Root::kSmaller));
-    const Intersection at = ray.intersect(sphere);
-    EXPECT_TRUE(at == answer.intersection(Root::kNearest));
-    counts.misses += at.hit_class == HitClass::kMiss ? 1 : 0;
-    if (at.hit_class == HitClass::kMiss) continue;
-    const bool is_smaller = at.root == WhichRoot::kSmaller;
-    const double s = is_smaller ? answer.smaller : answer.larger;
-    EXPECT_EQ(ray.rounded_parameter(sphere, at), s);
-    if (at.hit_class == HitClass::kHit) {
-      // The other root, too, even where it lies behind the ray's origin.
-      const WhichRoot other = is_smaller ? WhichRoot::kLarger : WhichRoot::kSmaller;
-      EXPECT_EQ(ray.rounded_parameter(sphere, {HitClass::kHit, other}),
-                is_smaller ? answer.larger : answer.smaller);
+    const Asked& one = cases[k];
+    SCOPED_TRACE(line_of(one) + ": " + lines[k]);
+    const ExactRay ray(one.ray);
+    std::istringstream in(lines[k]);
+    std::string answer, which, smaller, larger;
+    if (in >> answer >> which >> smaller >> larger) answer += " " + which;
+    EXPECT_EQ(met(ray, one, one.conventions), answer);
+    ++counts[answer];
+    // < for <= is another answer where a root is an end.
+    scene::Conventions open = one.conventions, closed = one.conventions;
+    open.valid.ends = scene::Ends::kOpen;
+    closed.valid.ends = scene::Ends::kClosed;
+    counts["at an end"] += met(ray, one, open) != met(ray, one, closed) ? 1 : 0;
+    if (answer == "miss") continue;
+    // The other root, too, even where it does not count.
+    const HitClass hit_class = ray.intersect(one.sphere, one.conventions).hit_class;
+    for (const auto& [root, text] :
+         {std::pair(WhichRoot::kSmaller, smaller), {WhichRoot::kLarger, larger}}) {
+      const double s = std::strtod(text.c_str(), nullptr);
+      EXPECT_EQ(ray.rounded_parameter(one.sphere, {hit_class, root}), s);
+      counts["zero"] += s == 0 ? 1 : 0;
+      counts["subnormal"] += s > 0 && s < kSmallestNormal ? 1 : 0;
+      counts["overflowed"] += std::isinf(s) ? 1 : 0;
     }
-    counts.hits += at.hit_class == HitClass::kHit ? 1 : 0;
-    counts.tangents += at.hit_class == HitClass::kTangent ? 1 : 0;
-    counts.larger_roots += is_smaller ? 0 : 1;
-    counts.zeros += s == 0 ? 1 : 0;
-    counts.subnormal += s > 0 && s < std::numeric_limits<double>::min() ? 1 : 0;
-    counts.overflowed += std::isinf(s) ? 1 : 0;
   }
   return counts;
 }
 
-template <class Make>
-Counts expect_oracle_agrees_on(int count, std::uint64_t seed, Make make) {
-  Random random(seed);
-  std::vector<Case> cases;
-  for (int k = 0; k < count; ++k) cases.push_back(make(random));
-  return expect_oracle_agrees(cases);
-}
-
-TEST(PythonOracle, AgreesOnOrdinaryRays) {
-  const Counts counts = expect_oracle_agrees_on(1000, 1, [](Random& random) {
-    const Ray ray = random_ray(random, Sizes::kOrdinary);
-    return Case{ray, random_sphere(random, Sizes::kOrdinary)};
-  });
-  EXPECT_GE(counts.hits, 50);
-  EXPECT_GE(counts.misses, 300);
+void expect_at_least(const Counts& counts, const Counts& least) {
+  for (const auto& [kind, most] : least) {
+    const auto at = counts.find(kind);
+    EXPECT_GE(at == counts.end() ? 0 : at->second, most) << kind;
+  }
 }
 
 TEST(PythonOracle, AgreesOnNearTies) {
   // Beside a tangent line, or at the surface: 1 + a few ulps from (-5, 0, 0), along x, and scaled.
-  const Counts counts = expect_oracle_agrees_on(1000, 2, [](Random& random) {
+  const Counts counts = expect_oracle_agrees(1000, 2, [](Random& random) {
     const double scale = std::ldexp(1.0, static_cast<int>(random.integer(-60, 60)));
     const double edge = nudged(1, random.integer(-3, 3)) * scale;
     const Ray ray = random.one_in(2)
                         ? Ray{{-5 * scale, edge, 0}, {3, 0, 0}}
                         : Ray{{edge, 0, 0}, {random.sign(), random.small_integer(1), 0}};
-    return Case{ray, {{0, 0, 0}, nudged(1, random.integer(-3, 3)) * scale}};
+    return Asked{ray, {{0, 0, 0}, nudged(1, random.integer(-3, 3)) * scale}};
   });
-  EXPECT_GE(counts.hits, 200);
-  EXPECT_GE(counts.larger_roots, 100);
-  EXPECT_GE(counts.tangents, 40);
-  EXPECT_GE(counts.misses, 200);
-  EXPECT_GE(counts.zeros, 40);
+  expect_at_least(
+      counts,
+      {{"hit near", 100}, {"hit far", 100}, {"tangent near", 40}, {"miss", 200}, {"zero", 40}});
 }
 
 TEST(PythonOracle, AgreesOnTheWholeRange) {
-  const Counts counts = expect_oracle_agrees_on(2500, 3, [](Random& random) {
+  const Counts counts = expect_oracle_agrees(2500, 3, [](Random& random) {
     const Ray ray = random_ray(random, Sizes::kAll);
-    return Case{ray, random_sphere(random, Sizes::kAll)};
+    Asked one{ray, random_sphere(random, Sizes::kAll)};
+    if (random.one_in(2)) one.conventions.root = scene::Root::kSmaller;
+    return one;
   });
-  EXPECT_GE(counts.hits, 200);
-  EXPECT_GE(counts.misses, 200);
-  EXPECT_GE(counts.subnormal, 3);
-  EXPECT_GE(counts.overflowed, 10);
+  expect_at_least(
+      counts,
+      {{"hit near", 50}, {"hit far", 50}, {"miss", 200}, {"subnormal", 3}, {"overflowed", 10}});
+}
+
+/// Small integers, so that roots are often doubles, or ordinary numbers; ends beside the roots.
+Asked with_ends(Random& random) {
+  Asked one;
+  const auto whole = [&](int most) { return static_cast<double>(random.integer(-most, most)); };
+  if (random.one_in(2)) {
+    one.ray = {{whole(5), 0, 0}, {random.sign() * static_cast<double>(random.integer(1, 3)), 0, 0}};
+    one.sphere = {{whole(5), whole(2), 0}, static_cast<double>(random.integer(0, 4))};
+  } else {
+    one.ray = random_ray(random, Sizes::kOrdinary);
+    one.sphere = random_sphere(random, Sizes::kOrdinary);
+  }
+  scene::ValidRoots& valid = one.conventions.valid;
+  valid.ends = static_cast<scene::Ends>(random.integer(0, 3));
+  valid.unit = static_cast<scene::TUnit>(random.integer(0, 1));
+  valid.culling = static_cast<scene::Culling>(random.integer(0, 2));
+  const bool front = valid.culling == scene::Culling::kFrontFaces;
+  if (!front && random.one_in(4)) one.conventions.root = scene::Root::kSmaller;
+  const ExactRay exact(one.ray);
+  const auto end_near = [&](WhichRoot root) {
+    Intersection at = exact.intersect(one.sphere);
+    if (at.hit_class == HitClass::kMiss) return std::abs(whole(5));
+    at.root = root;
+    double s = std::abs(exact.rounded_parameter(one.sphere, at));
+    if (valid.unit == scene::TUnit::kRadius && one.sphere.radius > 0) s /= one.sphere.radius;
+    return s == 0 ? 0 : nudged(s, random.integer(-1, 1));
+  };
+  valid.t_min =
+      random.one_in(4) ? 0 : end_near(random.one_in(2) ? WhichRoot::kSmaller : WhichRoot::kLarger);
+  if (!random.one_in(2)) valid.t_max = std::max(valid.t_min, end_near(WhichRoot::kLarger));
+  return one;
+}
+
+TEST(PythonOracle, AgreesWhichRootsCount) {
+  expect_at_least(expect_oracle_agrees(6000, 11, with_ends), {{"miss", 1000},
+                                                              {"hit near", 200},
+                                                              {"hit far", 200},
+                                                              {"tangent near", 30},
+                                                              {"at an end", 100}});
 }
 
 }  // namespace

@@ -5,12 +5,10 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <cmath>
 #include <string>
 
-#include "properties/quantity.h"
-#include "reference/account/condition.h"
-#include "reference/error_measure.h"
+#include "properties/candidates/fast_candidate.h"
+#include "properties/search/campaign.h"
 #include "reference/exact_ray.h"
 #include "tests/method_expectations.h"
 #include "tests/method_names.h"
@@ -19,9 +17,6 @@
 namespace raycheck::properties {
 namespace {
 
-using reference::ExactRay;
-using reference::HitClass;
-using reference::Intersection;
 using reference::Sizes;
 using scene::Ray;
 using scene::Root;
@@ -35,25 +30,6 @@ const Sphere kUnitSphere = {{0, 0, 0}, 1};
 constexpr double kCertifiedSlack = 0x1p-14;
 
 class EachExactMethod : public testing::TestWithParam<const fast::IntersectMethod*> {};
-
-TEST_P(EachExactMethod, FollowsTheConventions) {
-  const auto meets = [&](const Ray& ray, Root root, Tangent tangent) {
-    return GetParam()->intersect_one(ray, kUnitSphere, root, tangent).has_value();
-  };
-  const Ray inside = {{0, 0.5, 0}, {1, 0, 0}};
-  EXPECT_TRUE(meets(inside, Root::kNearest, Tangent::kHit));
-  EXPECT_FALSE(meets(inside, Root::kSmaller, Tangent::kHit));
-  const Ray leaving = {{1, 0, 0}, {1, 0, 0}};
-  EXPECT_TRUE(meets(leaving, Root::kNearest, Tangent::kHit));
-  EXPECT_FALSE(meets(leaving, Root::kSmaller, Tangent::kHit));
-  const Ray entering = {{-1, 0, 0}, {1, 0, 0}};
-  EXPECT_TRUE(meets(entering, Root::kSmaller, Tangent::kHit));
-  const Ray tangent = {{-5, 1, 0}, {1, 0, 0}};
-  EXPECT_TRUE(meets(tangent, Root::kSmaller, Tangent::kEither));
-  EXPECT_FALSE(meets(tangent, Root::kNearest, Tangent::kMiss));
-  const Ray behind = {{5, 0, 0}, {1, 0, 0}};
-  EXPECT_FALSE(meets(behind, Root::kNearest, Tangent::kHit));
-}
 
 TEST_P(EachExactMethod, AnswersOneRayAsItDoesABatch) {
   Random random(1);
@@ -71,77 +47,43 @@ TEST_P(EachExactMethod, AnswersOneRayAsItDoesABatch) {
 
 TEST_P(EachExactMethod, RefusesByTheNameOfTheField) { expect_refusals(*GetParam()); }
 
-struct Mistaken {
-  int hits = 0;
-  int misses = 0;
-  int wrong = 0;
-  int parameters = 0;
-};
-
-/// Holds a method against its bound on s; wrong classes are counted.
-Mistaken audit(const fast::IntersectMethod& method, Sizes sizes, int cases) {
-  Mistaken counts;
-  Random random(2);
-  for (int k = 0; k < cases; ++k) {
-    const Ray ray = reference::random_ray(random, sizes);
-    const Sphere sphere = reference::random_sphere(random, sizes);
-    const ExactRay exact(ray);
-    const Intersection at = exact.intersect(sphere);
-    const bool meets = at.hit_class != HitClass::kMiss;
-    const auto answer = method.intersect_one(ray, sphere, Root::kNearest, Tangent::kHit);
-    if (answer.has_value() != meets) {
-      ++counts.wrong;
-      continue;
-    }
-    (meets ? counts.hits : counts.misses) += 1;
-    if (!meets || condition_of_parameter(exact, sphere, at) > kModerateCondition) continue;
-    ++counts.parameters;
-    EXPECT_LE(reference::ulp_error(answer->parameter, exact.parameter(sphere, at)),
-              method.max_ulp + kCertifiedSlack)
-        << method.name << reference::spelled(ray) << reference::spelled(sphere);
-  }
-  return counts;
-}
-
-TEST(ExactMethods, KeepTheirBoundsOnOrdinaryRays) {
-  for (const auto* method : exact_methods()) {
-    const Mistaken counts = audit(*method, Sizes::kOrdinary, 2000);
-    EXPECT_EQ(counts.wrong, 0) << method->name;
-    EXPECT_GT(counts.hits, 300) << method->name;
-    EXPECT_GT(counts.misses, 300) << method->name;
-    EXPECT_GT(counts.parameters, 150) << method->name;
+/// Under every convention, and with its bound on s.
+TEST_P(EachExactMethod, KeepsTheLawsOnOrdinaryCases) {
+  Candidate candidate = fast_candidate(fast::kDirectRays, *GetParam());
+  auto& bound = candidate.max_error[static_cast<std::size_t>(Quantity::kParameter)];
+  bound = bound.value() + kCertifiedSlack;
+  CampaignOptions options;
+  options.cases = 900;
+  for (const char* law : {"class", "nearest-root", "parameter"}) {
+    EXPECT_EQ(run_campaign(*find_law(law), candidate, options).finding(), Finding::kHolds) << law;
   }
 }
 
-TEST(ExactMethods, KeepTheClassOfSmallIntegersTiesIncluded) {
-  for (const auto* method : exact_methods()) {
-    const Mistaken counts = audit(*method, Sizes::kSmallIntegers, 2000);
-    EXPECT_EQ(counts.wrong, 0) << method->name;
-    EXPECT_GT(counts.hits, 300) << method->name;
-  }
-}
-
-TEST(ExactMethods, KeepTheClassOverTheWholeRangeWhereTheyPromiseTo) {
-  int promised = 0;
-  for (const auto* method : exact_methods()) {
-    if (!method->exact_class) continue;
-    ++promised;
+/// Of small integers, ties included; over the whole range where it promises to.
+TEST_P(EachExactMethod, KeepsTheClass) {
+  for (const Sizes sizes : {Sizes::kSmallIntegers, Sizes::kAll}) {
+    if (sizes == Sizes::kAll && !GetParam()->exact_class) continue;
     int hits = 0;
     Random random(3);
     for (int k = 0; k < 1000; ++k) {
-      const Ray ray = reference::random_ray(random, Sizes::kAll);
-      const Sphere sphere = reference::random_sphere(random, Sizes::kAll);
-      const bool meets = ExactRay(ray)
+      const Ray ray = reference::random_ray(random, sizes);
+      const Sphere sphere = reference::random_sphere(random, sizes);
+      const bool meets = reference::ExactRay(ray)
                              .intersect(sphere, Root::kNearest, reference::Engine::kFieldOnly)
-                             .hit_class != HitClass::kMiss;
+                             .hit_class != reference::HitClass::kMiss;
       hits += meets ? 1 : 0;
-      EXPECT_EQ(method->intersect_one(ray, sphere, Root::kNearest, Tangent::kHit).has_value(),
+      EXPECT_EQ(GetParam()->intersect_one(ray, sphere, Root::kNearest, Tangent::kHit).has_value(),
                 meets)
-          << method->name << reference::spelled(ray) << reference::spelled(sphere);
+          << reference::spelled(ray) << reference::spelled(sphere);
     }
     EXPECT_GT(hits, 50);
   }
-  EXPECT_EQ(promised, 2);
+}
+
+TEST(ExactMethods, PromiseTheClassTwice) {
+  EXPECT_EQ(std::count_if(exact_methods().begin(), exact_methods().end(),
+                          [](const auto* method) { return method->exact_class; }),
+            2);
 }
 
 bool meets(const fast::IntersectMethod& method, double y, double z) {

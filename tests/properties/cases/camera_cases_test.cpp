@@ -121,37 +121,10 @@ TEST(CameraFamily, OfImageSizesReachesTheMostPixelsAndEveryCorner) {
 }
 
 TEST(CameraFamily, OfNearPlanesStartsOnEverySideOfTheSurface) {
-  const CaseSource& source = *find_case_source("near-plane");
-  for (const int severity : {0, 7, 13}) {
-    std::array<int, 4> count = {};
-    for (std::uint64_t seed = 0; seed < 200; ++seed) {
-      const Case the_case = source.make(severity, seed);
-      ASSERT_EQ(the_case.scene.conventions.origin, scene::Origin::kPixel);
-      for (const PixelMeeting& m : meetings(the_case)) {
-        const bool outside = (m.to_centre - m.radius).certain_sign() == 1;
-        const bool entering = m.axial.certain_sign() == 1;
-        ++count[(outside ? 2u : 0u) + (entering ? 1u : 0u)];
-      }
-    }
-    for (const int side : count) EXPECT_GT(side, 40) << severity;
-  }
-}
-
-TEST(CameraFamily, OfScalesScalesUpOnItsOwn) {
-  const CaseSource& source = *find_case_source("camera-scale");
-  int smallest = 0;
-  int largest = 0;
-  int behind = 0;
-  for (std::uint64_t seed = 0; seed < 500; ++seed) {
-    const Camera camera = camera_of(source.make(1000, seed));
-    const int size = std::ilogb(std::max({std::abs(camera.up.x), std::abs(camera.up.y)}));
-    smallest = std::min(smallest, size);
-    largest = std::max(largest, size);
-    behind += camera.near > 0 ? 1 : 0;
-  }
-  EXPECT_LT(smallest, -900);
-  EXPECT_GT(largest, 900);
-  EXPECT_GT(behind, 50);
+  expect_every_side("near-plane", {0, 7, 13}, [](const Case& the_case, Sides& sides) {
+    ASSERT_EQ(the_case.scene.conventions.origin, scene::Origin::kPixel);
+    for (const PixelMeeting& m : meetings(the_case)) sides.count(m.to_centre, m.axial, m.radius);
+  });
 }
 
 }  // namespace

@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <ostream>
 #include <string>
 #include <vector>
@@ -97,6 +98,27 @@ inline void expect_dial(const DialRow& row) {
       }
     }
     EXPECT_GE(measured, kDialSeeds);
+  }
+}
+
+/// How often a ray starts outside a sphere or inside, towards its centre or away from it.
+struct Sides {
+  std::array<int, 4> counts = {};
+
+  void count(const Enclosure& to_centre, const Enclosure& axial, const Enclosure& radius) {
+    const bool outside = (to_centre - radius).certain_sign() == 1;
+    ++counts[(outside ? 2u : 0u) + (axial.certain_sign() == 1 ? 1u : 0u)];
+  }
+};
+
+template <class Count>
+void expect_every_side(std::string_view family, std::initializer_list<int> some, Count count) {
+  for (const int severity : some) {
+    Sides sides;
+    for (std::uint64_t seed = 0; seed < 2 * kDialSeeds; ++seed) {
+      count(find_case_source(family)->make(severity, seed), sides);
+    }
+    for (const int side : sides.counts) EXPECT_GT(side, 40) << family << "@" << severity;
   }
 }
 

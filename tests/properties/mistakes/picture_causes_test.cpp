@@ -252,19 +252,6 @@ TEST(PictureCauses, OfExchangedSidesAreNamedUnlessARightPictureContradicts) {
   EXPECT_EQ(sentences_for(pictures), Sentences());
 }
 
-TEST(PictureCauses, OfWritingLoopsExchangedAreBlackOutsideTheImage) {
-  const Mistake* const its = mistake(
-      "the loops that write the picture are exchanged: as many lines as there are columns, of as "
-      "many values as there are rows");
-  Scene scene = rubric_scenes().front();
-  scene.camera->width = 3;
-  scene.camera->height = 2;
-  scene.spheres = {{{0, 0, -5}, 100}};
-  scene.conventions.rows = scene::Rows::kTopFirst;
-  // Lines of two values for columns of two: three of them, of which the image has two.
-  EXPECT_EQ(predicted({its}, scene), (ImageAnswer{0, 0, 0, 0, std::nullopt, std::nullopt}));
-}
-
 /// Spheres that are seen from so many radii away.
 Scene far_scene(double radii) {
   Scene scene = rubric_scenes().front();

@@ -100,25 +100,17 @@ using Shows = std::optional<std::size_t> (*)(const SeenImage&, std::int64_t, std
 
 /// Other pixels than those seen.
 constexpr Shows kPixels[] = {
-    [](const SeenImage& its, std::int64_t i, std::int64_t j, FaultSizes& z) {
+    [](const auto& its, auto i, auto j, auto& z) {
       return between(z.random, 0, 1) < z.share ? std::nullopt : its.at(i, j);
     },
-    [](const SeenImage& its, std::int64_t i, std::int64_t j, FaultSizes& z) {
-      return its.at(i + z.pixels, j);
-    },
-    [](const SeenImage& its, std::int64_t i, std::int64_t j, FaultSizes& z) {
-      return its.at(i, j - z.pixels);
-    },
-    [](const SeenImage& its, std::int64_t i, std::int64_t j, FaultSizes&) {
-      return j % 2 == 0 ? its.at(i, j) : std::nullopt;
-    },
-    [](const SeenImage& its, std::int64_t i, std::int64_t j, FaultSizes&) {
-      return its.at(i / 2 * 2, j / 2 * 2);
-    },
-    [](const SeenImage& its, std::int64_t i, std::int64_t j, FaultSizes&) {
+    [](const auto& its, auto i, auto j, auto& z) { return its.at(i + z.pixels, j); },
+    [](const auto& its, auto i, auto j, auto& z) { return its.at(i, j - z.pixels); },
+    [](const auto& its, auto i, auto j, auto&) { return j % 2 == 0 ? its.at(i, j) : std::nullopt; },
+    [](const auto& its, auto i, auto j, auto&) { return its.at(i / 2 * 2, j / 2 * 2); },
+    [](const auto& its, auto i, auto j, auto&) {
       return i + j < its.width ? its.at(i, j) : std::nullopt;
     },
-    [](const SeenImage& its, std::int64_t i, std::int64_t j, FaultSizes&) {
+    [](const auto& its, auto i, auto j, auto&) {
       return its.at(2 * i - its.width / 2, 2 * j - its.height / 2);
     },
 };

@@ -10,7 +10,7 @@
 namespace raycheck::tests {
 
 /// What integers say of a ray and a sphere whose numbers are floats, and of an answer. It shares
-/// nothing with reference/: GMP's integers and integer square roots alone.
+/// nothing with reference/: the literal formulas in MPFR, at a precision that loses nothing.
 struct FloatTruth {
   bool is_line_hit = false;   ///< The line meets the sphere.
   bool is_tangent = false;    ///< In a double root.

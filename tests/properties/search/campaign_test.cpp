@@ -3,14 +3,11 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <cstdlib>
 #include <map>
 #include <stdexcept>
 #include <string>
 
 #include "properties/candidates/fast_candidate.h"
-#include "properties/cases/case_text.h"
-#include "scene/files/scene_file.h"
 
 namespace raycheck::properties {
 namespace {
@@ -24,38 +21,6 @@ CampaignOptions options(int cases, std::uint64_t seed = 1) {
   result.seed = seed;
   result.level = Level::kExtreme;
   return result;
-}
-
-TEST(Campaign, DoesNotListenToTheEnvironment) {
-  const CampaignResult before = run_campaign(*find_law("class"), kBad, options(500));
-  ASSERT_EQ(setenv("RC_PARAMS", "seed=12345 max_success=1", 1), 0);
-  testing::internal::CaptureStdout();
-  testing::internal::CaptureStderr();
-  const CampaignResult after = run_campaign(*find_law("class"), kBad, options(500));
-  EXPECT_EQ(testing::internal::GetCapturedStdout(), "");
-  EXPECT_EQ(testing::internal::GetCapturedStderr(), "");
-  unsetenv("RC_PARAMS");
-  ASSERT_TRUE(before.failure && after.failure);
-  EXPECT_EQ(after.failure->replay, before.failure->replay);
-}
-
-TEST(Campaign, JudgesEveryCaseOfALawThatHolds) {
-  const CampaignResult result = run_campaign(*find_law("density"), kGood, options(200));
-  EXPECT_FALSE(result.failure);
-  EXPECT_EQ(result.counts.cases, 200);
-  EXPECT_GT(result.counts.left_out, 0);
-  EXPECT_LT(result.counts.left_out, 200);
-  EXPECT_EQ(result.counts.reason, "samples at cell centres move with the density");
-  EXPECT_GT(result.verdict.compared(), 200u);
-}
-
-TEST(Campaign, SaysTheLevelOfWhatWasAsked) {
-  CampaignOptions one = options(10);
-  one.level = Level::kOrdinary;
-  one.sources = {chosen_source("rays")};
-  EXPECT_EQ(run_campaign(*find_law("class"), kGood, one).level, Level::kOrdinary);
-  one.sources = {chosen_source("tangent-ulps@53")};
-  EXPECT_EQ(run_campaign(*find_law("class"), kGood, one).level, Level::kExtreme);
 }
 
 /// Answers that are wrong alike agree; no hit of them is right, whether there are misses or not.
@@ -239,14 +204,6 @@ TEST(Reaches, EndAtTheFirstSeverityThatBreaksTheLaw) {
   EXPECT_FALSE(found[1].broken_at);
 }
 
-TEST(Campaign, SaysWhenNoSourceSuitsTheLaw) {
-  CampaignOptions rays_only = options(100);
-  rays_only.sources = {chosen_source("rays")};
-  const CampaignResult result = run_campaign(*find_law("frame"), kGood, rays_only);
-  EXPECT_EQ(result.counts.cases, 0);
-  EXPECT_FALSE(result.counts.reason.empty());
-}
-
 TEST(Campaign, EndsWhenItIsInterrupted) {
   int answered = 0;
   Candidate counting = kGood;
@@ -263,34 +220,6 @@ TEST(Campaign, EndsWhenItIsInterrupted) {
   EXPECT_GE(result.counts.cases, 9);
   EXPECT_LE(result.counts.cases, 10);
   EXPECT_EQ(answered, 10);
-}
-
-TEST(Campaign, ShrinksTheFirstFailure) {
-  CampaignOptions far = options(500);
-  far.sources = {chosen_source("distance")};
-  const CampaignResult result = run_campaign(*find_law("class"), kBad, far);
-  ASSERT_TRUE(result.failure);
-  EXPECT_LT(result.counts.cases, 500);
-  const Case& shrunk = result.failure->shrunk;
-  EXPECT_EQ(shrunk.scene.spheres.size(), 1u);
-  EXPECT_EQ(shrunk.scene.rays.size(), 1u);
-  EXPECT_FALSE(result.failure->verdict.holds());
-  // What was found is counted once; the tries of shrinking are not.
-  EXPECT_LE(result.verdict.compared(), 3u * static_cast<unsigned>(result.counts.cases));
-}
-
-TEST(Replay, FindsTheFailureAgain) {
-  const CampaignResult first = run_campaign(*find_law("nearest-sphere"), kBad, options(900));
-  ASSERT_TRUE(first.failure);
-  const Replay replay = parse_replay(first.failure->replay);
-  EXPECT_EQ(replay.law->name, "nearest-sphere");
-  EXPECT_EQ(replay.candidate, kBad.name);
-  const CampaignResult again = run_replay(replay, kBad);
-  ASSERT_TRUE(again.failure);
-  EXPECT_EQ(again.counts.cases, 1);
-  EXPECT_EQ(again.failure->shrunk.scene, first.failure->shrunk.scene);
-  EXPECT_EQ(again.failure->replay, first.failure->replay);
-  EXPECT_FALSE(run_replay(replay, kGood).failure);
 }
 
 std::string error_of_replay(std::string_view replay) {
@@ -316,18 +245,6 @@ TEST(Replay, NamesThePartThatIsWrong) {
     EXPECT_NE(error_of_replay("class:a/b:distance:" + std::string(seed)).find("hexadecimal seed"),
               std::string::npos)
         << seed;
-  }
-}
-
-TEST(CaseText, IsASceneThatReadsBack) {
-  for (const CaseSource& source : case_sources()) {
-    for (std::uint64_t seed = 0; seed < 50; ++seed) {
-      const Case the_case = any_case(source, seed);
-      const std::string lines = scene_text(the_case, "why");
-      EXPECT_EQ(scene::read_toml(lines, "case").scene, the_case.scene) << source.name;
-      EXPECT_EQ(lines.rfind("# why\n", 0), 0u);
-      EXPECT_EQ(lines.find("# pixels: (") != std::string::npos, source.has_camera);
-    }
   }
 }
 

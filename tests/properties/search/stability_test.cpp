@@ -100,13 +100,6 @@ TEST(Stability, TellsDefectsFromExcusedDecisionsFromThoseOutsideTheDomain) {
             1u);
 }
 
-TEST(Stability, CountsInTheMethodsOwnRoundoff) {
-  Candidate single = that_answers_parameter(kParameter + 1e9 * kGap);
-  EXPECT_EQ(outcome(0.5, single), Outcome::kUnstable);
-  single.unit_roundoff = 0x1p-24;
-  EXPECT_EQ(outcome(0.5, single), Outcome::kAccurate);
-}
-
 TEST(Stability, OfAContractAsksForUnitDirectionsAndOriginsOutside) {
   Candidate strict = that_answers_parameter(kParameter);
   strict.needs_unit_direction = true;
@@ -118,15 +111,6 @@ TEST(Stability, OfAContractAsksForUnitDirectionsAndOriginsOutside) {
   the_case = at_height_of_unit_sphere(0.5);
   the_case.scene.rays[0].direction.x = 2;
   EXPECT_FALSE(is_inside_domain(strict, the_case.scene));
-}
-
-TEST(Backward, ErrorIsALawThatAWrongRootBreaks) {
-  const auto holds = [](double parameter) {
-    return weigh("backward-error", at_height_of_unit_sphere(0.5), that_answers_parameter(parameter))
-        .holds();
-  };
-  EXPECT_TRUE(holds(kParameter));
-  EXPECT_FALSE(holds(kParameter + 1e4 * kGap));
 }
 
 constexpr int kCases = 200;

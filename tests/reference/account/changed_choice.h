@@ -38,7 +38,7 @@ inline int sign_of_sum(const Fraction& p, const Fraction& q, const Fraction& x, 
 
 /// A sphere's equation along a ray at changed inputs: a mu^2 - 2 b mu + c.
 struct Met {
-  Fraction b = 0, c = 0, discriminant = 0;
+  Fraction a = 0, b = 0, c = 0, discriminant = 0;
   int root = 0;  ///< -1 or 1: that which the conventions ask for; 0: none.
 };
 
@@ -65,6 +65,7 @@ class ChangedChoice {
       }
       const Fraction radius = input(sphere.radius);
       met.c -= radius * radius;
+      met.a = a;
       met.discriminant = met.b * met.b - a * met.c;
       const bool is_met =
           met.discriminant > 0 || (met.discriminant == 0 && tangent == scene::Tangent::kHit);
@@ -76,6 +77,8 @@ class ChangedChoice {
       met_.push_back(met);
     }
   }
+
+  const Met& first() const { return met_.front(); }
 
   bool is_right(const FirstMet& claim) const {
     bool is_any = false;

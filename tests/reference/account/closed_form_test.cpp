@@ -21,65 +21,6 @@ using Texts = std::vector<std::string>;
 
 const Sphere kLectureSphere{{5, 5, 5}, 3};
 
-TEST(ClosedFormValueParser, ReadsWhatIsPrintedAndNothingElse) {
-  EXPECT_EQ(ClosedFormValue::of("-1/2*sqrt(9) + 28/7 - (1 - 3)*2"), Big(13) / 2);
-  EXPECT_EQ(ClosedFormValue::of("sqrt(sqrt(16) + 5)"), Big(3));
-  EXPECT_THROW(ClosedFormValue::of("1 + "), std::runtime_error);
-  EXPECT_THROW(ClosedFormValue::of("sqrt(2"), std::runtime_error);
-  EXPECT_THROW(ClosedFormValue::of("1 2"), std::runtime_error);
-}
-
-TEST(LectureClosedForm, FirstSphere) {
-  const ClosedFormRay ray(Ray{{1, 1, 3}, {4, 3, 0}});
-  EXPECT_EQ(texts(ray.direction()), (Texts{"4/5", "3/5", "0"}));
-  EXPECT_EQ(texts(ray.origin()), (Texts{"1", "1", "3"}));
-  EXPECT_EQ(ray.length().text(), "5");
-  EXPECT_EQ(texts(ray.to_centre(kLectureSphere)), (Texts{"4", "4", "2"}));
-  EXPECT_EQ(ray.axial_distance(kLectureSphere).text(), "28/5");
-  EXPECT_EQ(ray.half_chord_sq(kLectureSphere).text(), "109/25");
-  EXPECT_EQ(ray.parameter(kLectureSphere, kSmallerHit).text(), "-1/25*sqrt(109) + 28/25");
-  EXPECT_EQ(texts(ray.point(kLectureSphere, kSmallerHit)),
-            (Texts{"-4/25*sqrt(109) + 137/25", "-3/25*sqrt(109) + 109/25", "3"}));
-}
-
-TEST(LectureClosedForm, Example2) {
-  const ClosedFormRay ray(Ray{{1, 0, 1}, {1, 2, 1}});
-  EXPECT_EQ(texts(ray.direction()), (Texts{"1/6*sqrt(6)", "1/3*sqrt(6)", "1/6*sqrt(6)"}));
-  EXPECT_EQ(texts(ray.to_centre(kLectureSphere)), (Texts{"4", "5", "4"}));
-  EXPECT_EQ(ray.half_chord_sq(kLectureSphere).text(), "6");
-  EXPECT_EQ(ray.axial_distance(kLectureSphere).text(), "3*sqrt(6)");
-  EXPECT_EQ(ray.parameter(kLectureSphere, kSmallerHit).text(), "2");
-  EXPECT_EQ(texts(ray.point(kLectureSphere, kSmallerHit)), (Texts{"3", "4", "3"}));
-  // The same ray from a camera: s = 2 sqrt(6) is a length.
-  scene::Conventions conventions;
-  conventions.origin = scene::Origin::kFocal;
-  const Camera camera{{1, 0, 1}, {2, 2, 2}, {0, 0, 1}, -1, {}, -1, 1, -1, 1, 3, 3};
-  const ClosedFormRay unit(camera, conventions, {1, 1});
-  EXPECT_EQ(texts(unit.direction()), texts(ray.direction()));
-  EXPECT_EQ(unit.parameter(kLectureSphere, kSmallerHit).text(), "2*sqrt(6)");
-}
-
-TEST(LectureClosedForm, Cameras) {
-  const Camera first{{8, 8, 100}, {8, 8, 54}, {0, 1, 0}, -30, -75, -30, 30, -20, 20, 2, 2};
-  const ClosedFormFrame frame = closed_form_frame(first);
-  EXPECT_EQ(texts(frame.U), (Texts{"1", "0", "0"}));
-  EXPECT_EQ(texts(frame.V), (Texts{"0", "1", "0"}));
-  EXPECT_EQ(texts(frame.W), (Texts{"0", "0", "1"}));
-  const ClosedFormRay corner(first, {}, {0, 0});
-  EXPECT_EQ(corner.alpha().text(), "-30");
-  EXPECT_EQ(corner.beta().text(), "-20");
-  EXPECT_EQ(texts(corner.pixel_point()), (Texts{"-22", "-12", "70"}));
-  EXPECT_EQ(texts(corner.direction()),
-            (Texts{"-3/22*sqrt(22)", "-1/11*sqrt(22)", "-3/22*sqrt(22)"}));
-  EXPECT_EQ(corner.length().text(), "10*sqrt(22)");
-
-  const Camera optical{{8, 8, 100}, {8, 8, 54}, {0, 1, 0}, -30, -75, -20, 20, 20, -20, 3, 3};
-  const ClosedFormRay other(optical, {}, {0, 0});
-  EXPECT_EQ(texts(other.pixel_point()), (Texts{"-12", "28", "70"}));
-  EXPECT_EQ(texts(other.direction()), (Texts{"-2/17*sqrt(17)", "2/17*sqrt(17)", "-3/17*sqrt(17)"}));
-  EXPECT_EQ(texts(ClosedFormRay(optical, {}, {1, 1}).direction()), (Texts{"0", "0", "-1"}));
-}
-
 TEST(ClosedForm, TermsThatVanishAreDropped) {
   const ClosedFormRay ray(Ray{{-5, 0, 0}, {1, 0, 0}});
   const Sphere unit{{0, 0, 0}, 1};
@@ -113,23 +54,6 @@ TEST(ClosedForm, HitsOutsideTheFieldKeepOneNestedRoot) {
   EXPECT_EQ(s, "-sqrt(" + d_sq + ") + " + ray.axial_distance(sphere).text());
 }
 
-TEST(ClosedForm, IsASumOfTermsInTheOrderOfItsText) {
-  const ClosedForm s =
-      ClosedFormRay(Ray{{1, 1, 3}, {4, 3, 0}}).parameter(kLectureSphere, kSmallerHit);
-  ASSERT_EQ(s.terms.size(), 2U);
-  const ClosedForm::Term &root = s.terms[0], &rational = s.terms[1];
-  EXPECT_TRUE(root.negative);
-  EXPECT_TRUE(root.numerator.is_one());
-  EXPECT_EQ(root.denominator.digits, "25");
-  ASSERT_EQ(root.radicands.size(), 1U);
-  EXPECT_EQ(root.radicands[0].text(), "109");
-  EXPECT_FALSE(root.is_rational());
-  EXPECT_FALSE(rational.negative);
-  EXPECT_TRUE(rational.is_rational());
-  EXPECT_EQ(rational.numerator.digits, "28");
-  EXPECT_TRUE(ClosedFormRay(Ray{{0, 0, 0}, {1, 0, 0}}).direction()[1].is_zero());
-}
-
 TEST(ClosedForm, NestedRootsKeepTheirCoefficients) {
   const ClosedForm two{{{.numerator = {"2"}}}};
   const ClosedForm three{{{.numerator = {"3"}}}};
@@ -159,9 +83,6 @@ TEST(ClosedForm, InvalidInputIsRefused) {
   EXPECT_THROW(closed_form_frame(Camera{}), std::invalid_argument);
   const ClosedFormRay ray(Ray{{0, 0, 0}, {1, 0, 0}});
   EXPECT_THROW(ray.parameter({{0, 0, 0}, -1}, kSmallerHit), std::invalid_argument);
-}
-
-TEST(ClosedForm, APixelOutsideTheImageIsRefused) {
   const Camera camera{{0, 0, 9}, {0, 0, 0}, {0, 1, 0}, -1, {}, -1, 1, -1, 1, 3, 3};
   EXPECT_THROW(ClosedFormRay(camera, {}, {3, 0}), std::invalid_argument);
   EXPECT_THROW(ClosedFormRay(camera, {}, {0, -1}), std::invalid_argument);

@@ -1,4 +1,5 @@
-// Condition numbers of given rays, against closed forms of their derivatives.
+// Condition numbers against differences of enclosures at changed inputs, intervals against balls,
+// and where they are known by hand.
 
 #include "reference/account/condition.h"
 
@@ -6,6 +7,9 @@
 
 #include <array>
 #include <cmath>
+#include <functional>
+#include <optional>
+#include <vector>
 
 #include "tests/reference/account/condition_cases.h"
 #include "tests/reference/random_cases.h"
@@ -13,118 +17,219 @@
 namespace raycheck::reference {
 namespace {
 
-using scene::Ray;
+using scene::Camera;
 using scene::Sphere;
 
-Big3 axis(int k) { return {Big(k == 0 ? 1 : 0), Big(k == 1 ? 1 : 0), Big(k == 2 ? 1 : 0)}; }
+/// A ray, given or a camera's, and a sphere: what a condition number is asked of.
+struct CameraCase {
+  Camera camera;
+  scene::Conventions conventions;
+  scene::Pixel pixel;
+  std::vector<Sphere> spheres;  ///< One.
+  std::optional<scene::Ray> given = {};
 
-/// sum |dq/dx| |x| over |q|; infinite as condition numbers are.
-Big over(const Big& sum, const Big& size) {
-  if (size != 0) return sum / size;
-  return sum == 0 ? Big(0) : Big(kUnbounded);
-}
-
-/// The values of a ray and a sphere, and their derivatives by hand.
-struct ByHand {
-  ByHand(const Ray& ray, const Sphere& sphere, const Intersection& at)
-      : L(big(ray.origin)), d(big(ray.direction)), C(big(sphere.centre)), r(sphere.radius) {
-    const Big3 t = C - L;
-    const Big length = norm(d);
-    const Big3 D = d / length;
-    v = dot(t, D);
-    const Big3 moment = cross(t, D);
-    half_chord_sq = r * r - dot(moment, moment);
-    const Big half_chord = half_chord_sq > 0 ? Big(sqrt(half_chord_sq)) : Big(0);
-    s = (at.root == WhichRoot::kSmaller ? Big(v - half_chord) : Big(v + half_chord)) / length;
-    // 0 exactly where the ray starts on the sphere.
-    if (dot(t, t) == r * r && (at.root == WhichRoot::kSmaller) == (dot(t, d) > 0)) s = 0;
-    q = L + s * d - C;
-    for (int k = 0; k < 3; ++k) {
-      const auto K = static_cast<std::size_t>(k);
-      const Big size_of_ends = abs(coordinates_of(L)[K]) + abs(coordinates_of(C)[K]);
-      const Big size_of_d = abs(coordinates_of(d)[K]);
-      const Big T_k = coordinates_of(t)[K];
-      const Big D_k = coordinates_of(D)[K];
-      const Big by_d = abs(T_k - v * D_k) / length;
-      axial_sum += abs(D_k) * size_of_ends + by_d * size_of_d;
-      half_sum += 2 * (abs(T_k - v * D_k) * size_of_ends + abs(v) * by_d * size_of_d);
-    }
-    half_sum += 2 * r * r;
+  ExactRay ray() const {
+    return given ? ExactRay(*given) : ExactRay(ExactCamera(camera, conventions), pixel);
   }
-
-  /// From p(s) = |L + s d - C|^2 - r^2 = 0: ds/dx = -(dp/dx) / (dp/ds).
-  Big parameter_condition() const {
-    Big sum = 2 * r * r;
-    for (std::size_t k = 0; k < 3; ++k) {
-      const Big size =
-          abs(coordinates_of(L)[k]) + abs(coordinates_of(C)[k]) + abs(s * coordinates_of(d)[k]);
-      sum += 2 * abs(coordinates_of(q)[k]) * size;
-    }
-    return over(sum / abs(2 * dot(q, d)), abs(s));
+  std::string text() const {
+    return (given ? spelled(*given) : spelled(camera)) + spelled(spheres[0]);
   }
-
-  /// dQ/dx = dL/dx + s dd/dx + d ds/dx.
-  Big point_condition() const {
-    const Big slope = 2 * dot(q, d);
-    Big sum = norm((2 * r * r / slope) * d);
-    for (int k = 0; k < 3; ++k) {
-      const auto K = static_cast<std::size_t>(k);
-      const Big by_start = -2 * coordinates_of(q)[K] / slope;
-      sum += norm(axis(k) + by_start * d) * abs(coordinates_of(L)[K]);
-      sum += norm(by_start * d) * abs(coordinates_of(C)[K]);
-      sum += norm(s * axis(k) + (s * by_start) * d) * abs(coordinates_of(d)[K]);
-    }
-    return over(sum, norm(q + C));
+  std::vector<double*> inputs() {
+    if (!given) return inputs_of(camera, spheres);
+    auto& [o, d] = *given;
+    auto& [c, r] = spheres[0];
+    return {&o.x, &o.y, &o.z, &d.x, &d.y, &d.z, &c.x, &c.y, &c.z, &r};
   }
-
-  Big3 L, d, C;
-  Big r, v, half_chord_sq, s;
-  Big3 q;
-  Big axial_sum, half_sum;
 };
 
-int compare_with_closed_forms(Sizes sizes, std::uint64_t seed, int cases) {
-  Random random(seed);
-  int compared = 0;
-  for (int k = 0; k < cases; ++k) {
-    const Ray ray = random_ray(random, sizes);
-    const Sphere sphere = random_sphere(random, sizes);
-    const ExactRay exact(ray);
-    const Intersection at = exact.intersect(sphere);
-    if (at.hit_class == HitClass::kTangent) continue;
-    const ByHand by_hand(ray, sphere, at);
-    const std::string what = spelled(ray) + spelled(sphere);
-    // A v or d^2 that is 0 only up to the rounding of the closed form says nothing.
-    if (abs(by_hand.v) > by_hand.axial_sum * power_of_two(-5000)) {
-      expect_condition(condition_of_axial_distance(exact, sphere),
-                       by_hand.axial_sum / abs(by_hand.v), "v of " + what);
-    }
-    if (abs(by_hand.half_chord_sq) > by_hand.half_sum * power_of_two(-5000)) {
-      expect_condition(condition_of_half_chord_sq(exact, sphere),
-                       by_hand.half_sum / abs(by_hand.half_chord_sq), "d^2 of " + what);
-    }
-    if (at.hit_class != HitClass::kHit) continue;
-    expect_condition(condition_of_parameter(exact, sphere, at), by_hand.parameter_condition(),
-                     "s of " + what);
-    expect_condition(condition_of_point(exact, sphere, at), by_hand.point_condition(),
-                     "Q of " + what);
-    ++compared;
-  }
-  return compared;
+CameraCase random_case(Random& random, Sizes sizes) {
+  CameraCase result;
+  result.camera = random_camera(random, sizes);
+  result.conventions = random_conventions(random);
+  result.pixel = random_pixel(random, result.camera);
+  result.spheres = {random_sphere(random, sizes)};
+  return result;
 }
 
-TEST(Condition, IsThatOfTheClosedForms) {
-  EXPECT_GE(compare_with_closed_forms(Sizes::kOrdinary, 1, 2000), 200);
+using Value = std::function<std::vector<Enclosure>(const CameraCase&)>;
+
+double norm_of(const std::vector<Enclosure>& v) {
+  double squares = 0;
+  for (const Enclosure& x : v) squares += x.upper() * x.upper();
+  return std::sqrt(squares);
 }
-TEST(Condition, IsThatOfTheClosedFormsOfSmallIntegers) {
-  EXPECT_GE(compare_with_closed_forms(Sizes::kSmallIntegers, 2, 2000), 200);
+
+/// sum |dq/dx|_2 |x| / |q|_2 by central differences of doubles 2^-21 |x| apart, whose values are
+/// enclosed at 400 bits: what a second derivative leaves is far below kDifferenceError.
+double condition_by_differences(const CameraCase& at, const Value& value) {
+  double sum = 0;
+  CameraCase moved = at;
+  for (double* const input : moved.inputs()) {
+    const double x = *input;
+    if (x == 0) continue;
+    const double high = x * (1 + 0x1p-22);
+    const double low = x * (1 - 0x1p-22);
+    *input = high;
+    std::vector<Enclosure> difference = value(moved);
+    *input = low;
+    const std::vector<Enclosure> other = value(moved);
+    *input = x;
+    for (std::size_t k = 0; k < difference.size(); ++k) difference[k] -= other[k];
+    sum += norm_of(difference) * std::abs(x / (high - low));
+  }
+  return sum / norm_of(value(at));
 }
-TEST(Condition, IsThatOfTheClosedFormsAllOverTheDoubles) {
-  EXPECT_GE(compare_with_closed_forms(Sizes::kAll, 3, 1000), 100);
+constexpr double kDifferenceError = 0x1p-8;
+/// Beyond, differences would leave too much; small ones lack nothing.
+constexpr double kMostComparedCondition = 0x1p12;
+
+std::vector<Enclosure> listed(const Enclosure3& v) { return {v.x, v.y, v.z}; }
+std::vector<Enclosure> listed(const Enclosure& x) { return {x}; }
+
+constexpr int kDifferenceBits = 400;
+
+void expect_close(double condition, const CameraCase& at, const Value& value, const char* what,
+                  int& compared) {
+  if (condition <= kNegligibleCondition || condition > kMostComparedCondition) return;
+  const double differences = condition_by_differences(at, value);
+  EXPECT_LE(std::abs(condition - differences), kDifferenceError * differences)
+      << what << " of " << at.text();
+  ++compared;
+}
+
+struct Compared {
+  int values = 0, hits = 0;
+};
+
+void expect_differences(const CameraCase& at, Compared& counts) {
+  const ExactRay ray = at.ray();
+  int& compared = counts.values;
+  int& hits = counts.hits;
+  const Sphere& sphere = at.spheres[0];
+  const auto compare = [&](double condition, const char* what, auto value) {
+    expect_close(
+        condition, at,
+        [&](const CameraCase& moved) {
+          return listed(value(moved.ray().enclose(kDifferenceBits), moved.spheres[0]));
+        },
+        what, compared);
+  };
+  if (!at.given) {
+    compare(condition_of_pixel_point(ray), "P",
+            [](const auto& r, const auto&) { return r.pixel_point(); });
+  }
+  compare(condition_of_direction(ray), "D",
+          [](const auto& r, const auto&) { return r.direction(); });
+  compare(condition_of_axial_distance(ray, sphere), "v",
+          [](const auto& r, const auto& s) { return r.axial_distance(s); });
+  compare(condition_of_half_chord_sq(ray, sphere), "d^2",
+          [](const auto& r, const auto& s) { return r.half_chord_sq(s); });
+  const Intersection met = ray.intersect(sphere);
+  if (met.hit_class != HitClass::kHit) return;
+  ++hits;
+  compare(condition_of_parameter(ray, sphere, met), "s",
+          [&](const auto& r, const auto& s) { return r.parameter(s, met); });
+  compare(condition_of_point(ray, sphere, met), "Q",
+          [&](const auto& r, const auto& s) { return r.point(s, met); });
+}
+
+TEST(CameraCondition, IsThatOfSmallDifferences) {
+  Random random(1);
+  Compared of_cameras, of_given;
+  for (int k = 0; k < 40; ++k) {
+    const CameraCase at = random_case(random, Sizes::kOrdinary);
+    expect_differences(at, of_cameras);
+    for (const Sizes sizes : {Sizes::kOrdinary, Sizes::kSmallIntegers}) {
+      CameraCase given = at;
+      given.given = random_ray(random, sizes);
+      given.spheres = {random_sphere(random, sizes)};
+      expect_differences(given, of_given);
+    }
+    double worst = 0;
+    for (const auto axis : {&EnclosedFrame::U, &EnclosedFrame::V, &EnclosedFrame::W}) {
+      worst = std::max(worst, condition_by_differences(at, [axis](const CameraCase& moved) {
+                         const ExactCamera other(moved.camera, moved.conventions);
+                         return listed(other.frame_within(0, kDifferenceBits).*axis);
+                       }));
+    }
+    if (worst >= kMostComparedCondition) continue;
+    const double frame = condition_of_frame(ExactCamera(at.camera, at.conventions));
+    EXPECT_LE(std::abs(frame - worst), kDifferenceError * worst);
+  }
+  EXPECT_GE(of_cameras.hits, 5);
+  EXPECT_GE(of_cameras.values, 150);
+  EXPECT_GE(of_given.hits, 10);
+  EXPECT_GE(of_given.values, 200);
+}
+
+/// Every condition number of a ray and a sphere.
+std::vector<double> all_conditions(const ExactRay& ray, const Sphere& sphere, Arithmetic by) {
+  std::vector<double> result = {condition_of_direction(ray, by),
+                                condition_of_axial_distance(ray, sphere, by),
+                                condition_of_half_chord_sq(ray, sphere, by)};
+  if (ray.source().camera) result.push_back(condition_of_pixel_point(ray, by));
+  const Intersection at = ray.intersect(sphere);
+  if (at.hit_class != HitClass::kMiss) {
+    result.push_back(condition_of_parameter(ray, sphere, at, by));
+    result.push_back(condition_of_point(ray, sphere, at, by));
+  }
+  const RayStageConditions of_ray = stage_conditions(ray, by);
+  const SphereStageConditions of_sphere = stage_conditions(ray, sphere, at, by);
+  result.push_back(of_ray.direction);
+  result.push_back(of_sphere.axial_distance);
+  result.push_back(of_sphere.half_chord_sq);
+  for (const auto& one : {of_ray.pixel_point, of_sphere.root, of_sphere.point}) {
+    if (one) result.push_back(*one);
+  }
+  return result;
+}
+
+/// How many finite condition numbers agreed.
+int compare_arithmetics(const ExactRay& ray, const Sphere& sphere, const std::string& what) {
+  const auto filtered = all_conditions(ray, sphere, Arithmetic::kFiltered);
+  const auto balls = all_conditions(ray, sphere, Arithmetic::kBallsOnly);
+  int finite = 0;
+  for (std::size_t k = 0; k < balls.size(); ++k) {
+    expect_same_condition(filtered[k], balls[k], std::to_string(k) + " of " + what);
+    if (std::isfinite(balls[k])) ++finite;
+  }
+  return finite;
+}
+
+TEST(ConditionArithmetics, AgreeAboutGivenRaysAndThoseOfCameras) {
+  for (const Sizes sizes : {Sizes::kSmallIntegers, Sizes::kOrdinary, Sizes::kAll}) {
+    Random random(2);
+    int given = 0, of_cameras = 0;
+    for (int k = 0; k < 200; ++k) {
+      const scene::Ray ray = random_ray(random, sizes);
+      const Sphere sphere = random_sphere(random, sizes);
+      given += compare_arithmetics(ExactRay(ray), sphere, spelled(ray) + spelled(sphere));
+      if (k % 3 != 0) continue;
+      const CameraCase at = random_case(random, sizes);
+      of_cameras +=
+          compare_arithmetics(at.ray(), at.spheres[0], spelled(at.camera) + spelled(at.spheres[0]));
+      const ExactCamera camera(at.camera, at.conventions);
+      expect_same_condition(condition_of_frame(camera),
+                            condition_of_frame(camera, Arithmetic::kBallsOnly),
+                            "frame of " + spelled(at.camera));
+    }
+    EXPECT_GE(given, 1000);
+    EXPECT_GE(of_cameras, 300);
+  }
+}
+
+TEST(CameraCondition, OfTheFrameGrowsAsUpNearsTheViewDirection) {
+  // w = (1 - 1, 0, 10) and u = up x w = (10 angle, up_z w_x - up_x w_z, ...): changes of E_x and
+  // A_x move w_x by 1 each, so that U turns by 1 / (10 angle) with each.
+  for (const double angle : {0x1p-10, 0x1p-20, 0x1p-30}) {
+    const Camera camera{{1, 0, 10}, {1, 0, 0}, {0, angle, 1}, -1, {}, -1, 1, -1, 1, 3, 3};
+    expect_condition(condition_of_frame(ExactCamera(camera, {})), Big(2) / (10 * Big(angle)),
+                     "the frame");
+  }
 }
 
 TEST(Condition, IsInfiniteAtATangent) {
-  const ExactRay ray(Ray{{-5, 1, 0}, {1, 0, 0}});
+  const ExactRay ray(scene::Ray{{-5, 1, 0}, {1, 0, 0}});
   const Sphere sphere{{0, 0, 0}, 1};
   EXPECT_EQ(condition_of_parameter(ray, sphere, kTangent), kUnbounded);
   EXPECT_EQ(condition_of_point(ray, sphere, kTangent), kUnbounded);
@@ -132,38 +237,21 @@ TEST(Condition, IsInfiniteAtATangent) {
   EXPECT_LT(condition_of_axial_distance(ray, sphere), 3);
 }
 
-TEST(Condition, GrowsLikeOneOverTheRootOfTheDistanceToATangent) {
-  // With y = 1 - e and q = sqrt(1 - y^2): (1/q + y^2/q + 5 + s)/s, s = 5 - q.
-  for (const double e : {0x1p-10, 0x1p-20, 0x1p-30, 0x1p-40, 0x1p-53}) {
-    const double y = 1 - e;
-    const Big q = sqrt(1 - Big(y) * y);
-    const ExactRay ray(Ray{{-5, y, 0}, {1, 0, 0}});
-    expect_condition(condition_of_parameter(ray, kUnit, kSmallerHit),
-                     (1 / q + Big(y) * y / q + 10 - q) / (5 - q), "s near a tangent");
-  }
-}
-
-TEST(Condition, OfTheParameterIsInfiniteOnTheSurface) {
-  const ExactRay ray(Ray{{-1, 0, 0}, {1, 0, 0}});
-  EXPECT_EQ(condition_of_parameter(ray, {{0, 0, 0}, 1}, kSmallerHit), kUnbounded);
-  expect_condition(condition_of_parameter(ray, {{0, 0, 0}, 1}, kLargerHit), Big(2), "s");
-}
-
 TEST(Condition, IsInfiniteOfAValueThatSmallChangesMoveFromZero) {
   // v = T.D = 0, of terms that cancel.
-  const ExactRay ray(Ray{{0, 0, 0}, {1, 1, 0}});
+  const ExactRay ray(scene::Ray{{0, 0, 0}, {1, 1, 0}});
   EXPECT_EQ(condition_of_axial_distance(ray, {{3, -3, 0}, 1}), kUnbounded);
   // Q = 0, the world's origin.
-  const ExactRay to_origin(Ray{{-1, 0, 0}, {1, 0, 0}});
+  const ExactRay to_origin(scene::Ray{{-1, 0, 0}, {1, 0, 0}});
   EXPECT_EQ(condition_of_point(to_origin, {{2, 0, 0}, 2}, kSmallerHit), kUnbounded);
   // Beyond the doubles: s = 2^-1075 of numbers near 1.
-  const ExactRay close(Ray{{-1, 0x1p-537, 0}, {1, 0, 0}});
+  const ExactRay close(scene::Ray{{-1, 0x1p-537, 0}, {1, 0, 0}});
   EXPECT_EQ(condition_of_parameter(close, {{0, 0, 0}, 1}, kSmallerHit), kUnbounded);
 }
 
 TEST(Condition, IsZeroOfAZeroThatNoSmallChangeMoves) {
   // T = (0, 3, 0) and D = (1, 0, 0): relative changes leave v = 0.
-  const ExactRay ray(Ray{{0, 0, 0}, {1, 0, 0}});
+  const ExactRay ray(scene::Ray{{0, 0, 0}, {1, 0, 0}});
   EXPECT_EQ(condition_of_axial_distance(ray, {{0, 3, 0}, 1}), 0);
   // A point on the axis stays there.
   EXPECT_EQ(condition_of_half_chord_sq(ray, {{5, 0, 0}, 0}), 0);

@@ -38,52 +38,24 @@ std::array<Fraction, 10> fractions(const Ray& ray, const Sphere& sphere) {
           Fraction(d.z), Fraction(c.x), Fraction(c.y), Fraction(c.z), Fraction(sphere.radius)};
 }
 
-/// The quadratic's coefficients at changed inputs: a mu^2 - 2 b mu + c.
-struct Quadratic {
-  explicit Quadratic(const std::array<Fraction, 10>& x) {
-    c = -x[9] * x[9];
-    for (std::size_t k = 0; k < 3; ++k) {
-      const Fraction t = x[6 + k] - x[k];
-      a += x[3 + k] * x[3 + k];
-      b += t * x[3 + k];
-      c += t * t;
-    }
-  }
-  Fraction discriminant() const { return b * b - a * c; }
-
-  Fraction a = 0, b = 0, c = 0;
-};
-
-/// With the smaller root alone, whatever starts inside misses, and what leaves the surface.
-bool is_miss(const Quadratic& q, Root root) {
-  if (q.discriminant() < 0) return true;
-  return root == Root::kSmaller ? q.c < 0 || q.b < 0 : q.c > 0 && q.b < 0;
+/// How the sphere is met at changed inputs.
+Met changed(const Ray& ray, const Sphere& sphere, const InputChange& change, Root root) {
+  EXPECT_EQ(change.size(), 10U);
+  return ChangedChoice(ray, {sphere}, change, root, Tangent::kHit).first();
 }
 
-/// The root that is asked for, to 2^-300; of a hit, so that with the smaller root c >= 0 and b >=
-/// 0.
-Fraction asked_root(const Quadratic& q) {
+/// The root that is asked for, to 2^-300, of what is met.
+Fraction asked_root(const Met& met) {
   const Fraction scale(Integer(1) << 600);
-  const Fraction scaled = q.discriminant() * scale;
+  const Fraction scaled = met.discriminant * scale;
   const Integer whole = numerator(scaled) / denominator(scaled);
   const Fraction root = Fraction(Integer(sqrt(whole))) / Fraction(Integer(1) << 300);
-  const bool is_smaller = q.c >= 0 && q.b >= 0;
-  return (q.b + (is_smaller ? -1 : 1) * root) / q.a;
-}
-
-std::array<Fraction, 10> changed(const Ray& ray, const Sphere& sphere, const InputChange& change) {
-  std::array<Fraction, 10> x = fractions(ray, sphere);
-  EXPECT_EQ(change.size(), x.size());
-  for (std::size_t k = 0; k < x.size(); ++k) {
-    x[k] *= 1 + Fraction(change[k]);
-  }
-  return x;
+  return (met.b + met.root * root) / met.a;
 }
 
 /// Whether s is the root asked for at changed inputs, up to what is documented.
-bool is_root(const Ray& ray, const Sphere& sphere, double s, double change, const Quadratic& q,
-             Root convention) {
-  if (is_miss(q, convention)) return false;
+bool is_root(const Ray& ray, const Sphere& sphere, double s, double change, const Met& q) {
+  if (q.root == 0) return false;
   const std::array<Fraction, 10> x = fractions(ray, sphere);
   const Fraction at(s);
   Fraction to_centre = 0;
@@ -108,8 +80,8 @@ void expect_witness(const Ray& ray, const Sphere& sphere, const std::optional<do
                     double change, const InputChange& witness, Root root) {
   const std::string what = spelled(ray) + spelled(sphere);
   for (const double share : witness) EXPECT_LE(std::abs(share), change) << what;
-  const Quadratic q(changed(ray, sphere, witness));
-  EXPECT_TRUE(answer ? is_root(ray, sphere, *answer, change, q, root) : is_miss(q, root)) << what;
+  const Met q = changed(ray, sphere, witness, root);
+  EXPECT_TRUE(answer ? is_root(ray, sphere, *answer, change, q) : q.root == 0) << what;
 }
 
 /// (1 - k u)(1 + 16 u) > 1 - 16 u, by which a hit at height 1 - k u is nearly a miss, is k < 32;
@@ -163,43 +135,6 @@ Sphere critical_sphere(Random& random, const Ray& ray) {
   return sphere;
 }
 
-TEST(NearbyAnswer, OfCriticalRaysIsWitnessedOrRefutedAndFractionsAgree) {
-  Random random(12);
-  int witnesses = 0;
-  int refutations = 0;
-  int undecided = 0;
-  for (int k = 0; k < 4000; ++k) {
-    const Ray ray = random_ray(random, random.one_in(4) ? Sizes::kSmallIntegers : Sizes::kOrdinary);
-    const Sphere sphere = critical_sphere(random, ray);
-    if (!scene::defects(sphere).empty()) continue;
-    const ExactRay exact(ray);
-    const Root root = random.one_in(2) ? Root::kSmaller : Root::kNearest;
-    const auto answer = wrong_answer(random, exact, sphere, root);
-    const NearbyAnswer nearby =
-        right_nearby(exact, sphere, {.root = root, .relative_change = kChange}, answer);
-    if (nearby.found == Nearby::kWitness) {
-      ++witnesses;
-      expect_witness(ray, sphere, answer, kChange, nearby.witness, root);
-      continue;
-    }
-    ++(nearby.found == Nearby::kRefuted ? refutations : undecided);
-    // No corner of the neighbourhood has it right.
-    for (int corner = 0; corner < 24; ++corner) {
-      InputChange change;
-      for (int input = 0; input < 10; ++input) {
-        change.push_back(kChange * static_cast<double>(random.integer(-1, 1)));
-      }
-      const Quadratic q(changed(ray, sphere, change));
-      const bool is_right =
-          answer ? is_root(ray, sphere, *answer, kChange, q, root) : is_miss(q, root);
-      ASSERT_FALSE(is_right) << spelled(ray) << spelled(sphere);
-    }
-  }
-  EXPECT_GE(witnesses, 500);
-  EXPECT_GE(refutations, 500);
-  EXPECT_EQ(undecided, 0);
-}
-
 /// A sphere so far that a change moves it by about its radius, nearly ahead of a ray.
 Sphere far_sphere(Random& random, const Ray& ray, double change) {
   Sphere sphere;
@@ -214,39 +149,69 @@ Sphere far_sphere(Random& random, const Ray& ray, double change) {
   return sphere;
 }
 
-TEST(NearbyAnswer, OfNeighbourhoodsAsWideAsASphereFractionsAgree) {
-  Random random(8);
-  int witnesses = 0;
-  int refutations = 0;
-  int undecided = 0;
-  for (int k = 0; k < 1500; ++k) {
-    const double change = random.one_in(2) ? kChange : 0x1p-20;
-    const Ray ray = random_ray(random, Sizes::kOrdinary);
-    const Sphere sphere = far_sphere(random, ray, change);
+struct AnswerCounts {
+  int witnesses = 0, refutations = 0, undecided = 0;
+};
+
+/// Of wrong answers about rays and spheres: witnesses are right, and no corner of the neighbourhood
+/// is where there is none.
+template <class Make>
+AnswerCounts fractions_agree(std::uint64_t seed, int cases, Make make) {
+  Random random(seed);
+  AnswerCounts counts;
+  for (int k = 0; k < cases; ++k) {
+    const auto [ray, sphere, most] = make(random);
+    if (!scene::defects(sphere).empty()) continue;
     const ExactRay exact(ray);
     const Root root = random.one_in(2) ? Root::kSmaller : Root::kNearest;
     const auto answer = wrong_answer(random, exact, sphere, root);
     const NearbyAnswer nearby =
-        right_nearby(exact, sphere, {.root = root, .relative_change = change}, answer);
+        right_nearby(exact, sphere, {.root = root, .relative_change = most}, answer);
     if (nearby.found == Nearby::kWitness) {
-      ++witnesses;
-      expect_witness(ray, sphere, answer, change, nearby.witness, root);
+      ++counts.witnesses;
+      expect_witness(ray, sphere, answer, most, nearby.witness, root);
       continue;
     }
-    ++(nearby.found == Nearby::kRefuted ? refutations : undecided);
+    ++(nearby.found == Nearby::kRefuted ? counts.refutations : counts.undecided);
     for (int corner = 0; corner < 24; ++corner) {
-      InputChange changes;
-      for (int input = 0; input < 10; ++input) changes.push_back(change * random.sign());
-      const Quadratic q(changed(ray, sphere, changes));
-      const bool is_right =
-          answer ? is_root(ray, sphere, *answer, change, q, root) : is_miss(q, root);
-      ASSERT_FALSE(is_right) << spelled(ray) << spelled(sphere);
+      InputChange change;
+      for (int input = 0; input < 10; ++input) {
+        change.push_back(most * static_cast<double>(random.integer(-1, 1)));
+      }
+      const Met q = changed(ray, sphere, change, root);
+      const bool is_right = answer ? is_root(ray, sphere, *answer, most, q) : q.root == 0;
+      EXPECT_FALSE(is_right) << spelled(ray) << spelled(sphere);
     }
   }
-  EXPECT_GE(witnesses, 300);
-  EXPECT_GE(refutations, 50);
+  return counts;
+}
+
+struct Problem {
+  Ray ray;
+  Sphere sphere;
+  double change;
+};
+
+TEST(NearbyAnswer, OfCriticalRaysIsWitnessedOrRefutedAndFractionsAgree) {
+  const AnswerCounts counts = fractions_agree(12, 4000, [](Random& random) {
+    const Ray ray = random_ray(random, random.one_in(4) ? Sizes::kSmallIntegers : Sizes::kOrdinary);
+    return Problem{ray, critical_sphere(random, ray), kChange};
+  });
+  EXPECT_GE(counts.witnesses, 500);
+  EXPECT_GE(counts.refutations, 500);
+  EXPECT_EQ(counts.undecided, 0);
+}
+
+TEST(NearbyAnswer, OfNeighbourhoodsAsWideAsASphereFractionsAgree) {
+  const AnswerCounts counts = fractions_agree(8, 1500, [](Random& random) {
+    const double change = random.one_in(2) ? kChange : 0x1p-20;
+    const Ray ray = random_ray(random, Sizes::kOrdinary);
+    return Problem{ray, far_sphere(random, ray, change), change};
+  });
+  EXPECT_GE(counts.witnesses, 300);
+  EXPECT_GE(counts.refutations, 50);
   // Other roots about as far from right as the neighbourhood is wide.
-  EXPECT_LE(undecided, 25);
+  EXPECT_LE(counts.undecided, 25);
 }
 
 }  // namespace

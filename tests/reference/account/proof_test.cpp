@@ -37,40 +37,6 @@ TEST(Proof, WritesDoublesAsOddIntegersTimesPowersOfTwo) {
   expect_dyadic(dyadic(std::numeric_limits<double>::max()), "9007199254740991", 971);
 }
 
-TEST(Proof, BracketsABall) {
-  expect_bracket(bracket(Enclosure(2.5, 64)), "5", "5", -1);
-  const Bracket root = bracket(sqrt(Enclosure(2.0, 64)));
-  const double low = std::ldexp(std::stod(root.low), static_cast<int>(root.exponent));
-  const double high = std::ldexp(std::stod(root.high), static_cast<int>(root.exponent));
-  EXPECT_NE(root.low, root.high);
-  EXPECT_NEAR(low, std::sqrt(2.0), 1e-15);
-  EXPECT_NEAR(high, std::sqrt(2.0), 1e-15);
-  EXPECT_THROW(bracket(Enclosure(std::numeric_limits<double>::quiet_NaN(), 64)),
-               std::invalid_argument);
-}
-
-// From (1, 1, 3) along (4, 3, 0) to the sphere about (5, 5, 5) of radius 3: T = (4, 4, 2),
-// a = 25, b = 28, c = 36 - 9, and b^2 - a c = 784 - 675.
-TEST(Proof, StatesTheIntegersOfAGivenRay) {
-  const Prover prover(Ray{{1, 1, 3}, {4, 3, 0}}, Conventions{});
-  const std::vector<Sphere> spheres = {{{5, 5, 5}, 3}};
-  Proposition wanted;
-  wanted.spheres = spheres;
-  const auto proof = prover.prove(wanted);
-  ASSERT_TRUE(proof.has_value());
-  EXPECT_FALSE(proof->roots.has_value());
-  ASSERT_EQ(proof->meetings.size(), 1u);
-  const ProvenMeeting& met = proof->meetings[0];
-  EXPECT_TRUE(met.met);
-  EXPECT_EQ(met.intersection, (Intersection{HitClass::kHit, WhichRoot::kSmaller}));
-  expect_bracket(met.discriminant, "109", "109", 0);
-  ASSERT_TRUE(met.c && met.b && met.s);
-  expect_bracket(*met.c, "27", "27", 0);
-  expect_bracket(*met.b, "7", "7", 2);
-  EXPECT_NE(met.s->low, met.s->high) << "it is (28 - sqrt(109))/25";
-  EXPECT_FALSE(met.other_s.has_value()) << "it was not wanted";
-}
-
 TEST(Proof, StatesOnlyWhatDecides) {
   const auto proven = [](const Sphere& sphere, scene::Tangent tangent) {
     Conventions conventions;
@@ -122,19 +88,6 @@ Camera camera_345(const scene::Point3& look_at) {
   camera.width = 2;
   camera.height = 2;
   return camera;
-}
-
-TEST(Proof, BracketsTheSquareRootsOfACamera) {
-  Proposition wanted;
-  wanted.axes = wanted.pixel_point = wanted.direction = true;
-  const auto plain = Prover(camera_345({0, 0, -2}), {}, scene::Pixel{0, 0}).prove(wanted);
-  ASSERT_TRUE(plain.has_value() && plain->roots.has_value());
-  expect_bracket(plain->roots->w, "1", "1", 1);
-  expect_bracket(plain->roots->u, "1", "1", 1);
-  expect_bracket(plain->roots->length.value(), "5", "5", 0);
-  const auto oblique = Prover(camera_345({1, 1, 1}), {}, scene::Pixel{0, 0}).prove(wanted);
-  ASSERT_TRUE(oblique.has_value() && oblique->roots.has_value());
-  EXPECT_NE(oblique->roots->w.low, oblique->roots->w.high);
 }
 
 // The pixel point lies on the sphere about the eye of radius 5: of an oblique camera because

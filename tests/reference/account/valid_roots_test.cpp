@@ -40,39 +40,6 @@ std::string met(const ExactRay& ray, const scene::Sphere& sphere, const scene::V
 const ExactRay kRayAlongX(scene::Ray{{0, 0, 0}, {1, 0, 0}});
 const scene::Sphere kFromTwoToFour{{3, 0, 0}, 1};
 
-TEST(ValidRoots, OfAnIrrationalRootAreDecidedBetweenDoubles) {
-  // s = 3 - sqrt(3)/2, no double: of its two neighbours one is below and one above.
-  const ExactRay ray(scene::Ray{{0, 0.5, 0}, {1, 0, 0}});
-  const double s = ray.rounded_parameter(kFromTwoToFour, ray.intersect(kFromTwoToFour));
-  int sides = 0;
-  for (const double t : {nudged(s, -1), s, nudged(s, 1)}) {
-    const int side =
-        ray.compare_parameter(kFromTwoToFour, ray.intersect(kFromTwoToFour), t, TUnit::kAbsolute);
-    EXPECT_NE(side, 0);
-    sides += side;
-    for (const Ends ends : {Ends::kClosed, Ends::kOpen}) {
-      EXPECT_EQ(met(ray, kFromTwoToFour, {t, 3.5, ends, TUnit::kAbsolute, {}}),
-                side > 0 ? "near" : "miss");
-    }
-  }
-  EXPECT_EQ(std::abs(sides), 1);
-}
-
-TEST(ValidRoots, InRadiiAreEndsOfTheExactProduct) {
-  // t r is no double: 1/2 + 2^-53 of a radius of 1 + 2^-52.
-  const double r = 1 + 0x1p-52, t = 0.5 + 0x1p-53;
-  ASSERT_NE(std::fma(t, r, -(t * r)), 0);
-  // s = 1/2 (1 + 2^-52)^2 as a point at that distance along a direction scaled by it: L + s d = C.
-  const scene::Sphere sphere{{t * r, 0, 0}, r};
-  const ExactRay ray(scene::Ray{{-r, 0, 0}, {1, 0, 0}});  // its roots: t r rounded, and 2 r more
-  const Intersection at = ray.intersect(sphere);
-  const double rest = std::fma(t, r, -(t * r));
-  EXPECT_EQ(ray.compare_parameter(sphere, at, t, TUnit::kRadius), rest > 0 ? -1 : 1);
-  EXPECT_EQ(ray.compare_parameter(sphere, at, t * r, TUnit::kAbsolute), 0);
-  EXPECT_EQ(met(ray, sphere, {t, kNoEnd, Ends::kClosed, TUnit::kRadius, {}}),
-            rest > 0 ? "far" : "near");
-}
-
 TEST(ValidRoots, OfCamerasAreComparedWithLengths) {
   // D is unit, g = (1, 1, -1): s counts lengths, and sqrt(3) is none.
   const scene::Camera camera{{0, 0, 0}, {0, 0, -1}, {0, 1, 0}, -1, {}, -1, 1, -1, 1, 2, 2};
@@ -96,7 +63,7 @@ TEST(ValidRoots, OfCamerasAreComparedWithLengths) {
 
 TEST(ValidRoots, AreTheSameByEveryRungBesideTheEnds) {
   Random random(6);
-  int at_end = 0, hits = 0;
+  int hits = 0;
   for (int k = 0; k < 3000; ++k) {
     const ExactRay ray(random_ray(random, Sizes::kOrdinary));
     const scene::Sphere sphere = random_sphere(random, Sizes::kOrdinary);
@@ -109,8 +76,6 @@ TEST(ValidRoots, AreTheSameByEveryRungBesideTheEnds) {
     const int side =
         ray.compare_parameter(sphere, usual, t, TUnit::kAbsolute, Engine::kFiltered, &highest);
     EXPECT_EQ(side, ray.compare_parameter(sphere, usual, t, TUnit::kAbsolute, Engine::kFieldOnly));
-    at_end += side == 0 ? 1 : 0;
-    met(ray, sphere, {t, kNoEnd, Ends::kOpen, TUnit::kAbsolute, {}});
     ++hits;
   }
   EXPECT_GE(hits, 200);

@@ -1,5 +1,8 @@
 #include <gtest/gtest.h>
+#include <unistd.h>
 
+#include <filesystem>
+#include <fstream>
 #include <string>
 #include <vector>
 
@@ -41,14 +44,14 @@ Scene expected_scene() {
 }
 
 TEST(ReadDriverFile, ReadsEachDialectAlike) {
-  for (const std::string& text : {kA, kB, kC}) {
+  for (const auto& [text, dialect] :
+       {std::pair(kA, Dialect::kA), {kB, Dialect::kB}, {kC, Dialect::kC}}) {
     const LoadedScene loaded = read(text);
     EXPECT_EQ(loaded.scene, expected_scene()) << text;
     EXPECT_TRUE(loaded.warnings.empty()) << text;
+    EXPECT_EQ(loaded.dialect, dialect) << text;
+    EXPECT_EQ(read(text, dialect).scene, expected_scene()) << text;
   }
-  EXPECT_EQ(read(kA, Dialect::kA).scene, expected_scene());
-  EXPECT_EQ(read(kB, Dialect::kB).scene, expected_scene());
-  EXPECT_EQ(read(kC, Dialect::kC).scene, expected_scene());
 }
 
 TEST(ReadDriverFile, TakesLinesInAnyOrderAndLayout) {
@@ -63,13 +66,6 @@ TEST(ReadDriverFile, ReadsSpheresInOrder) {
   const LoadedScene loaded = read("sphere 1 2 3 .75\n" + kB + "sphere -1 0x1p-1 1e300 0\n");
   EXPECT_EQ(loaded.scene.spheres, (std::vector<Sphere>{{{1, 2, 3}, 0.75}, {{-1, 0.5, 1e300}, 0}}));
   EXPECT_TRUE(loaded.warnings.empty());
-}
-
-TEST(ReadDriverFile, SaysWhichDialectItFound) {
-  EXPECT_EQ(read(kA).dialect, Dialect::kA);
-  EXPECT_EQ(read(kB).dialect, Dialect::kB);
-  EXPECT_EQ(read(kC).dialect, Dialect::kC);
-  EXPECT_FALSE(read_toml(write_toml(read(kA).scene), "f.toml").dialect);
 }
 
 TEST(ReadDriverFile, KnowsWhatOnlyShadingNeeds) {
@@ -119,16 +115,30 @@ TEST(ReadDriverFile, RefusesADialectThatTheFileContradicts) {
   }
 }
 
-TEST(ReadDriverFile, NeedsAnUndoubtedD) {
-  EXPECT_EQ(error_of(with(kA, "d 2\n", "")),
-            "f.txt:1: d: is missing; it places the image plane, and its sign tells dialect A "
-            "(d > 0) from dialect B (d < 0)");
-  EXPECT_EQ(error_of(with(kA, "d 2", "d -0")),
-            "f.txt:4: d = -0: must be above zero (dialect A) or below (B and C)");
-  EXPECT_EQ(error_of(with(kA, "d 2", "d nan")),
-            "f.txt:4: d = nan: must be above zero (dialect A) or below (B and C)");
-  EXPECT_EQ(error_of(with(kC, "-2", "2")), "f.txt:1: d = 2: dialect C needs d < 0");
-  EXPECT_EQ(error_of(with(kA, "d 2", "d 1e400")), "f.txt:4: camera.near = -inf: is not finite");
+TEST(ReadDriverFile, NamesWhatIsWrongByFileLineFieldAndValue) {
+  constexpr const char* kNoSign = ": must be above zero (dialect A) or below (B and C)";
+  const std::pair<std::string, std::string> errors[] = {
+      {with(kA, "d 2\n", ""),
+       "f.txt:1: d: is missing; it places the image plane, and its sign tells dialect A (d > 0) "
+       "from dialect B (d < 0)"},
+      {with(kA, "d 2", "d -0"), "f.txt:4: d = -0" + std::string(kNoSign)},
+      {with(kA, "d 2", "d nan"), "f.txt:4: d = nan" + std::string(kNoSign)},
+      {with(kC, "-2", "2"), "f.txt:1: d = 2: dialect C needs d < 0"},
+      {with(kA, "d 2", "d 1e400"), "f.txt:4: camera.near = -inf: is not finite"},
+      {kC + "look 1 2 3\n",
+       "f.txt:4: look = 1 2 3: contradicts the camera line, line 1, which already holds it"},
+      {"d 2\n" + kC, "f.txt:1: d = 2: contradicts the camera line, line 2, which already holds it"},
+      {kA + "\nup 1 0 0\n", "f.txt:8: up = 1 0 0: is given twice, first on line 3"},
+      {kC + "res 16 9\n", "f.txt:4: res = 16 9: is given twice, first on line 3"},
+      {with(kA, "eye 0 0 4", "eye 0 zero 4"), "f.txt:1: eye[1] = zero: is not a number"},
+      {with(kA, "eye 0 0 4", "eye 0 \x01 4"), "f.txt:1: eye[1] = \\x01: is not a number"},
+      {kA + "sphere 1 2 3\n", "f.txt:7: sphere = 1 2 3: needs 4 numbers, has 3"},
+      {kA + "sphere 1 2 3 r\n", "f.txt:7: sphere[3] = r: is not a number"},
+      {with(kA, "d 2", "d"), "f.txt:4: d = : needs 1 numbers, has 0"},
+      {with(kC, " -2", ""), "f.txt:1: camera = 0 0 4 0 0 0 0 1 0: needs 10 numbers, has 9"},
+      {with(kA, "res 16 9", "res 16.0 9"),
+       "f.txt:6: res[0] = 16.0: is not a whole number of pixels"}};
+  for (const auto& [text, error] : errors) EXPECT_EQ(error_of(text), error);
 }
 
 TEST(ReadDriverFile, SaysWhenTheOtherBoundsOrderWouldHaveAnArea) {
@@ -145,18 +155,6 @@ TEST(ReadDriverFile, SaysWhenTheOtherBoundsOrderWouldHaveAnArea) {
             "f.txt:5: camera.top = 1: equals bottom, so the image has no height");
 }
 
-TEST(ReadDriverFile, RefusesACameraLineBesideItsParts) {
-  EXPECT_EQ(error_of(kC + "look 1 2 3\n"),
-            "f.txt:4: look = 1 2 3: contradicts the camera line, line 1, which already holds it");
-  EXPECT_EQ(error_of("d 2\n" + kC),
-            "f.txt:1: d = 2: contradicts the camera line, line 2, which already holds it");
-}
-
-TEST(ReadDriverFile, RefusesAKeywordGivenTwice) {
-  EXPECT_EQ(error_of(kA + "\nup 1 0 0\n"), "f.txt:8: up = 1 0 0: is given twice, first on line 3");
-  EXPECT_EQ(error_of(kC + "res 16 9\n"), "f.txt:4: res = 16 9: is given twice, first on line 3");
-}
-
 TEST(ReadDriverFile, NamesMissingKeywords) {
   EXPECT_EQ(error_of(""), "f.txt:1: eye: is missing");
   for (const char* const keyword : {"eye", "look", "up", "d", "bounds", "res"}) {
@@ -167,22 +165,6 @@ TEST(ReadDriverFile, NamesMissingKeywords) {
               std::string("f.txt:1: ") + keyword + ": is missing");
   }
   EXPECT_EQ(error_of(with(kC, "bounds", "bound")), "f.txt:1: bounds: is missing");
-}
-
-TEST(ReadDriverFile, NamesBadNumbersByFileLineFieldAndValue) {
-  EXPECT_EQ(error_of(with(kA, "eye 0 0 4", "eye 0 zero 4")),
-            "f.txt:1: eye[1] = zero: is not a number");
-  EXPECT_EQ(error_of(with(kA, "up 0 1 0", "up 0 1")), "f.txt:3: up = 0 1: needs 3 numbers, has 2");
-  EXPECT_EQ(error_of(kA + "sphere 1 2 3\n"), "f.txt:7: sphere = 1 2 3: needs 4 numbers, has 3");
-  EXPECT_EQ(error_of(kA + "sphere 1 2 3 r\n"), "f.txt:7: sphere[3] = r: is not a number");
-  EXPECT_EQ(error_of(with(kA, "d 2", "d")), "f.txt:4: d = : needs 1 numbers, has 0");
-  EXPECT_EQ(error_of(with(kC, " -2", "")),
-            "f.txt:1: camera = 0 0 4 0 0 0 0 1 0: needs 10 numbers, has 9");
-  EXPECT_EQ(error_of(with(kA, "res 16 9", "res 16.0 9")),
-            "f.txt:6: res[0] = 16.0: is not a whole number of pixels");
-  EXPECT_EQ(error_of(with(kA, "res 16 9", "res 16")), "f.txt:6: res = 16: needs 2 numbers, has 1");
-  EXPECT_EQ(error_of(with(kA, "eye 0 0 4", "eye 0 \x01 4")),
-            "f.txt:1: eye[1] = \\x01: is not a number");
 }
 
 TEST(ReadDriverFile, LocatesEveryValidationProblem) {
@@ -196,6 +178,30 @@ TEST(ReadDriverFile, LocatesEveryValidationProblem) {
             "f.txt:8: sphere[1].centre = [0, 0, inf]: is not finite");
   EXPECT_EQ(error_of(with(kC, "0 1 0", "0 0 5")),
             "f.txt:1: camera.up = [0, 0, 5]: is exactly parallel to eye - look_at");
+}
+
+TEST(LoadScene, NamesTheFileAndTheReason) {
+  const std::filesystem::path folder = std::filesystem::temp_directory_path();
+  for (const char* const file : {"raycheck-no-such-file.toml", "raycheck-no-such-file"}) {
+    try {
+      load_scene(folder / file);
+      ADD_FAILURE();
+    } catch (const SceneFileError& error) {
+      EXPECT_EQ(error.what(),
+                (folder / file).string() + ": cannot be read: No such file or directory");
+    }
+  }
+}
+
+TEST(LoadScene, WarnsThatADialectDoesNotConcernToml) {
+  const std::filesystem::path path = std::filesystem::path(testing::TempDir()) /
+                                     ("raycheck-dialect-" + std::to_string(getpid()) + ".toml");
+  std::ofstream(path) << "[[ray]]\norigin = [0, 0, 0]\ndirection = [1, 0, 0]\n";
+  EXPECT_TRUE(load_scene(path).warnings.empty());
+  EXPECT_EQ(load_scene(path, Dialect::kA).warnings,
+            (std::vector<std::string>{
+                path.string() + ": a dialect was asked for, but only driver files have one"}));
+  std::filesystem::remove(path);
 }
 
 }  // namespace

@@ -122,16 +122,10 @@ void expect_binary(Operation operation, bool divides = false) {
   EXPECT_GT(compared, kTries / 2);
 }
 
-TEST(Bounds, HoldEverySum) {
+TEST(Bounds, HoldEveryResultOfTwo) {
   expect_binary([](const auto& x, const auto& y) { return x + y; });
-}
-TEST(Bounds, HoldEveryDifference) {
   expect_binary([](const auto& x, const auto& y) { return x - y; });
-}
-TEST(Bounds, HoldEveryProduct) {
   expect_binary([](const auto& x, const auto& y) { return x * y; });
-}
-TEST(Bounds, HoldEveryQuotient) {
   expect_binary([](const auto& x, const auto& y) { return x / y; }, true);
 }
 
@@ -191,13 +185,6 @@ TEST(Bounds, HoldEveryPowerOfTwo) {
 }
 
 TEST(Bounds, KnowNothingBeyondTheLargestDouble) {
-  const Bounds most = Bounds::exactly(kMost);
-  EXPECT_EQ((most + most).low, kMost);
-  EXPECT_EQ((most + most).high, kInfinity);
-  EXPECT_EQ((-most - most).low, -kInfinity);
-  EXPECT_EQ((most * most).low, kMost);
-  EXPECT_EQ((most * Bounds::exactly(-2)).low, -kInfinity);
-  EXPECT_EQ(square(most).high, kInfinity);
   EXPECT_EQ(sqrt(Bounds{0, kInfinity}).high, kInfinity);
   const Bounds all = Bounds::everything();
   for (const Bounds& result : {all + all, all - all, all * all, all / Bounds::exactly(2),
@@ -215,15 +202,6 @@ TEST(Bounds, OfNothingTimesAnythingAreNothing) {
   }
   EXPECT_EQ((zero + zero).high, 0);
   EXPECT_EQ((Bounds{0, 1} * Bounds{-2, 0}).high, 0);
-}
-
-TEST(Bounds, AreNotNothingWhereAProductUnderflows) {
-  const Bounds tiny = Bounds::exactly(kLeast);
-  EXPECT_GT((tiny * tiny).high, 0);
-  EXPECT_LE((tiny * tiny).low, 0);
-  EXPECT_LT((tiny * -tiny).low, 0);
-  EXPECT_GT((tiny / Bounds::exactly(kMost)).high, 0);
-  EXPECT_GT(scaled(tiny, -1).high, 0);
 }
 
 }  // namespace

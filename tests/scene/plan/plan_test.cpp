@@ -1,13 +1,16 @@
-// Plans worked by hand.
+// Plans worked by hand, and how large rectangles are.
 
 #include "scene/plan/plan.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <functional>
+#include <optional>
 #include <random>
 #include <stdexcept>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace raycheck::scene {
@@ -49,103 +52,108 @@ SpherePlan plan_of(const Sphere& sphere, const Camera& camera = plain_camera(),
 // The tangents from the eye to the circle of centre (3, 4) and radius 3 have slopes 0 and 24/7, as
 // q = sqrt(3^2 + 4^2 - 3^2) = 4; to that of centre (0, 4), -+3/sqrt(7) = -+1.134.
 const Sphere kTouchingTheAxis = ahead(3, 0, 4, 3);
+const Sphere kAboveTheAxis = ahead(0, 3, 4, 3);
 
-TEST(Rectangle, OfASphereOnTheAxisIsItsSilhouette) {
-  // Slopes up to tan(asin(0.6)) = 0.75: alpha = -0.5, 0 and 0.5.
+/// plain_camera() but for the place of its image plane, or bounds, or size.
+Camera plain_but(const std::function<void(Camera&)>& change) {
+  Camera camera = plain_camera();
+  change(camera);
+  return camera;
+}
+const Camera kFarPlane = plain_but([](Camera& c) { c.near = -5; });
+const Camera kPlaneBehind = plain_but([](Camera& c) { c.near = 1; });
+const Camera kOnePixel = plain_but([](Camera& c) { c.width = c.height = 1; });
+const Conventions kFocal{.origin = Origin::kFocal};
+const Conventions kCentres{.samples = Samples::kCentres};
+
+TEST(Rectangle, IsThatOfTheSilhouette) {
+  struct Row {
+    const char* what;
+    Sphere sphere;
+    PixelRectangle pixels;
+    Camera camera = plain_camera();
+    Conventions conventions = {};
+  };
+  const auto mirrored = [](bool up) {
+    return plain_but(
+        [&](Camera& c) { up ? std::swap(c.bottom, c.top) : std::swap(c.left, c.right); });
+  };
+  for (const auto& [what, sphere, pixels, camera, conventions] : std::vector<Row>{
+           // Slopes up to tan(asin(0.6)) = 0.75: alpha = -0.5, 0 and 0.5.
+           {"on the axis", ahead(0, 0, 10, 6), {7, 10, 7, 10}},
+           {"touching the axis", kTouchingTheAxis, {8, 15, 6, 11}},
+           {"rows from the top", kAboveTheAxis, {6, 11, 2, 9}, plain_camera(), {Rows::kTopFirst}},
+           // alpha(i) = (i + 1/2)/2 - 4
+           {"centres",
+            kAboveTheAxis,
+            {6, 10, 8, 15},
+            plain_but([](Camera& c) { c.width = c.height = 16; }),
+            kCentres},
+           {"mirrored columns", kTouchingTheAxis, {2, 9, 6, 11}, mirrored(false)},
+           {"mirrored rows", kAboveTheAxis, {6, 11, 2, 9}, mirrored(true)},
+           {"image plane behind the eye", ahead(3, 0, -4, 3), {8, 15, 6, 11}, kPlaneBehind},
+           // One tangent goes backwards, the other has slope sqrt(5)/2 = 1.118: alpha = 1.5 and
+           // more.
+           {"across the eye's plane", ahead(3, 0, 0, 2), {11, 17, 0, 17}},
+           {"around the eye", ahead(0.25, -0.5, 0.125, 3), kImage},
+           {"of one pixel", kTouchingTheAxis, {0, 1, 0, 1}, kOnePixel, kCentres}}) {
+    EXPECT_EQ(plan_of(sphere, camera, conventions).pixels, pixels) << what;
+  }
   const SpherePlan plan = plan_of(ahead(0, 0, 10, 6));
-  EXPECT_EQ(plan.pixels, (PixelRectangle{7, 10, 7, 10}));
-  EXPECT_FALSE(plan.left_out);
-  EXPECT_FALSE(plan.origin_inside);
-  EXPECT_FALSE(plan.reaches_behind);
   EXPECT_LE(plan.nearest_distance, 4);
   EXPECT_GT(plan.nearest_distance, 4 - 1e-14);
+  EXPECT_EQ(plan_of(ahead(0.25, -0.5, 0.125, 3)).nearest_distance, 0);
 }
 
-TEST(Rectangle, FollowsTheConventions) {
-  const Sphere above = ahead(0, 3, 4, 3);
-  EXPECT_EQ(plan_of(above, plain_camera(), {.rows = Rows::kTopFirst}).pixels,
-            (PixelRectangle{6, 11, 2, 9}));
-  // alpha(i) = (i + 1/2)/2 - 4
-  Camera camera = plain_camera();
-  camera.width = camera.height = 16;
-  EXPECT_EQ(plan_of(above, camera, {.samples = Samples::kCentres}).pixels,
-            (PixelRectangle{6, 10, 8, 15}));
-}
-
-TEST(Rectangle, FollowsMirroredBounds) {
-  Camera camera = plain_camera();
-  std::swap(camera.left, camera.right);
-  EXPECT_EQ(plan_of(kTouchingTheAxis, camera).pixels, (PixelRectangle{2, 9, 6, 11}));
-  std::swap(camera.bottom, camera.top);
-  EXPECT_EQ(plan_of(ahead(0, 3, 4, 3), camera).pixels, (PixelRectangle{6, 11, 2, 9}));
-}
-
-TEST(Rectangle, FollowsAnImagePlaneBehindTheEye) {
-  Camera camera = plain_camera();
-  camera.near = 1;
-  EXPECT_EQ(plan_of(ahead(3, 0, -4, 3), camera).pixels, (PixelRectangle{8, 15, 6, 11}));
-  EXPECT_EQ(plan_of(kTouchingTheAxis, camera).left_out, LeftOut::kBehind);
-}
-
-TEST(Rectangle, OfASphereAcrossTheEyesPlaneReachesTheImagesEdge) {
-  // One tangent goes backwards, the other has slope sqrt(5)/2 = 1.118: alpha = 1.5 and more.
-  const SpherePlan plan = plan_of(ahead(3, 0, 0, 2));
-  EXPECT_EQ(plan.pixels, (PixelRectangle{11, 17, 0, 17}));
-  EXPECT_TRUE(plan.reaches_behind);
-}
-
-TEST(Rectangle, OfASphereAroundTheEyeIsTheImage) {
-  const SpherePlan plan = plan_of(ahead(0.25, -0.5, 0.125, 3));
-  EXPECT_EQ(plan.pixels, kImage);
-  EXPECT_TRUE(plan.origin_inside);
-  EXPECT_TRUE(plan.reaches_behind);
-  EXPECT_EQ(plan.nearest_distance, 0);
-}
-
-TEST(Rectangle, OfAnImageOfOnePixelIsItOrNothing) {
-  Camera camera = plain_camera();
-  camera.width = camera.height = 1;
-  const Conventions centres{.samples = Samples::kCentres};
-  EXPECT_EQ(plan_of(ahead(0, 0, 10, 6), camera, centres).pixels, (PixelRectangle{0, 1, 0, 1}));
-  EXPECT_EQ(plan_of(kTouchingTheAxis, camera, centres).pixels, (PixelRectangle{0, 1, 0, 1}));
-  EXPECT_EQ(plan_of(ahead(3.5, 0, 4, 3), camera, centres).left_out, LeftOut::kOutsideView);
-}
-
-TEST(Plan, LeavesOutWhatIsOutsideTheView) {
-  EXPECT_EQ(plan_of(ahead(50, 0, 10, 2)).left_out, LeftOut::kOutsideView);
-  EXPECT_EQ(plan_of(ahead(0, -50, 10, 2)).left_out, LeftOut::kOutsideView);
-  // Between the rays of two columns.
-  EXPECT_EQ(plan_of(ahead(2.5, 0, 10, 0.5)).left_out, LeftOut::kOutsideView);
-  EXPECT_TRUE(plan_of(ahead(50, 0, 10, 2)).pixels.empty());
-}
-
-TEST(Plan, LeavesOutWhatIsBehindTheOrigins) {
-  Camera camera = plain_camera();
-  camera.near = -5;
-  const Sphere between = ahead(0, 0, 2, 1), touching = ahead(0, 0, 4, 1),
-               behind = ahead(0, 0, -2, 1);
-  EXPECT_EQ(plan_of(between, camera).left_out, LeftOut::kBehind);
-  EXPECT_FALSE(plan_of(touching, camera).left_out);
-  EXPECT_EQ(plan_of(behind, camera).left_out, LeftOut::kBehind);
-  const Conventions focal{.origin = Origin::kFocal};
-  EXPECT_FALSE(plan_of(between, camera, focal).left_out);
-  EXPECT_FALSE(plan_of(ahead(0, 0, -1, 1), camera, focal).left_out);
-  EXPECT_EQ(plan_of(behind, camera, focal).left_out, LeftOut::kBehind);
+TEST(Plan, LeavesOutWhatIsOutsideTheViewOrBehindTheOrigins) {
+  struct Row {
+    const char* what;
+    Sphere sphere;
+    std::optional<LeftOut> left_out;
+    Camera camera = plain_camera();
+    Conventions conventions = {};
+  };
+  const Sphere between = ahead(0, 0, 2, 1), behind = ahead(0, 0, -2, 1);
+  for (const auto& [what, sphere, left_out, camera, conventions] : std::vector<Row>{
+           {"beside", ahead(50, 0, 10, 2), LeftOut::kOutsideView},
+           {"below", ahead(0, -50, 10, 2), LeftOut::kOutsideView},
+           {"between the rays of two columns", ahead(2.5, 0, 10, 0.5), LeftOut::kOutsideView},
+           {"beside one pixel", ahead(3.5, 0, 4, 3), LeftOut::kOutsideView, kOnePixel, kCentres},
+           {"of a plane behind the eye", kTouchingTheAxis, LeftOut::kBehind, kPlaneBehind},
+           {"between eye and plane", between, LeftOut::kBehind, kFarPlane},
+           {"touching the plane", ahead(0, 0, 4, 1), {}, kFarPlane},
+           {"behind the eye", behind, LeftOut::kBehind, kFarPlane},
+           {"between, from the eye", between, {}, kFarPlane, kFocal},
+           {"touching the eye", ahead(0, 0, -1, 1), {}, kFarPlane, kFocal},
+           {"behind, from the eye", behind, LeftOut::kBehind, kFarPlane, kFocal}}) {
+    const SpherePlan plan = plan_of(sphere, camera, conventions);
+    EXPECT_EQ(plan.left_out, left_out) << what;
+    EXPECT_EQ(plan.pixels.empty(), left_out.has_value()) << what;
+  }
 }
 
 TEST(Plan, WantsTheFarRootOnlyWhereAnOriginMayBeInside) {
-  const Conventions focal{.origin = Origin::kFocal};
-  // Around the corner of the image plane, around the eye, across the plane beside the image.
-  EXPECT_TRUE(plan_of(ahead(5, 5, 1, 2)).origin_inside);
-  EXPECT_FALSE(plan_of(ahead(5, 5, 1, 2), plain_camera(), focal).origin_inside);
-  EXPECT_TRUE(plan_of(ahead(0, 0, 0.5, 1), plain_camera(), focal).origin_inside);
-  EXPECT_FALSE(plan_of(ahead(6.5, 0, 2.5, 2)).origin_inside);
-  EXPECT_TRUE(plan_of(ahead(6.5, 0, 2.5, 2)).reaches_behind);
-  EXPECT_FALSE(plan_of(ahead(6.5, 0, 2.5, 2), plain_camera(), focal).reaches_behind);
-  // An origin on the surface counts as inside; and nothing where the smaller root is the rule.
-  EXPECT_TRUE(plan_of(ahead(0, 0, 3, 2)).origin_inside);
-  EXPECT_TRUE(plan_of(ahead(0, 0, 3, 2)).reaches_behind);
-  EXPECT_FALSE(plan_of(ahead(0, 0, 1, 2), plain_camera(), {.root = Root::kSmaller}).origin_inside);
+  struct Row {
+    const char* what;
+    Sphere sphere;
+    bool origin_inside, reaches_behind;
+    Conventions conventions = {};
+  };
+  for (const auto& [what, sphere, inside, behind, conventions] : std::vector<Row>{
+           {"ahead", ahead(0, 0, 10, 6), false, false},
+           {"around the eye", ahead(0.25, -0.5, 0.125, 3), true, true},
+           {"across the eye's plane", ahead(3, 0, 0, 2), true, true},
+           {"around the corner of the plane", ahead(5, 5, 1, 2), true, true},
+           {"around that, from the eye", ahead(5, 5, 1, 2), false, true, kFocal},
+           {"around the eye, from it", ahead(0, 0, 0.5, 1), true, true, kFocal},
+           {"across the plane beside the image", ahead(6.5, 0, 2.5, 2), false, true},
+           {"across that, from the eye", ahead(6.5, 0, 2.5, 2), false, false, kFocal},
+           {"an origin on the surface", ahead(0, 0, 3, 2), true, true},
+           {"the smaller root", ahead(0, 0, 1, 2), false, true, {.root = Root::kSmaller}}}) {
+    const SpherePlan plan = plan_of(sphere, plain_camera(), conventions);
+    EXPECT_EQ(plan.origin_inside, inside) << what;
+    EXPECT_EQ(plan.reaches_behind, behind) << what;
+  }
 }
 
 TEST(Plan, LeavesOutWhatANearerSphereHides) {
@@ -176,34 +184,6 @@ TEST(Plan, LeavesOutAllButTheFirstOfEqualSpheres) {
   EXPECT_EQ(plan.spheres[1].hidden_by, 0u);
   EXPECT_FALSE(plan.spheres[2].left_out);
   EXPECT_EQ(plan.spheres[3].hidden_by, 0u);
-}
-
-TEST(Plan, IsTheSameAtEveryScale) {
-  const std::vector<Sphere> spheres = {
-      kTouchingTheAxis,    ahead(0, 0, 10, 3),  ahead(0, 0, 20, 1),    ahead(0.25, 0, 0.125, 3),
-      ahead(0, 0, -20, 1), ahead(50, 0, 10, 2), ahead(6.5, 0, 2.5, 2), ahead(3, 0, 0, 2)};
-  const ScenePlan plain = plan_of(scene_of(spheres));
-  for (const double scale : {0x1p532, 0x1p-532, 0x1p1000, 0x1p-1000}) {
-    Scene scene = scene_of(spheres);
-    Camera& camera = *scene.camera;
-    camera.look_at.z *= scale;
-    for (double* x : {&camera.near, &camera.left, &camera.right, &camera.bottom, &camera.top}) {
-      *x *= scale;
-    }
-    for (Sphere& sphere : scene.spheres) {
-      sphere = {{scale * sphere.centre.x, scale * sphere.centre.y, scale * sphere.centre.z},
-                scale * sphere.radius};
-    }
-    const ScenePlan scaled = plan_of(scene);
-    for (std::size_t k = 0; k < spheres.size(); ++k) {
-      EXPECT_EQ(scaled.spheres[k].pixels, plain.spheres[k].pixels) << k << " at " << scale;
-      EXPECT_EQ(scaled.spheres[k].left_out, plain.spheres[k].left_out) << k << " at " << scale;
-      EXPECT_EQ(scaled.spheres[k].origin_inside, plain.spheres[k].origin_inside) << k;
-      EXPECT_EQ(scaled.spheres[k].reaches_behind, plain.spheres[k].reaches_behind) << k;
-    }
-    EXPECT_NE(scaled.eye.scaling(), Scaling{});
-  }
-  EXPECT_EQ(plain.eye.scaling(), Scaling{});
 }
 
 TEST(Plan, DoesWhatItIsToldToLeaveAlone) {
@@ -242,24 +222,87 @@ TEST(Plan, OfGivenRaysIsRefused) {
   EXPECT_THROW(plan_of(scene), std::invalid_argument);
 }
 
-TEST(EyeSpace, IsExactWhereTheAxesAreTheWorlds) {
-  Camera camera = plain_camera();
-  camera.eye = {1, 2, 3};
-  camera.look_at = {1, 9, 3};
-  camera.up = {0, 5, -2};
-  const EyeSpace eye(camera, {}, {});
-  ASSERT_TRUE(eye.axis_aligned());
-  // W = -Y, V = -Z, U = V x W = -X.
-  const EyeSphere seen = eye.sphere({{4, 12, -8}, 2});
-  for (const auto& [got, exact] :
-       {std::pair(seen.u, -3.0), std::pair(seen.v, 11.0), std::pair(seen.w, -10.0)}) {
-    EXPECT_LE(got.low, exact);
-    EXPECT_GE(got.high, exact);
-    EXPECT_LT(got.high - got.low, 1e-14);
+/// What is asserted: in the indices of pixels, as real numbers, each side of a silhouette's box
+/// lies x; a rectangle then begins at ceil(x) and ends after floor(x), or up to kRectangleSlack
+/// farther out where x is so near to a whole number that its bounds hold that.
+class Tightness {
+ public:
+  explicit Tightness(const Camera& camera) : camera_(camera) {}
+
+  void compare(const Sphere& sphere, const PixelRectangle& pixels) {
+    const long double z = -sphere.centre.z;
+    compare(sides(sphere.centre.x, z, sphere.radius), camera_.left, camera_.right, camera_.width,
+            pixels.i_begin, pixels.i_end);
+    compare(sides(sphere.centre.y, z, sphere.radius), camera_.bottom, camera_.top, camera_.height,
+            pixels.j_begin, pixels.j_end);
   }
-  EXPECT_FALSE(EyeSpace(camera, {}, {}, true).axis_aligned());
-  camera.up.x = 1e-30;
-  EXPECT_FALSE(EyeSpace(camera, {}, {}).axis_aligned());
+  int sides_compared() const { return sides_compared_; }
+  int as_tight_as_can_be() const { return tight_; }
+
+ private:
+  using Range = std::pair<long double, long double>;
+
+  /// The slopes at the angles of the tangents.
+  static Range sides(long double x, long double z, long double r) {
+    const long double middle = std::atan2(x, z);
+    const long double half = std::asin(r / std::hypot(x, z));
+    return {std::tan(middle - half), std::tan(middle + half)};
+  }
+
+  void compare(const Range& slopes, double first, double last, std::int64_t count,
+               std::int64_t begin, std::int64_t end) {
+    const auto index = [&](long double slope) {
+      return (slope * -static_cast<long double>(camera_.near) - first) /
+             (static_cast<long double>(last) - first) * static_cast<long double>(count - 1);
+    };
+    const auto low = static_cast<std::int64_t>(std::ceil(index(slopes.first)));
+    const auto high = static_cast<std::int64_t>(std::floor(index(slopes.second))) + 1;
+    if (low > 0) side(low, begin, begin);
+    if (high < count) side(-high, -end, end);
+  }
+  void side(std::int64_t exact, std::int64_t got, std::int64_t shown) {
+    ++sides_compared_;
+    tight_ += got == exact ? 1 : 0;
+    EXPECT_LE(got, exact) << shown;
+    EXPECT_GE(got, exact - kRectangleSlack) << shown;
+  }
+
+  Camera camera_;
+  int sides_compared_ = 0, tight_ = 0;
+};
+
+TEST(Rectangle, IsNoLargerThanTheSilhouettesBoxCallsFor) {
+  std::mt19937_64 engine(1);
+  const auto between = [&](double low, double high) {
+    return low + (high - low) * static_cast<double>(engine() >> 11) * 0x1p-53;
+  };
+  int compared = 0, tight = 0;
+  for (int k = 0; k < 4000; ++k) {
+    Camera camera;
+    camera.look_at = {0, 0, -1};
+    camera.up = {0, 1, 0};
+    camera.near = -between(0.1, 10);
+    camera.left = camera.near * between(0.2, 2);
+    camera.right = -camera.near * between(0.2, 2);
+    camera.bottom = camera.near * between(0.2, 2);
+    camera.top = -camera.near * between(0.2, 2);
+    camera.width = 2 + static_cast<std::int64_t>(engine() % 2000);
+    camera.height = 2 + static_cast<std::int64_t>(engine() % 2000);
+    const double z = between(12, 100);
+    const double x = z * between(-1, 1), y = z * between(-1, 1);
+    Scene scene;
+    scene.camera = camera;
+    scene.spheres.push_back({{x, y, -z}, z * between(0.01, 0.3)});
+    const SpherePlan plan =
+        plan_scene(scene, {}, Wanted::kClass, {.basis = k % 2 == 0}).spheres.front();
+    if (plan.left_out) continue;
+    Tightness tightness(camera);
+    tightness.compare(scene.spheres.front(), plan.pixels);
+    compared += tightness.sides_compared();
+    tight += tightness.as_tight_as_can_be();
+  }
+  EXPECT_GT(compared, 4000);
+  EXPECT_GT(1000 * tight, 999 * compared);
 }
 
 }  // namespace
