@@ -1,4 +1,7 @@
-// Where standard output is closed or full, files have what they should, and the failure is said.
+// Where standard output is closed or full, files have what they should, and the failure is said;
+// and
+// `./run` where there is no apt-get: in a folder with the script, and with few programs beside
+// bash.
 
 #include <gtest/gtest.h>
 
@@ -38,8 +41,8 @@ TEST(UnwrittenReport, is_said_and_files_are_as_they_are_otherwise) {
       fs::remove_all(path);
       const Outcome outcome = run_to(where, arguments + ("'" + path + "'"));
       EXPECT_EQ(outcome.exit_code, 2) << arguments << where << outcome.err;
-      EXPECT_NE(outcome.err.find("raycheck: the report could not be written: "), std::string::npos)
-          << arguments << where << outcome.err;
+      EXPECT_TRUE(has(outcome.err, "raycheck: the report could not be written: "))
+          << arguments << where;
       EXPECT_EQ(contents(path).find(begins), 0u) << arguments << where << contents(path);
       if (std::string(arguments).starts_with("grade")) {
         EXPECT_TRUE(fs::exists(path + "/grades.csv")) << where;
@@ -56,6 +59,43 @@ TEST(UnwrittenReport, leaves_files_alone_where_errors_cannot_be_said) {
   EXPECT_EQ(outcome.exit_code, 2);
   EXPECT_EQ(contents(path).find(kWritten[0].begins), 0u) << contents(path);
   std::filesystem::remove(path);
+}
+
+/// Of a CMake that has nothing to build, and of a raycheck that prints its arguments.
+const std::string kRun = R"bash(
+set -e
+unset RAYCHECK_PEERS
+cd "$(mktemp -d)"
+trap 'rm -rf "$PWD"' EXIT
+mkdir -p bin build/release/tools tools
+cp "$source/run" "$source/packages.txt" .
+cp "$source/tools/commands.h" tools
+for program in bash cat dirname flock mkdir tee; do
+  ln -s "$(type -P "$program")" bin
+done
+ln -s "$(type -P true)" bin/cmake
+ln -s "$(type -P echo)" build/release/tools/raycheck
+PATH=$PWD/bin ./run check scene.toml
+)bash";
+
+Outcome run_without_apt(const std::string& setting) {
+  return run_bash(
+      temporary_file("elsewhere.sh", "source='" RAYCHECK_SOURCE_DIR "'\n" + setting + kRun));
+}
+
+TEST(RunScript, names_the_packages_where_nothing_installs_them) {
+  const Outcome result = run_without_apt("unset RAYCHECK_PACKAGES");
+  EXPECT_EQ(result.exit_code, 2);
+  EXPECT_EQ(result.out, "");
+  EXPECT_TRUE(has(result.err, " libflint-arb-dev or libflint-dev "));
+  EXPECT_TRUE(has(result.err, "RAYCHECK_PACKAGES=have"));
+}
+
+TEST(RunScript, goes_on_where_the_packages_are_there_in_another_way) {
+  const Outcome result = run_without_apt("export RAYCHECK_PACKAGES=have");
+  EXPECT_EQ(result.exit_code, 0);
+  EXPECT_EQ(result.out, "check scene.toml\n");
+  EXPECT_EQ(result.err, "building for the first time: a few minutes\n");
 }
 
 }  // namespace
