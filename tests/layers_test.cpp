@@ -157,21 +157,23 @@ std::string room_of(const std::string& file) {
 std::vector<fs::path> files() {
   std::vector<fs::path> result;
   for (const char* top : {"scene", "reference", "fast", "properties", "tools", "library"}) {
-    for (const auto& entry : fs::recursive_directory_iterator(root() / top)) {
-      result.push_back(entry.path());
-    }
+    const fs::recursive_directory_iterator below(root() / top);
+    result.insert(result.end(), begin(below), end(below));
   }
   return result;
 }
 
-/// Every source below the product's folders.
-std::vector<std::string> sources() {
-  std::vector<std::string> result;
-  for (const fs::path& path : files()) {
-    if (is_source(path)) result.push_back(fs::relative(path, root()).generic_string());
-  }
-  std::sort(result.begin(), result.end());
-  return result;
+/// Every source below them.
+const std::vector<std::string>& sources() {
+  static const std::vector<std::string> all = [] {
+    std::vector<std::string> result;
+    for (const fs::path& path : files()) {
+      if (is_source(path)) result.push_back(fs::relative(path, root()).generic_string());
+    }
+    std::sort(result.begin(), result.end());
+    return result;
+  }();
+  return all;
 }
 
 /// The rooms after SEES in each raycheck_room(...) of the CMake files.
@@ -430,16 +432,15 @@ TEST(PublicHeaders, ShowNothingOfOthers) {
 }
 
 /// Sources of programs that speak to raycheck through their standard output.
-bool speaks_through_its_output(const std::string& file) {
-  return file == "tools/external/sandbox/jail.cpp" ||
-         file == "tools/external/protocol/worker.cpp" ||
-         file == "tools/external/protocol/last_frames.cpp";
-}
+const std::set<std::string> kSpeakThroughTheirOutput = {"tools/external/sandbox/jail.cpp",
+                                                        "tools/external/protocol/worker.cpp",
+                                                        "tools/external/protocol/last_frames.cpp"};
 
 TEST(Rooms, LetTheEdgeAlonePrint) {
   for (const std::string& file : sources()) {
     const std::string room = room_of(file);
-    if (room == kEdge || kPrograms.contains(room) || speaks_through_its_output(file)) continue;
+    if (room == kEdge || kPrograms.contains(room) || kSpeakThroughTheirOutput.contains(file))
+      continue;
     const std::string text = text_of(root() / file);
     for (const char* way : {"std::cout", "std::cerr", "std::clog", "printf(", "puts(", "fmt::print",
                             ", stdout", ", stderr", "perror(", "std::exit", "std::abort",
@@ -451,38 +452,26 @@ TEST(Rooms, LetTheEdgeAlonePrint) {
   }
 }
 
-/// The literals of a source, line by line, comments aside.
-std::vector<std::string> literals(const std::string& file) {
-  static const std::regex literal(R"re("((?:[^"\\]|\\.)*)")re");
-  std::vector<std::string> found;
-  std::istringstream lines(text_of(root() / file));
-  for (std::string line; std::getline(lines, line);) {
-    if (line.find_first_not_of(' ') == line.find("//")) continue;
-    for (std::sregex_iterator at(line.begin(), line.end(), literal), end; at != end; ++at) {
-      found.push_back((*at)[1]);
-    }
-  }
-  return found;
-}
-
 /// What writes command lines of other programs, and of the package that runs raycheck itself.
 const std::set<std::string> kWriteCommandLines = {
     "tools/external/sandbox/launch.cpp", "tools/external/compile.cpp", "tools/grade/package.cpp"};
 
-/// Views for people may say which option shows more.
-bool is_view_for_people(const std::string& file) { return file.ends_with("_text.cpp"); }
-
-TEST(Rooms, LetTheEdgeAndViewsAloneNameOptions) {
-  static const std::regex option("(^|[^-])--[a-z]");
+TEST(Rooms, LetTheEdgeAndViewsForPeopleAloneNameOptions) {
+  static const std::regex literal(R"re("((?:[^"\\]|\\.)*)")re"), option("(^|[^-])--[a-z]");
   std::size_t named_by_views = 0;
   for (const std::string& file : sources()) {
     const std::string room = room_of(file);
     if (room == kEdge || kPrograms.contains(room) || kWriteCommandLines.contains(file)) continue;
-    for (const std::string& literal : literals(file)) {
-      const bool names_option = std::regex_search(literal, option);
-      EXPECT_FALSE(names_option && !is_view_for_people(file)) << file << ": " << literal;
-      EXPECT_FALSE(literal.starts_with("--") && names_option) << file << ": " << literal;
-      named_by_views += names_option ? 1 : 0;
+    const bool is_view_for_people = file.ends_with("_text.cpp");  // may say which shows more
+    std::istringstream lines(text_of(root() / file));
+    for (std::string line; std::getline(lines, line);) {
+      if (line.find_first_not_of(' ') == line.find("//")) continue;
+      for (std::sregex_iterator at(line.begin(), line.end(), literal), end; at != end; ++at) {
+        const std::string text = (*at)[1];
+        if (!std::regex_search(text, option)) continue;
+        EXPECT_TRUE(is_view_for_people && !text.starts_with("--")) << file << ": " << text;
+        ++named_by_views;
+      }
     }
   }
   EXPECT_GT(named_by_views, 0u);

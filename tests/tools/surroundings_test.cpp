@@ -49,7 +49,6 @@ TEST(UnwrittenReport, is_said_and_files_are_as_they_are_otherwise) {
       }
     }
   }
-  fs::remove_all(path);
 }
 
 /// Nor do errors go to a file.
@@ -58,7 +57,6 @@ TEST(UnwrittenReport, leaves_files_alone_where_errors_cannot_be_said) {
   const Outcome outcome = run_to(" >&- 2>&-", kWritten[0].arguments + ("'" + path + "'"));
   EXPECT_EQ(outcome.exit_code, 2);
   EXPECT_EQ(contents(path).find(kWritten[0].begins), 0u) << contents(path);
-  std::filesystem::remove(path);
 }
 
 /// Of a CMake that has nothing to build, and of a raycheck that prints its arguments.

@@ -80,7 +80,6 @@ TEST(PropertiesCommand, names_the_mistake_by_which_a_candidate_breaks_a_law) {
     EXPECT_GE(found[0]["wrong"], 3);
     EXPECT_GE(found[0]["explained"].get<double>(), 0.9 * found[0]["wrong"].get<double>());
   }
-  std::filesystem::remove_all(folder);
 }
 
 TEST(List, names_every_method_law_and_convention) {
