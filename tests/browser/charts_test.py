@@ -3,7 +3,7 @@ import unittest
 
 import access_test
 import pages
-from pages import PageTest, ROOT, ran, temporary
+from pages import PageTest, ROOT, page_of, temporary
 
 METHODS = "quadratic,cross,cross2,robust"
 HOSTILE = "<img src=x onerror=alert(1)>"
@@ -17,11 +17,7 @@ rc.run("-", intersect=lambda ray, sphere, asked: None)
 
 
 def chart_of(*arguments):
-    if arguments not in pages.Shared.pages:
-        path = temporary(f"{len(pages.Shared.pages)}.html")
-        ran(*arguments, "--view", path)
-        pages.Shared.pages[arguments] = path
-    return pages.Shared.pages[arguments]
+    return page_of(*arguments, option="--view")
 
 
 def tradeoff():
@@ -118,19 +114,12 @@ class Charts(PageTest):
 
 @unittest.skipUnless(access_test.AXE.exists(), "there is no axe-core here: ./run packages ci")
 class ChartsForEveryone(access_test.Accessibility):
-    test_what_is_broken_is_found = None  # as for the other pages
+    test_what_is_broken_is_found = test_pages_of_a_grade_in_every_look = None  # as for the other pages
 
     def test_every_kind_of_page_in_every_look(self):
         for page in (tradeoff(), stress()):
             self.open(page)
-            self.run_script("for (const one of document.querySelectorAll('details')) one.open = true;")
-            for scheme in access_test.SCHEMES:
-                for width in access_test.WIDTHS:
-                    with self.subTest(f"{page.name}, {scheme}, {width}"):
-                        self.look_like(scheme, width)
-                        self.run_script("return new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done)))")
-                        self.assertEqual(self.violations(), [])
-                        self.assertEqual(self.run_script("return document.documentElement.scrollWidth - document.documentElement.clientWidth"), 0)
+            self.look_at_all_of(page.name)
 
 
 if __name__ == "__main__":

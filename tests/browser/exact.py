@@ -1,9 +1,5 @@
-"""A ray and a sphere in decimals of so many digits that every double is exact and nothing that matters cancels.
-
-Independent of raycheck: the camera and the roots as docs/problem.md states them. Also an evaluator of the Sage input
-that a page offers, for sessions without Sage.
-"""
-import dataclasses
+"""An evaluator of the Sage input that a page offers, for sessions without Sage: in decimals of so many digits that every
+double is exact and nothing that matters cancels."""
 import decimal
 import math
 import re
@@ -11,7 +7,6 @@ from decimal import Decimal
 
 DIGITS = 2600  # squares of lengths from 2^-1074 to 2^1023 in one sum
 decimal.setcontext(decimal.Context(prec=DIGITS, Emax=decimal.MAX_EMAX, Emin=decimal.MIN_EMIN))
-NOTHING = Decimal(10) ** -(DIGITS // 2)  # relative: what rounding leaves of an exact zero
 
 
 class Vector(tuple):
@@ -41,52 +36,6 @@ class Vector(tuple):
 
     def norm(self):
         return self.dot_product(self).sqrt()
-
-
-@dataclasses.dataclass
-class Line:
-    """Points origin + s length direction, direction of length 1."""
-    origin: Vector
-    direction: Vector
-    length: Decimal
-
-    def at(self, s):
-        return self.origin + s * self.length * self.direction
-
-
-def given_ray(origin, direction):
-    direction = Vector(direction)
-    return Line(Vector(origin), direction / direction.norm(), direction.norm())
-
-
-def pixel_ray(camera, i, j):
-    """Under the default conventions: rows bottom-first, samples at the edges, origin at the pixel."""
-    eye, look_at, up = (Vector(camera[name]) for name in ("eye", "look_at", "up"))
-    near, left, right, bottom, top = (Decimal(camera[name]) for name in ("near", "left", "right", "bottom", "top"))
-    W = (eye - look_at) / (eye - look_at).norm()
-    U = up.cross_product(W)
-    U = U / U.norm()
-    V = W.cross_product(U)
-    alpha = left + Decimal(i) / (camera["width"] - 1) * (right - left)
-    beta = bottom + Decimal(j) / (camera["height"] - 1) * (top - bottom)
-    P = eye + near * W + alpha * U + beta * V
-    return Line(P, (P - eye) / (P - eye).norm(), Decimal(1))
-
-
-def nearest_root(line, centre, radius):
-    """The smallest s >= 0, or None. What is left of an exact zero by rounding is one."""
-    T = Vector(centre) - line.origin
-    v = T.dot_product(line.direction)
-    across = T - v * line.direction
-    squares = Decimal(radius) ** 2 + across.dot_product(across)
-    d_squared = Decimal(radius) ** 2 - across.dot_product(across)
-    if abs(d_squared) <= NOTHING * squares:
-        d_squared = Decimal(0)
-    if d_squared < 0:
-        return None
-    d = d_squared.sqrt()
-    least = -NOTHING * (abs(v) + d)
-    return next((max(root, Decimal(0)) / line.length for root in (v - d, v + d) if root >= least), None)
 
 
 def ulp_of(value):

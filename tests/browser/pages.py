@@ -48,11 +48,11 @@ def temporary(name, text=None):
     return path
 
 
-def page_of(*arguments):
-    """The page that `raycheck view ARGUMENTS` writes; the same arguments are asked once."""
+def page_of(*arguments, option="--out"):
+    """The page that `raycheck view ARGUMENTS` writes, or another command with its `--view`; the same arguments are asked once."""
     if arguments not in Shared.pages:
         path = temporary(f"{len(Shared.pages)}.html")
-        ran("view", *arguments, "--out", path)
+        ran(*(("view",) if option == "--out" else ()), *arguments, option, path)
         Shared.pages[arguments] = path
     return Shared.pages[arguments]
 

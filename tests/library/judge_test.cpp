@@ -1,4 +1,5 @@
-// Candidates that are linked in: what is right passes, what is dull or wrong does not.
+// Candidates that are linked in, in doubles and in floats: what is right passes, what is dull or
+// wrong does not.
 
 #include <gtest/gtest.h>
 #include <raycheck/judge.h>
@@ -9,15 +10,13 @@
 #include <optional>
 #include <stdexcept>
 #include <string>
+#include <utility>
 
 #include "examples/tracer.h"
+#include "tests/has.h"
 
 namespace raycheck::tests {
 namespace {
-
-bool contains(const std::string& text, const std::string& part) {
-  return text.find(part) != std::string::npos;
-}
 
 TEST(Judge, LetsAGoodTracerPassEveryLaw) {
   const LawTests tests(tracer());
@@ -68,8 +67,7 @@ TEST(Judge, BreaksWhatItsOwnIntervalExcludes) {
   for (const Precision precision : {Precision::double_, Precision::single}) {
     const Verdict wrong = judged(2, precision);
     EXPECT_EQ(wrong.finding, Finding::broken) << wrong.text;
-    EXPECT_TRUE(contains(wrong.text, "answers s = 2, which its own interval (2, inf) excludes"))
-        << wrong.text;
+    EXPECT_TRUE(has(wrong.text, "answers s = 2, which its own interval (2, inf) excludes"));
     EXPECT_NE(judged(4, precision).finding, Finding::broken);
   }
 }
@@ -90,12 +88,12 @@ TEST(Judge, SaysWhereAndWhyALawIsBroken) {
   ASSERT_EQ(verdict.finding, Finding::broken) << verdict.text;
   ASSERT_TRUE(verdict.broken);
   EXPECT_EQ(verdict.broken->shrunk.scene.rays.size(), 1u);
-  EXPECT_TRUE(contains(verdict.broken->replay, "nearest-root:far:rays:")) << verdict.broken->replay;
+  EXPECT_TRUE(has(verdict.broken->replay, "nearest-root:far:rays:"));
   ASSERT_FALSE(verdict.broken->sentences.empty()) << verdict.text;
-  EXPECT_TRUE(contains(verdict.broken->sentences[0], "far root")) << verdict.broken->sentences[0];
+  EXPECT_TRUE(has(verdict.broken->sentences[0], "far root"));
   for (const std::string& part :
        {verdict.broken->replay, verdict.broken->sentences[0], std::string("[[sphere]]")}) {
-    EXPECT_TRUE(contains(verdict.text, part)) << verdict.text;
+    EXPECT_TRUE(has(verdict.text, part));
   }
   const Verdict again = replay(wrong, verdict.broken->replay);
   EXPECT_EQ(again.finding, Finding::broken);
@@ -112,7 +110,7 @@ TEST(Judge, CountsWhatIsThrownAsNoAnswer) {
   };
   const Verdict verdict = judge(throws, "class", "rays");
   EXPECT_EQ(verdict.finding, Finding::broken);
-  EXPECT_TRUE(contains(verdict.text, "no idea")) << verdict.text;
+  EXPECT_TRUE(has(verdict.text, "no idea"));
 }
 
 TEST(Judge, AsksOnlyAboutWhatThereIs) {
@@ -146,6 +144,76 @@ TEST(Judge, AsksOnlyAboutWhatThereIs) {
   EXPECT_THROW(judge(frames, "nothing"), std::invalid_argument);
   EXPECT_THROW(judge(frames, "class", "nowhere"), std::invalid_argument);
   EXPECT_THROW(replay(frames, "nothing"), std::invalid_argument);
+}
+
+/// A sphere in float: by q where it is careful, by the textbook's differences where it is not.
+std::optional<Hit> meet(const Ray& ray, const Sphere& sphere, const Conventions& by, bool careful) {
+  const auto x = [](double value) { return static_cast<float>(value); };
+  const float tx = x(sphere.centre.x) - x(ray.origin.x), ty = x(sphere.centre.y) - x(ray.origin.y),
+              tz = x(sphere.centre.z) - x(ray.origin.z);
+  const float dx = x(ray.direction.x), dy = x(ray.direction.y), dz = x(ray.direction.z);
+  const float r = x(sphere.radius), a = dx * dx + dy * dy + dz * dz,
+              b = tx * dx + ty * dy + tz * dz;
+  float c = tx * tx + ty * ty + tz * tz - r * r, disc = b * b - a * c;
+  if (careful) {
+    const float mx = ty * dz - tz * dy, my = tz * dx - tx * dz, mz = tx * dy - ty * dx;
+    const float t = std::sqrt(tx * tx + ty * ty + tz * tz);
+    disc = a * r * r - (mx * mx + my * my + mz * mz);
+    c = (t - r) * (t + r);
+  }
+  if (disc < 0 || (disc == 0 && by.tangent == Tangent::miss)) return {};
+  const float q = b + std::copysign(std::sqrt(disc), b);
+  float one = careful ? q / a : (b - std::sqrt(disc)) / a;
+  float other = careful ? (q == 0 ? 0 : c / q) : (b + std::sqrt(disc)) / a;
+  if (other < one) std::swap(one, other);
+  const float s = one < 0 && by.root != Root::smaller ? other : one;
+  if (s < 0) return {};
+  return Hit{s, {x(ray.origin.x) + s * dx, x(ray.origin.y) + s * dy, x(ray.origin.z) + s * dz}};
+}
+
+Candidate floats(bool careful) {
+  Candidate candidate(careful ? "careful" : "textbook");
+  candidate.precision = Precision::single;
+  candidate.intersect = [careful](const Ray& ray, const Sphere& sphere, const Conventions& by) {
+    return meet(ray, sphere, by, careful);
+  };
+  return candidate;
+}
+
+TEST(SinglePrecision, LetsCarefulFloatsPassEveryLaw) {
+  const Candidate candidate = floats(true);
+  int held = 0;
+  for (const Law& law : laws()) {
+    const Verdict verdict = judge(candidate, law.name);
+    EXPECT_TRUE(verdict.passes()) << verdict.text;
+    held += verdict.finding == Finding::holds ? 1 : 0;
+  }
+  EXPECT_GE(held, 7);
+}
+
+TEST(SinglePrecision, BreaksATextbooksFormulaInUlpsOfFloat) {
+  const Verdict verdict = judge(floats(false), "parameter");
+  EXPECT_EQ(verdict.finding, Finding::broken);
+  EXPECT_TRUE(has(verdict.text, "ulp of float"));
+  ASSERT_TRUE(verdict.broken);
+  const Sphere& sphere = verdict.broken->shrunk.scene.spheres.at(0);
+  EXPECT_EQ(sphere.radius, static_cast<float>(sphere.radius));
+  EXPECT_EQ(replay(floats(false), verdict.broken->replay).finding, Finding::broken);
+}
+
+TEST(SinglePrecision, OfDoublesIsNoneUnlessItIsDeclared) {
+  Candidate undeclared = floats(true);
+  undeclared.precision = Precision::double_;
+  EXPECT_EQ(judge(undeclared, "parameter", "rays").finding, Finding::broken);
+}
+
+TEST(SinglePrecision, LeavesOutACaseThatFloatsCannotHold) {
+  Case wide;
+  wide.scene.rays = {{{0, 0, 0}, {1, 0, 0}}};
+  wide.scene.spheres = {{{1e60, 0, 0}, 1}};
+  const Verdict verdict = judge_case(floats(true), "class", wide);
+  EXPECT_EQ(verdict.finding, Finding::left_out);
+  EXPECT_TRUE(has(verdict.reason, "1e+60"));
 }
 
 }  // namespace

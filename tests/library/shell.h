@@ -4,6 +4,8 @@
 #include <filesystem>
 #include <string>
 
+#include "tests/has.h"
+
 namespace raycheck::tests {
 
 struct Ended {

@@ -2,8 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <filesystem>
-#include <fstream>
 #include <map>
 #include <nlohmann/json.hpp>
 #include <regex>
@@ -12,6 +12,7 @@
 #include <utility>
 #include <vector>
 
+#include "tests/tools/limited_run.h"
 #include "tests/tools/program.h"
 #include "tests/tools/report/picture.h"
 
@@ -21,41 +22,29 @@ namespace {
 /// A command in a fenced block, and the lines shown below it.
 struct Shown {
   std::string where;
-  bool is_python;  ///< `python3 ARGUMENTS`, not `./run ARGUMENTS`.
+  std::string program;  ///< "./run" or "python3"; of a session, none.
   std::string arguments;
   std::vector<std::string> lines;
 };
 
-/// A line of a fenced block, and where it is.
-struct Line {
-  std::string where;
-  std::string text;
-};
-
-/// The lines of a page's blocks of one language.
-std::vector<Line> blocks(const std::filesystem::path& path, const std::string& language) {
-  std::vector<Line> lines;
-  std::ifstream file(path);
+/// The commands of a page's blocks of a language, where lines that begin with "> " continue one.
+std::vector<Shown> shown_in(const std::filesystem::path& path, const std::string& language) {
+  static const std::regex of_console("\\$ (\\./run|python3) (.*)"), of_session("\\$ ()(.*)");
+  std::vector<Shown> result;
   bool inside = false;
   int number = 0;
-  for (std::string line; std::getline(file, line);) {
+  for (const std::string& line : lines_of(contents(path))) {
     ++number;
-    if (line.rfind("```", 0) == 0) {
+    std::smatch command;
+    if (line.starts_with("```")) {
       inside = line == "```" + language;
-    } else if (inside) {
-      lines.push_back({path.filename().string() + ":" + std::to_string(number), line});
-    }
-  }
-  return lines;
-}
-
-std::vector<Shown> shown_in(const std::filesystem::path& path) {
-  std::vector<Shown> result;
-  for (const auto& [where, line] : blocks(path, "console")) {
-    if (line.rfind("$ ./run ", 0) == 0) {
-      result.push_back({where, false, line.substr(8), {}});
-    } else if (line.rfind("$ python3 ", 0) == 0) {
-      result.push_back({where, true, line.substr(10), {}});
+    } else if (!inside) {
+      continue;
+    } else if (std::regex_match(line, command, language == "console" ? of_console : of_session)) {
+      const std::string where = path.filename().string() + ":" + std::to_string(number);
+      result.push_back({where, command[1], command[2], {}});
+    } else if (language == "session" && (line.starts_with("> ") || line == ">")) {
+      result.back().arguments += "\n" + line.substr(std::min<std::size_t>(2, line.size()));
     } else if (!result.empty()) {
       result.back().lines.push_back(line);
     }
@@ -77,43 +66,30 @@ std::string replaced(std::string text, const std::string& what, const std::strin
 /// A page that a command makes.
 const std::regex kPage(R"( --(out|view) (\S+\.html)\b)");
 
-/// Runs a command that makes a page, elsewhere.
-Outcome run_page(const Shown& shown, const std::smatch& page) {
-  const std::string path = temporary_file(page[2], "");
-  Outcome result = run(std::string(page.prefix()) + " --" + page[1].str() + " '" + path + "'" +
-                       page.suffix().str());
-  result.out = replaced(result.out, path, page[2]);
-  EXPECT_TRUE(contents(path).starts_with("<!doctype html>")) << shown.where;
-  std::filesystem::remove(path);
-  return result;
-}
-
-/// Runs a command; a picture that it writes goes to a folder of its own, and is what the
+/// Runs a command; pages and pictures that it writes go elsewhere, and pictures are what the
 /// documentation shows.
 Outcome run_shown(const Shown& shown) {
+  const TestFolder elsewhere;
+  const std::string folder = elsewhere.path().string() + "/", option = " --out " + kPictures;
   std::smatch page;
-  if (std::regex_search(shown.arguments, page, kPage)) return run_page(shown, page);
-  if (shown.is_python) return run_python(shown.arguments);
-  if (shown.arguments.find(kNextStage) != std::string::npos) {
-    return run(replaced(shown.arguments, kNextStage, "| '" RAYCHECK_BINARY "' "));
+  if (shown.program == "python3") return run_python(shown.arguments);
+  if (std::regex_search(shown.arguments, page, kPage)) {
+    Outcome result = run(std::string(page.prefix()) + " --" + page[1].str() + " " + folder +
+                         page[2].str() + page.suffix().str());
+    EXPECT_TRUE(contents(folder + page[2].str()).starts_with("<!doctype html>")) << shown.where;
+    result.out = replaced(result.out, folder, "");
+    return result;
   }
-  const std::string option = " --out " + kPictures;
-  if (shown.arguments.find(option) == std::string::npos) return run(shown.arguments);
-  const std::string folder = temporary_file("pictures", "") + ".d/";
-  std::filesystem::create_directory(folder);
-  Outcome result = run(replaced(shown.arguments, option, " --out " + folder));
+  Outcome result = run(replaced(replaced(shown.arguments, kNextStage, "| '" RAYCHECK_BINARY "' "),
+                                option, " --out " + folder));
   result.out = replaced(result.out, folder, kPictures);
-  int pictures = 0;
-  for (const auto& entry : std::filesystem::directory_iterator(folder)) {
-    const std::string name = entry.path().filename().string();
-    EXPECT_TRUE(read_picture(entry.path().string()) ==
-                read_picture(std::string(RAYCHECK_SOURCE_DIR) + "/" + kPictures + name))
+  const std::vector<std::string> pictures = elsewhere.names();
+  EXPECT_EQ(pictures.size(), has(shown.arguments, option) ? 1u : 0u) << shown.where;
+  for (const std::string& name : pictures) {
+    EXPECT_TRUE(read_picture(folder + name) ==
+                read_picture(RAYCHECK_SOURCE_DIR "/" + kPictures + name))
         << shown.where << ": " << name;
-    ++pictures;
   }
-  EXPECT_EQ(pictures, 1) << shown.where;
-  std::filesystem::remove_all(folder);
-  std::filesystem::remove(folder.substr(0, folder.size() - 3));
   return result;
 }
 
@@ -139,13 +115,10 @@ std::string without_times(std::string line) {
 /// On a terminal this is one line that goes, and documents show what stays there.
 const std::regex kProgress("^submissions: [0-9]+ of [0-9]+ (tried|graded): .*");
 
-std::vector<std::string> lines_of(const std::string& text) {
+std::vector<std::string> lasting_lines_of(const std::string& text) {
   std::vector<std::string> lines;
-  for (std::size_t at = 0; at < text.size();) {
-    const std::size_t end = std::min(text.find('\n', at), text.size());
-    const std::string line = text.substr(at, end - at);
+  for (const std::string& line : lines_of(text)) {
     if (!std::regex_match(line, kProgress)) lines.push_back(without_times(line));
-    at = end + 1;
   }
   return lines;
 }
@@ -182,14 +155,14 @@ TEST(LongDocumentation, shows_what_the_program_prints) {
   int commands = 0;
   std::map<std::string, std::vector<std::string>> printed;  // of a command, wherever it is shown
   for (const auto& page : documents()) {
-    for (const Shown& shown : shown_in(page)) {
+    for (const Shown& shown : shown_in(page, "console")) {
       if (shown.arguments == "test" || shown.arguments.rfind("bench", 0) == 0) continue;
       const auto [its, is_new] = printed.emplace(shown.arguments, std::vector<std::string>());
       if (is_new) {
         const Outcome result = run_shown(shown);
         EXPECT_TRUE(result.exit_code == 0 || result.exit_code == 1)
             << shown.where << ": " << result.err;
-        its->second = lines_of(result.out);
+        its->second = lasting_lines_of(result.out);
       }
       expect_shown(shown, its->second);
       ++commands;
@@ -207,7 +180,7 @@ TEST(Documentation, shows_pictures_of_pages_that_its_commands_make) {
   std::set<std::filesystem::path> shown_pictures;
   for (const auto& document : documents()) {
     std::set<std::string> pages;
-    for (const Shown& shown : shown_in(document)) {
+    for (const Shown& shown : shown_in(document, "console")) {
       std::smatch page;
       if (std::regex_search(shown.arguments, page, kPage)) pages.insert(page[2]);
     }
@@ -230,8 +203,7 @@ TEST(Documentation, shows_pictures_of_pages_that_its_commands_make) {
       EXPECT_TRUE(shown_pictures.contains(entry.path().lexically_normal())) << entry.path();
     }
     if (entry.path().extension() == ".toml") {
-      EXPECT_NE(gallery.find("docs/gallery/" + entry.path().filename().string()), std::string::npos)
-          << entry.path();
+      EXPECT_TRUE(has(gallery, "docs/gallery/" + entry.path().filename().string())) << entry.path();
     }
   }
 }
@@ -282,28 +254,13 @@ TEST(Documentation, of_security_names_tests_that_there_are_and_every_hostile_sui
 
 /// The session blocks of a page: commands with what they print, run one after the other by one
 /// shell in a folder that is empty at first.
-std::vector<Shown> session_of(const std::filesystem::path& path) {
-  std::vector<Shown> result;
-  for (const auto& [where, line] : blocks(path, "session")) {
-    if (line.rfind("$ ", 0) == 0) {
-      result.push_back({where, false, line.substr(2), {}});
-    } else if (line.rfind("> ", 0) == 0 || line == ">") {
-      result.back().arguments += "\n" + line.substr(std::min<std::size_t>(2, line.size()));
-    } else {
-      result.back().lines.push_back(line);
-    }
-  }
-  return result;
-}
-
 void expect_session(const std::filesystem::path& page, std::size_t fewest) {
   constexpr char kMark = '\1';
-  const std::vector<Shown> session = session_of(page);
+  const std::vector<Shown> session = shown_in(page, "session");
   EXPECT_GE(session.size(), fewest) << page;
   const std::string tools = std::filesystem::path(RAYCHECK_BINARY).parent_path().string();
-  const std::string folder = temporary_file(page.stem().string(), "") + ".d";
-  std::filesystem::create_directory(folder);
-  std::string script = "exec 2>&1\ncd '" + folder +
+  const TestFolder folder;
+  std::string script = "exec 2>&1\ncd '" + folder.path().string() +
                        "'\nexport RAYCHECK='" RAYCHECK_SOURCE_DIR "' PATH='" + tools + "':$PATH\n";
   for (const Shown& shown : session) {
     script += std::string("printf '") + kMark + "'\n" + shown.arguments + "\n";
@@ -317,10 +274,9 @@ void expect_session(const std::filesystem::path& page, std::size_t fewest) {
     if (shown.lines.empty()) {
       EXPECT_EQ(printed, "") << shown.where;
     }
-    expect_shown(shown, lines_of(printed));
+    expect_shown(shown, lasting_lines_of(printed));
     at = end;
   }
-  std::filesystem::remove_all(folder);
 }
 
 TEST(LongDocumentation, instructors_get_from_an_empty_folder_to_a_graded_class) {

@@ -119,28 +119,27 @@ LimitedOutcome run_limited(const std::vector<std::string>& arguments, const Circ
   LimitedOutcome outcome;
   int status = 0;
   pid_t ended = 0;
-  for (const auto begin = Clock::now(); how.signal != 0 && ended == 0 &&
-                                        !(outcome.caught = catches_signals(child)) &&
-                                        seconds_since(begin) < kMostSecondsInAll;) {
-    std::this_thread::sleep_for(std::chrono::milliseconds(1));
-    ended = waitpid(child, &status, WNOHANG);
+  const auto wait_until = [&](const auto& is_so, double most_seconds) {
+    for (const auto start = Clock::now();
+         ended == 0 && !is_so() && seconds_since(start) < most_seconds;) {
+      std::this_thread::sleep_for(std::chrono::milliseconds(1));
+      ended = waitpid(child, &status, WNOHANG);
+    }
+  };
+  if (how.signal != 0) {
+    wait_until([&] { return outcome.caught = catches_signals(child); }, kMostSecondsInAll);
+    wait_until([] { return false; }, how.signal_after);
   }
-  const auto start = Clock::now();
-  while (how.signal != 0 && ended == 0 && seconds_since(start) < how.signal_after) {
-    std::this_thread::sleep_for(std::chrono::milliseconds(1));
-    ended = waitpid(child, &status, WNOHANG);
-  }
-  const auto signalled = Clock::now();
   const double before = cpu_seconds(child);
   if (how.signal != 0 && ended == 0) {
     outcome.was_signalled = true;
     kill(child, how.signal);
   }
-  while (ended == 0 && seconds_since(signalled) < kMostSecondsInAll) {
+  const auto note_time = [&] {
     outcome.seconds_after = cpu_seconds(child) - before;
-    std::this_thread::sleep_for(std::chrono::milliseconds(1));
-    ended = waitpid(child, &status, WNOHANG);
-  }
+    return false;
+  };
+  wait_until(note_time, kMostSecondsInAll);
   if (ended == 0) {
     kill(child, SIGKILL);
     waitpid(child, &status, 0);

@@ -4,11 +4,14 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <chrono>
 #include <csignal>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
+#include <nlohmann/json.hpp>
+#include <regex>
 #include <sstream>
 #include <system_error>
 #include <thread>
@@ -85,7 +88,55 @@ std::string contents(const std::string& path) {
   return text.str();
 }
 
-Outcome run(const std::string& arguments) { return start(RAYCHECK_BINARY, arguments); }
+std::vector<std::string> lines_of(const std::string& text) {
+  std::vector<std::string> lines;
+  std::istringstream in(text);
+  for (std::string line; std::getline(in, line);) lines.push_back(line);
+  return lines;
+}
+
+std::string camera_text(std::int64_t width, std::int64_t height, double window, double depth) {
+  std::ostringstream text;
+  text.precision(17);
+  text << "[camera]\neye = [0, 0, 0]\nlook_at = [0, 0, " << -depth
+       << "]\nup = [0, 1, 0]\nnear = " << -depth;
+  for (const char* side : {"left", "bottom"}) text << "\n" << side << " = " << -window;
+  for (const char* side : {"right", "top"}) text << "\n" << side << " = " << window;
+  text << "\nwidth = " << width << "\nheight = " << height << "\n";
+  return text.str();
+}
+
+Outcome run(const std::string& arguments, std::optional<int> exit_code) {
+  Outcome outcome = start(RAYCHECK_BINARY, arguments);
+  EXPECT_EQ(outcome.exit_code, exit_code.value_or(outcome.exit_code)) << arguments << "\n"
+                                                                      << outcome.out << outcome.err;
+  return outcome;
+}
+
+nlohmann::json printed_json(const std::string& arguments, std::optional<int> exit_code) {
+  return nlohmann::json::parse(run(arguments + " --format json", exit_code).out);
+}
+
+void expect_refused(const std::string& arguments, const std::string& why) {
+  const Outcome outcome = run(arguments + " </dev/null", 2);
+  EXPECT_TRUE(has(outcome.err, why)) << arguments;
+  EXPECT_EQ(outcome.out, "") << arguments;
+}
+
+std::vector<std::string> all_commands() {
+  const std::string help = run("--help").out;
+  static const std::regex line("\n  ([a-z]+) ");
+  std::vector<std::string> names;
+  for (std::sregex_iterator
+           at(help.begin() + static_cast<long>(help.find("Subcommands:")), help.end(), line),
+       end;
+       at != end; ++at) {
+    names.push_back((*at)[1]);
+  }
+  EXPECT_GE(names.size(), 14u);
+  std::sort(names.begin(), names.end());
+  return names;
+}
 
 Outcome run_python(const std::string& arguments) { return start("python3", arguments); }
 

@@ -1,8 +1,14 @@
 #ifndef RAYCHECK_TESTS_TOOLS_PROGRAM_H_
 #define RAYCHECK_TESTS_TOOLS_PROGRAM_H_
 
+#include <cstdint>
 #include <functional>
+#include <nlohmann/json_fwd.hpp>
+#include <optional>
 #include <string>
+#include <vector>
+
+#include "tests/has.h"
 
 namespace raycheck::tests {
 
@@ -13,8 +19,17 @@ struct Outcome {
   std::string err;
 };
 
-/// Runs `raycheck ARGUMENTS` by the shell, in the source folder.
-Outcome run(const std::string& arguments);
+/// Runs `raycheck ARGUMENTS` by the shell, in the source folder; it may be asked for an exit code.
+Outcome run(const std::string& arguments, std::optional<int> exit_code = {});
+
+/// What it prints under --format json.
+nlohmann::json printed_json(const std::string& arguments, std::optional<int> exit_code = {});
+
+/// Runs it, and expects exit code 2, nothing but an error, and this in it.
+void expect_refused(const std::string& arguments, const std::string& why);
+
+/// The commands that --help lists, sorted.
+std::vector<std::string> all_commands();
 
 /// Runs `python3 ARGUMENTS` in the same way.
 Outcome run_python(const std::string& arguments);
@@ -40,6 +55,14 @@ std::string built_submission(const std::string& source, const std::string& name,
 
 /// The text of a file; empty when there is none.
 std::string contents(const std::string& path);
+
+/// The lines of a text, without their ends.
+std::vector<std::string> lines_of(const std::string& text);
+
+/// The start of a TOML scene: a camera at the origin that looks along -z at a window from -window
+/// to window, near = -depth.
+std::string camera_text(std::int64_t width, std::int64_t height, double window = 1,
+                        double depth = 1);
 
 }  // namespace raycheck::tests
 

@@ -6,7 +6,6 @@
 #include <cstdlib>
 #include <nlohmann/json.hpp>
 #include <set>
-#include <sstream>
 #include <string>
 #include <vector>
 
@@ -61,15 +60,14 @@ bool suits_schema(const std::string& path) {
     std::printf("xmllint is not installed: the schema is not tried\n");
     return true;
   }
-  const std::string schema = std::string(RAYCHECK_SOURCE_DIR) + "/tests/tools/gates/junit.xsd";
+  const std::string schema = RAYCHECK_SOURCE_DIR "/tests/tools/gates/junit.xsd";
   return std::system(("xmllint --noout --huge --schema " + schema + " " + path).c_str()) == 0;
 }
 
 /// Lines that a log of GitHub's workflows obeys.
 std::size_t commands_in(const std::string& log) {
   std::size_t count = 0;
-  std::istringstream lines(log);
-  for (std::string line; std::getline(lines, line);) {
+  for (const std::string& line : lines_of(log)) {
     const std::size_t begin = line.find_first_not_of(" \t");
     const bool obeyed = begin != std::string::npos && line.compare(begin, 2, "::") == 0;
     count += obeyed || line.find("##[") != std::string::npos ? 1 : 0;
@@ -81,7 +79,7 @@ TEST(HostileJunit, HasEachCheckOnceWhateverTextsHold) {
   const std::string path = temporary_file("hostile.xml", junit(gate_of(3, kHostile, kHostile)));
   EXPECT_EQ(read_by_python(path), "6 3 1 1\n");
   EXPECT_TRUE(suits_schema(path));
-  EXPECT_EQ(contents(path).find("##["), std::string::npos);
+  EXPECT_FALSE(has(contents(path), "##["));
 }
 
 TEST(HostileJunit, OfAHundredThousandFailuresIsBelowWhatGitLabTakes) {
@@ -94,21 +92,20 @@ TEST(HostileJunit, OfAHundredThousandFailuresIsBelowWhatGitLabTakes) {
 TEST(HostileMarkdown, IsBelowWhatGitHubTakesAndSaysWhatIsLeftOut) {
   const std::string text = markdown(gate_of(100'000, "why it failed", "mine"));
   EXPECT_LE(text.size(), tools::kMostMarkdownBytes);
-  EXPECT_NE(text.find(" more: the report as JSON has all"), std::string::npos);
-  EXPECT_NE(text.find("| mine | 1 | 100000 | 0 | 1 | 1 |"), std::string::npos);
+  EXPECT_TRUE(has(text, " more: the report as JSON has all"));
+  EXPECT_TRUE(has(text, "| mine | 1 | 100000 | 0 | 1 | 1 |"));
 }
 
 TEST(HostileMarkdown, KeepsTextsBetweenLongerFencesAndInTheirCells) {
   const std::string text = markdown(gate_of(1, kHostile, kHostile));
-  EXPECT_NE(text.find("````text\n"), std::string::npos);
-  std::istringstream lines(text);
+  EXPECT_TRUE(has(text, "````text\n"));
   std::size_t rows = 0;
   bool inside = false;
-  for (std::string line; std::getline(lines, line);) {
+  for (const std::string& line : lines_of(text)) {
     if (line.starts_with("````")) inside = !inside;
     if (inside) continue;
     rows += line.starts_with("|") ? 1 : 0;
-    EXPECT_EQ(line.find("<script>"), std::string::npos) << line;
+    EXPECT_FALSE(has(line, "<script>"));
   }
   EXPECT_FALSE(inside);
   EXPECT_EQ(rows, 3u);
@@ -157,8 +154,7 @@ TEST_F(GateOfARun, WritesEveryReportBesideWhatItPrints) {
   for (const char* kind : {"json", "junit", "markdown", "github", "gitlab-codequality", "text"}) {
     options += std::string(" --report ") + kind + "=" + file(kind);
   }
-  const Outcome outcome = run(asked() + options);
-  EXPECT_EQ(outcome.exit_code, 1) << outcome.err;
+  const Outcome outcome = run(asked() + options, 1);
   EXPECT_EQ(outcome.out, contents(file("text")));
   const json report = json::parse(contents(file("json")));
   std::size_t broken = 0;
@@ -167,25 +163,23 @@ TEST_F(GateOfARun, WritesEveryReportBesideWhatItPrints) {
     if (campaign["finding"] != "broken") continue;
     ++broken;
     const std::string name = campaign["law"].get<std::string>() + "/rays";
-    EXPECT_NE(junit.find("name=\"" + name + "\">\n      <failure"), std::string::npos) << name;
-    EXPECT_NE(contents(file("markdown")).find(campaign["law"].get<std::string>()),
-              std::string::npos);
+    EXPECT_TRUE(has(junit, "name=\"" + name + "\">\n      <failure")) << name;
+    EXPECT_TRUE(has(contents(file("markdown")), campaign["law"].get<std::string>()));
   }
   EXPECT_GT(broken, 0u);
-  EXPECT_NE(junit.find("failures=\"" + std::to_string(broken) + "\""), std::string::npos) << junit;
+  EXPECT_TRUE(has(junit, "failures=\"" + std::to_string(broken) + "\""));
   EXPECT_TRUE(suits_schema(file("junit")));
-  EXPECT_NE(junit.find("replay: raycheck properties --candidate"), std::string::npos);
+  EXPECT_TRUE(has(junit, "replay: raycheck properties --candidate"));
   EXPECT_EQ(commands_in(contents(file("github"))), std::min<std::size_t>(broken, 10));
   EXPECT_GE(json::parse(contents(file("gitlab-codequality"))).size(), broken);
 }
 
 TEST_F(GateOfARun, WritesNoFileThatItReadsAndNoneTwice) {
   const Outcome twice =
-      run(asked() + " --report json=" + file("a") + " --report text=" + file("a"));
-  EXPECT_EQ(twice.exit_code, 2);
-  EXPECT_NE(twice.err.find("the file is named twice"), std::string::npos) << twice.err;
-  const std::string scene = temporary_file(
-      "own.toml", contents(std::string(RAYCHECK_SOURCE_DIR) + "/scene/examples/first-camera.toml"));
+      run(asked() + " --report json=" + file("a") + " --report text=" + file("a"), 2);
+  EXPECT_TRUE(has(twice.err, "the file is named twice"));
+  const std::string scene =
+      temporary_file("own.toml", contents(RAYCHECK_SOURCE_DIR "/scene/examples/first-camera.toml"));
   const std::string before = contents(scene);
   EXPECT_EQ(run("check " + scene + " --report text=" + scene).exit_code, 2);
   EXPECT_EQ(run("check " + scene + " --update-baseline --baseline " + scene).exit_code, 2);
@@ -209,34 +203,28 @@ TEST(HostileLog, OfGitHubObeysNothingThatACandidatePrints) {
   const Outcome annotated = run(arguments + " --format github");
   unsetenv("GITHUB_ACTIONS");
   EXPECT_EQ(text.exit_code, 1);
-  EXPECT_NE(text.out.find("mine"), std::string::npos) << text.out;
+  EXPECT_TRUE(has(text.out, "mine"));
   EXPECT_EQ(commands_in(text.out + text.err), 0u) << text.out;
   EXPECT_EQ(commands_in(as_json.out), 0u);
   EXPECT_TRUE(json::accept(as_json.out));
   const std::size_t annotations = commands_in(annotated.out);
   EXPECT_GT(annotations, 0u);
-  std::istringstream lines(annotated.out);
-  for (std::string line; std::getline(lines, line);) {
+  for (const std::string& line : lines_of(annotated.out)) {
     EXPECT_TRUE(!line.starts_with("::") || line.starts_with("::error ")) << line;
   }
 }
 
-TEST(CheckPicture, ShowsTheDefectsOnTheScene) {
-  const TestFolder its;
-  const std::string folder = its.path();
-  const std::string candidate = built_submission("rays.cpp", "far_root", folder);
-  const Outcome outcome =
-      run("check scene/examples/ten-spheres.toml --candidate library:" + candidate +
-          " --report picture=" + folder + "/where.png --report markdown=" + folder +
-          "/summary.md --format markdown --picture-link 'https://example.org/a (b)'");
-  EXPECT_EQ(outcome.exit_code, 1) << outcome.err;
-  EXPECT_EQ(contents(folder + "/where.png").substr(1, 3), "PNG");
-  EXPECT_NE(outcome.out.find("[where](https://example.org/a%20%28b%29)"), std::string::npos);
-  const Outcome within =
-      run("check scene/examples/ten-spheres.toml --format markdown --candidate "
-          "library:" +
-          candidate);
-  EXPECT_NE(within.out.find("![where](data:image/png;base64,iVBOR"), std::string::npos);
+TEST_F(GateOfARun, ShowsTheDefectsOnTheScene) {
+  const std::string checked =
+      "check scene/examples/ten-spheres.toml --candidate library:" + candidate_ +
+      " --format markdown";
+  const Outcome outcome = run(checked + " --report picture=" + file("where.png") +
+                                  " --report markdown=" + file("summary.md") +
+                                  " --picture-link 'https://example.org/a (b)'",
+                              1);
+  EXPECT_EQ(contents(file("where.png")).substr(1, 3), "PNG");
+  EXPECT_TRUE(has(outcome.out, "[where](https://example.org/a%20%28b%29)"));
+  EXPECT_NE(run(checked).out.find("![where](data:image/png;base64,iVBOR"), std::string::npos);
 }
 
 }  // namespace

@@ -4,7 +4,7 @@
 
 #include <filesystem>
 #include <fstream>
-#include <sstream>
+#include <regex>
 #include <string>
 #include <vector>
 
@@ -18,19 +18,11 @@ namespace fs = std::filesystem;
 
 /// The raycheck commands of a file: lines that begin with it once the file's own signs are gone.
 std::vector<std::string> commands_of(const std::string& file) {
+  static const std::regex command(" *(?:- |entry: |run: )*(raycheck prope.*)");
   std::vector<std::string> commands;
-  std::istringstream lines(contents(std::string(RAYCHECK_SOURCE_DIR) + "/" + file));
-  for (std::string line; std::getline(lines, line);) {
-    for (const std::string sign : {"- ", "entry: ", "run: "}) {
-      const std::size_t begin = line.find_first_not_of(' ');
-      if (begin != std::string::npos && line.compare(begin, sign.size(), sign) == 0) {
-        line.erase(0, begin + sign.size());
-      }
-    }
-    const std::size_t begin = line.find_first_not_of(' ');
-    if (begin != std::string::npos && line.compare(begin, 14, "raycheck prope") == 0) {
-      commands.push_back(line.substr(begin));
-    }
+  for (const std::string& line : lines_of(contents(RAYCHECK_SOURCE_DIR "/" + file))) {
+    std::smatch found;
+    if (std::regex_match(line, found, command)) commands.push_back(found[1]);
   }
   return commands;
 }
@@ -71,12 +63,12 @@ TEST(ReadyFiles, SayWhichIsolationTheyGet) {
   for (const char* file : {"examples/ci/github/workflow.yml", "examples/ci/github/action.yml",
                            "examples/ci/gitlab/raycheck.gitlab-ci.yml",
                            "examples/ci/container/Containerfile", ".pre-commit-hooks.yaml"}) {
-    const std::string text = contents(std::string(RAYCHECK_SOURCE_DIR) + "/" + file);
-    EXPECT_NE(text.find("solation"), std::string::npos) << file;
+    const std::string text = contents(RAYCHECK_SOURCE_DIR "/" + std::string(file));
+    EXPECT_TRUE(has(text, "solation")) << file;
   }
   const std::string container =
       contents(RAYCHECK_SOURCE_DIR "/examples/ci/container/Containerfile");
-  EXPECT_NE(container.find("\nUSER raycheck\n"), std::string::npos);
+  EXPECT_TRUE(has(container, "\nUSER raycheck\n"));
 }
 
 }  // namespace

@@ -19,7 +19,7 @@
 #include "properties/laws/law.h"
 #include "tests/mutants/mutants.h"
 #include "tests/names.h"
-#include "tests/tools/report/certificate_script.h"
+#include "tests/tools/report/certificates.h"
 #include "tools/methods/methods.h"
 #include "tools/report/certificate.h"
 
@@ -76,7 +76,7 @@ std::vector<Json> certificates_of(const std::vector<Candidate>& candidates,
 
 /// Confirmed ones by quantity; only refusals, which state no value, may be left uncertified.
 std::map<std::string, int> confirmed_of(const std::vector<Json>& certificates) {
-  const std::vector<std::string> lines = script_on(certificates);
+  const std::vector<std::string> lines = tests::script_lines(certificates);
   std::map<std::string, int> confirmed;
   for (std::size_t k = 0; k < certificates.size() && k < lines.size(); ++k) {
     const std::string quantity = certificates[k]["quantity"];

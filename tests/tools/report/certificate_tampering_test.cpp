@@ -3,7 +3,6 @@
 #include <gtest/gtest.h>
 
 #include <cstdint>
-#include <sstream>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -48,15 +47,12 @@ void expect_refuted(const ordered_json& certificate, const std::vector<Tampering
   }
   const Outcome result = script_on(certificates);
   EXPECT_EQ(result.exit_code, 1) << result.err;
-  std::istringstream lines(result.out);
-  std::string line;
-  ASSERT_TRUE(std::getline(lines, line));
-  EXPECT_EQ(line.rfind("confirmed", 0), 0u) << line << certificate;
-  for (const Tampering& tampering : tamperings) {
-    ASSERT_TRUE(std::getline(lines, line));
-    EXPECT_EQ(line.rfind("REFUTED", 0), 0u)
-        << tampering.where << " " << tampering.value << ": " << line;
-    EXPECT_EQ(line.find("malformed"), std::string::npos) << tampering.where << ": " << line;
+  const std::vector<std::string> lines = lines_of(result.out);
+  ASSERT_GT(lines.size(), tamperings.size());
+  EXPECT_TRUE(lines[0].starts_with("confirmed")) << lines[0] << certificate;
+  for (std::size_t k = 0; k < tamperings.size(); ++k) {
+    EXPECT_TRUE(lines[k + 1].starts_with("REFUTED") && !has(lines[k + 1], "malformed"))
+        << tamperings[k].where << " " << tamperings[k].value << ": " << lines[k + 1];
   }
 }
 
@@ -168,19 +164,13 @@ TEST(TamperedCertificates, of_a_defect_are_not_proved) {
   const auto defect =
       of_quantity(certificates_of(std::string(kFalseHit) + " --intersect quadratic"), "class");
   const auto said = [](const ordered_json& one) { return script_on({one}).out; };
-  EXPECT_NE(said(defect).find("; proved wrong for all inputs nearby"), std::string::npos);
+  EXPECT_TRUE(has(said(defect), "; proved wrong for all inputs nearby"));
   ordered_json wide = defect;
   wide["neighbourhood"] = 1e-3;
-  EXPECT_NE(said(wide).find("; not proved wrong for all inputs nearby"), std::string::npos);
+  EXPECT_TRUE(has(said(wide), "; not proved wrong for all inputs nearby"));
   auto excused = with_witness("tests/regressions/tangent-one-ulp-outside.toml", "class");
   excused["excuse"] = nullptr;
-  EXPECT_NE(said(excused).find("; not proved wrong for all inputs nearby"), std::string::npos);
-}
-
-TEST(TamperedCertificates, of_a_unit_or_a_kind_of_error_are_refuted) {
-  const auto certificate =
-      of_quantity(certificates_of(std::string(kFarSphere) + " --intersect quadratic"), "parameter");
-  expect_refuted(certificate, {{"/wrong", R"("missed")"}, {"/unit", R"("u")"}});
+  EXPECT_TRUE(has(said(excused), "; not proved wrong for all inputs nearby"));
 }
 
 TEST(TamperedCertificates, of_a_camera_are_refuted) {
@@ -201,7 +191,9 @@ TEST(TamperedCertificates, of_a_camera_are_refuted) {
                                {"/proof/roots/|P - E|/2"},
                                {"/proof/spheres/0/discriminant/2"},
                                {"/proof/spheres/0/root", R"("larger")"}});
-  expect_refuted(of_quantity(certificates, "parameter"), {{"/proof/spheres/0/s/0", "\"0\""},
+  expect_refuted(of_quantity(certificates, "parameter"), {{"/wrong", R"("missed")"},
+                                                          {"/unit", R"("u")"},
+                                                          {"/proof/spheres/0/s/0", "\"0\""},
                                                           {"/proof/spheres/0/s/2"},
                                                           {"/exact/0/0"},
                                                           {"/inputs/spheres/0/centre/2/0"}});

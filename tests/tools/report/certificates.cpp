@@ -2,7 +2,6 @@
 
 #include <gtest/gtest.h>
 
-#include <filesystem>
 #include <stdexcept>
 
 namespace raycheck::tests {
@@ -13,13 +12,9 @@ std::vector<ordered_json> certificates_of(const std::string& arguments, std::str
   EXPECT_TRUE(checked.exit_code != 2) << checked.err;
   if (report != nullptr) *report = checked.out;
   std::vector<ordered_json> certificates;
-  const std::string text = contents(path);
-  for (std::size_t at = 0; at < text.size();) {
-    const std::size_t end = text.find('\n', at);
-    certificates.push_back(ordered_json::parse(text.substr(at, end - at)));
-    at = end + 1;
+  for (const std::string& line : lines_of(contents(path))) {
+    certificates.push_back(ordered_json::parse(line));
   }
-  std::filesystem::remove(path);
   return certificates;
 }
 
@@ -27,9 +22,15 @@ Outcome script_on(const std::vector<ordered_json>& certificates) {
   std::string text;
   for (const ordered_json& one : certificates) text += one.dump() + "\n";
   const std::string path = temporary_file("certificates.jsonl", text);
-  const Outcome result = run_python("tools/verify_certificates.py " + path);
-  std::filesystem::remove(path);
-  return result;
+  return run_python("tools/verify_certificates.py " + path);
+}
+
+std::vector<std::string> script_lines(const std::vector<ordered_json>& certificates) {
+  const Outcome outcome = script_on(certificates);
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.out << outcome.err;
+  std::vector<std::string> lines = lines_of(outcome.out);
+  EXPECT_GT(lines.size(), certificates.size());
+  return lines;
 }
 
 ordered_json of_quantity(const std::vector<ordered_json>& certificates, const char* quantity) {

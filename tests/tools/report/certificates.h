@@ -25,6 +25,9 @@ std::vector<ordered_json> certificates_of(const std::string& arguments,
 /// tools/verify_certificates.py on certificates that may be no longer what the program wrote.
 Outcome script_on(const std::vector<ordered_json>& certificates);
 
+/// What the script prints where it refutes nothing: a line for each, and what it counted.
+std::vector<std::string> script_lines(const std::vector<ordered_json>& certificates);
+
 /// The first certificate of a quantity; throws std::runtime_error when there is none.
 ordered_json of_quantity(const std::vector<ordered_json>& certificates, const char* quantity);
 

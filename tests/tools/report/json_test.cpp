@@ -1,21 +1,27 @@
-// What every command prints under --format json, against docs/json.md and against itself.
+// What every command prints under --format json, against docs/json.md and against itself; and what
+// texts of others come to in JSON and CSV.
+
+#include "tools/report/json.h"
 
 #include <gtest/gtest.h>
 
-#include <cctype>
 #include <cmath>
+#include <cstdlib>
 #include <filesystem>
-#include <fstream>
 #include <functional>
 #include <map>
 #include <nlohmann/json.hpp>
+#include <regex>
 #include <set>
-#include <sstream>
 #include <string>
+#include <tuple>
+#include <utility>
 #include <vector>
 
 #include "properties/quantile_sketch.h"
 #include "tests/tools/program.h"
+#include "tools/report/csv.h"
+#include "tools/report/table.h"
 
 namespace raycheck::tests {
 namespace {
@@ -100,54 +106,33 @@ void walk(const json& report, const std::function<void(const json&)>& visit) {
   for (const json& part : report) walk(part, visit);
 }
 
-/// What is between backquotes on the page, by sections: under a command's name where the heading
-/// has it, under "" where it holds for all.
-std::map<std::string, std::vector<std::string>> documented() {
-  std::map<std::string, std::vector<std::string>> spans;
-  std::ifstream page(std::string(RAYCHECK_SOURCE_DIR) + "/docs/json.md");
-  std::string section;
-  for (std::string line; std::getline(page, line);) {
-    if (line.rfind("## ", 0) == 0) {
-      const bool of_command = line.rfind("## `", 0) == 0;
-      section = of_command ? line.substr(4, line.find_first_of(" `", 4) - 4) : "";
-    }
-    for (std::size_t at = line.find('`'); at != std::string::npos; at = line.find('`', at + 1)) {
-      const std::size_t end = line.find('`', at + 1);
-      if (end == std::string::npos) break;
-      spans[section].push_back(line.substr(at + 1, end - at - 1));
-      at = end;
-    }
-  }
-  return spans;
+/// A text's words, each between spaces.
+std::string words_of(const std::string& text) {
+  return " " + std::regex_replace(text, std::regex("\\W"), " ") + " ";
 }
 
-/// Whether a key stands in a span, not as a part of another word.
-bool names_key(const std::string& span, const std::string& key) {
-  const auto is_letter = [&](std::size_t at) {
-    return at < span.size() &&
-           (std::isalnum(static_cast<unsigned char>(span[at])) || span[at] == '_');
-  };
-  for (std::size_t at = span.find(key); at != std::string::npos; at = span.find(key, at + 1)) {
-    if ((at == 0 || !is_letter(at - 1)) && !is_letter(at + key.size())) return true;
+/// The words between backquotes on the page, by sections: under a command's name where the heading
+/// has it, under "" where it holds for all.
+std::map<std::string, std::string> documented() {
+  static const std::regex span("`([^`]*)`"), heading("## `(\\w+).*");
+  std::map<std::string, std::string> words;
+  std::string section;
+  for (const std::string& line : lines_of(contents(RAYCHECK_SOURCE_DIR "/docs/json.md"))) {
+    if (line.starts_with("## ")) section = std::regex_replace(line, heading, "$1");
+    if (section.starts_with("## ")) section.clear();
+    for (std::sregex_iterator at(line.begin(), line.end(), span), end; at != end; ++at) {
+      words[section] += words_of((*at)[1]);
+    }
   }
-  return false;
+  return words;
 }
 
 /// The commands that offer it, by their own help.
 std::set<std::string> commands_with_json() {
   std::set<std::string> names;
-  std::istringstream help(run("--help").out);
-  std::string line;
-  while (std::getline(help, line) && line != "Subcommands:") continue;
-  while (std::getline(help, line)) {
-    std::istringstream words(line);
-    std::string name;
-    if (!(words >> name) || line.find_first_not_of(' ') != 2) continue;
-    const std::string formats = run(name + " --help").out;
-    const std::size_t at = formats.find("--format TEXT:{");
-    if (at == std::string::npos) continue;
-    const std::string choices = formats.substr(at, formats.find('}', at) - at);
-    if (choices.find("json") != std::string::npos) names.insert(name);
+  for (const std::string& name : all_commands()) {
+    const std::string help = run(name + " --help").out;
+    if (std::regex_search(help, std::regex("--format TEXT:\\{[^}]*json"))) names.insert(name);
   }
   return names;
 }
@@ -159,10 +144,10 @@ TEST(Json, is_looked_at_of_every_command_that_prints_it) {
 }
 
 void expect_every_key_on_the_page() {
-  auto spans = documented();
+  auto words = documented();
   std::size_t keys = 0;
   for (const Reports& reports : all_reports()) {
-    ASSERT_TRUE(spans.contains(reports.command)) << reports.command << " has no section";
+    ASSERT_TRUE(words.contains(reports.command)) << reports.command << " has no section";
     std::set<std::string> printed_keys;
     for (const json& report : printed(reports)) {
       walk(report, [&](const json& object) {
@@ -170,13 +155,10 @@ void expect_every_key_on_the_page() {
       });
     }
     for (const std::string& key : printed_keys) {
-      bool found = false;
-      for (const std::string& section : {std::string(), reports.command}) {
-        for (const std::string& span : spans[section]) found = found || names_key(span, key);
-      }
-      EXPECT_TRUE(found) << reports.command << " prints an undocumented \"" << key << "\"";
-      ++keys;
+      EXPECT_TRUE(has(words[""] + words[reports.command], words_of(key)))
+          << reports.command << " prints an undocumented \"" << key << "\"";
     }
+    keys += printed_keys.size();
   }
   EXPECT_GE(keys, 200u);
 }
@@ -186,7 +168,7 @@ TEST(Json, is_documented_with_the_resolution_of_its_quantiles) {
   EXPECT_EQ(properties::kSketchResolution, std::ldexp(1, 1 - properties::kSketchBits));
   for (const char* page : {"/docs/json.md", "/docs/problem.md"}) {
     const std::string text = contents(RAYCHECK_SOURCE_DIR + std::string(page));
-    EXPECT_NE(text.find(within), std::string::npos) << page;
+    EXPECT_TRUE(has(text, within)) << page;
   }
 }
 
@@ -203,40 +185,45 @@ void expect_reports_begin_alike() {
   EXPECT_EQ(versions.size(), 1u);
 }
 
-bool is_tally(const json& object) { return object.contains("wrong_by_kind"); }
-
 std::uint64_t sum(const json& counts) {
   std::uint64_t total = 0;
   for (const json& count : counts) total += count.get<std::uint64_t>();
   return total;
 }
 
-void expect_parts_of_tallies_add_up() {
+void expect_the_parts_of_a_tally_to_add_up(const json& tally, const std::string& where) {
+  const auto number = [&](const char* key) { return tally[key].get<std::uint64_t>(); };
+  EXPECT_EQ(tally["wrong_by_kind"].size(), 7u) << where;
+  EXPECT_EQ(sum(tally["wrong_by_kind"]), tally["wrong"]) << where;
+  EXPECT_EQ(number("right") + number("wrong") + number("measured"), number("cases")) << where;
+  EXPECT_EQ(sum(tally["wrong_by_standing"]), tally["wrong"]) << where;
+  for (const json& answers : tally["answered"]) {
+    EXPECT_LE(answers["right"], answers["asked"]) << where;
+  }
+  EXPECT_LE(number("ill_conditioned"), number("measured")) << where;
+  EXPECT_EQ(tally["max"].is_null(), number("measured") == 0) << where;
+  if (tally["max"].is_number()) {
+    EXPECT_LE(tally["median"], tally["p999"]) << where;
+    EXPECT_LE(tally["p999"], tally["max"]) << where;
+  }
+  if (!tally["outcomes"].is_null()) {
+    EXPECT_EQ(sum(tally["outcomes"]), tally["cases"]) << where;
+  }
+}
+
+void expect_the_same_tally_everywhere() {
+  std::map<std::string, std::set<std::set<std::string>>> keys;  // of tallies, by command
   std::size_t tallies = 0, wrong = 0, weighed = 0;
   for (const Reports& reports : all_reports()) {
     for (const json& report : printed(reports)) {
       walk(report, [&](const json& tally) {
-        if (!is_tally(tally)) return;
-        const std::string where = reports.command + ": " + tally.dump();
-        EXPECT_EQ(tally["wrong_by_kind"].size(), 7u) << where;
-        EXPECT_EQ(sum(tally["wrong_by_kind"]), tally["wrong"]) << where;
-        const auto number = [&](const char* key) { return tally[key].get<std::uint64_t>(); };
-        EXPECT_EQ(number("right") + number("wrong") + number("measured"), number("cases")) << where;
-        EXPECT_EQ(sum(tally["wrong_by_standing"]), tally["wrong"]) << where;
-        for (const json& answers : tally["answered"]) {
-          EXPECT_LE(answers["right"], answers["asked"]) << where;
-        }
-        EXPECT_LE(number("ill_conditioned"), number("measured")) << where;
-        EXPECT_EQ(tally["max"].is_null(), number("measured") == 0) << where;
-        if (tally["max"].is_number()) {
-          EXPECT_LE(tally["median"], tally["p999"]) << where;
-          EXPECT_LE(tally["p999"], tally["max"]) << where;
-        }
-        if (!tally["outcomes"].is_null()) {
-          EXPECT_EQ(sum(tally["outcomes"]), tally["cases"]) << where;
-          weighed += number("measured") > 0 ? 1 : 0;
-        }
-        wrong += number("wrong") > 0 ? 1 : 0;
+        if (!tally.contains("wrong_by_kind")) return;
+        expect_the_parts_of_a_tally_to_add_up(tally, reports.command + ": " + tally.dump());
+        std::set<std::string> all;
+        for (const auto& [key, value] : tally.items()) all.insert(key);
+        keys[reports.command].insert(all);
+        weighed += !tally["outcomes"].is_null() && tally["measured"] > 0 ? 1 : 0;
+        wrong += tally["wrong"] > 0 ? 1 : 0;
         ++tallies;
       });
     }
@@ -244,20 +231,6 @@ void expect_parts_of_tallies_add_up() {
   EXPECT_GE(tallies, 100u);
   EXPECT_GE(wrong, 5u);
   EXPECT_GE(weighed, 20u);
-}
-
-void expect_the_same_tally_everywhere() {
-  std::map<std::string, std::set<std::string>> keys;  // of tallies, by command
-  for (const Reports& reports : all_reports()) {
-    for (const json& report : printed(reports)) {
-      walk(report, [&](const json& tally) {
-        if (!is_tally(tally)) return;
-        std::string all;
-        for (const auto& [key, value] : tally.items()) all += key + " ";
-        keys[reports.command].insert(all);
-      });
-    }
-  }
   for (const char* command : {"check", "properties", "stress", "tradeoff", "verify"}) {
     EXPECT_EQ(keys[command].size(), 1u) << command;
     EXPECT_EQ(keys[command], keys["check"]) << command;
@@ -267,37 +240,70 @@ void expect_the_same_tally_everywhere() {
 TEST(Json, of_every_command_is_as_its_page_says) {
   expect_every_key_on_the_page();
   expect_reports_begin_alike();
-  expect_parts_of_tallies_add_up();
   expect_the_same_tally_everywhere();
 }
 
 TEST(Json, says_which_change_excused_an_answer) {
-  std::map<std::string, std::set<double>> amounts;
-  const auto look = [&](const std::string& arguments) {
-    walk(json::parse(run(arguments + " --top 1000 --format json").out), [&](const json& found) {
-      if (!found.contains("excuse") || found["excuse"].is_null()) return;
-      const json& excuse = found["excuse"];
-      EXPECT_FALSE(excuse.at("sentence").get<std::string>().empty());
-      EXPECT_EQ(excuse["kind"] == "witness", !excuse["witness"].is_null());
-      for (const json& input : excuse["witness"]) {
-        const double share = std::strtod(input["share"].get<std::string>().c_str(), nullptr);
-        EXPECT_NE(share, 0);
-        EXPECT_LE(std::abs(share), excuse["amount"]);
-      }
-      if (excuse["amount"].is_number())
-        amounts[excuse["kind"]].insert(excuse["amount"].get<double>());
-    });
-  };
-  look("check" + scene("tangent-and-neighbours") + " --intersect quadratic");
-  EXPECT_EQ(amounts["witness"], std::set<double>{0x1p-49});
-  amounts.clear();
-  look("check" + scene("tangent-and-neighbours") + " --intersect single-quadratic");
-  EXPECT_EQ(amounts["witness"], std::set<double>{0x1p-20});
-  amounts.clear();
-  look("check" + scene("probe") +
-       " --t-threshold 0.5 --candidate \"renderer:python3 "
-       "tests/candidates/rt.py threshold {scene} {image}\"");
-  EXPECT_EQ(amounts["threshold"], std::set<double>{0.5});
+  for (const auto& [asked, kind, amount] :
+       {std::tuple("tangent-and-neighbours.toml --intersect quadratic", "witness", 0x1p-49),
+        {"tangent-and-neighbours.toml --intersect single-quadratic", "witness", 0x1p-20},
+        {"probe.toml --t-threshold 0.5 --candidate \"renderer:python3 tests/candidates/rt.py "
+         "threshold {scene} {image}\"",
+         "threshold", 0.5}}) {
+    std::set<double> amounts;
+    walk(printed_json("check --top 1000 scene/examples/" + std::string(asked)),
+         [&, kind = kind](const json& found) {
+           if (!found.contains("excuse") || found["excuse"].is_null()) return;
+           const json& excuse = found["excuse"];
+           EXPECT_FALSE(excuse.at("sentence").get<std::string>().empty());
+           EXPECT_EQ(excuse["kind"] == "witness", !excuse["witness"].is_null());
+           for (const json& input : excuse["witness"]) {
+             const double share = std::strtod(input["share"].get<std::string>().c_str(), nullptr);
+             EXPECT_NE(share, 0);
+             EXPECT_LE(std::abs(share), excuse["amount"]);
+           }
+           if (excuse["kind"] == kind) amounts.insert(excuse["amount"].get<double>());
+         });
+    EXPECT_EQ(amounts, std::set<double>{amount}) << asked;
+  }
+}
+
+TEST(HostileCsv, defuses_what_spreadsheets_take_for_formulas) {
+  for (const auto& [text, cell] : {
+           std::pair("=1+1", "\"'=1+1\""),
+           {"+cmd|' /C calc'!A0", "\"'+cmd|' /C calc'!A0\""},
+           {"-2+3", "\"'-2+3\""},
+           {"@SUM(A1)", "\"'@SUM(A1)\""},
+           {"\t=1", "\"'\t=1\""},
+           {"\r=1", "\"'\\x0d=1\""},
+           {"\n=1", "\"'\n=1\""},
+           {"\uFF1D1", "\"'\uFF1D1\""},
+           // What would end a cell.
+           {"a,b", "\"a,b\""},
+           {"a;b", "\"a;b\""},
+           {"a\"b", "\"a\"\"b\""},
+           {" a", "\" a\""},
+           {"\x1b\xff", "\\x1b\uFFFD"},
+       }) {
+    EXPECT_EQ(tools::csv_cell(text), cell);
+  }
+  // Numbers and plain text are as they were.
+  for (const char* cell :
+       {"", "-", "-1.5", "+2", "1e-300", "-0x1p3", "-inf", "ada", "a b", "<1e-9"}) {
+    EXPECT_EQ(tools::csv_cell(cell), cell);
+  }
+  tools::Table table(
+      {{"=heading", tools::Table::Align::kLeft}, {"x", tools::Table::Align::kRight}});
+  table.add({"@name", "-1"});
+  EXPECT_EQ(table.csv(), "\"'=heading\",x\n\"'@name\",-1\n");
+}
+
+TEST(HostileJson, is_written_of_any_bytes) {
+  const std::string bytes = "a\xff\x1b\x7f\u009b\u202e\\x7f\"z";
+  const std::string text = tools::json_text({{"key", bytes}});
+  EXPECT_EQ(text, "{\n  \"key\": \"a\uFFFD\\u001b\\u007f\\u009b\\u202e\\\\x7f\\\"z\"\n}\n");
+  EXPECT_EQ(tools::Json::parse(text)["key"], "a\uFFFD\x1b\x7f\u009b\u202e\\x7f\"z");
+  EXPECT_EQ(tools::json_line(tools::Json::array({1, "\xff"})), "[1,\"\uFFFD\"]\n");
 }
 
 }  // namespace

@@ -1,12 +1,9 @@
 #include "tools/report/typeset.h"
 
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <cstdlib>
-#include <filesystem>
-#include <fstream>
 #include <sstream>
 #include <stdexcept>
 #include <string>
@@ -14,6 +11,7 @@
 
 #include "reference/exact_ray.h"
 #include "tests/reference/random_cases.h"
+#include "tests/tools/program.h"
 
 namespace raycheck::tools {
 namespace {
@@ -81,24 +79,18 @@ struct Written {
 
 /// The values of what is written, by tests/tools/report/typeset_values.py.
 std::vector<std::vector<double>> values_of(const std::vector<Written>& written, int digits) {
-  const std::string stem = testing::TempDir() + "raycheck_typeset_" + std::to_string(getpid());
-  {
-    std::ofstream out(stem + ".in");
-    for (const Written& one : written) out << one.text << '\n';
-  }
-  const std::string command = "python3 '" RAYCHECK_SOURCE_DIR
-                              "/tests/tools/report/typeset_values.py' " +
-                              std::to_string(digits) + " < '" + stem + ".in' > '" + stem + ".out'";
-  EXPECT_EQ(std::system(command.c_str()), 0) << "python3 is needed: " << command;
+  std::string text;
+  for (const Written& one : written) text += one.text + '\n';
+  const tests::Outcome worked_out =
+      tests::run_python("tests/tools/report/typeset_values.py " + std::to_string(digits) + " < '" +
+                        tests::temporary_file("typeset", text) + "'");
+  EXPECT_EQ(worked_out.exit_code, 0) << "python3 is needed: " << worked_out.err;
   std::vector<std::vector<double>> values;
-  std::ifstream in(stem + ".out");
-  for (std::string line; std::getline(in, line);) {
+  for (const std::string& line : tests::lines_of(worked_out.out)) {
     std::istringstream words(line);
     std::vector<double>& row = values.emplace_back();
     for (std::string word; words >> word;) row.push_back(std::strtod(word.c_str(), nullptr));
   }
-  std::filesystem::remove(stem + ".in");
-  std::filesystem::remove(stem + ".out");
   return values;
 }
 
@@ -170,31 +162,27 @@ TEST(Typeset, of_random_cameras_has_the_rounded_value) {
   both.expect_values();
 }
 
-TEST(Typeset, of_random_rays_has_the_rounded_value) {
+/// So many rays whose numbers are of these sizes.
+void expect_values_of_random_rays(int count, const std::vector<Sizes>& all_sizes, int least_hits,
+                                  int digits) {
   Random random(2);
   Both both;
   int hits = 0;
-  for (int k = 0; k < 500; ++k) {
-    const Sizes sizes = random.one_in(4) ? Sizes::kOrdinary : Sizes::kSmallIntegers;
+  for (int k = 0; k < count; ++k) {
+    const Sizes sizes = all_sizes[static_cast<std::size_t>(k) % all_sizes.size()];
     const scene::Ray ray = random_ray(random, sizes);
     const scene::Sphere sphere = random_sphere(random, sizes);
     hits += both.add(ClosedFormRay(ray), reference::ExactRay(ray), sphere) ? 1 : 0;
   }
-  EXPECT_GE(hits, 60);
-  both.expect_values();
+  EXPECT_GE(hits, least_hits);
+  both.expect_values(digits);
 }
 
-TEST(Typeset, of_rays_all_over_the_doubles_has_the_rounded_value) {
-  Random random(3);
-  Both both;
-  int hits = 0;
-  for (int k = 0; k < 40; ++k) {
-    const scene::Ray ray = random_ray(random, Sizes::kAll);
-    const scene::Sphere sphere = random_sphere(random, Sizes::kAll);
-    hits += both.add(ClosedFormRay(ray), reference::ExactRay(ray), sphere) ? 1 : 0;
-  }
-  EXPECT_GE(hits, 5);
-  both.expect_values(kMostDigits);
+TEST(Typeset, of_random_rays_has_the_rounded_value) {
+  constexpr Sizes kSmall = Sizes::kSmallIntegers;
+  expect_values_of_random_rays(500, {kSmall, kSmall, kSmall, Sizes::kOrdinary}, 60,
+                               kOrdinaryDigits);
+  expect_values_of_random_rays(40, {Sizes::kAll}, 5, kMostDigits);  // all over the doubles
 }
 
 }  // namespace

@@ -1,32 +1,24 @@
 #include <gtest/gtest.h>
 
-#include <filesystem>
-#include <fstream>
+#include <algorithm>
+#include <memory>
 #include <nlohmann/json.hpp>
-#include <sstream>
 #include <string>
 
 #include "tests/tools/program.h"
+#include "tools/stress/stress_page.h"
+#include "tools/view/document_json.h"
+#include "tools/view/page/page.h"
 
 namespace raycheck::tests {
 namespace {
 
 using nlohmann::json;
 
-void expect_refused(const std::string& arguments, const std::string& why) {
-  const Outcome result = run(arguments);
-  EXPECT_EQ(result.exit_code, 2) << arguments;
-  EXPECT_NE(result.err.find(why), std::string::npos) << arguments << "\n" << result.err;
-  EXPECT_EQ(result.out, "") << arguments;
-}
-
 const std::string kFew = " --cases 60 --severity 0..9 ";
 
 TEST(StressCommand, reports_the_severity_at_which_the_textbook_first_fails) {
-  const Outcome result =
-      run("stress --family distance --method quadratic,cross --format json" + kFew);
-  EXPECT_EQ(result.exit_code, 1);
-  const json report = json::parse(result.out);
+  const json report = printed_json("stress --family distance --method quadratic,cross" + kFew, 1);
   const json& methods = report["families"][0]["methods"];
   ASSERT_EQ(methods.size(), 2u);
   EXPECT_EQ(methods[0]["name"], "quadratic");
@@ -37,148 +29,103 @@ TEST(StressCommand, reports_the_severity_at_which_the_textbook_first_fails) {
   EXPECT_EQ(methods[0]["severities"].size(), 10u);
 }
 
-TEST(StressCommand, is_the_same_for_the_same_seed) {
-  const std::string arguments = "stress --family up,tangency --format json --seed 5" + kFew;
-  EXPECT_EQ(run(arguments).out, run(arguments).out);
-}
-
-TEST(StressCommand, prints_csv_and_markdown_with_as_many_cells_in_every_line) {
-  const std::string arguments = "stress --family distance --method cross" + kFew;
-  std::istringstream csv(run(arguments + " --format csv").out);
-  std::string line;
-  std::size_t lines = 0;
-  std::size_t commas = 0;
-  for (; std::getline(csv, line); ++lines) {
-    const auto here = static_cast<std::size_t>(std::count(line.begin(), line.end(), ','));
-    if (lines == 0) commas = here;
-    EXPECT_EQ(here, commas) << line;
+TEST(StressCommand, and_tradeoff_print_tables_with_as_many_cells_in_every_line) {
+  const std::string stress = "stress --family distance --method cross" + kFew;
+  const std::string tradeoff = "tradeoff --methods quadratic,robust,direct --cases 100";
+  for (const auto& [command, rows] : {std::pair(stress, 11u), {tradeoff, 4u}}) {
+    const auto lines = lines_of(run(command + " --format csv").out);
+    EXPECT_EQ(lines.size(), rows);
+    for (const std::string& line : lines) {
+      EXPECT_EQ(std::count(line.begin(), line.end(), ','),
+                std::count(lines[0].begin(), lines[0].end(), ','))
+          << line;
+    }
   }
-  EXPECT_EQ(lines, 11u);
-  EXPECT_NE(run(arguments + " --format markdown").out.find("|---|"), std::string::npos);
-}
-
-TEST(StressCommand, fails_with_2_and_says_why) {
-  expect_refused("stress --family moon",
-                 "family moon: no such family; the families are far-camera");
-  expect_refused("stress --method magic", "method magic: no such method");
-  expect_refused("stress --severity 5..2", "--severity 5..2");
-  expect_refused("stress --family distance --severity 99", "the severities of distance are 0..");
-  expect_refused("stress --cases 0", "--cases");
-  expect_refused("stress --plot picture.bmp", "plot picture.bmp");
-  expect_refused("stress --plot nowhere/picture.svg", "there is no folder nowhere");
+  EXPECT_TRUE(has(run(stress + " --format markdown").out, "|---|"));
 }
 
 TEST(StressCommand, draws_a_plot_or_says_that_there_is_no_gnuplot) {
   const std::string path = temporary_file("stress.svg", "");
   const Outcome result =
       run("stress --family distance --method quadratic,cross --plot " + path + kFew);
-  EXPECT_NE(result.out.find("first failing severity"), std::string::npos);
-  std::ifstream file(path);
-  std::stringstream picture;
-  picture << file.rdbuf();
+  EXPECT_TRUE(has(result.out, "first failing severity"));
   if (result.err.empty()) {
-    EXPECT_NE(picture.str().find("</svg>"), std::string::npos);
-    EXPECT_NE(picture.str().find("quadratic"), std::string::npos);
+    EXPECT_TRUE(has(contents(path), "</svg>"));
+    EXPECT_TRUE(has(contents(path), "quadratic"));
   } else {
-    EXPECT_NE(result.err.find("apt-get install gnuplot-nox"), std::string::npos) << result.err;
+    EXPECT_TRUE(has(result.err, "apt-get install gnuplot-nox"));
   }
-  std::filesystem::remove(path);
 }
 
 TEST(StressCommand, proves_what_it_found) {
   const std::string path = temporary_file("stress.certificates", "");
-  EXPECT_EQ(run("stress --family distance,up --method quadratic,rays/lecture --certificates " +
-                path + kFew)
-                .exit_code,
-            1);
-  const std::string proofs = contents(path);
-  EXPECT_GT(std::count(proofs.begin(), proofs.end(), '\n'), 20);
+  const std::string asked = "stress --family distance,up --method quadratic,rays/lecture";
+  EXPECT_EQ(run(asked + " --certificates " + path + kFew).exit_code, 1);
+  EXPECT_GT(lines_of(contents(path)).size(), 20u);
   const Outcome confirmed = run_python("tools/verify_certificates.py " + path);
   EXPECT_EQ(confirmed.exit_code, 0) << confirmed.out;
-  std::filesystem::remove(path);
 }
 
-/// How many answers of a quantity were compared.
-std::uint64_t cases_of(const json& tallies, const std::string& quantity) {
-  for (const json& tally : tallies) {
-    if (tally["name"] == quantity) return tally["cases"];
+TEST(StressCommand, has_a_page_with_a_curve_of_every_method_on_every_family) {
+  tools::StressOptions options;
+  options.families = {"distance", "up"};
+  options.methods = {"quadratic", "robust", "rays/direct"};
+  options.cases = 20;
+  options.severities = {{0, 4}};
+  const auto other = std::make_shared<const tools::OtherMethod>(tools::OtherMethod{
+      .name = "</script><b>", .isolated_by = "", .bounds_of = "", .candidate = [] {
+        return tools::candidate_of(tools::kDefaultMethods);
+      }});
+  options.others = {{.stage = properties::Stage::kIntersection, .other = other}};
+  const tools::StressReport report = run_stress(options);
+  const tools::ViewDocument document = stress_document(report);
+  EXPECT_FALSE(has(page(document), "</script><b>"));
+  const json chart = json::parse(document_json(document))["chart"];
+  ASSERT_EQ(chart["facets"].size(), 3u);  // distance asks nothing of methods that make rays
+  EXPECT_EQ(chart["facets"][0]["subject"], "distance");
+  EXPECT_EQ(chart["facets"][2]["stage"], "Rays");
+  const tools::StressCurve& textbook = report.families[0].curves[0];
+  const json& mine = chart["facets"][0]["series"][0];
+  EXPECT_EQ(mine["name"], "quadratic");
+  EXPECT_TRUE(mine["time"].is_null());
+  ASSERT_EQ(mine["points"].size(), 5u);
+  for (std::size_t k = 0; k < 5; ++k) {
+    const json& errors = mine["points"][k]["errors"][0];
+    EXPECT_EQ(errors["at"][0], *textbook.tally(k)->median());
+    EXPECT_EQ(errors["at"][3], *textbook.tally(k)->quantile(0.999));
+    EXPECT_EQ(chart["facets"][0]["condition"][0][3][k],
+              *textbook.tally(k)->condition_quantile(0.999));
+    EXPECT_EQ(mine["points"][k]["defects"], properties::defects(textbook.results[k].inside));
   }
-  return 0;
+  // Methods have their numbers among all, so that each looks the same in every picture.
+  const auto& series = document.chart->facets[0].series;
+  ASSERT_EQ(series.size(), 3u);
+  EXPECT_EQ(series[0].number, 0u);
+  EXPECT_EQ(series[1].number, 12u);
+  EXPECT_EQ(series[2].number, tools::all_intersect_methods().size());
 }
 
-TEST(TradeoffCommand, reports_error_and_time_of_each_method) {
-  const Outcome result = run("tradeoff --methods quadratic,cross,direct --cases 300 --format json");
-  EXPECT_EQ(result.exit_code, 0) << result.err;
-  const json report = json::parse(result.out);
-  ASSERT_EQ(report["rays"].size(), 1u);
-  ASSERT_EQ(report["intersections"].size(), 2u);
-  for (const json& method : report["intersections"]) {
-    EXPECT_GT(method["call"]["median_ns"].get<double>(), 0);
-    EXPECT_GT(method["batch"]["median_ns"].get<double>(), 0);
-    EXPECT_GE(cases_of(method["inside"], "class"), 300u);
-    EXPECT_GE(cases_of(method["inside"], "parameter"), 50u);
-    EXPECT_GE(cases_of(method["inside"], "backward error"), 50u);
+TEST(StressCommand, and_tradeoff_write_their_pages) {
+  for (const auto& [command, title] :
+       {std::pair("stress --severity 0..3 --family distance --method cross",
+                  "Error against severity: distance"),
+        {"tradeoff --family rays --method quadratic,cross", "Error against run time: rays"}}) {
+    const std::string path = temporary_file("page.html", "");
+    const Outcome result = run(command + (" --cases 20 --view " + path), 0);
+    EXPECT_NE(contents(path).find(std::string("<title>") + title), std::string::npos) << command;
+    EXPECT_LT(contents(path).size(), 300'000u);  // without what draws in three dimensions
   }
-  // Something is on the front.
-  EXPECT_TRUE(report["intersections"][0]["pareto"].get<bool>() ||
-              report["intersections"][1]["pareto"].get<bool>());
-}
-
-TEST(TradeoffCommand, prints_one_csv_table) {
-  std::istringstream csv(
-      run("tradeoff --methods quadratic,robust,direct --cases 100 --format csv").out);
-  std::string line;
-  std::size_t lines = 0;
-  for (; std::getline(csv, line); ++lines) {
-    EXPECT_EQ(std::count(line.begin(), line.end(), ','), 18) << line;
-  }
-  EXPECT_EQ(lines, 4u);
-}
-
-TEST(TradeoffCommand, compares_only_what_a_scene_needs) {
-  const auto report = [](const std::string& scene) {
-    return json::parse(run("tradeoff " + scene +
-                           " --methods quadratic,cross,direct,focal --cases 100 "
-                           "--format json")
-                           .out);
-  };
-  const json both = report("scene/examples/far-sphere.toml");
-  EXPECT_EQ(both["rays"].size(), 2u);
-  EXPECT_EQ(both["intersections"].size(), 2u);
-  EXPECT_GE(both["pixels"].size(), 1u);
-  const json given = report("tests/regressions/tangent.toml");
-  EXPECT_EQ(given["rays"].size(), 0u);
-  EXPECT_EQ(given["pixels"].size(), 0u);
-  EXPECT_EQ(given["intersections"].size(), 2u);
-}
-
-TEST(TradeoffCommand, fails_with_2_and_says_why) {
-  expect_refused("tradeoff nowhere.toml", "nowhere.toml");
-  expect_refused("tradeoff scene/examples/far-sphere.toml --all-families", "one of SCENE");
-  expect_refused("tradeoff --family moon", "family moon");
-  expect_refused("tradeoff --plot picture.txt", "plot picture.txt");
 }
 
 TEST(WorstCommand, finds_an_input_that_check_accepts) {
   const std::string path = temporary_file("worst.toml", "");
-  const Outcome result =
-      run("worst --method intersect/quadratic --family rays --by rho --cases 200 "
-          "--steps 400 --save " +
-          path);
-  EXPECT_EQ(result.exit_code, 1) << result.err;
-  EXPECT_NE(result.out.find("unstable"), std::string::npos) << result.out;
-  EXPECT_NE(result.out.find("0x1"), std::string::npos);
+  const Outcome result = run(
+      "worst --method intersect/quadratic --family rays --by rho --cases 200 --steps 400 --save " +
+          path,
+      1);
+  EXPECT_TRUE(has(result.out, "unstable"));
+  EXPECT_TRUE(has(result.out, "0x1"));
   EXPECT_EQ(run("check " + path + " --intersect quadratic").exit_code, 1);
-  std::filesystem::remove(path);
-}
-
-TEST(WorstCommand, fails_with_2_and_says_why) {
-  expect_refused("worst --method lecture --family rays", "rays/lecture or intersect/lecture");
-  expect_refused("worst --method direct --family rays", "has no camera");
-  expect_refused("worst --method cross --family rays --quantity colour",
-                 "quantity colour: no such quantity");
-  expect_refused("worst --method cross --family distance@77", "0 to 15");
-  expect_refused("worst --method cross", "--family");
 }
 
 }  // namespace

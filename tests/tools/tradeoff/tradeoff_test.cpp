@@ -1,11 +1,10 @@
-#include "tools/tradeoff/tradeoff_page.h"
-
 #include <gtest/gtest.h>
 
 #include <nlohmann/json.hpp>
 
 #include "tests/tools/program.h"
 #include "tools/tradeoff/tradeoff_front.h"
+#include "tools/tradeoff/tradeoff_page.h"
 #include "tools/view/document_json.h"
 
 namespace raycheck::tests {
@@ -92,15 +91,37 @@ TEST(TradeoffPage, TellsWhatTheReportTellsOfEverySource) {
   EXPECT_EQ(series[2]["points"][0]["errors"][0]["front"][3], true);  // nothing is as accurate
 }
 
-TEST(TradeoffPage, IsOneFileOfTheCommand) {
-  const std::string path = temporary_file("tradeoff.html", "");
-  const Outcome result =
-      run("tradeoff --family rays --method quadratic,cross --cases 50 --view " + path);
-  EXPECT_EQ(result.exit_code, 0) << result.err;
-  const std::string page = contents(path);
-  EXPECT_NE(page.find("<title>Error against run time: rays</title>"), std::string::npos);
-  EXPECT_LT(page.size(), 300'000u);  // without what draws figures in three dimensions
-  EXPECT_EQ(run("tradeoff --view nowhere/page.html").exit_code, 2);
+/// How many answers of a quantity were compared.
+std::uint64_t cases_of(const json& tallies, const std::string& quantity) {
+  for (const json& tally : tallies) {
+    if (tally["name"] == quantity) return tally["cases"];
+  }
+  return 0;
+}
+
+TEST(TradeoffCommand, reports_error_and_time_of_each_method_that_a_scene_needs) {
+  const std::string asked = " --methods quadratic,cross,direct,focal --cases 300";
+  const json report = printed_json("tradeoff" + asked, 0);
+  ASSERT_EQ(report["rays"].size(), 2u);
+  ASSERT_EQ(report["intersections"].size(), 2u);
+  bool is_any_on_the_front = false;
+  for (const json& method : report["intersections"]) {
+    EXPECT_GT(method["call"]["median_ns"].get<double>(), 0);
+    EXPECT_GT(method["batch"]["median_ns"].get<double>(), 0);
+    EXPECT_GE(cases_of(method["inside"], "class"), 300u);
+    EXPECT_GE(cases_of(method["inside"], "parameter"), 50u);
+    EXPECT_GE(cases_of(method["inside"], "backward error"), 50u);
+    is_any_on_the_front |= method["pareto"].get<bool>();
+  }
+  EXPECT_TRUE(is_any_on_the_front);
+  const json both = printed_json("tradeoff scene/examples/far-sphere.toml" + asked);
+  EXPECT_EQ(both["rays"].size(), 2u);
+  EXPECT_EQ(both["intersections"].size(), 2u);
+  EXPECT_GE(both["pixels"].size(), 1u);
+  const json given = printed_json("tradeoff tests/regressions/tangent.toml" + asked);
+  EXPECT_EQ(given["rays"].size(), 0u);
+  EXPECT_EQ(given["pixels"].size(), 0u);
+  EXPECT_EQ(given["intersections"].size(), 2u);
 }
 
 }  // namespace

@@ -1,10 +1,19 @@
+#include "tests/fuzz/targets.h"
+
+#include <stdlib.h>
+
+#include <filesystem>
+#include <fstream>
 #include <stdexcept>
 #include <string>
 #include <utility>
 
-#include "tests/fuzz/targets.h"
+#include "scene/files/scene_file.h"
+#include "scene/text.h"
+#include "scene/validate.h"
 #include "tools/exchange/verify.h"
 #include "tools/external/protocol/protocol.h"
+#include "tools/grade/rubric/rubric.h"
 #include "tools/report/picture_reader.h"
 
 namespace raycheck::tests {
@@ -19,6 +28,31 @@ void try_to(const Read& read) {
     read();
   } catch (const tools::ProtocolError&) {
   }
+}
+
+/// A folder of its own, so that no file lies beside the rubric.
+class Folder {
+ public:
+  Folder() : path_(std::filesystem::temp_directory_path() / "raycheck-fuzz-XXXXXX") {
+    if (mkdtemp(path_.data()) == nullptr) throw std::runtime_error("no folder can be made");
+  }
+  Folder(const Folder&) = delete;
+  Folder& operator=(const Folder&) = delete;
+  ~Folder() { std::filesystem::remove_all(path_); }
+  std::string file() const { return path_ + "/rubric.toml"; }
+
+ private:
+  std::string path_;
+};
+
+void require(bool holds, const char* what) {
+  if (!holds) throw std::logic_error(what);
+}
+
+void require_read_back(const scene::Scene& read) {
+  require(scene::defects(read).empty(), "a scene that is not valid was read");
+  require(scene::read_toml(scene::write_toml(read), "again.toml").scene == read,
+          "a scene is another when written and read again");
 }
 
 }  // namespace
@@ -59,6 +93,31 @@ void fuzz_verify(std::string_view bytes) {
   try {
     tools::verify([&] { return std::exchange(left, ""); }, options);
   } catch (const std::invalid_argument&) {
+  }
+}
+
+void fuzz_rubric(std::string_view bytes) {
+  static const Folder folder;
+  std::ofstream(folder.file(), std::ios::binary) << bytes;
+  try {
+    tools::load_rubric(folder.file());
+  } catch (const scene::SceneFileError&) {
+  }
+}
+
+void fuzz_toml_scene(std::string_view bytes) {
+  try {
+    require_read_back(scene::read_toml(bytes, "f.toml").scene);
+  } catch (const scene::SceneFileError&) {
+  }
+}
+
+void fuzz_driver_file(std::string_view bytes) {
+  const std::string shown = scene::visible(bytes);
+  require(scene::visible(shown) == shown, "what is shown is shown otherwise");
+  try {
+    require_read_back(scene::read_driver_file(bytes, "f.txt").scene);
+  } catch (const scene::SceneFileError&) {
   }
 }
 
