@@ -93,9 +93,10 @@ TEST_P(HostileOnMachine, NothingIsGainedAndTheJudgeSurvives) {
     folders.push_back(grading.submit_built(attack, "hostile.cpp", attack));
   }
   // Innocents in other languages, which are beside others in class_test.cpp.
-  for (const char* name : {"ella", "jonas"}) {
-    folders.push_back(RAYCHECK_SOURCE_DIR "/tests/submissions/class/" + std::string(name));
-  }
+  const std::string hand_ins = RAYCHECK_SOURCE_DIR "/tests/submissions/class/";
+  folders.push_back(hand_ins + "jonas");
+  const bool has_node = is_installed("node");
+  if (has_node) folders.push_back(hand_ins + "ella");
   const Outcome outcome = grade(rubric, folders, as_it_is());
   ASSERT_EQ(outcome.exit_code, 0) << outcome.err << outcome.out;
   const std::string said = std::string("isolated by: ") + GetParam().isolation;
@@ -108,7 +109,7 @@ TEST_P(HostileOnMachine, NothingIsGainedAndTheJudgeSurvives) {
     const std::string isolated_by = result["isolated_by"];
     EXPECT_TRUE(isolated_by.starts_with(GetParam().isolation)) << attack << isolated_by;
   }
-  EXPECT_EQ(grading.result("ella")["score"], 107.5) << outcome.out;
+  if (has_node) EXPECT_EQ(grading.result("ella")["score"], 107.5) << outcome.out;
   EXPECT_EQ(grading.result("jonas")["score"], 110) << outcome.out;
 }
 

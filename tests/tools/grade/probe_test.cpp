@@ -84,7 +84,7 @@ class Probe : public testing::Test {
 
 TEST_F(Probe, says_what_each_builds_reads_writes_and_shows_and_writes_nothing) {
   const std::vector<std::string> folders = {
-      of_class("farid"), of_class("ella"), grading_.submit("functions", "rays.py"),
+      of_class("farid"), of_class("dmitri"), grading_.submit("functions", "rays.py"),
       hand_in("broken", "rt.cpp", "int main() { return 0 }\n")};
   const Outcome outcome = probe(kLecture7, folders);
   EXPECT_EQ(outcome.exit_code, 1) << "one cannot be judged" << outcome.err;
@@ -109,7 +109,7 @@ TEST_F(Probe, says_what_each_builds_reads_writes_and_shows_and_writes_nothing) {
 
 TEST_F(Probe, suggests_what_does_the_same_in_a_rubric) {
   const std::vector<std::string> folders = {of_class("farid"), of_class("dmitri"),
-                                            of_class("ella")};
+                                            of_class("hanna")};
   const Outcome printed = probe(kLecture7, folders);
   const std::string suggestion =
       json::parse(probe(kLecture7, folders, "--format json").out)["suggestion"];
@@ -119,7 +119,7 @@ TEST_F(Probe, suggests_what_does_the_same_in_a_rubric) {
   const std::string pasted = grading_.write("pasted.toml", suggestion + kOnePicture);
   grading_.grade(before, folders, "before");
   grading_.grade(pasted, folders, "pasted");
-  for (const char* name : {"farid", "dmitri", "ella"}) {
+  for (const char* name : {"farid", "dmitri", "hanna"}) {
     const json now = grading_.result(name, "pasted");
     const json then = grading_.result(name, "before");
     EXPECT_EQ(now["score"], 10) << name;
