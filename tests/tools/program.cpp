@@ -85,6 +85,24 @@ std::string contents(const std::string& path) {
   return text.str();
 }
 
+Variable::Variable(const char* name, const std::string& value) : name_(name) {
+  if (const char* const before = std::getenv(name)) before_ = before;
+  setenv(name, value.c_str(), 1);
+}
+
+Variable::~Variable() { before_ ? setenv(name_, before_->c_str(), 1) : unsetenv(name_); }
+
+bool contains(const std::string& text, const std::string& part) {
+  return text.find(part) != std::string::npos;
+}
+
+void expect_parts(const std::string& text, const std::vector<std::string>& parts, const char* file,
+                  int line) {
+  for (const std::string& part : parts) {
+    if (!contains(text, part)) ADD_FAILURE_AT(file, line) << part << "\nis not in\n" << text;
+  }
+}
+
 Outcome run(const std::string& arguments) { return start(RAYCHECK_BINARY, arguments); }
 
 Outcome run_python(const std::string& arguments) { return start("python3", arguments); }

@@ -2,7 +2,9 @@
 #define RAYCHECK_TESTS_TOOLS_PROGRAM_H_
 
 #include <functional>
+#include <optional>
 #include <string>
+#include <vector>
 
 namespace raycheck::tests {
 
@@ -38,8 +40,27 @@ std::string temporary_file(const std::string& name, const std::string& text);
 std::string built_submission(const std::string& source, const std::string& name,
                              const std::string& folder);
 
+/// A variable of the environment is set, as long as this lives.
+class Variable {
+ public:
+  Variable(const char* name, const std::string& value);
+  ~Variable();
+  Variable(const Variable&) = delete;
+  Variable& operator=(const Variable&) = delete;
+
+ private:
+  const char* name_;
+  std::optional<std::string> before_;
+};
+
 /// The text of a file; empty when there is none.
 std::string contents(const std::string& path);
+
+bool contains(const std::string& text, const std::string& part);
+
+/// The text has all of these.
+void expect_parts(const std::string& text, const std::vector<std::string>& parts,
+                  const char* file = __builtin_FILE(), int line = __builtin_LINE());
 
 }  // namespace raycheck::tests
 
