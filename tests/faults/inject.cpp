@@ -83,31 +83,23 @@ const AtTheEnd at_the_end;
   }
 
 // With the mode, which is only looked at where a file is made.
-#define RAYCHECK_FAULTY_OPEN(name)                                        \
-  extern "C" int name(const char* path, int flags, ...) {                 \
-    va_list more;                                                         \
-    va_start(more, flags);                                                \
-    const mode_t mode = va_arg(more, mode_t);                             \
-    va_end(more);                                                         \
-    if (fails(index_of("open"))) return -1;                               \
-    static const auto real = next<int (*)(const char*, int, ...)>(#name); \
-    return real(path, flags, mode);                                       \
+#define RAYCHECK_FAULTY_OPEN(name, counted, parameters, ...)      \
+  extern "C" int name(RAYCHECK_LIST parameters, int flags, ...) { \
+    va_list more;                                                 \
+    va_start(more, flags);                                        \
+    const mode_t mode = va_arg(more, mode_t);                     \
+    va_end(more);                                                 \
+    if (fails(index_of(counted))) return -1;                      \
+    using Real = int (*)(RAYCHECK_LIST parameters, int, ...);     \
+    static const auto real = next<Real>(#name);                   \
+    return real(__VA_ARGS__, flags, mode);                        \
   }
-#define RAYCHECK_FAULTY_OPENAT(name)                                           \
-  extern "C" int name(int folder, const char* path, int flags, ...) {          \
-    va_list more;                                                              \
-    va_start(more, flags);                                                     \
-    const mode_t mode = va_arg(more, mode_t);                                  \
-    va_end(more);                                                              \
-    if (fails(index_of("openat"))) return -1;                                  \
-    static const auto real = next<int (*)(int, const char*, int, ...)>(#name); \
-    return real(folder, path, flags, mode);                                    \
-  }
+#define RAYCHECK_LIST(...) __VA_ARGS__
 
-RAYCHECK_FAULTY_OPEN(open)
-RAYCHECK_FAULTY_OPEN(open64)
-RAYCHECK_FAULTY_OPENAT(openat)
-RAYCHECK_FAULTY_OPENAT(openat64)
+RAYCHECK_FAULTY_OPEN(open, "open", (const char* path), path)
+RAYCHECK_FAULTY_OPEN(open64, "open", (const char* path), path)
+RAYCHECK_FAULTY_OPEN(openat, "openat", (int folder, const char* path), folder, path)
+RAYCHECK_FAULTY_OPEN(openat64, "openat", (int folder, const char* path), folder, path)
 RAYCHECK_FAULTY(std::FILE*, fopen, "fopen", nullptr, (const char* path, const char* mode), path,
                 mode)
 RAYCHECK_FAULTY(std::FILE*, fopen64, "fopen", nullptr, (const char* path, const char* mode), path,

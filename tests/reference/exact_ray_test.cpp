@@ -9,6 +9,7 @@
 #include <limits>
 #include <stdexcept>
 
+#include "reference/interval_ray.h"
 #include "tests/numbers.h"
 #include "tests/reference/random_cases.h"
 
@@ -125,6 +126,15 @@ TEST(InvalidInput, OfASphereIsRefusedByEveryFunctionThatTakesOne) {
 }
 
 const Ray kFromZero{{0, 0, 0}, {1, 0, 0}};
+
+TEST(IntervalRay, TouchesAtItsOriginByTheSmallerRoot) {
+  const Ray along{{1, 0, 0}, {0, 1, 0}};
+  for (const Root root : {Root::kNearest, Root::kSmaller}) {
+    const auto found = intersect_by_intervals(along, {{0, 0, 0}, 1}, root);
+    ASSERT_TRUE(found.has_value());
+    EXPECT_EQ(found->intersection, (Intersection{HitClass::kTangent, WhichRoot::kSmaller}));
+  }
+}
 
 TEST(Nearest, IsEmptyWhenNothingIsMet) {
   const ExactRay ray(kFromZero);

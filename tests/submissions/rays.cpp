@@ -72,26 +72,15 @@ struct View {
     u = cross(v, w);
     if (has(Mistake::top_from_right)) camera.top = camera.right;
     if (has(Mistake::top_is_minus_bottom)) camera.top = -camera.bottom;
-  }
-  View(const View& other) : camera(other.camera) {
-    if (has(Mistake::axes_dropped)) return;
-    u = other.u;
-    v = other.v;
-    w = other.w;
+    if (has(Mistake::axes_dropped)) u = v = w = {};
   }
 
   Camera camera;
   Vec u, v, w;
 };
 
-View view_of(const Camera& camera) {
-  const View first(camera);
-  View copy = first;
-  return copy;
-}
-
 Frame frame(const Camera& camera) {
-  const View view = view_of(camera);
+  const View view(camera);
   return {out(view.u), out(view.v), out(view.w)};
 }
 
@@ -130,17 +119,17 @@ Vec direction(Vec eye, Vec point, Vec g) {
 }
 
 Vector pixel_point(const Camera& camera, const Conventions& asked, Pixel pixel) {
-  return out(in(camera.eye) + to_pixel(view_of(camera), asked, pixel));
+  return out(in(camera.eye) + to_pixel(View(camera), asked, pixel));
 }
 
 Ray pixel_ray(const Camera& camera, const Conventions& asked, Pixel pixel) {
-  const Vec g = to_pixel(view_of(camera), asked, pixel);
+  const Vec g = to_pixel(View(camera), asked, pixel);
   const Vec eye = in(camera.eye), point = eye + g;
   return {out(point), out(direction(eye, point, g))};
 }
 
 Ray focal_ray(const Camera& camera, const Conventions& asked, Pixel pixel) {
-  const Vec g = to_pixel(view_of(camera), asked, pixel);
+  const Vec g = to_pixel(View(camera), asked, pixel);
   const Vec eye = in(camera.eye);
   return {camera.eye, out(direction(eye, eye + g, g))};
 }
@@ -150,19 +139,16 @@ struct Roots {
   Number d_sq;  // the square of half the chord, of unit directions
 };
 
-/// The lecture's, of unit directions.
-std::optional<Roots> lecture_roots(Vec t, Vec d, Number r) {
-  const Number v = dot(t, d);
-  const Number d_sq = r * r - (dot(t, t) - v * v);
-  if (d_sq < 0) return {};
-  return Roots{v - std::sqrt(d_sq), v + std::sqrt(d_sq), d_sq};
-}
-
 /// a s^2 - 2 b s + c = 0; this discriminant does not cancel on far spheres.
 std::optional<Roots> roots(const Ray& ray, const Sphere& sphere) {
   const Vec t = in(sphere.centre) - in(ray.origin), d = in(ray.direction);
   const Number r = in(sphere.radius);
-  if (has(Mistake::normalize_discarded) || has(Mistake::cancelling)) return lecture_roots(t, d, r);
+  if (has(Mistake::normalize_discarded) || has(Mistake::cancelling)) {
+    // The lecture's, of unit directions.
+    const Number v = dot(t, d), d_sq = r * r - (dot(t, t) - v * v);
+    if (d_sq < 0) return {};
+    return Roots{v - std::sqrt(d_sq), v + std::sqrt(d_sq), d_sq};
+  }
   const Vec moment = cross(t, d);
   const Number a = dot(d, d);
   const Number b = dot(t, d);

@@ -42,43 +42,16 @@ def to_float(a):
     return struct.unpack("3f", struct.pack("3f", *a))
 
 
-class View:
-    """A camera and its axes."""
-
-    def __init__(self, camera):
-        self.camera = camera
-        if MISTAKE == "top_from_right":
-            self.camera = camera._replace(top=camera.right)
-        self.u = self.v = self.w = (0.0, 0.0, 0.0)
-
-    def find_axes(self):
-        camera = self.camera
-        self.w = normalize(sub(camera.eye, camera.look_at))
-        if MISTAKE == "u_and_w_flipped":
-            self.w = normalize(sub(camera.look_at, camera.eye))
-        self.u = normalize(cross(camera.up, self.w))
-        if MISTAKE == "u_flipped":
-            self.u = normalize(cross(self.w, camera.up))
-        # An up vector near W leaves U askew.
-        self.v = normalize(cross(self.w, self.u))
-        self.u = cross(self.v, self.w)
-
-    def copy(self):
-        other = View(self.camera)
-        if MISTAKE != "axes_dropped":
-            other.u, other.v, other.w = self.u, self.v, self.w
-        return other
-
-
-def view_of(camera):
-    view = View(camera)
-    view.find_axes()
-    return view.copy()
-
-
 def frame(camera):
-    view = view_of(camera)
-    return view.u, view.v, view.w
+    w = normalize(sub(camera.eye, camera.look_at))
+    if MISTAKE == "u_and_w_flipped":
+        w = normalize(sub(camera.look_at, camera.eye))
+    u = normalize(cross(w, camera.up) if MISTAKE == "u_flipped" else cross(camera.up, w))
+    if MISTAKE == "axes_dropped":
+        return 3 * ((0.0, 0.0, 0.0),)
+    # An up vector near W leaves U askew.
+    v = normalize(cross(w, u))
+    return cross(v, w), v, w
 
 
 def position(low, high, index, count, samples):
@@ -88,16 +61,16 @@ def position(low, high, index, count, samples):
 
 def to_pixel(camera, asked, pixel):
     """P - E, without the rounding of P."""
-    view = view_of(camera)
-    camera = view.camera
+    u, v, w = frame(camera)
     i, j = pixel
     if asked.rows == "top-first":
         j = camera.height - 1 - j
     if MISTAKE == "mirrored":
         i = camera.width - 1 - i
     alpha = position(camera.left, camera.right, i, camera.width, asked.samples)
-    beta = position(camera.bottom, camera.top, j, camera.height, asked.samples)
-    return add(add(scaled(camera.near, view.w), scaled(alpha, view.u)), scaled(beta, view.v))
+    top = camera.right if MISTAKE == "top_from_right" else camera.top
+    beta = position(camera.bottom, top, j, camera.height, asked.samples)
+    return add(add(scaled(camera.near, w), scaled(alpha, u)), scaled(beta, v))
 
 
 def direction(eye, point, g):
@@ -124,23 +97,14 @@ def focal_ray(camera, asked, pixel):
     return camera.eye, direction(camera.eye, add(camera.eye, g), g)
 
 
-def lecture_roots(ray, sphere):
-    """The lecture's, of unit directions."""
-    (origin, d), (centre, r) = ray, sphere
-    t = sub(centre, origin)
-    v = dot(t, d)
-    d_sq = r * r - (dot(t, t) - v * v)
-    if d_sq < 0:
-        return None
-    return v - math.sqrt(d_sq), v + math.sqrt(d_sq), d_sq
-
-
 def roots(ray, sphere):
     """Of a s^2 - 2 b s + c = 0, and the square of half the chord, of unit directions."""
-    if MISTAKE == "normalize_discarded":
-        return lecture_roots(ray, sphere)
     (origin, d), (centre, r) = ray, sphere
     t = sub(centre, origin)
+    if MISTAKE == "normalize_discarded":  # the lecture's, of unit directions
+        v = dot(t, d)
+        d_sq = r * r - (dot(t, t) - v * v)
+        return None if d_sq < 0 else (v - math.sqrt(d_sq), v + math.sqrt(d_sq), d_sq)
     moment = cross(t, d)
     a, b = dot(d, d), dot(t, d)
     discriminant = a * r * r - dot(moment, moment)

@@ -91,16 +91,6 @@ struct Roots {
 
 class Camera {
  public:
-  Camera() = default;
-  Camera(const Camera& other) { *this = other; }
-  Camera& operator=(const Camera& other) {
-    eye = other.eye, look = other.look, up = other.up, near_plane = other.near_plane;
-    left = other.left, right = other.right, bottom = other.bottom, top = other.top;
-    width = other.width, height = other.height;
-    if (!has(Mistake::axes_dropped)) u_ = other.u_, v_ = other.v_, w_ = other.w_;
-    return *this;
-  }
-
   void find_axes() {
     w_ = normalize(eye - look);
     if (has(Mistake::u_and_w_flipped)) w_ = normalize(look - eye);
@@ -115,6 +105,7 @@ class Camera {
     if (has(Mistake::bottom_and_top_negated)) bottom = -bottom, top = -top;
     if (has(Mistake::symmetric_bounds)) left = -right, bottom = -top;
     if (has(Mistake::plane_at_1)) near_plane = -1;
+    if (has(Mistake::axes_dropped)) u_ = v_ = w_ = {};
   }
 
   /// From the pixel's point away from the eye; row 0 is the lowest.
@@ -204,26 +195,18 @@ Scene read(const std::string& path) {
   return scene;
 }
 
-/// The lecture's, of unit directions.
-std::optional<Roots> lecture_roots(const Ray& ray, const Sphere& sphere) {
-  const Vector t = sphere.centre - ray.origin;
-  const Number v = dot(t, ray.direction);
-  const Number d_sq = sphere.radius * sphere.radius - (dot(t, t) - v * v);
-  if (d_sq < 0) return {};
-  const Number d = std::sqrt(d_sq);
-  return Roots{v - d, v + d, d_sq};
-}
-
 /// a s^2 - 2 b s + c = 0; this discriminant does not cancel on far spheres.
 std::optional<Roots> roots(const Ray& ray, const Sphere& sphere) {
-  if (has(Mistake::normalize_discarded) || has(Mistake::cancelling)) {
-    return lecture_roots(ray, sphere);
-  }
-  const Vector t = sphere.centre - ray.origin;
-  const Vector moment = cross(t, ray.direction);
-  const Number a = dot(ray.direction, ray.direction);
-  const Number b = dot(t, ray.direction);
+  const Vector t = sphere.centre - ray.origin, d = ray.direction;
   const Number r = sphere.radius;
+  if (has(Mistake::normalize_discarded) || has(Mistake::cancelling)) {
+    // The lecture's, of unit directions.
+    const Number v = dot(t, d), d_sq = r * r - (dot(t, t) - v * v);
+    if (d_sq < 0) return {};
+    return Roots{v - std::sqrt(d_sq), v + std::sqrt(d_sq), d_sq};
+  }
+  const Vector moment = cross(t, d);
+  const Number a = dot(d, d), b = dot(t, d);
   const Number discriminant = a * r * r - dot(moment, moment);
   if (discriminant < 0) return {};
   const Number q = b + std::copysign(std::sqrt(discriminant), b);

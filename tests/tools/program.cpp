@@ -138,9 +138,31 @@ std::vector<std::string> all_commands() {
   return names;
 }
 
+Variable::Variable(const char* name, const std::string& value) : name_(name) {
+  if (const char* const before = std::getenv(name)) before_ = before;
+  setenv(name, value.c_str(), 1);
+}
+
+Variable::~Variable() { before_ ? setenv(name_, before_->c_str(), 1) : unsetenv(name_); }
+
+void expect_parts(const std::string& text, const std::vector<std::string>& parts, const char* file,
+                  int line) {
+  for (const std::string& part : parts) {
+    if (!has(text, part)) ADD_FAILURE_AT(file, line) << part << "\nis not in\n" << text;
+  }
+}
+
 Outcome run_python(const std::string& arguments) { return start("python3", arguments); }
 
 Outcome run_bash(const std::string& path) { return start("bash", "'" + path + "'"); }
+
+bool eventually(const std::function<bool()>& holds) {
+  for (int k = 0; k < 60000; ++k) {
+    if (holds()) return true;
+    std::this_thread::sleep_for(std::chrono::milliseconds(10));
+  }
+  return false;
+}
 
 bool is_installed(const std::string& program) {
   return std::system(("command -v '" + program + "' >/dev/null").c_str()) == 0;

@@ -37,6 +37,9 @@ Outcome run_python(const std::string& arguments);
 /// Runs a script by bash.
 Outcome run_bash(const std::string& path);
 
+/// Waits until it holds, however busy the machine is; false where it does not within ten minutes.
+bool eventually(const std::function<bool()>& holds);
+
 /// Whether there is such a program here; where there is none, tests of it are skipped.
 bool is_installed(const std::string& program);
 
@@ -53,6 +56,19 @@ std::string temporary_file(const std::string& name, const std::string& text);
 std::string built_submission(const std::string& source, const std::string& name,
                              const std::string& folder);
 
+/// A variable of the environment is set, as long as this lives.
+class Variable {
+ public:
+  Variable(const char* name, const std::string& value);
+  ~Variable();
+  Variable(const Variable&) = delete;
+  Variable& operator=(const Variable&) = delete;
+
+ private:
+  const char* name_;
+  std::optional<std::string> before_;
+};
+
 /// The text of a file; empty when there is none.
 std::string contents(const std::string& path);
 
@@ -63,6 +79,10 @@ std::vector<std::string> lines_of(const std::string& text);
 /// to window, near = -depth.
 std::string camera_text(std::int64_t width, std::int64_t height, double window = 1,
                         double depth = 1);
+
+/// The text has all of these.
+void expect_parts(const std::string& text, const std::vector<std::string>& parts,
+                  const char* file = __builtin_FILE(), int line = __builtin_LINE());
 
 }  // namespace raycheck::tests
 

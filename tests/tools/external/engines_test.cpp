@@ -20,7 +20,7 @@ using nlohmann::json;
 /// An engine's library; empty where the package that it needs is not installed.
 std::string built_engine(const std::string& compiler, const std::string& source,
                          const std::string& header, const std::string& flags) {
-  if (!header.empty() && !std::filesystem::exists(header)) return "";
+  if (!std::filesystem::exists(header)) return "";
   const std::string folder = temporary_file("engine", "") + ".d";
   std::filesystem::create_directory(folder);
   const std::string library = folder + "/engine.so";
@@ -32,35 +32,13 @@ std::string built_engine(const std::string& compiler, const std::string& source,
   return library;
 }
 
-std::string embree() {
-  return built_engine("g++ -std=c++20", "embree.cpp", "/usr/include/embree3/rtcore.h", "-lembree3");
-}
-std::string vecgeom() {
-  return built_engine("g++ -std=c++20 -DVECCORE_ENABLE_VC", "vecgeom.cpp",
-                      "/usr/include/VecGeom/volumes/UnplacedOrb.h", "-lvecgeom");
-}
-std::string kernel() { return built_engine("gcc -ffp-contract=off", "kernel.c", "", "-lm"); }
-
 /// Hits are right on a plain scene, in the precision that it states.
 void expect_judged(const std::string& library, const std::string& precision) {
   const json report = judged("scene/examples/ten-spheres.toml", "library:" + library);
   EXPECT_EQ(report["discrepancies_by_standing"]["defect"], 0) << report.dump(2);
   EXPECT_EQ(report["precision"], precision);
   EXPECT_TRUE(report["given_rays"]);
-  int hits = 0;
-  for (const json& quantity : report["quantities"]) {
-    if (quantity["name"] == "parameter") hits = quantity["cases"];
-  }
-  EXPECT_GT(hits, 100);
-}
-
-/// The finding of `properties` about a law on ordinary rays.
-std::string finding(const std::string& library, const std::string& law) {
-  const Outcome outcome = run("properties --filter " + law +
-                              " --source rays --cases 200 --format json"
-                              " --candidate library:" +
-                              library);
-  return json::parse(outcome.out)["campaigns"][0]["finding"];
+  EXPECT_GT(quantity_of(report["quantities"], "parameter")["cases"], 100);
 }
 
 /// The lines below a command of docs/candidates.md, up to the next or the end of the block.
@@ -100,30 +78,24 @@ void expect_as_shown(const std::string& library, const std::string& name,
 }
 
 TEST(Engines, embree_is_judged_in_floats) {
-  const std::string library = embree();
+  const std::string library =
+      built_engine("g++ -std=c++20", "embree.cpp", "/usr/include/embree3/rtcore.h", "-lembree3");
   if (library.empty()) GTEST_SKIP() << "libembree-dev is not installed";
   expect_judged(library, "single");
   expect_as_shown(library, "embree.so",
                   "check scene/examples/ten-spheres.toml --candidate library:embree.so");
   expect_as_shown(library, "embree.so",
                   "properties --candidate library:embree.so --filter class --cases 300");
-  std::filesystem::remove_all(std::filesystem::path(library).parent_path());
 }
 
 TEST(Engines, vecgeom_is_judged_in_doubles) {
-  const std::string library = vecgeom();
+  const std::string library =
+      built_engine("g++ -std=c++20 -DVECCORE_ENABLE_VC", "vecgeom.cpp",
+                   "/usr/include/VecGeom/volumes/UnplacedOrb.h", "-lvecgeom");
   if (library.empty()) GTEST_SKIP() << "libvecgeom-dev is not installed";
   expect_judged(library, "double");
   expect_as_shown(library, "vecgeom.so",
                   "properties --candidate library:vecgeom.so --filter parameter --cases 300");
-  std::filesystem::remove_all(std::filesystem::path(library).parent_path());
-}
-
-TEST(Engines, a_shader_s_kernel_is_judged_in_floats) {
-  const std::string library = kernel();
-  expect_judged(library, "single");
-  EXPECT_EQ(finding(library, "nearest-root"), "holds");
-  std::filesystem::remove_all(std::filesystem::path(library).parent_path());
 }
 
 }  // namespace

@@ -2,6 +2,7 @@
 #define RAYCHECK_TESTS_TOOLS_EXTERNAL_JUDGED_H_
 
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 #include <nlohmann/json.hpp>
 #include <string>
@@ -9,6 +10,10 @@
 #include "tests/tools/program.h"
 
 namespace raycheck::tests {
+
+/// For root, who has to say so.
+inline const std::string kUnkept =
+    std::string(" --sandbox none") + (geteuid() == 0 ? " --i-know" : "");
 
 /// What `check` says of someone else's candidate on a scene.
 inline Outcome check(const std::string& scene, const std::string& candidate,
@@ -24,6 +29,29 @@ inline nlohmann::json judged(const std::string& scene, const std::string& candid
       << outcome.err;
   if (outcome.out.empty()) return {};
   return nlohmann::json::parse(outcome.out)["candidates"][0];
+}
+
+/// What `check` says of one quantity; null: nothing.
+inline nlohmann::json quantity_of(const nlohmann::json& quantities, const std::string& name) {
+  for (const nlohmann::json& one : quantities) {
+    if (one["name"] == name) return one;
+  }
+  return {};
+}
+
+/// What a command says as JSON, which ends with this.
+inline nlohmann::json report_of(const std::string& arguments, const std::string& candidate,
+                                int exit_code) {
+  const Outcome outcome = run(arguments + " --format json --candidate '" + candidate + "'");
+  EXPECT_EQ(outcome.exit_code, exit_code) << arguments << "\n" << outcome.out << outcome.err;
+  return nlohmann::json::parse(outcome.out, nullptr, false);
+}
+
+/// tests/candidates/right.cpp, built once for all tests.
+inline const std::string& right_library() {
+  static const std::string library =
+      "library:" + built_submission("right.cpp", "right", temporary_file("library", "") + ".d");
+  return library;
 }
 
 }  // namespace raycheck::tests

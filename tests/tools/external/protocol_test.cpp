@@ -34,43 +34,37 @@ TEST(Introduction, SaysWhatIsOfferedAndFixed) {
   EXPECT_EQ(found.smallest_length, 0);
 }
 
-TEST(Introduction, StatesALevelAndADomainOfLengths) {
-  const Introduction found = parse_introduction(
-      "raycheck 1 mine\nfunction intersect\nlevel demanding\nlengths 1e-30 0x1p100\nready\n");
+TEST(Introduction, StatesALevelADomainOfLengthsAndAPrecision) {
+  const auto stating = [](const std::string& lines) {
+    return parse_introduction("raycheck 1 mine\nfunction intersect\n" + lines + "ready\n");
+  };
+  const Introduction found = stating("level demanding\nlengths 1e-30 0x1p100\n");
   EXPECT_EQ(found.level, properties::Level::kDemanding);
   EXPECT_EQ(found.smallest_length, 1e-30);
   EXPECT_EQ(found.largest_length, 0x1p100);
-}
-
-TEST(Introduction, StatesAPrecision) {
-  const auto precision = [](const std::string& line) {
-    return parse_introduction("raycheck 1 mine\nfunction frame\n" + line + "ready\n").precision;
-  };
-  EXPECT_EQ(precision(""), scene::Precision::kDouble);
-  EXPECT_EQ(precision("precision double\n"), scene::Precision::kDouble);
-  EXPECT_EQ(precision("precision single\n"), scene::Precision::kSingle);
-  EXPECT_NE(error_of([&] { precision("precision half\n"); }).find("no such precision"),
-            std::string::npos);
+  EXPECT_EQ(found.precision, scene::Precision::kDouble);
+  EXPECT_EQ(stating("precision double\n").precision, scene::Precision::kDouble);
+  EXPECT_EQ(stating("precision single\n").precision, scene::Precision::kSingle);
 }
 
 TEST(Introduction, ThatIsNoneNamesItsLine) {
-  const auto wrong = [](const std::string& text) {
-    return error_of([&] { parse_introduction(text); });
-  };
-  EXPECT_NE(wrong("ready\n").find("introduce"), std::string::npos);
-  EXPECT_NE(wrong("hello\nready\n").find("line 1"), std::string::npos);
-  EXPECT_NE(wrong("raycheck 2 mine\nready\n").find("another version"), std::string::npos);
-  EXPECT_NE(wrong("raycheck 1 mine\nfunction fly\nready\n").find("line 2"), std::string::npos);
-  EXPECT_NE(wrong("raycheck 1 mine\nconvention rows up\nready\n").find("no such convention"),
-            std::string::npos);
-  EXPECT_NE(wrong("raycheck 1 mine\nlevel easy\nready\n").find("no such level"), std::string::npos);
+  const std::string mine = "raycheck 1 mine\n";
+  std::vector<std::pair<std::string, std::string>> wrong = {
+      {"", "introduce"},
+      {"hello\n", "line 1"},
+      {"raycheck 2 mine\n", "another version"},
+      {mine + "function fly\n", "line 2"},
+      {mine + "convention rows up\n", "no such convention"},
+      {mine + "level easy\n", "no such level"},
+      {mine + "precision half\n", "no such precision"},
+      {"raycheck 1 mine too\n", "too many words"}};
   for (const char* lengths : {"2 1", "-1 1", "nan 1", "0 nan"}) {
-    EXPECT_NE(wrong("raycheck 1 mine\nlengths " + std::string(lengths) + "\nready\n")
-                  .find("no range of lengths"),
-              std::string::npos)
-        << lengths;
+    wrong.emplace_back(mine + "lengths " + lengths + "\n", "no range of lengths");
   }
-  EXPECT_NE(wrong("raycheck 1 mine too\nready\n").find("too many words"), std::string::npos);
+  for (const auto& [lines, why] : wrong) {
+    const std::string said = error_of([&] { parse_introduction(lines + "ready\n"); });
+    EXPECT_NE(said.find(why), std::string::npos) << lines << said;
+  }
 }
 
 TEST(Reply, ReadsDecimalsHexfloatsAndWhatIsNotFinite) {
@@ -88,16 +82,17 @@ TEST(Reply, ReadsDecimalsHexfloatsAndWhatIsNotFinite) {
 }
 
 TEST(Reply, ThatIsNoneSaysWhy) {
-  const auto wrong = [](const std::string& lines) {
-    return error_of([&] { Reply("reply a\n" + lines + "end a\n", "a").hits(2, 1); });
-  };
-  EXPECT_EQ(wrong("0 0 1 2 3 4\n"), "");
-  EXPECT_NE(wrong("0 0 1 2 3\n").find("line 2 of its reply has too few words"), std::string::npos);
-  EXPECT_NE(wrong("0 0 1 2 3 4 5\n").find("too many words"), std::string::npos);
-  EXPECT_NE(wrong("0 0 1 2 3 four\n").find("no number"), std::string::npos);
-  EXPECT_NE(wrong("2 0 1 2 3 4\n").find("index 2 of 2"), std::string::npos);
-  EXPECT_NE(wrong("-1 0 1 2 3 4\n").find("no index"), std::string::npos);
-  EXPECT_NE(wrong("0 0 1 2 3 4\n0 0 1 2 3 4\n").find("two hits"), std::string::npos);
+  for (const auto& [lines, why] :
+       {std::pair("0 0 1 2 3\n", "line 2 of its reply has too few words"),
+        {"0 0 1 2 3 4 5\n", "too many words"},
+        {"0 0 1 2 3 four\n", "no number"},
+        {"2 0 1 2 3 4\n", "index 2 of 2"},
+        {"-1 0 1 2 3 4\n", "no index"},
+        {"0 0 1 2 3 4\n0 0 1 2 3 4\n", "two hits"}}) {
+    const std::string said =
+        error_of([&] { Reply("reply a\n" + std::string(lines) + "end a\n", "a").hits(2, 1); });
+    EXPECT_NE(said.find(why), std::string::npos) << lines << said;
+  }
   EXPECT_NE(error_of([] { Reply("reply b\nend a\n", "a"); }).find("'reply b'"), std::string::npos);
   EXPECT_NE(error_of([] { Reply("reply a\nerror a I cannot\n", "a"); }).find("I cannot"),
             std::string::npos);
@@ -106,12 +101,9 @@ TEST(Reply, ThatIsNoneSaysWhy) {
 }
 
 TEST(Reply, EndsWithItsOwnIdAlone) {
-  EXPECT_TRUE(ends_reply("end 12", "12"));
-  EXPECT_TRUE(ends_reply("error 12 no", "12"));
-  EXPECT_TRUE(ends_reply("end 12\r", "12"));
-  EXPECT_FALSE(ends_reply("end 123", "12"));
-  EXPECT_FALSE(ends_reply("end 1", "12"));
-  EXPECT_FALSE(ends_reply("ends 12", "12"));
+  for (const char* line : {"end 12", "error 12 no", "end 12\r"})
+    EXPECT_TRUE(ends_reply(line, "12"));
+  for (const char* line : {"end 123", "end 1", "ends 12"}) EXPECT_FALSE(ends_reply(line, "12"));
 }
 
 TEST(SphereColours, AreAllDifferentAndNoneIsBlack) {

@@ -15,26 +15,26 @@ namespace {
 
 using nlohmann::json;
 
-/// A tracer in Python of roots between ends: its own epsilon, or the scene's ends.
+/// A tracer in Python of roots between ends, to be run: its own epsilon, or the scene's ends.
 std::string tracer(const std::string& name, const std::string& condition,
                    const std::string& roots) {
-  return temporary_file(
-      name,
-      "import math, raycheck_candidate as rc\n"
-      "def intersect(ray, sphere, by):\n"
-      "    (o, d), (c, r), roots = ray, sphere, by.roots\n"
-      "    t = [x - y for x, y in zip(c, o)]\n"
-      "    a, b = sum(x * x for x in d), sum(x * y for x, y in zip(t, d))\n"
-      "    disc = b * b - a * (sum(x * x for x in t) - r * r)\n"
-      "    if disc < 0: return None\n"
-      "    unit = r if roots.unit == 'radius' else 1\n"
-      "    for s in ((b - math.sqrt(disc)) / a, (b + math.sqrt(disc)) / a):\n"
-      "        if " +
-          condition +
-          ":\n"
-          "            return s, [x + s * y for x, y in zip(o, d)]\n"
-          "rc.run('mine', intersect=intersect, root='nearest', tangent='hit', roots=" +
-          roots + ")\n");
+  return "command:python3 " + temporary_file(name, R"(import math, raycheck_candidate as rc
+def intersect(ray, sphere, by):
+    (o, d), (c, r), roots = ray, sphere, by.roots
+    t = [x - y for x, y in zip(c, o)]
+    a, b = sum(x * x for x in d), sum(x * y for x, y in zip(t, d))
+    disc = b * b - a * (sum(x * x for x in t) - r * r)
+    if disc < 0: return None
+    unit = r if roots.unit == 'radius' else 1
+    for s in ((b - math.sqrt(disc)) / a, (b + math.sqrt(disc)) / a):
+        if )" + condition + R"(: return s, [x + s * y for x, y in zip(o, d)]
+rc.run('mine', intersect=intersect, root='nearest', tangent='hit', roots=)" +
+                                                       roots + ")\n");
+}
+
+/// Roots from there on, without their end.
+std::string beyond(const std::string& end) {
+  return "rc.Roots('()', " + end + ", float('inf'), 'absolute', 'none')";
 }
 
 const std::string kThreeRays =
@@ -42,10 +42,6 @@ const std::string kThreeRays =
     "[[ray]]\norigin = [1.75, 0, 0]\ndirection = [1, 0, 0]\n"
     "[[ray]]\norigin = [3.75, 0, 0]\ndirection = [1, 0, 0]\n"
     "[[sphere]]\ncentre = [3, 0, 0]\nradius = 1\n";
-
-json report_on(const std::string& scene, const std::string& candidate) {
-  return judged(scene, "command:python3 " + candidate);
-}
 
 /// Whether inputs close by make that right is not decided: no success, and strictly a failure.
 void expect_off_at_the_ends(const std::string& scene, const std::string& candidate) {
@@ -57,27 +53,19 @@ void expect_off_at_the_ends(const std::string& scene, const std::string& candida
 
 /// Who declares that next to no root counts is right to miss, and has shown nothing.
 TEST(ValidRoots, that_nothing_reaches_are_no_success) {
-  const std::string candidate = temporary_file(
-      "misses.py",
-      "import raycheck_candidate as rc\n"
-      "rc.run('mine', intersect=lambda ray, sphere, by: None, root='nearest', tangent='hit',\n"
-      "       lengths=(1e-3, 1e3), roots=rc.Roots('[]', 1e9, float('inf'), 'absolute', 'none'))\n");
-  const Outcome checked =
-      check(temporary_file("ends.toml", kThreeRays), "command:python3 " + candidate);
-  EXPECT_EQ(checked.exit_code, 4) << checked.out << checked.err;
-  EXPECT_EQ(json::parse(checked.out)["candidates"][0]["too_few_judged"]["question"], "hit");
-  const Outcome campaign =
-      run("properties --filter class --cases 200 --candidate 'command:python3 " + candidate +
-          "' --format json");
-  EXPECT_EQ(campaign.exit_code, 4) << campaign.out << campaign.err;
-  EXPECT_EQ(json::parse(campaign.out)["campaigns"][0]["finding"], "too few judged");
+  const std::string candidate =
+      tracer("misses.py", "False", beyond("1e9") + ", lengths=(1e-3, 1e3)");
+  const json checked =
+      report_of("check " + temporary_file("ends.toml", kThreeRays), candidate, 4)["candidates"][0];
+  EXPECT_EQ(checked["too_few_judged"]["question"], "hit");
+  const json report = report_of("properties --filter class --cases 200", candidate, 4);
+  EXPECT_EQ(report["campaigns"][0]["finding"], "too few judged");
 }
 
 TEST(ValidRoots, that_are_declared_are_judged_and_cost_what_check_says) {
   const std::string scene = temporary_file("ends.toml", kThreeRays);
-  const std::string candidate =
-      tracer("eps.py", "s > 0.5", "rc.Roots('()', 0.5, float('inf'), 'absolute', 'none')");
-  const json report = report_on(scene, candidate);
+  const std::string candidate = tracer("eps.py", "s > 0.5", beyond("0.5"));
+  const json report = judged(scene, candidate);
   EXPECT_EQ(report["discrepancies"], 0) << report.dump(2);
   EXPECT_EQ(report["conventions"]["t_min"], 0.5);
   EXPECT_EQ(report["conventions"]["interval"], "(t_min, t_max)");
@@ -90,29 +78,21 @@ TEST(ValidRoots, that_are_declared_are_judged_and_cost_what_check_says) {
   ASSERT_EQ(swallowed["worst"].size(), 1u);
   EXPECT_EQ(swallowed["worst"][0]["ray"], 2);
   EXPECT_EQ(swallowed["worst"][0]["s"], "0x1p-2");
-  const Outcome words = run("check " + scene + " --candidate 'command:python3 " + candidate + "'");
-  EXPECT_NE(words.out.find("t in (0.5, inf) swallows 1 of 3 exact hits and moves 1 to the other "
-                           "root"),
-            std::string::npos)
-      << words.out;
-  EXPECT_NE(words.out.find("swallowed: ray 2, sphere 0 at s = 0.25"), std::string::npos);
-  std::filesystem::remove(candidate);
-  std::filesystem::remove(scene);
+  expect_parts(run("check " + scene + " --candidate '" + candidate + "'").out,
+               {"t in (0.5, inf) swallows 1 of 3 exact hits and moves 1 to the other "
+                "root",
+                "swallowed: ray 2, sphere 0 at s = 0.25"});
 }
 
 TEST(ValidRoots, that_are_declared_but_not_kept_are_defects) {
   const std::string scene = temporary_file("ends.toml", kThreeRays);
-  const std::string candidate =
-      tracer("none.py", "s >= 0", "rc.Roots('()', 0.5, float('inf'), 'absolute', 'none')");
-  const json report = report_on(scene, candidate);
+  const std::string candidate = tracer("none.py", "s >= 0", beyond("0.5"));
+  const json report = judged(scene, candidate);
   EXPECT_EQ(report["discrepancies_by_standing"]["defect"], 2) << report.dump(2);
   // Who says nothing is judged by every root >= 0.
   const std::string silent = tracer("silent.py", "s >= 0", "None");
-  EXPECT_EQ(report_on(scene, silent)["discrepancies"], 0);
-  EXPECT_TRUE(report_on(scene, silent)["swallowed"].is_null());
-  std::filesystem::remove(candidate);
-  std::filesystem::remove(silent);
-  std::filesystem::remove(scene);
+  EXPECT_EQ(judged(scene, silent)["discrepancies"], 0);
+  EXPECT_TRUE(judged(scene, silent)["swallowed"].is_null());
 }
 
 TEST(ValidRoots, of_a_scene_are_told_to_who_follows_them) {
@@ -123,109 +103,86 @@ TEST(ValidRoots, of_a_scene_are_told_to_who_follows_them) {
                          kThreeRays);
   const std::string right =
       tracer("right.py", "unit * roots.t_min < s <= unit * roots.t_max", "'as-asked'");
-  const json report = report_on(scene, right);
+  const json report = judged(scene, right);
   EXPECT_EQ(report["discrepancies"], 0) << report.dump(2);
   EXPECT_EQ(report["conventions"]["t_unit"], "radius");
   EXPECT_EQ(report["swallowed"]["moved"], 1);
   // < for <= misses what inputs close by may miss.
   const std::string off =
       tracer("off.py", "unit * roots.t_min < s < unit * roots.t_max", "'as-asked'");
-  expect_off_at_the_ends(scene, "command:python3 " + off);
+  expect_off_at_the_ends(scene, off);
   // <= for < answers what the interval excludes.
-  const std::string beyond =
-      tracer("beyond.py", "unit * roots.t_min <= s <= unit * roots.t_max", "'as-asked'");
-  EXPECT_EQ(check(scene, "command:python3 " + beyond).exit_code, 1);
-  std::filesystem::remove(off);
-  std::filesystem::remove(beyond);
-  std::filesystem::remove(right);
-  std::filesystem::remove(scene);
+  const std::string closed =
+      tracer("closed.py", "unit * roots.t_min <= s <= unit * roots.t_max", "'as-asked'");
+  EXPECT_EQ(check(scene, closed).exit_code, 1);
 }
 
 TEST(ValidRoots, are_followed_in_cpp) {
   const std::string scene = temporary_file(
       "cull.toml", "[conventions]\nculling = \"front-faces\"\nt_max = 4\n" + kThreeRays);
   const auto source = [](const std::string& name, const std::string& end) {
-    return temporary_file(
-        name,
-        "#include <raycheck/candidate.hpp>\n#include <cmath>\nusing namespace raycheck;\n"
-        "std::optional<Hit> intersect(const Ray& ray, const Sphere& s, const Conventions& by) {\n"
-        "  const double x = s.centre.x - ray.origin.x;\n"
-        "  const double first = by.valid.culling == Culling::front_faces ? x + s.radius : x - "
-        "s.radius;\n"
-        "  if (first < by.valid.t_min || !(first " +
-            end +
-            " by.valid.t_max)) return {};\n"
-            "  return Hit{first, {ray.origin.x + first, 0, 0}};\n}\n"
-            "RAYCHECK_CANDIDATE(.intersect = intersect, .roots = Roots::as_asked)\n");
+    return temporary_file(name, R"(
+#include <raycheck/candidate.hpp>
+using namespace raycheck;
+std::optional<Hit> intersect(const Ray& ray, const Sphere& s, const Conventions& by) {
+  const double x = s.centre.x - ray.origin.x;
+  const double first = x + (by.valid.culling == Culling::front_faces ? s.radius : -s.radius);
+  if (first < by.valid.t_min || !(first )" +
+                                    end + R"( by.valid.t_max)) return {};
+  return Hit{first, {ray.origin.x + first, 0, 0}};
+}
+RAYCHECK_CANDIDATE(.intersect = intersect, .roots = Roots::as_asked)
+)");
   };
   const std::string right = source("right.cpp", "<="), wrong = source("wrong.cpp", "<");
   EXPECT_EQ(judged(scene, "source:" + right)["discrepancies"], 0);
   expect_off_at_the_ends(scene, "source:" + wrong);
-  std::filesystem::remove(right);
-  std::filesystem::remove(wrong);
-  std::filesystem::remove(scene);
 }
 
 /// >= for > at an end: a defect that no witness excuses, in doubles as in floats.
 TEST(ValidRoots, that_a_candidate_excludes_by_its_own_word_are_defects) {
   const std::string scene = temporary_file("ends.toml", kThreeRays);
-  const std::string mutant = "command:python3 " + tracer("at_end.py", "s >= 2",
-                                                         "rc.Roots('()', 2, float('inf'), "
-                                                         "'absolute', 'none')");
+  const std::string mutant = tracer("at_end.py", "s >= 2", beyond("2"));
   const Outcome outcome = run("check " + scene + " --candidate '" + mutant + "'");
   EXPECT_EQ(outcome.exit_code, 1) << outcome.out << outcome.err;
-  EXPECT_NE(outcome.out.find("root, ray 0, sphere 0: wrong root\n"), std::string::npos)
-      << outcome.out;
-  EXPECT_NE(outcome.out.find("answers s = 2, which its own interval (2, inf) excludes"),
-            std::string::npos)
-      << outcome.out;
-  EXPECT_EQ(check(scene, mutant).exit_code, 1);
+  expect_parts(outcome.out, {"root, ray 0, sphere 0: wrong root\n",
+                             "answers s = 2, which its own interval (2, inf) excludes"});
 
   // 0.1f, which is twice its half: the near root is the end itself.
   const std::string floats = temporary_file("floats.toml",
                                             "[[ray]]\norigin = [0, 0, 0]\ndirection = [1, 0, 0]\n"
                                             "[[ray]]\norigin = [-1, 0, 0]\ndirection = [1, 0, 0]\n"
                                             "[[sphere]]\ncentre = [0.2, 0, 0]\nradius = 0.1\n");
-  for (const auto& [comparison, unit, exit_code] :
-       {std::tuple(">=", "absolute", 1), std::tuple(">", "absolute", 0),
-        std::tuple(">=", "radius", 1), std::tuple(">", "radius", 0)}) {
-    const bool is_radius = unit == std::string("radius");
-    const std::string source = temporary_file(
-        "end_in_floats.cpp",
-        std::string("#include <raycheck/candidate.hpp>\nusing namespace raycheck;\n") +
-            "std::optional<Hit> intersect(const Ray& ray, const Sphere& s, const Conventions&) {\n"
-            "  const float x = float(s.centre.x) - float(ray.origin.x), r = float(s.radius);\n"
-            "  const float end = " +
-            (is_radius ? "1 * r" : "0.1f") +
-            ";\n"
-            "  for (const float at : {x - r, x + r}) {\n"
-            "    if (at " +
-            comparison +
-            " end) return Hit{at, {float(ray.origin.x) + at, 0, 0}};\n"
-            "  }\n  return {};\n}\n"
-            "RAYCHECK_CANDIDATE(.intersect = intersect, .precision = Precision::single,\n"
-            "    .roots = Roots::declared, .valid = {.t_min = " +
-            (is_radius ? "1" : "0.1") + ", .ends = Ends::open, .unit = TUnit::" + unit + "})\n");
-    const Outcome found = check(floats, "source:" + source);
-    EXPECT_EQ(found.exit_code, exit_code) << comparison << unit << found.out << found.err;
-    std::filesystem::remove(source);
+  for (const auto& [comparison, end, exit_code] :
+       {std::tuple(">=", "0.1F", 1), {">", "0.1F", 0}, {">=", "1 * r", 1}, {">", "1 * r", 0}}) {
+    const bool is_radius = end == std::string("1 * r");
+    const std::string source =
+        temporary_file("end_in_floats.cpp", std::string(R"(
+#include <raycheck/candidate.hpp>
+using namespace raycheck;
+std::optional<Hit> intersect(const Ray& ray, const Sphere& s, const Conventions&) {
+  const float x = float(s.centre.x) - float(ray.origin.x), r = float(s.radius);
+  for (const float at : {x - r, x + r}) {
+    if (at )") + comparison + " " + end + R"() return Hit{at, {float(ray.origin.x) + at, 0, 0}};
   }
-  std::filesystem::remove(floats);
-  std::filesystem::remove(scene);
+  return {};
+}
+RAYCHECK_CANDIDATE(.intersect = intersect, .precision = Precision::single,
+    .roots = Roots::declared, .valid = {.t_min = )" +
+                                                (is_radius ? "1" : "0.1") +
+                                                ", .ends = Ends::open, .unit = TUnit::" +
+                                                (is_radius ? "radius" : "absolute") + "})\n");
+    const Outcome found = check(floats, "source:" + source);
+    EXPECT_EQ(found.exit_code, exit_code) << comparison << end << found.out << found.err;
+  }
 }
 
 /// What `explain` says under the interval that a candidate declares.
 TEST(ValidRoots, are_explained_as_check_judges_them) {
-  const std::string kInterval = "rc.Roots('()', 0.5, float('inf'), 'absolute', 'none')";
-  const std::string right = tracer("eps.py", "s > 0.5", kInterval);
-  const std::string wrong = tracer("none.py", "s >= 0", kInterval);
-  const std::string ray = "explain --ray 3.75,0,0,1,0,0 --sphere 3,0,0,1 --candidate ";
-  const auto explained = [&](const std::string& candidate, int exit_code) {
-    const Outcome outcome = run(ray + "'command:python3 " + candidate + "' --format json");
-    EXPECT_EQ(outcome.exit_code, exit_code) << outcome.out << outcome.err;
-    return json::parse(outcome.out);
-  };
-  const json report = explained(right, 0);
+  const std::string right = tracer("eps.py", "s > 0.5", beyond("0.5"));
+  const std::string wrong = tracer("none.py", "s >= 0", beyond("0.5"));
+  const std::string ray = "explain --ray 3.75,0,0,1,0,0 --sphere 3,0,0,1";
+  const json report = report_of(ray, right, 0);
   EXPECT_EQ(report["exact"]["class"], "miss");
   EXPECT_EQ(report["exact"]["left_out"][0]["why"], "before t_min");
   EXPECT_EQ(report["exact"]["left_out"][0]["s"], "0x1p-2");
@@ -239,18 +196,13 @@ TEST(ValidRoots, are_explained_as_check_judges_them) {
     EXPECT_EQ(method["class_error"], false) << method["name"];
     EXPECT_EQ(method["goes_wrong_at"], nullptr) << method["name"];
   }
-  const json false_hit = explained(wrong, 1)["methods"].back();
+  const json false_hit = report_of(ray, wrong, 1)["methods"].back();
   EXPECT_EQ(false_hit["class_error"], true);
   EXPECT_EQ(false_hit["standing"], "defect");
   EXPECT_EQ(false_hit["goes_wrong_at"], "s");
-  const Outcome words = run(ray + "'command:python3 " + wrong + "'");
-  for (const char* part :
-       {"does not count: s = 0.25 lies before t_min = 0.5\n",
-        "a false hit, which its own interval (0.5, inf) excludes; goes wrong at s"}) {
-    EXPECT_NE(words.out.find(part), std::string::npos) << part << "\n" << words.out;
-  }
-  std::filesystem::remove(right);
-  std::filesystem::remove(wrong);
+  expect_parts(run(ray + " --candidate '" + wrong + "'").out,
+               {"does not count: s = 0.25 lies before t_min = 0.5\n",
+                "a false hit, which its own interval (0.5, inf) excludes; goes wrong at s"});
 }
 
 /// The reasons that a root has not to count, each under a scene's own conventions.
@@ -263,8 +215,7 @@ TEST(ValidRoots, that_do_not_count_are_explained) {
                               "height = 3\n[[sphere]]\ncentre = [0, 0, 5]\nradius = 2\n");
     const Outcome outcome = run("explain " + scene + " --pixel 1,1");
     EXPECT_EQ(outcome.exit_code, 0) << outcome.out << outcome.err;
-    EXPECT_NE(outcome.out.find(part), std::string::npos) << part << "\n" << outcome.out;
-    std::filesystem::remove(scene);
+    expect_parts(outcome.out, {part});
   };
   // From the pixel at z = 9 the roots are 2 and 6.
   says("t_min = 2.5", "s = 2 lies before t_min = 2.5");
@@ -286,22 +237,15 @@ TEST(ValidRoots, make_the_picture_that_errors_are_held_against) {
       "[[sphere]]\ncentre = [0, 0, 8]\nradius = 0.5\n"
       "[[sphere]]\ncentre = [0, 0, 0]\nradius = 1.5\n");
   const std::string picture = temporary_file("seen.png", "");
-  const std::string interval = "rc.Roots('()', 3, float('inf'), 'absolute', 'none')";
   const auto shown = [&](const std::string& condition, int exit_code) {
-    const std::string candidate = tracer("seen.py", condition, interval);
-    const Outcome outcome = run("image " + scene + " --what error --out " + picture +
-                                " --format json --candidate 'command:python3 " + candidate + "'");
-    EXPECT_EQ(outcome.exit_code, exit_code) << outcome.out << outcome.err;
-    std::filesystem::remove(candidate);
-    return json::parse(outcome.out);
+    return report_of("image " + scene + " --what error --out " + picture,
+                     tracer("seen.py", condition, beyond("3")), exit_code);
   };
   const json right = shown("s > 3", 0);
   EXPECT_EQ(right["error"]["wrong"]["defect"]["pixels"], 0) << right.dump(2);
   EXPECT_EQ(right["spheres_seen"], 1);  // only the far one
   EXPECT_GT(right["pixels_that_see"], 20);
   EXPECT_GT(shown("s >= 0", 1)["error"]["wrong"]["defect"]["pixels"], 20);
-  std::filesystem::remove(picture);
-  std::filesystem::remove(scene);
 }
 
 TEST(ValidRoots, are_introduced_in_a_line) {

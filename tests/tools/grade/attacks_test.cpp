@@ -68,21 +68,20 @@ TEST(Attacks, gain_nothing_and_leave_the_others_as_they_are) {
   }
   const bool had_x = std::filesystem::exists("/tmp/x");
   const Outcome together = grading.grade(rubric, folders, "together", "--jobs 2");
-  EXPECT_EQ(together.exit_code, 0) << together.err;
   EXPECT_EQ(std::filesystem::exists("/tmp/x"), had_x);
   for (const Attack& attack : kAttacks) {
     const json result = grading.result(attack.name, "together");
     EXPECT_EQ(result["score"], attack.score) << attack.name;
     EXPECT_EQ(result["points"], 100) << attack.name;
     const std::string report = grading.file(attack.name, "report.html", "together");
-    EXPECT_TRUE(contains(report, attack.what)) << attack.name << "\n" << result.dump(2);
+    expect_parts(report, {attack.what});
     const char* const total = !result["refused"].is_null() ? ">could not be judged<"
                               : attack.score > 0           ? ">45 of 100<"
                                                            : ">0 of 100<";
-    EXPECT_TRUE(contains(report, total)) << attack.name;
+    expect_parts(report, {total});
   }
   EXPECT_FALSE(std::filesystem::exists(grading.path("together/x")));
-  EXPECT_EQ(grading.grade(rubric, innocents, "alone", "--jobs 1").exit_code, 0);
+  grading.grade(rubric, innocents, "alone", "--jobs 1");
   for (const std::string& folder : innocents) {
     const std::string name = std::filesystem::path(folder).filename();
     const std::string alone = grading.file(name, "result.json", "alone");
@@ -93,68 +92,51 @@ TEST(Attacks, gain_nothing_and_leave_the_others_as_they_are) {
 }
 
 TEST(Attacks, are_all_that_the_hostile_submission_knows) {
-  std::string text = contents(std::string(RAYCHECK_SOURCE_DIR) + "/tests/submissions/hostile.cpp");
+  std::string text = contents(RAYCHECK_SOURCE_DIR "/tests/submissions/hostile.cpp");
   const std::size_t from = text.find("#define ATTACKS") + 15;
   text = text.substr(from, text.find("enum class", from) - from);
-  for (const Attack& attack : kAttacks) {
-    EXPECT_TRUE(contains(text, std::string(" ") + attack.name)) << attack.name;
-  }
-  EXPECT_EQ(static_cast<std::size_t>(std::count(text.begin(), text.end(), ',')) + 1,
-            kAttacks.size());
+  for (const Attack& attack : kAttacks) expect_parts(text, {std::string(" ") + attack.name});
+  EXPECT_EQ(std::count(text.begin(), text.end(), ',') + 1, std::ssize(kAttacks));
 }
 
-/// Answers wrongly as soon as it can read, write or list what is not its own.
-constexpr const char* kSpy = R"(#include <filesystem>
-#include <fstream>
-#include <string>
-bool reads(const std::string& path) {
-  std::string line;
-  std::ifstream file(path);
-  return static_cast<bool>(std::getline(file, line));
-}
-bool writes(const std::string& path) { return static_cast<bool>(std::ofstream(path) << 1); }
-bool lists(const std::string& path) {
-  std::error_code error;
-  std::filesystem::directory_iterator at(path, error);
-  return !error && at != std::filesystem::directory_iterator();
-}
+/// Lines before those of rays.py: what can be read, written or listed.
+constexpr const char* kSpy = R"(import os
+def can(how, path):
+    try:
+        return bool(os.listdir(path) if how == "list" else open(path, how))
+    except OSError:
+        return False
 )";
 
 TEST(Attacks, cannot_see_the_other_submissions_the_rubric_or_the_results) {
   const Grading grading;
   const std::string rubric = grading.lecture7_with({});
   const std::string other = grading.submit("other", "rays.py");
-  ASSERT_EQ(grading.grade(rubric, {other}).exit_code, 0);
-  const std::string hostile =
-      contents(std::string(RAYCHECK_SOURCE_DIR) + "/tests/submissions/hostile.cpp");
+  grading.grade(rubric, {other});
   const auto score_of_spy = [&](const std::string& name, const std::string& condition) {
-    std::string text = hostile;
-    const std::string call = "  attack();\n";
-    const std::size_t at = text.find(call);
-    EXPECT_NE(at, std::string::npos);
-    text.replace(at, call.size(), "  if (spies()) return {};\n");
-    grading.write("submissions/" + name + "/rays.cpp",
-                  kSpy + ("bool spies() { return " + condition + "; }\n") + text);
-    EXPECT_EQ(grading.grade(rubric, {grading.path("submissions/" + name)}).exit_code, 0);
+    const std::string folder = grading.submit(
+        name, "rays.py", kSpy + ("MISTAKE = 'far_root' if " + condition + " else 'none'"));
+    grading.grade(rubric, {folder});
     const json result = grading.result(name);
     EXPECT_TRUE(result["refused"].is_null());
-    return contains(result["isolated_by"], "bubblewrap") ? result["score"].get<double>() : -1;
+    return has(result["isolated_by"], "bubblewrap") ? result["score"].get<double>() : -1;
   };
   // So much would it lose.
-  const double seen = score_of_spy("sees", "reads(\"/usr/bin/env\") && writes(\"/dev/null\")");
+  const double seen = score_of_spy("sees", "can('r', '/usr/bin/env') and can('w', '/dev/null')");
   if (seen < 0) GTEST_SKIP() << "no bubblewrap keeps submissions apart here";
-  EXPECT_LT(seen, kDeserved);
+  EXPECT_LT(seen, 110);
   for (const std::string& path :
        {other + "/rays.py", rubric, grading.path("rubrics/lecture7/frame.toml"),
         grading.path("out/other/result.json"), grading.path("out/grades.csv")}) {
     ASSERT_FALSE(contents(path).empty()) << path;
   }
   const std::string result = grading.path("out/other/result.json");
-  EXPECT_EQ(score_of_spy("spies", "reads(\"" + other + "/rays.py\") || reads(\"" + rubric +
-                                      "\") || reads(\"" + result + "\") || lists(\"" +
-                                      grading.path("submissions") + "\") || writes(\"" + result +
-                                      "\") || writes(\"" + grading.path("out/new.json") + "\")"),
-            kDeserved);
+  std::string condition = "can('list', '" + grading.path("submissions") + "')";
+  for (const std::string& path : {other + "/rays.py", rubric, result})
+    condition += " or can('r', '" + path + "')";
+  for (const std::string& path : {result, grading.path("out/new.json")})
+    condition += " or can('w', '" + path + "')";
+  EXPECT_EQ(score_of_spy("spies", condition), 110);
 }
 
 TEST(Attacks, by_colours_that_are_no_spheres_earn_nothing_where_spheres_are_asked) {
@@ -165,7 +147,7 @@ TEST(Attacks, by_colours_that_are_no_spheres_earn_nothing_where_spheres_are_aske
   ASSERT_NE(at, std::string::npos);
   text.insert(at, "return {0.4, 0.4, 0.4};\n  ");
   grading.write("submissions/grey/rt.cpp", "#define MISTAKE first_sphere_wins\n" + text);
-  EXPECT_EQ(grading.grade(kLecture7, {grading.path("submissions/grey")}).exit_code, 0);
+  grading.grade(kLecture7, {grading.path("submissions/grey")});
   const json result = grading.result("grey");
   EXPECT_EQ(item(result, "hit or miss")["state"], "holds");
   for (const char* name : {"nearest sphere", "whole scenes"}) {
@@ -189,19 +171,15 @@ open(sys.argv[2], "w").write("P3 25 25 255 " + "255 255 255 " * 625)
 )");
   grading.write("submissions/never/rt.cpp",
                 "#include <unistd.h>\nint main() { for (;;) pause(); }");
-  EXPECT_EQ(
-      grading.grade(rubric, {grading.path("submissions/hangs"), grading.path("submissions/never")})
-          .exit_code,
-      0);
+  grading.grade(rubric, {grading.path("submissions/hangs"), grading.path("submissions/never")});
   const json hangs = grading.result("hangs");
   EXPECT_EQ(hangs["score"], 0);
-  EXPECT_TRUE(contains(hangs.dump(), "did not end, and computed next to nothing for 1 s"));
+  expect_parts(hangs.dump(), {"did not end, and computed next to nothing for 1 s"});
   EXPECT_EQ(item(hangs, "whole scenes")["reason"], json({{"kind", "time is up"}, {"seconds", 3}}));
   const json never = grading.result("never");
   EXPECT_EQ(never["score"], 0);
-  EXPECT_TRUE(contains(never["refused"]["why"],
-                       "did not end, and computed next to nothing for 1 s (reply_seconds)"))
-      << never["refused"];
+  expect_parts(never["refused"]["why"],
+               {"did not end, and computed next to nothing for 1 s (reply_seconds)"});
 }
 
 TEST(Attacks, by_links_pipes_and_names_are_refused_and_the_others_graded) {
@@ -213,9 +191,8 @@ TEST(Attacks, by_links_pipes_and_names_are_refused_and_the_others_graded) {
   grading.write("submissions/mark/rays.{file}", "");
   const std::string rubric = grading.lecture7_with(
       {{"has = \"rays.cpp\"", "has = \"rays.{*\""}, {"\"source:.\"", "\"source:{file}\""}});
-  const Outcome outcome = grading.grade(
-      rubric, {grading.path("submissions/link"), pipe, grading.path("submissions/mark"), right});
-  EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+  grading.grade(rubric,
+                {grading.path("submissions/link"), pipe, grading.path("submissions/mark"), right});
   for (const char* name : {"link", "pipe"}) {
     EXPECT_EQ(grading.result(name)["refused"]["why"], "it is neither a file nor a folder");
   }

@@ -93,9 +93,17 @@ std::string Grading::arguments(const std::string& rubric,
   return words + " --out " + quoted(path(out)) + " " + more;
 }
 
+Outcome Grading::try_to_grade(const std::string& rubric,
+                              const std::vector<std::string>& submissions, const std::string& out,
+                              const std::string& more) const {
+  return run(arguments(rubric, submissions, out, more));
+}
+
 Outcome Grading::grade(const std::string& rubric, const std::vector<std::string>& submissions,
                        const std::string& out, const std::string& more) const {
-  return run(arguments(rubric, submissions, out, more));
+  Outcome outcome = try_to_grade(rubric, submissions, out, more);
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.out << outcome.err;
+  return outcome;
 }
 
 std::string Grading::file(const std::string& submission, const std::string& name,
@@ -117,6 +125,25 @@ json Grading::figures(const std::string& submission, const std::string& out) con
       run_python(quoted(reader) + " " + quoted(path(out + "/" + submission + "/figures.html")));
   EXPECT_EQ(read.exit_code, 0) << read.err;
   return read.exit_code == 0 ? json::parse(read.out) : json();
+}
+
+std::string white_renderer(const std::string& before, const std::string& to) {
+  return "import os, sys\n"
+         "for line in open(sys.argv[1]):\n"
+         "    if line.startswith('res'): w, h = map(int, line.split()[1:3])\n" +
+         before + "with open(" + to +
+         ", 'w') as image: image.write(f'P3 {w} {h} 255\\n' + '255 255 255 ' * (w * h))\n";
+}
+
+std::string item_of(const std::string& name, const std::string& keys,
+                    const std::string& questions) {
+  return "[[item]]\nname = \"" + name + "\"\n" + keys + "\n" + questions + "\n";
+}
+
+std::string functions(const std::string& law, const std::string& source, int cases,
+                      const std::string& more) {
+  return "[item.functions]\nlaws = [\"" + law + "\"]\nsources = [\"" + source +
+         "\"]\ncases = " + std::to_string(cases) + "\n" + more;
 }
 
 std::string full_rubric(int pictures, const std::string& head) {
@@ -164,10 +191,6 @@ std::string without_times(const std::string& text) {
   static const std::regex kTimes(
       R"(("(build|judge)_seconds": [0-9.e-]+)|("build_is_stored": (true|false))|([0-9.]+ s(, ([0-9]+ )?from the store)?))");
   return std::regex_replace(text, kTimes, "T");
-}
-
-bool contains(const std::string& text, const std::string& part) {
-  return text.find(part) != std::string::npos;
 }
 
 }  // namespace raycheck::tests

@@ -39,9 +39,11 @@ class Grading {
   std::string lecture7_with(
       const std::vector<std::pair<std::string, std::string>>& replacements) const;
 
-  /// Grades into the folder `out`.
+  /// Grades into the folder `out`, which ends with 0; the other may end otherwise.
   Outcome grade(const std::string& rubric, const std::vector<std::string>& submissions,
                 const std::string& out = "out", const std::string& more = "") const;
+  Outcome try_to_grade(const std::string& rubric, const std::vector<std::string>& submissions,
+                       const std::string& out = "out", const std::string& more = "") const;
   /// The arguments of the same.
   std::string arguments(const std::string& rubric, const std::vector<std::string>& submissions,
                         const std::string& out, const std::string& more = "") const;
@@ -68,6 +70,20 @@ candidate = "renderer:./{file} {scene} {image}"
 
 )";
 
+/// That of programs in Python.
+inline constexpr const char* kFormOfPython = R"(
+[[form]]
+has = "*.py"
+candidate = "command:python3 {file}"
+
+)";
+
+/// An [[item]] of a rubric: its keys, and its questions to functions.
+std::string item_of(const std::string& name, const std::string& keys, const std::string& questions);
+std::string functions(const std::string& law, const std::string& source, int cases,
+                      const std::string& more = "");
+inline constexpr const char* kGivenRays = "rays = \"given\"\n";
+
 /// A sphere that fills the picture: a program that reads the size and writes white is right.
 inline constexpr const char* kFullScene = R"([camera]
 eye = [0, 0, 0]
@@ -89,6 +105,9 @@ radius = 100
 /// A rubric of one item of renderers as they come, so many pictures of full.toml, after a head.
 std::string full_rubric(int pictures, const std::string& head = "");
 
+/// A renderer in Python that reads the size, does what it is asked to, and writes white to a file.
+std::string white_renderer(const std::string& before = "", const std::string& to = "sys.argv[2]");
+
 /// The line that makes a file of tests/submissions wrong.
 std::string mistake_line(const std::string& file, const std::string& mistake);
 
@@ -101,8 +120,6 @@ std::vector<std::string> items_that(const nlohmann::json& result, const std::str
 /// A result or page with "T" for each time: how long it took differs from run to run, and so which
 /// of two equal submissions was built first.
 std::string without_times(const std::string& text);
-
-bool contains(const std::string& text, const std::string& part);
 
 }  // namespace raycheck::tests
 

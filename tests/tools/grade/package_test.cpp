@@ -4,10 +4,11 @@
 
 #include <cstdlib>
 #include <filesystem>
-#include <set>
+#include <regex>
 #include <sstream>
 #include <string>
 
+#include "tests/tools/external/machine.h"
 #include "tests/tools/grade/grading.h"
 
 namespace raycheck::tests {
@@ -16,12 +17,10 @@ namespace {
 namespace fs = std::filesystem;
 using nlohmann::json;
 
+/// With its permissions, which zipfile alone leaves out.
 constexpr const char* kUnpack = R"py(import os, sys, zipfile
-with zipfile.ZipFile(sys.argv[1]) as archive:
-    for one in archive.infolist():
-        path = archive.extract(one, sys.argv[2])
-        if one.external_attr >> 16:
-            os.chmod(path, one.external_attr >> 16 & 0o777)
+for one in (archive := zipfile.ZipFile(sys.argv[1])).infolist():
+    os.chmod(archive.extract(one, sys.argv[2]), one.external_attr >> 16 & 0o777 or 0o755)
 )py";
 
 /// With a seed, so that no second file is needed to see that it is in it.
@@ -70,7 +69,7 @@ TEST_F(Package, grades_submissions_as_raycheck_does) {
   EXPECT_EQ(right["score"], 110) << right.dump(2);
   EXPECT_EQ(right["tests"].size(), 11u);
   const json pictures = graded(grading.submit("pictures", "rt.cpp", "#define MISTAKE mirrored"));
-  EXPECT_TRUE(contains(pictures.dump(), "columns are mirrored")) << pictures.dump(2);
+  expect_parts(pictures.dump(), {"columns are mirrored"});
   const std::string wrong = grading.submit("submission", "rays.py", "MISTAKE = \"far_root\"");
   const json results = graded(wrong);
   grading.grade(kLecture7, {wrong}, "out", "--seed 77 --format gradescope");
@@ -80,38 +79,28 @@ TEST_F(Package, grades_submissions_as_raycheck_does) {
   const json broken =
       graded(grading.submit("broken", "hostile.cpp", "#define ATTACK compile_error"));
   EXPECT_EQ(broken["score"], 0);
-  EXPECT_TRUE(contains(broken["output"], "this does not compile"));
+  expect_parts(broken["output"], {"this does not compile"});
   fs::remove_all(grading.path("root/source/rubric"));
   const json none = graded(wrong);
   EXPECT_EQ(none["score"], 0);
-  EXPECT_TRUE(contains(none["output"], "raycheck could not grade this"));
+  expect_parts(none["output"], {"raycheck could not grade this"});
 }
 
 TEST_F(Package, grades_in_a_container_without_namespaces_and_says_so) {
-  constexpr const char* kWithout =
-      "unshare -m sh -c 'mount --bind /dev/null /usr/bin/bwrap && exec \"$@\"' sh ";
-  if (std::system((std::string(kWithout) + "true").c_str()) != 0) {
+  if (std::system((std::string(kWithoutBubblewrap) + "true").c_str()) != 0) {
     GTEST_SKIP() << "bubblewrap cannot be hidden here";
   }
   fs::copy(grading.submit("right", "rays.py"), grading.path("root/submission"),
            fs::copy_options::recursive);
   const std::string said =
-      said_by(kWithout + ("'" + grading.path("root/source/run_autograder") + "'"));
-  EXPECT_TRUE(contains(said, "; not by bubblewrap: ")) << said;
+      said_by(kWithoutBubblewrap + ("'" + grading.path("root/source/run_autograder") + "'"));
+  expect_parts(said, {"; not by bubblewrap: "});
   EXPECT_EQ(json::parse(contents(grading.path("root/results/results.json")))["score"], 110) << said;
 }
 
 TEST_F(Package, brings_the_libraries_that_only_raycheck_needs) {
-  const std::set<std::string> of_the_system = {"libc.so.6",
-                                               "libm.so.6",
-                                               "libdl.so.2",
-                                               "librt.so.1",
-                                               "libpthread.so.0",
-                                               "libgcc_s.so.1",
-                                               "libstdc++.so.6",
-                                               "linux-vdso.so.1",
-                                               "/lib64/ld-linux-x86-64.so.2",
-                                               "/lib/ld-linux-aarch64.so.1"};
+  static const std::regex of_the_system(
+      "lib(c|m|dl|rt|pthread|gcc_s|stdc\\+\\+)\\.so\\.[0-9]|linux-vdso\\.so\\.1|.*/ld-linux-.*");
   const std::string bin = grading.path("root/source/raycheck/libexec/raycheck/");
   std::size_t brought = 0;
   for (const char* program : {"raycheck-grade", "raycheck-jail", "raycheck-worker"}) {
@@ -120,7 +109,7 @@ TEST_F(Package, brings_the_libraries_that_only_raycheck_needs) {
       std::istringstream words(line);
       std::string name, arrow, path;
       words >> name >> arrow >> path;
-      if (of_the_system.contains(name)) continue;
+      if (std::regex_match(name, of_the_system)) continue;
       ++brought;
       const std::string place = fs::weakly_canonical(path).string();
       EXPECT_EQ(place.rfind(fs::canonical(grading.path("root/source/raycheck/lib")).string(), 0),
@@ -156,13 +145,7 @@ TEST_F(Package, is_the_same_bytes_each_time_and_holds_the_seed) {
   const std::string again = grading.path("again.zip");
   EXPECT_EQ(run(std::string(kPackage) + "'" + again + "'").exit_code, 0);
   EXPECT_EQ(contents(again), contents(grading.path("autograder.zip")));
-  EXPECT_TRUE(contains(contents(grading.path("root/source/run_autograder")), "--seed 77 "));
-}
-
-TEST(PackageCommand, fails_with_2_where_it_cannot_write) {
-  const Outcome outcome = run("grade " + std::string(kLecture7) + " --package nowhere/a.zip");
-  EXPECT_EQ(outcome.exit_code, 2);
-  EXPECT_TRUE(contains(outcome.err, "package nowhere/a.zip: ")) << outcome.err;
+  expect_parts(contents(grading.path("root/source/run_autograder")), {"--seed 77 "});
 }
 
 }  // namespace

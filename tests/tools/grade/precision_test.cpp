@@ -27,8 +27,7 @@ Lost lost(const std::vector<std::pair<std::string, std::string>>& changes) {
       folders.push_back(grading.submit_built(file + "-" + mistake, file, mistake));
     }
   }
-  const Outcome outcome = grading.grade(grading.lecture7_with(changes), folders);
-  EXPECT_EQ(outcome.exit_code, 0) << outcome.out << outcome.err;
+  grading.grade(grading.lecture7_with(changes), folders);
   const auto lost_by = [&](const std::string& name) {
     const json result = grading.result(name);
     Names names;
@@ -76,21 +75,6 @@ TEST(Floats, keep_to_bounds_in_their_own_units) {
   };
   EXPECT_EQ(score("double"), 0);
   EXPECT_EQ(score("single"), 1);
-}
-
-TEST(Floats, of_another_precision_have_no_rubric) {
-  const Grading grading;
-  const std::string item =
-      "[[item]]\nname = \"a\"\npoints = 1\nfunctions = { laws = [\"class\"], "
-      "sources = [\"rays\"], cases = 1 }\n";
-  const auto error = [&](const std::string& text) {
-    const Outcome outcome = run("grade " + grading.write("rubric.toml", text + item));
-    EXPECT_EQ(outcome.exit_code, 2);
-    return outcome.err;
-  };
-  EXPECT_TRUE(contains(error("precision = \"half\"\n"), "precision = \"half\": must be one of"));
-  const std::string everything = error("precision = \"single\"\n[tolerance]\nulp = 1e10\n");
-  EXPECT_TRUE(contains(everything, "tolerance.ulp = 1e10: allows every answer")) << everything;
 }
 
 }  // namespace

@@ -183,17 +183,16 @@ Told told_to_students(const std::string& format, const Shown& shown,
         "[[form]]\nhas = \"rays.py\"\ncandidate = \"command:python3 {file}\"\n";
     for (const char* law : subject.laws) {
       for (const auto& [visibility, detail] : shown) {
-        rubric += std::string("[[item]]\nname = \"") + law + " " + visibility + " " + detail +
-                  "\"\npoints = 1\nvisibility = \"" + visibility + "\"\ndetail = \"" + detail +
-                  "\"\n[item.functions]\nlaws = [\"" + law +
-                  "\"]\nsources = [\"cameras\"]\ncases = 4\n";
+        const std::string name = std::string(law) + " " + visibility + " " + detail;
+        rubric += item_of(name,
+                          std::string("points = 1\nvisibility = \"") + visibility +
+                              "\"\ndetail = \"" + detail + "\"",
+                          functions(law, "cameras", 4));
       }
     }
-    const Outcome outcome =
-        grading.grade(grading.write("rubric.toml", rubric),
-                      {grading.submit("mine", "rays.py", mistake_line("rays.py", subject.mistake))},
-                      "out", "--format " + format);
-    EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+    grading.grade(grading.write("rubric.toml", rubric),
+                  {grading.submit("mine", "rays.py", mistake_line("rays.py", subject.mistake))},
+                  "out", "--format " + format);
     const Numbers numbers = numbers_of(grading.result("mine"), parts, keys);
     const auto found = told(numbers, given_to_student(grading, "mine"));
     all.secrets += numbers.secret.size();
@@ -229,20 +228,17 @@ INSTANTIATE_TEST_SUITE_P(Formats, EachResultsFormat, testing::Values("gradescope
 
 TEST(Redaction, names_no_item_that_is_hidden) {
   const Grading grading;
-  const std::string functions =
-      "[item.functions]\nlaws = [\"frame\"]\nsources = [\"course\"]\ncases = 4\n";
+  const std::string frame = functions("frame", "course", 4);
   const std::string rubric = grading.write(
-      "rubric.toml",
-      "[[form]]\nhas = \"rays.py\"\ncandidate = \"command:python3 {file}\"\n"
-      "[[item]]\nname = \"covert\"\nvisibility = \"hidden\"\npoints = 1\n" +
-          functions + "[[item]]\nname = \"open\"\npoints = 1\nrequires = [\"covert\"]\n" +
-          functions);
+      "rubric.toml", kFormOfPython +
+                         item_of("covert", "visibility = \"hidden\"\npoints = 1", frame) +
+                         item_of("open", "points = 1\nrequires = [\"covert\"]", frame));
   const std::string folder = grading.submit("mine", "rays.py", "MISTAKE = \"u_flipped\"");
-  EXPECT_EQ(grading.grade(rubric, {folder}, "out", "--format prairielearn").exit_code, 0);
+  grading.grade(rubric, {folder}, "out", "--format prairielearn");
   EXPECT_EQ(item(grading.result("mine"), "open")["reason"]["item"], "covert");
   const std::string text = given_to_student(grading, "mine");
-  EXPECT_FALSE(contains(text, "covert"));
-  EXPECT_TRUE(contains(text, "left out: it needs other items"));
+  EXPECT_FALSE(has(text, "covert"));
+  expect_parts(text, {"left out: it needs other items"});
 }
 
 }  // namespace

@@ -6,10 +6,9 @@ const dot = ([a, b, c], [x, y, z]) => a * x + b * y + c * z;
 const lin = (...terms) => [0, 1, 2].map((k) => terms.reduce((sum, [f, v]) => sum + f * v[k], 0));
 const cross = ([a, b, c], [x, y, z]) => [b * z - c * y, c * x - a * z, a * y - b * x];
 const unit = (v) => lin([1 / Math.sqrt(dot(v, v)), v]);
-const had = (a, b) => a.map((x, k) => x * b[k]);
 
 function read(name) {
-  const scene = { spheres: [], lights: [], level: null };
+  const scene = { spheres: [], level: null };
   readFileSync(name, 'utf8').trim().split('\n').forEach((text, index) => {
     const words = text.trim().split(/\s+/);
     const n = words.slice(1).map(Number);
@@ -32,10 +31,10 @@ function read(name) {
         break;
       case 'ambient': need(3); scene.ambient = n; break;
       case 'recursionlevel': need(1); scene.level = n[0]; break;
-      case 'light': need(7); scene.lights.push([n.slice(0, 3), n.slice(4)]); break;
+      case 'light': need(7); break;
       case 'sphere':
         need(17);
-        scene.spheres.push({ c: n.slice(0, 3), r: n[3], k: [4, 7, 10, 13].map((at) => n.slice(at, at + 3)) });
+        scene.spheres.push({ c: n.slice(0, 3), r: n[3], ka: n.slice(4, 7) });
         break;
       case '': case 'model': break;
       default:
@@ -60,26 +59,9 @@ function first(spheres, o, d) {
   return hit;
 }
 
-function color(scene, o, d, level) {
+function color(scene, o, d) {
   const hit = first(scene.spheres, o, d);
-  if (!hit) return [0, 0, 0];
-  const [ka, kd, ks, kr] = hit.s.k;
-  const q = lin([1, o], [hit.t, d]);
-  const n = unit(lin([1, q], [-1, hit.s.c]));
-  const start = lin([1, q], [1e-7, n]);
-  let sum = had(scene.ambient, ka);
-  for (const [at, power] of scene.lights) {
-    const way = lin([1, at], [-1, q]);
-    const l = unit(way);
-    const c = dot(n, l);
-    if (!(c > 0)) continue;
-    const block = first(scene.spheres, start, l);
-    if (block && block.t * block.t < dot(way, way)) continue;
-    const rv = Math.max(0, -dot(lin([2 * c, n], [-1, l]), d));
-    sum = lin([1, sum], [c, had(kd, power)], [rv ** 16, had(ks, power)]);
-  }
-  if (level > 0) sum = lin([1, sum], [1, had(kr, color(scene, start, lin([1, d], [-2 * dot(d, n), n]), level - 1))]);
-  return sum;
+  return hit ? scene.ambient.map((x, k) => x * hit.s.ka[k]) : [0, 0, 0];
 }
 
 const scene = read(argv[2]);
@@ -94,7 +76,7 @@ for (let j = 0; j < scene.h; j++) {
   for (let i = 0; i < scene.w; i++) {
     const alpha = left + (i / (scene.w - 1)) * (right - left);
     const g = lin([scene.d, W], [alpha, U], [beta, V]);
-    const c = color(scene, lin([1, scene.eye], [1, g]), unit(g), scene.level);
+    const c = color(scene, lin([1, scene.eye], [1, g]), unit(g));
     row.push(c.map((x) => Math.min(255, Math.round(x * 255))).join(' '));
   }
   rows.push(row.join('  '));

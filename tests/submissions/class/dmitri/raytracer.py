@@ -40,7 +40,7 @@ class Sphere:
         assert len(numbers) == 17, "sphere: x y z r Ka Kd Ks Kr index"
         self.centre = Vec(*numbers[0:3])
         self.radius = numbers[3]
-        self.ka, self.kd, self.ks, self.kr = (Vec(*numbers[k:k + 3]) for k in (4, 7, 10, 13))
+        self.ka = Vec(*numbers[4:7])
 
     def hit(self, start, direction):
         t = self.centre - start
@@ -57,7 +57,7 @@ class Sphere:
 
 
 def read(path):
-    scene = {"spheres": [], "lights": []}
+    scene = {"spheres": []}
     with open(path) as f:
         for line in f:
             words = line.split("#")[0].split()
@@ -69,8 +69,6 @@ def read(path):
             numbers = [float(w) for w in words[1:]]
             if key == "sphere":
                 scene["spheres"].append(Sphere(numbers))
-            elif key == "light":
-                scene["lights"].append((Vec(*numbers[0:3]), Vec(*numbers[4:7])))
             else:
                 scene[key] = numbers
     return scene
@@ -85,30 +83,9 @@ def nearest(scene, start, direction):
     return found
 
 
-def shade(scene, start, direction, depth):
+def shade(scene, start, direction):
     found = nearest(scene, start, direction)
-    if found is None:
-        return Vec(0, 0, 0)
-    s, ball = found
-    q = start + direction * s
-    n = (q - ball.centre).unit()
-    colour = Vec(*scene["ambient"]) * ball.ka
-    for position, light in scene["lights"]:
-        way = position - q
-        to_light = way.unit()
-        cos = n.dot(to_light)
-        if cos <= 0:
-            continue
-        blocked = nearest(scene, q + n * 1e-6, to_light)
-        if blocked and blocked[0] < way.norm():
-            continue
-        r = n * (2 * cos) - to_light
-        shine = max(0, -direction.dot(r)) ** 16
-        colour = colour + ball.kd * light * cos + ball.ks * light * shine
-    if depth > 0 and ball.kr.norm() > 0:
-        mirrored = direction - n * (2 * direction.dot(n))
-        colour = colour + ball.kr * shade(scene, q + n * 1e-6, mirrored, depth - 1)
-    return colour
+    return Vec(*scene["ambient"]) * found[1].ka if found else Vec(0, 0, 0)
 
 
 def main():
@@ -117,7 +94,7 @@ def main():
     eye, look, up, d = Vec(*c[0:3]), Vec(*c[3:6]), Vec(*c[6:9]), c[9]
     left, right, bottom, top = scene["bounds"]
     width, height = (int(x) for x in scene["res"])
-    depth = int(scene["recursionlevel"][0])
+    int(scene["recursionlevel"][0])
     w = (eye - look).unit()
     u = up.cross(w).unit()
     v = w.cross(u)
@@ -128,7 +105,7 @@ def main():
         for i in range(width):
             alpha = left + i / (width - 1) * (right - left)
             ray = w * d + u * alpha + v * beta
-            colour = shade(scene, eye + ray, ray.unit(), depth)
+            colour = shade(scene, eye + ray, ray.unit())
             row.append(" ".join(str(min(255, round(255 * x))) for x in (colour.x, colour.y, colour.z)))
         rows.append(" ".join(row))
     with open(sys.argv[2], "w") as f:

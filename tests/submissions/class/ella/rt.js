@@ -1,10 +1,10 @@
 #!/usr/bin/env node
 'use strict';
 const fs = require('fs');
-const { add, sub, mul, scale, dot, cross, norm, unit } = require('./vec');
+const { add, sub, mul, scale, dot, cross, unit } = require('./vec');
 
 function parse(file) {
-  const scene = { ambient: [0, 0, 0], lights: [], spheres: [], recursion: 0 };
+  const scene = { ambient: [0, 0, 0], spheres: [] };
   for (const line of fs.readFileSync(file, 'utf8').split('\n')) {
     const [key, ...rest] = line.trim().split(/\s+/);
     const n = rest.map(Number);
@@ -14,13 +14,10 @@ function parse(file) {
       case 'd': scene.d = n[0]; break;
       case 'bounds': [scene.left, scene.right, scene.bottom, scene.top] = n; break;
       case 'res': [scene.width, scene.height] = n; break;
-      case 'recursionlevel': scene.recursion = n[0]; break;
-      case 'light': scene.lights.push({ at: n.slice(0, 3), color: n.slice(4, 7) }); break;
+      case 'recursionlevel': case 'light': break;
       case 'sphere':
-        scene.spheres.push({
-          c: n.slice(0, 3), r: n[3], ka: n.slice(4, 7), kd: n.slice(7, 10), ks: n.slice(10, 13),
-          kr: n.length >= 16 ? n.slice(13, 16) : [0, 0, 0],
-        });
+        if (n.length < 13) throw new Error('sphere: too few numbers');
+        scene.spheres.push({ c: n.slice(0, 3), r: n[3], ka: n.slice(4, 7) });
         break;
       default: console.error(`skipping ${key}`);
     }
@@ -42,30 +39,9 @@ function closest(spheres, origin, dir) {
   return best;
 }
 
-function trace(scene, origin, dir, depth) {
+function trace(scene, origin, dir) {
   const hit = closest(scene.spheres, origin, dir);
-  if (!hit) return [0, 0, 0];
-  const { ball } = hit;
-  const q = add(origin, scale(hit.s, dir));
-  const n = unit(sub(q, ball.c));
-  const lifted = add(q, scale(1e-6, n));
-  let color = mul(scene.ambient, ball.ka);
-  for (const { at, color: shine } of scene.lights) {
-    const way = sub(at, q);
-    const l = unit(way);
-    const cos = dot(n, l);
-    if (!(cos > 0)) continue;
-    const between = closest(scene.spheres, lifted, l);
-    if (between && between.s < norm(way)) continue;
-    const r = sub(scale(2 * cos, n), l);
-    color = add(color, scale(cos, mul(ball.kd, shine)));
-    color = add(color, scale(Math.pow(Math.max(0, -dot(r, dir)), 16), mul(ball.ks, shine)));
-  }
-  if (depth > 0) {
-    const r = sub(dir, scale(2 * dot(dir, n), n));
-    color = add(color, mul(ball.kr, trace(scene, lifted, r, depth - 1)));
-  }
-  return color;
+  return hit ? mul(scene.ambient, hit.ball.ka) : [0, 0, 0];
 }
 
 const [, , driver, image] = process.argv;
@@ -81,7 +57,7 @@ for (let y = height - 1; y >= 0; y--) {
     const a = scene.left + (x / (width - 1)) * (scene.right - scene.left);
     const b = scene.bottom + (y / (height - 1)) * (scene.top - scene.bottom);
     const g = add(add(scale(scene.d, W), scale(a, U)), scale(b, V));
-    for (const c of trace(scene, add(scene.eye, g), unit(g), scene.recursion)) {
+    for (const c of trace(scene, add(scene.eye, g), unit(g))) {
       // the picture looks better with gamma
       pixels[k++] = Math.round(255 * Math.pow(Math.min(1, Math.max(0, c)), 1 / 2.2));
     }

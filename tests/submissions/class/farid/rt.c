@@ -7,11 +7,9 @@
 
 typedef struct { double x, y, z; } vec;
 typedef struct { vec c; double r; vec ka, kd, ks, kr; double eta, phong; } sphere;
-typedef struct { vec pos; double w; vec rgb; } light;
 
 static sphere spheres[MAX];
-static light lights[MAX];
-static int nspheres, nlights, width, height, level;
+static int nspheres, width, height, level;
 static vec eye, look, up, ambient;
 static double d, left, bottom, right, top;
 
@@ -50,9 +48,8 @@ static void parse(const char *name) {
     else if (!strcmp(key, "recursionLevel")) ok = sscanf(p, "%d", &level) == 1;
     else if (!strcmp(key, "ambient")) ok = sscanf(p, "%lf %lf %lf", &ambient.x, &ambient.y, &ambient.z) == 3;
     else if (!strcmp(key, "light")) {
-      light *l = &lights[nlights++];
-      ok = sscanf(p, "%lf %lf %lf %lf %lf %lf %lf", &l->pos.x, &l->pos.y, &l->pos.z, &l->w, &l->rgb.x,
-                  &l->rgb.y, &l->rgb.z) == 7;
+      double l[7];
+      ok = sscanf(p, "%lf %lf %lf %lf %lf %lf %lf", l, l + 1, l + 2, l + 3, l + 4, l + 5, l + 6) == 7;
     } else if (!strcmp(key, "sphere")) {
       sphere *s = &spheres[nspheres++];
       ok = sscanf(p, "%lf %lf %lf %lf %lf %lf %lf %lf %lf %lf %lf %lf %lf %lf %lf %lf %lf %lf", &s->c.x,
@@ -82,24 +79,11 @@ static int shoot(vec from, vec dir, double *t) {
   return found;
 }
 
-static vec color(vec from, vec dir, int depth) {
-  double t = 0, t2;
+static vec color(vec from, vec dir) {
+  double t = 0;
   vec black = {0, 0, 0};
-  int l, k = shoot(from, dir, &t);
-  if (k < 0) return black;
-  sphere *s = &spheres[k];
-  vec q = add(from, scale(t, dir)), n = unit(sub(q, s->c)), c = mul(ambient, s->ka);
-  vec out = add(q, scale(1e-6, n));
-  for (l = 0; l < nlights; l++) {
-    vec to = sub(lights[l].pos, q), dirl = unit(to);
-    double nl = dot(n, dirl);
-    if (nl <= 0 || (shoot(out, dirl, &t2) >= 0 && t2 * t2 < dot(to, to))) continue;
-    c = add(c, mul(lights[l].rgb, scale(nl, s->kd)));
-    double rv = -dot(dir, sub(scale(2 * nl, n), dirl));
-    if (rv > 0) c = add(c, mul(lights[l].rgb, scale(pow(rv, s->phong), s->ks)));
-  }
-  if (depth > 0) c = add(c, mul(s->kr, color(out, unit(sub(dir, scale(2 * dot(dir, n), n))), depth - 1)));
-  return c;
+  int k = shoot(from, dir, &t);
+  return k < 0 ? black : mul(ambient, spheres[k].ka);
 }
 
 static int level255(double x) { return x >= 1 ? 255 : (int)(x * 255); }
@@ -115,7 +99,7 @@ int main(int argc, char **argv) {
       double px = left + (double)i / (width - 1) * (right - left);
       double py = bottom + (double)j / (height - 1) * (top - bottom);
       vec p = add(add(add(eye, scale(-d, w)), scale(px, u)), scale(py, v));
-      image[(height - 1 - j) * width + i] = color(p, unit(sub(p, eye)), level);
+      image[(height - 1 - j) * width + i] = color(p, unit(sub(p, eye)));
     }
   FILE *f = fopen("out.ppm", "w");
   fprintf(f, "P3\n%d %d\n255\n", width, height);

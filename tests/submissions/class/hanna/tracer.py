@@ -4,7 +4,7 @@ import sys
 
 
 def read(filename):
-    scene = dict(sphere=[], light=[], recursionlevel=[0])
+    scene = dict(sphere=[], light=[])
     for line in open(filename).read().splitlines():
         if line.strip() == '' or line.lstrip()[0] == '#':
             continue
@@ -57,27 +57,11 @@ def first(scene, start, way):
     return where, what
 
 
-def colour(scene, start, way, level):
-    s, sphere = first(scene, start, way)
+def colour(scene, start, way):
+    sphere = first(scene, start, way)[1]
     if sphere is None:
         return [0.0, 0.0, 0.0]
-    q = plus(start, times(s, way))
-    n = unit(minus(q, sphere[0:3]))
-    rgb = [a * k for a, k in zip(scene['ambient'], sphere[4:7])]
-    for light in scene['light']:
-        l = unit(minus(light[0:3], q))
-        cosine = dot(n, l)
-        if cosine <= 0:
-            continue
-        r = minus(times(2 * cosine, n), l)
-        gloss = max(0.0, -dot(r, way)) ** 16
-        for k in range(3):
-            rgb[k] += light[4 + k] * (sphere[7 + k] * cosine + sphere[10 + k] * gloss)
-    if level > 0 and any(sphere[13:16]):
-        r = minus(way, times(2 * dot(way, n), n))
-        far = colour(scene, plus(q, times(1e-6, n)), r, level - 1)
-        rgb = [c + k * f for c, k, f in zip(rgb, sphere[13:16], far)]
-    return rgb
+    return [a * k for a, k in zip(scene['ambient'], sphere[4:7])]
 
 
 def main():
@@ -94,7 +78,7 @@ def main():
         for j in range(height):
             py = top - (top - bottom) * j / (height - 1)
             p = plus(plus(plus(eye, times(d, w)), times(px, u)), times(py, v))
-            picture[i, j] = colour(scene, p, unit(minus(p, eye)), scene['recursionlevel'][0])
+            picture[i, j] = colour(scene, p, unit(minus(p, eye)))
     with open(sys.argv[2], 'w') as f:
         print('P3', width, height, 255, file=f)
         for j in range(height):

@@ -30,19 +30,7 @@ V3 color(V3 L, V3 U) {
   double s;
   int k;
   if (!findHit(L, U, s, k)) return V3();
-  const Sphere& ball = scene.spheres[k];
-  V3 Q = L + U * s;
-  V3 N = normalize(Q - ball.c);
-  V3 sum = scene.ambient * ball.ka;
-  for (const Light& light : scene.lights) {
-    V3 toL = normalize(light.pos - Q);
-    double nl = dot(N, toL);
-    if (nl < 0) continue;
-    sum = sum + ball.kd * light.rgb * nl;
-    V3 R = N * (2 * nl) - toL;
-    sum = sum + ball.ks * light.rgb * pow(max(0.0, -dot(R, U)), 16);
-  }
-  return sum;
+  return scene.ambient * scene.spheres[k].ka;
 }
 
 int clampByte(double c) { return min(255, max(0, int(c * 255 + 0.5))); }

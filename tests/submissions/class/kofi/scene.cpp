@@ -18,13 +18,13 @@ bool Scene::load(const string& file) {
     else if (key == "res") in >> width >> height;
     else if (key == "ambient") in >> ambient;
     else if (key == "light") {
-      Light l;
+      V3 pos, rgb;
       double w;
-      in >> l.pos >> w >> l.rgb;
-      lights.push_back(l);
+      in >> pos >> w >> rgb;
     } else if (key == "sphere") {
       Sphere s;
-      in >> s.c >> s.r >> s.ka >> s.kd >> s.ks;
+      V3 kd, ks;
+      in >> s.c >> s.r >> s.ka >> kd >> ks;
       spheres.push_back(s);
     } else {
       cerr << "unknown: " << key << endl;

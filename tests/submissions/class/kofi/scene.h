@@ -17,14 +17,12 @@ inline V3 cross(V3 a, V3 b) {
 }
 inline V3 normalize(V3 a) { return a * (1 / std::sqrt(dot(a, a))); }
 
-struct Sphere { V3 c; double r; V3 ka, kd, ks; };
-struct Light { V3 pos, rgb; };
+struct Sphere { V3 c; double r; V3 ka; };
 
 struct Scene {
   V3 eye, look, up, ambient;
   double d, left, right, bottom, top;
   int width, height;
   std::vector<Sphere> spheres;
-  std::vector<Light> lights;
   bool load(const std::string& file);
 };

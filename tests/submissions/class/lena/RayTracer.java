@@ -11,7 +11,6 @@ public class RayTracer {
   static double d, left, right, bottom, top;
   static int width, height, level;
   static ArrayList<double[]> spheres = new ArrayList<>();
-  static ArrayList<double[]> lights = new ArrayList<>();
 
   static double[] numbers(Scanner in, int count) {
     double[] n = new double[count];
@@ -38,7 +37,7 @@ public class RayTracer {
         height = in.nextInt();
       } else if (key.equals("recursionLevel")) level = in.nextInt();
       else if (key.equals("ambient")) ambient = numbers(in, 3);
-      else if (key.equals("light")) lights.add(numbers(in, 7));
+      else if (key.equals("light")) numbers(in, 7);
       else if (key.equals("sphere")) spheres.add(numbers(in, 16));
       else {
         System.out.println("What is " + key + "?");
@@ -69,11 +68,9 @@ public class RayTracer {
     return new double[] {a[0] / n, a[1] / n, a[2] / n};
   }
 
-  static double best;
-
   static double[] firstSphere(double[] p, double[] dir) {
     double[] found = null;
-    best = Double.POSITIVE_INFINITY;
+    double best = Double.POSITIVE_INFINITY;
     for (double[] s : spheres) {
       double[] t = minus(s, p);
       double v = dot(t, dir);
@@ -89,25 +86,10 @@ public class RayTracer {
     return found;
   }
 
-  static double[] shade(double[] p, double[] dir, int depth) {
+  static double[] shade(double[] p, double[] dir) {
     double[] color = new double[3];
     double[] s = firstSphere(p, dir);
-    if (s == null) return color;
-    double[] q = along(p, best, dir);
-    double[] n = normal(minus(q, s));
-    for (int c = 0; c < 3; c++) color[c] = ambient[c] * s[4 + c];
-    for (double[] light : lights) {
-      double[] l = normal(minus(light, q));
-      double nl = dot(n, l);
-      if (nl <= 0 || firstSphere(along(q, 1e-5, n), l) != null) continue;
-      double rv = Math.max(0, -dot(along(new double[] {-l[0], -l[1], -l[2]}, 2 * nl, n), dir));
-      for (int c = 0; c < 3; c++)
-        color[c] += light[4 + c] * (s[7 + c] * nl + s[10 + c] * Math.pow(rv, 16));
-    }
-    if (depth > 0 && s[13] + s[14] + s[15] > 0) {
-      double[] r = shade(along(q, 1e-5, n), normal(along(dir, -2 * dot(n, dir), n)), depth - 1);
-      for (int c = 0; c < 3; c++) color[c] += s[13 + c] * r[c];
-    }
+    for (int c = 0; s != null && c < 3; c++) color[c] = ambient[c] * s[4 + c];
     return color;
   }
 
@@ -121,7 +103,7 @@ public class RayTracer {
         double x = left + (right - left) * i / (width - 1);
         double y = top - (top - bottom) * j / (height - 1);
         double[] p = along(along(along(eye, -d, w), x, u), y, v);
-        double[] c = shade(p, normal(minus(p, eye)), level);
+        double[] c = shade(p, normal(minus(p, eye)));
         for (int k = 0; k < 3; k++)
           bytes[3 * (j * width + i) + k] = (byte) Math.min(255, (int) (c[k] * 255));
       }

@@ -1,0 +1,41 @@
+#ifndef RAYCHECK_TESTS_TOOLS_EXTERNAL_MACHINE_H_
+#define RAYCHECK_TESTS_TOOLS_EXTERNAL_MACHINE_H_
+
+#include <array>
+#include <ostream>
+#include <string>
+
+namespace raycheck::tests {
+
+/// Words that run others as a user who owns nothing, and where bubblewrap does not run.
+inline constexpr const char* kAsNobody = "setpriv --reuid 65534 --regid 65534 --clear-groups ";
+inline constexpr const char* kWithoutBubblewrap =
+    "unshare -m sh -c 'mount --bind /dev/null /usr/bin/bwrap && exec \"$@\"' sh ";
+
+/// A machine that has this much to keep programs by.
+struct Machine {
+  const char* name;
+  bool is_root, has_bubblewrap;
+  std::string words() const {
+    return std::string(has_bubblewrap ? "" : kWithoutBubblewrap) + (is_root ? "" : kAsNobody);
+  }
+  /// What it is then; a control group may come to it.
+  std::string isolation() const {
+    return std::string(is_root ? "own user, " : "") + "seccomp, " +
+           (has_bubblewrap ? "bubblewrap" : "Landlock");
+  }
+};
+inline void PrintTo(const Machine& machine, std::ostream* out) { *out << machine.name; }
+
+inline constexpr std::array<Machine, 4> kMachines = {{{"root", true, true},
+                                                      {"root_without_bubblewrap", true, false},
+                                                      {"nobody", false, true},
+                                                      {"nobody_without_bubblewrap", false, false}}};
+
+inline const auto kNameOfMachine = [](const auto& the_test) {
+  return std::string(the_test.param.name);
+};
+
+}  // namespace raycheck::tests
+
+#endif  // RAYCHECK_TESTS_TOOLS_EXTERNAL_MACHINE_H_
