@@ -248,8 +248,8 @@ TEST_F(Probe, says_of_colours_what_they_tell_and_nothing_where_spheres_are_not_s
   EXPECT_FALSE(has(notes_of("right", as_they_are + "SEEN = lambda v: v > 0\n"), note));
   EXPECT_FALSE(has(notes_of("behind", as_they_are + "SEEN = lambda v: v < 0\n"), note));
   // Of fewer spheres than five it shows none.
-  EXPECT_FALSE(has(
-      notes_of("many", as_they_are + "SEEN = lambda v: v > 0 and len(spheres) > 5\n"), note));
+  EXPECT_FALSE(
+      has(notes_of("many", as_they_are + "SEEN = lambda v: v > 0 and len(spheres) > 5\n"), note));
   expect_parts(notes_of("grey", "SHOWN = lambda c: [sum(c) / 3] * 3\nSEEN = lambda v: v > 0\n"),
                {note});
   expect_parts(notes_of("red", "SHOWN = lambda c: [c[0], 0, 0]\nSEEN = lambda v: v > 0\n"), {note});

@@ -40,8 +40,7 @@ std::vector<std::string> item_lines(const std::string& text) {
   std::getline(stream, line);
   while (std::getline(stream, line) && !line.empty() && !line.starts_with("see ") &&
          !line.starts_with("written: ") && !has(line, " in the score and not shown")) {
-    const bool is_of_items =
-        !line.starts_with("isolated by: ") && !has(line, " submission graded");
+    const bool is_of_items = !line.starts_with("isolated by: ") && !has(line, " submission graded");
     if (is_of_items) lines.push_back(line);
   }
   return lines;
