@@ -1,5 +1,4 @@
-#ifndef RAYCHECK_TESTS_HAS_H_
-#define RAYCHECK_TESTS_HAS_H_
+#pragma once
 
 #include <gtest/gtest.h>
 
@@ -16,5 +15,3 @@ inline testing::AssertionResult has(const std::string& text, const std::string& 
 }
 
 }  // namespace raycheck
-
-#endif  // RAYCHECK_TESTS_HAS_H_

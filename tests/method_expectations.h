@@ -1,5 +1,4 @@
-#ifndef RAYCHECK_TESTS_METHOD_EXPECTATIONS_H_
-#define RAYCHECK_TESTS_METHOD_EXPECTATIONS_H_
+#pragma once
 
 // What every intersection method must do, whatever it computes with.
 
@@ -90,5 +89,3 @@ inline void expect_refusals(const fast::IntersectMethod& method) {
 }
 
 }  // namespace raycheck
-
-#endif  // RAYCHECK_TESTS_METHOD_EXPECTATIONS_H_

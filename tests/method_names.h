@@ -1,5 +1,4 @@
-#ifndef RAYCHECK_TESTS_METHOD_NAMES_H_
-#define RAYCHECK_TESTS_METHOD_NAMES_H_
+#pragma once
 
 // How tests of each intersection method are called: by the method, not by its address.
 
@@ -20,5 +19,3 @@ inline std::string test_name(const testing::TestParamInfo<const IntersectMethod*
 }
 
 }  // namespace raycheck::fast
-
-#endif  // RAYCHECK_TESTS_METHOD_NAMES_H_

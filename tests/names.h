@@ -1,5 +1,4 @@
-#ifndef RAYCHECK_TESTS_NAMES_H_
-#define RAYCHECK_TESTS_NAMES_H_
+#pragma once
 
 // How tests of each of a list are called: by its names.
 
@@ -29,5 +28,3 @@ std::vector<std::string> names_of(const List& list) {
 }
 
 }  // namespace raycheck
-
-#endif  // RAYCHECK_TESTS_NAMES_H_

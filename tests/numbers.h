@@ -1,5 +1,4 @@
-#ifndef RAYCHECK_TESTS_NUMBERS_H_
-#define RAYCHECK_TESTS_NUMBERS_H_
+#pragma once
 
 #include <limits>
 
@@ -14,5 +13,3 @@ inline constexpr double kSmallest = std::numeric_limits<double>::denorm_min();  
 inline constexpr int kBitsOfAnySum = 2600;
 
 }  // namespace raycheck
-
-#endif  // RAYCHECK_TESTS_NUMBERS_H_

@@ -1,5 +1,4 @@
-#ifndef RAYCHECK_TESTS_CAUGHT_EXACT_CANDIDATE_H_
-#define RAYCHECK_TESTS_CAUGHT_EXACT_CANDIDATE_H_
+#pragma once
 
 #include <cstddef>
 #include <deque>
@@ -83,5 +82,3 @@ properties::Candidate exact_candidate(const std::shared_ptr<Sights>& sights,
                                       const std::shared_ptr<Sights::Pixels>& looked_at);
 
 }  // namespace raycheck::caught
-
-#endif  // RAYCHECK_TESTS_CAUGHT_EXACT_CANDIDATE_H_

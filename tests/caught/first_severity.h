@@ -1,5 +1,4 @@
-#ifndef RAYCHECK_TESTS_CAUGHT_FIRST_SEVERITY_H_
-#define RAYCHECK_TESTS_CAUGHT_FIRST_SEVERITY_H_
+#pragma once
 
 #include <optional>
 #include <span>
@@ -27,5 +26,3 @@ std::vector<FirstCaught> first_caught(const properties::CaseSource& source,
                                       std::span<const mutants::Mutant> mutants);
 
 }  // namespace raycheck::caught
-
-#endif  // RAYCHECK_TESTS_CAUGHT_FIRST_SEVERITY_H_

@@ -1,5 +1,4 @@
-#ifndef RAYCHECK_TESTS_CAUGHT_INJECTED_H_
-#define RAYCHECK_TESTS_CAUGHT_INJECTED_H_
+#pragma once
 
 #include <functional>
 #include <memory>
@@ -34,5 +33,3 @@ struct ErrorKind {
 std::span<const ErrorKind> error_kinds();
 
 }  // namespace raycheck::caught
-
-#endif  // RAYCHECK_TESTS_CAUGHT_INJECTED_H_

@@ -1,5 +1,4 @@
-#ifndef RAYCHECK_TESTS_CAUGHT_PAGE_H_
-#define RAYCHECK_TESTS_CAUGHT_PAGE_H_
+#pragma once
 
 #include <functional>
 #include <string>
@@ -37,5 +36,3 @@ std::string cell_in(const std::string& page, const std::string& heading,
                     const std::vector<std::string>& row, std::string_view column);
 
 }  // namespace raycheck::caught
-
-#endif  // RAYCHECK_TESTS_CAUGHT_PAGE_H_

@@ -1,5 +1,4 @@
-#ifndef RAYCHECK_TESTS_CAUGHT_PLACES_H_
-#define RAYCHECK_TESTS_CAUGHT_PLACES_H_
+#pragma once
 
 #include <cstdint>
 #include <optional>
@@ -40,5 +39,3 @@ void for_each_case(const properties::ChosenSource& place, int cases, Visit visit
 }
 
 }  // namespace raycheck::caught
-
-#endif  // RAYCHECK_TESTS_CAUGHT_PLACES_H_

@@ -1,5 +1,4 @@
-#ifndef RAYCHECK_TESTS_CAUGHT_RESOLUTION_H_
-#define RAYCHECK_TESTS_CAUGHT_RESOLUTION_H_
+#pragma once
 
 #include <map>
 #include <optional>
@@ -33,5 +32,3 @@ std::vector<Resolution> resolutions(const properties::CaseSource& source, int ca
                                     std::span<const properties::Law* const> laws = {});
 
 }  // namespace raycheck::caught
-
-#endif  // RAYCHECK_TESTS_CAUGHT_RESOLUTION_H_

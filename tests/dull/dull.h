@@ -1,5 +1,4 @@
-#ifndef RAYCHECK_TESTS_DULL_DULL_H_
-#define RAYCHECK_TESTS_DULL_DULL_H_
+#pragma once
 
 #include <bit>
 #include <cstdint>
@@ -37,5 +36,3 @@ inline properties::Random random_of(std::initializer_list<double> asked) {
 }
 
 }  // namespace raycheck::dull
-
-#endif  // RAYCHECK_TESTS_DULL_DULL_H_

@@ -1,5 +1,4 @@
-#ifndef RAYCHECK_TESTS_DULL_JUDGED_H_
-#define RAYCHECK_TESTS_DULL_JUDGED_H_
+#pragma once
 
 #include <cstddef>
 #include <cstdint>
@@ -75,5 +74,3 @@ struct WhyExcused {
 std::span<const WhyExcused> why_excused();
 
 }  // namespace raycheck::dull
-
-#endif  // RAYCHECK_TESTS_DULL_JUDGED_H_

@@ -1,5 +1,4 @@
-#ifndef RAYCHECK_TESTS_FUZZ_TARGETS_H_
-#define RAYCHECK_TESTS_FUZZ_TARGETS_H_
+#pragma once
 
 #include <string_view>
 
@@ -26,5 +25,3 @@ inline constexpr FuzzTarget kFuzzTargets[] = {
     {"reply", fuzz_reply},           {"picture", fuzz_picture},         {"verify", fuzz_verify}};
 
 }  // namespace raycheck::tests
-
-#endif  // RAYCHECK_TESTS_FUZZ_TARGETS_H_

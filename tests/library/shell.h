@@ -1,5 +1,4 @@
-#ifndef RAYCHECK_TESTS_LIBRARY_SHELL_H_
-#define RAYCHECK_TESTS_LIBRARY_SHELL_H_
+#pragma once
 
 #include <filesystem>
 #include <string>
@@ -24,5 +23,3 @@ Ended build_example(const std::filesystem::path& prefix, const std::string& name
                     const std::filesystem::path& to, const std::string& options = "");
 
 }  // namespace raycheck::tests
-
-#endif  // RAYCHECK_TESTS_LIBRARY_SHELL_H_

@@ -1,5 +1,4 @@
-#ifndef RAYCHECK_TESTS_MUTANTS_MUTANTS_H_
-#define RAYCHECK_TESTS_MUTANTS_MUTANTS_H_
+#pragma once
 
 #include <string>
 #include <string_view>
@@ -49,5 +48,3 @@ std::vector<Mutant> intersect_mutants();
 std::vector<Mutant> plan_mutants();
 
 }  // namespace raycheck::mutants
-
-#endif  // RAYCHECK_TESTS_MUTANTS_MUTANTS_H_

@@ -1,5 +1,4 @@
-#ifndef RAYCHECK_TESTS_REFERENCE_BIG_FLOAT_H_
-#define RAYCHECK_TESTS_REFERENCE_BIG_FLOAT_H_
+#pragma once
 
 // Numbers by which the tests judge reference/: MPFR at a precision at which the literal formulas
 // lose nothing that matters, and none of reference/'s own arithmetic.
@@ -93,5 +92,3 @@ inline bool contains(const Enclosure3& enclosure, const Big3& x) {
 }
 
 }  // namespace raycheck::reference
-
-#endif  // RAYCHECK_TESTS_REFERENCE_BIG_FLOAT_H_

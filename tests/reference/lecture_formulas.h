@@ -1,5 +1,4 @@
-#ifndef RAYCHECK_TESTS_REFERENCE_LECTURE_FORMULAS_H_
-#define RAYCHECK_TESTS_REFERENCE_LECTURE_FORMULAS_H_
+#pragma once
 
 // The formulas of docs/problem.md, letter by letter, in numbers that lose nothing that matters.
 
@@ -60,5 +59,3 @@ inline LectureHit lecture_hit(const Big3& L, const Big3& D, const scene::Sphere&
 }
 
 }  // namespace raycheck::reference
-
-#endif  // RAYCHECK_TESTS_REFERENCE_LECTURE_FORMULAS_H_

@@ -1,5 +1,4 @@
-#ifndef RAYCHECK_TESTS_REFERENCE_RANDOM_CASES_H_
-#define RAYCHECK_TESTS_REFERENCE_RANDOM_CASES_H_
+#pragma once
 
 // Cameras, rays and spheres for the tests of reference/: small integers, ordinary sizes, all sizes.
 
@@ -147,5 +146,3 @@ inline std::string spelled(const scene::Camera& camera) {
 }
 
 }  // namespace raycheck::reference
-
-#endif  // RAYCHECK_TESTS_REFERENCE_RANDOM_CASES_H_

@@ -1,5 +1,4 @@
-#ifndef RAYCHECK_TESTS_REFERENCE_SECOND_OPINION_H_
-#define RAYCHECK_TESTS_REFERENCE_SECOND_OPINION_H_
+#pragma once
 
 // A second opinion on the decisions of reference/exact_ray.h: CGAL's kernel with square roots,
 // whose numbers are CORE's. It shares no arithmetic and no formula with reference/. CORE's
@@ -116,5 +115,3 @@ inline bool expect_same_order(const ExactRay& ray, const Vector& o, const Vector
 }
 
 }  // namespace raycheck::reference
-
-#endif  // RAYCHECK_TESTS_REFERENCE_SECOND_OPINION_H_

@@ -1,5 +1,4 @@
-#ifndef RAYCHECK_TESTS_TOOLS_LIMITED_RUN_H_
-#define RAYCHECK_TESTS_TOOLS_LIMITED_RUN_H_
+#pragma once
 
 #include <cstdint>
 #include <filesystem>
@@ -45,5 +44,3 @@ struct LimitedOutcome {
 LimitedOutcome run_limited(const std::vector<std::string>& arguments, const Circumstances& how);
 
 }  // namespace raycheck::tests
-
-#endif  // RAYCHECK_TESTS_TOOLS_LIMITED_RUN_H_

@@ -1,5 +1,4 @@
-#ifndef RAYCHECK_TESTS_TOOLS_PROGRAM_H_
-#define RAYCHECK_TESTS_TOOLS_PROGRAM_H_
+#pragma once
 
 #include <cstdint>
 #include <functional>
@@ -85,5 +84,3 @@ void expect_parts(const std::string& text, const std::vector<std::string>& parts
                   const char* file = __builtin_FILE(), int line = __builtin_LINE());
 
 }  // namespace raycheck::tests
-
-#endif  // RAYCHECK_TESTS_TOOLS_PROGRAM_H_

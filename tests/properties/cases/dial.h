@@ -1,5 +1,4 @@
-#ifndef RAYCHECK_TESTS_PROPERTIES_CASES_DIAL_H_
-#define RAYCHECK_TESTS_PROPERTIES_CASES_DIAL_H_
+#pragma once
 
 // Whether a family's dial sets what it says, measured from the doubles of its cases with
 // enclosures, never with the generator's own arithmetic.
@@ -123,5 +122,3 @@ void expect_every_side(std::string_view family, std::initializer_list<int> some,
 }
 
 }  // namespace raycheck::properties
-
-#endif  // RAYCHECK_TESTS_PROPERTIES_CASES_DIAL_H_

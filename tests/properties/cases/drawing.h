@@ -1,5 +1,4 @@
-#ifndef RAYCHECK_TESTS_PROPERTIES_CASES_DRAWING_H_
-#define RAYCHECK_TESTS_PROPERTIES_CASES_DRAWING_H_
+#pragma once
 
 #include <utility>
 
@@ -30,5 +29,3 @@ inline Candidate drawing_candidate() {
 }
 
 }  // namespace raycheck::properties
-
-#endif  // RAYCHECK_TESTS_PROPERTIES_CASES_DRAWING_H_

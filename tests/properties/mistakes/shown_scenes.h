@@ -1,5 +1,4 @@
-#ifndef RAYCHECK_TESTS_PROPERTIES_MISTAKES_SHOWN_SCENES_H_
-#define RAYCHECK_TESTS_PROPERTIES_MISTAKES_SHOWN_SCENES_H_
+#pragma once
 
 #include <vector>
 
@@ -19,5 +18,3 @@ std::vector<scene::Scene> rubric_scenes();
 std::vector<ShownPicture> shown_with(const Fault& fault, const std::vector<scene::Scene>& scenes);
 
 }  // namespace raycheck::properties
-
-#endif  // RAYCHECK_TESTS_PROPERTIES_MISTAKES_SHOWN_SCENES_H_

@@ -1,5 +1,4 @@
-#ifndef RAYCHECK_TESTS_PROPERTIES_ORACLE_FLOAT_ORACLE_H_
-#define RAYCHECK_TESTS_PROPERTIES_ORACLE_FLOAT_ORACLE_H_
+#pragma once
 
 #include <array>
 #include <optional>
@@ -35,5 +34,3 @@ FloatErrors float_errors(const scene::Ray& ray, const scene::Sphere& sphere, sce
                          double s, const scene::Point3& Q);
 
 }  // namespace raycheck::tests
-
-#endif  // RAYCHECK_TESTS_PROPERTIES_ORACLE_FLOAT_ORACLE_H_

@@ -1,5 +1,4 @@
-#ifndef RAYCHECK_TESTS_REFERENCE_ACCOUNT_CHANGED_CHOICE_H_
-#define RAYCHECK_TESTS_REFERENCE_ACCOUNT_CHANGED_CHOICE_H_
+#pragma once
 
 // What a given ray meets first at changed inputs, in rational arithmetic.
 
@@ -101,5 +100,3 @@ class ChangedChoice {
 };
 
 }  // namespace raycheck::reference
-
-#endif  // RAYCHECK_TESTS_REFERENCE_ACCOUNT_CHANGED_CHOICE_H_

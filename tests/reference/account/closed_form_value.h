@@ -1,5 +1,4 @@
-#ifndef RAYCHECK_TESTS_REFERENCE_ACCOUNT_CLOSED_FORM_VALUE_H_
-#define RAYCHECK_TESTS_REFERENCE_ACCOUNT_CLOSED_FORM_VALUE_H_
+#pragma once
 
 #include <cctype>
 #include <stdexcept>
@@ -102,5 +101,3 @@ class ClosedFormValue {
 };
 
 }  // namespace raycheck::reference
-
-#endif  // RAYCHECK_TESTS_REFERENCE_ACCOUNT_CLOSED_FORM_VALUE_H_

@@ -1,5 +1,4 @@
-#ifndef RAYCHECK_TESTS_REFERENCE_ACCOUNT_CONDITION_CASES_H_
-#define RAYCHECK_TESTS_REFERENCE_ACCOUNT_CONDITION_CASES_H_
+#pragma once
 
 // What the tests of condition numbers share.
 
@@ -42,5 +41,3 @@ inline void expect_same_condition(double one, double other, const std::string& w
 }
 
 }  // namespace raycheck::reference
-
-#endif  // RAYCHECK_TESTS_REFERENCE_ACCOUNT_CONDITION_CASES_H_

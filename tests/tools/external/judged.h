@@ -1,5 +1,4 @@
-#ifndef RAYCHECK_TESTS_TOOLS_EXTERNAL_JUDGED_H_
-#define RAYCHECK_TESTS_TOOLS_EXTERNAL_JUDGED_H_
+#pragma once
 
 #include <gtest/gtest.h>
 #include <unistd.h>
@@ -55,5 +54,3 @@ inline const std::string& right_library() {
 }
 
 }  // namespace raycheck::tests
-
-#endif  // RAYCHECK_TESTS_TOOLS_EXTERNAL_JUDGED_H_

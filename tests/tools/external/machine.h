@@ -1,5 +1,4 @@
-#ifndef RAYCHECK_TESTS_TOOLS_EXTERNAL_MACHINE_H_
-#define RAYCHECK_TESTS_TOOLS_EXTERNAL_MACHINE_H_
+#pragma once
 
 #include <array>
 #include <ostream>
@@ -37,5 +36,3 @@ inline const auto kNameOfMachine = [](const auto& the_test) {
 };
 
 }  // namespace raycheck::tests
-
-#endif  // RAYCHECK_TESTS_TOOLS_EXTERNAL_MACHINE_H_

@@ -1,5 +1,4 @@
-#ifndef RAYCHECK_TESTS_TOOLS_GRADE_GRADING_H_
-#define RAYCHECK_TESTS_TOOLS_GRADE_GRADING_H_
+#pragma once
 
 #include <filesystem>
 #include <nlohmann/json.hpp>
@@ -122,5 +121,3 @@ std::vector<std::string> items_that(const nlohmann::json& result, const std::str
 std::string without_times(const std::string& text);
 
 }  // namespace raycheck::tests
-
-#endif  // RAYCHECK_TESTS_TOOLS_GRADE_GRADING_H_

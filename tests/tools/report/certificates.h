@@ -1,5 +1,4 @@
-#ifndef RAYCHECK_TESTS_TOOLS_REPORT_CERTIFICATES_H_
-#define RAYCHECK_TESTS_TOOLS_REPORT_CERTIFICATES_H_
+#pragma once
 
 #include <nlohmann/json.hpp>
 #include <string>
@@ -32,5 +31,3 @@ std::vector<std::string> script_lines(const std::vector<ordered_json>& certifica
 ordered_json of_quantity(const std::vector<ordered_json>& certificates, const char* quantity);
 
 }  // namespace raycheck::tests
-
-#endif  // RAYCHECK_TESTS_TOOLS_REPORT_CERTIFICATES_H_

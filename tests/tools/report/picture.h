@@ -1,5 +1,4 @@
-#ifndef RAYCHECK_TESTS_TOOLS_REPORT_PICTURE_H_
-#define RAYCHECK_TESTS_TOOLS_REPORT_PICTURE_H_
+#pragma once
 
 #include <array>
 #include <cstddef>
@@ -25,5 +24,3 @@ struct ReadPicture {
 ReadPicture read_picture(const std::string& path);
 
 }  // namespace raycheck::tests
-
-#endif  // RAYCHECK_TESTS_TOOLS_REPORT_PICTURE_H_
