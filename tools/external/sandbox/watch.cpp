@@ -87,7 +87,8 @@ void Watch::restart() {
     next_ = now + interval_;
   }
   before_ = until_ran_ = computed_;
-  began_ = ran_ = now;
+  waited_ = 0;
+  looked_ = ran_ = now;
   is_up_ = false;
 }
 
@@ -97,8 +98,11 @@ void Watch::end(double cpu_seconds) {
 
 double Watch::taken() const {
   if (is_up_) return limits_.seconds;
-  const double passed = duration<double>(Clock::now() - began_).count();
-  return std::min(std::max(computed_ - before_, passed / kBackstop), limits_.seconds);
+  return std::min(std::max(computed_ - before_, waited() / kBackstop), limits_.seconds);
+}
+
+double Watch::waited() const {
+  return waited_ + duration<double>(Clock::now() - looked_).count();
 }
 
 milliseconds Watch::until_next() const {
@@ -158,17 +162,20 @@ std::optional<Stop> Watch::time_up(const char* doing, const std::vector<ProcessS
   const auto now = Clock::now();
   const FailureKind kind = has_neighbours_ ? FailureKind::kSystem : FailureKind::kTimeUp;
   const double idle = std::max(limit, kLeastBackstop);
-  if (computed_ - until_ran_ >= kNextToNothing * idle || want_to_run(tree)) {
+  const bool wants_to_run = want_to_run(tree);
+  if (computed_ - until_ran_ >= kNextToNothing * idle || wants_to_run) {
     ran_ = now;
     until_ran_ = computed_;
   }
+  waited_ = wants_to_run ? waited_ + duration<double>(now - looked_).count() / kBackstop : waited();
+  looked_ = now;
   if (duration<double>(now - ran_).count() >= idle) {
     return Stop{kind,
                 fmt::format("{}, and computed next to nothing for {} s{}", doing, idle, name)};
   }
   const double most = std::max(kBackstop * limit, kLeastBackstop);
-  if (duration<double>(now - began_).count() >= most) {
-    return Stop{kind, fmt::format("{} within {} s, of which it computed for less than {} s{}",
+  if (waited_ >= most) {
+    return Stop{kind, fmt::format("{} within {} s of waiting, and computed for less than {} s{}",
                                   doing, most, limit, name)};
   }
   return {};

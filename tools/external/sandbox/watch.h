@@ -17,8 +17,9 @@ namespace raycheck::tools {
 inline constexpr std::uint64_t kMemoryReserve = std::uint64_t{384} << 20;
 inline constexpr std::uint64_t kDiskReserve = std::uint64_t{256} << 20;
 
-/// Who waits more than he computes has so many times his limit; who does nothing but wait, his
-/// limit once, of time that passes. Neither has less than so many seconds.
+/// Who waits more than he computes has so many times his limit of time that passes; who does nothing
+/// but wait, his limit once. Neither has less than so many seconds. Time in which he wants to run,
+/// and the machine lets others, passes as many times slower.
 inline constexpr double kBackstop = 10, kLeastBackstop = 1;
 
 class ControlGroup;
@@ -53,7 +54,7 @@ class Watch {
   /// It has ended, and it and all that it waited for have computed so much.
   void end(double cpu_seconds);
   /// Of its time, in seconds: what it computed since the last restart, as far as is known, and at
-  /// least a tenth (kBackstop) of what passed. Who was stopped for his time has taken his limit.
+  /// least a tenth (kBackstop) of what it waited. Who was stopped for his time has taken his limit.
   double taken() const;
   /// How long to wait at most until the next look.
   std::chrono::milliseconds until_next() const;
@@ -64,6 +65,8 @@ class Watch {
   std::vector<ProcessState> count();
   std::optional<Stop> time_up(const char* doing, const std::vector<ProcessState>& tree);
   std::optional<Stop> excess(const std::vector<ProcessState>& tree);
+  /// How long it has waited since the last restart, in seconds.
+  double waited() const;
 
   pid_t root_;
   std::filesystem::path folder_;
@@ -71,10 +74,11 @@ class Watch {
   const ControlGroup* group_;
   bool has_neighbours_;
   Clock::duration interval_;
-  Clock::time_point began_, ran_, next_, next_at_files_;
+  Clock::time_point looked_, ran_, next_, next_at_files_;
   double computed_ = 0;   ///< In seconds, as far as is known; what its layers did with it.
   double before_ = 0;     ///< The same at the last restart.
   double until_ran_ = 0;  ///< And when it ran last.
+  double waited_ = 0;     ///< In seconds, from the last restart to the last look.
   bool is_up_ = false;
   DiskUse files_;  ///< At the last look at them.
 };
