@@ -64,7 +64,8 @@ void write_value(const fs::path& path, const std::string& value) {
   const ssize_t written = file < 0 ? -1 : write(file, value.data(), value.size());
   const int error = errno;
   if (file >= 0) close(file);
-  if (written < 0) throw std::system_error(error, std::generic_category(), path);
+  // Names of groups differ from run to run, reasons do not.
+  if (written < 0) throw std::system_error(error, std::generic_category(), path.filename());
 }
 
 bool try_value(const fs::path& path, const std::string& value) {
@@ -79,7 +80,7 @@ bool try_value(const fs::path& path, const std::string& value) {
 fs::path new_group(const fs::path& path) {
   constexpr mode_t kMode = 0755;
   if (mkdir(path.c_str(), kMode) != 0) {
-    throw std::system_error(errno, std::generic_category(), path);
+    throw std::system_error(errno, std::generic_category(), path.parent_path());
   }
   return path;
 }
