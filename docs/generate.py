@@ -4,9 +4,9 @@
     python3 docs/generate.py            docs/error-against-run-time.md, from its template
     python3 docs/generate.py --shown    the console blocks of README.md and the others
     python3 docs/generate.py --lists [PROGRAM] [--check]
-                                        the marked parts of README.md: of what the program (default:
-                                        ./run) lists, and of packages.txt; --check writes nothing and
-                                        exits with 1 where the page is stale
+                                        the marked parts of docs/laws.md, of what the program (default:
+                                        ./run) lists, and of docs/packages.md, of packages.txt; --check
+                                        writes nothing and exits with 1 where a page is stale
     python3 docs/generate.py --performance
                                         docs/performance.md and its plot, from a run of
                                         bench_visibility with the peers built in
@@ -96,23 +96,24 @@ def packages_part(when):
 
 
 def lists(program, check):
-    """Writes the marked parts of README.md again, or only says whether that would change it."""
+    """Writes the marked parts of pages again, or only says whether that would change one."""
     listed = subprocess.run([program, "list", "--format", "json"], cwd=ROOT, text=True, check=True,
                             capture_output=True)
-    parts = {"laws": laws_part(json.loads(listed.stdout)), "packages": packages_part("always"),
-             "peers": packages_part("peers")}
-    path = ROOT / "README.md"
-    text = path.read_text()
-    now = text
-    for name, part in parts.items():
-        marked = re.compile(rf"(<!-- {name}: .*-->\n).*?(<!-- end of {name} -->)", re.DOTALL)
-        now, found = marked.subn(lambda match: f"{match[1]}{part}\n{match[2]}", now)
-        if found != 1:
-            sys.exit(f"{path.name}: {found} parts are marked {name}")
-    if check and now != text:
-        sys.exit(f"{path.name} is stale: python3 docs/generate.py --lists")
-    if not check:
-        path.write_text(now)
+    pages = {"laws": {"laws": laws_part(json.loads(listed.stdout))},
+             "packages": {"packages": packages_part("always"), "peers": packages_part("peers")}}
+    for page, parts in pages.items():
+        path = ROOT / "docs" / f"{page}.md"
+        text = path.read_text()
+        now = text
+        for name, part in parts.items():
+            marked = re.compile(rf"(<!-- {name}: .*-->\n).*?(<!-- end of {name} -->)", re.DOTALL)
+            now, found = marked.subn(lambda match: f"{match[1]}{part}\n{match[2]}", now)
+            if found != 1:
+                sys.exit(f"{path.name}: {found} parts are marked {name}")
+        if check and now != text:
+            sys.exit(f"{path.name} is stale: python3 docs/generate.py --lists")
+        if not check:
+            path.write_text(now)
 
 
 MARK = "\x01"

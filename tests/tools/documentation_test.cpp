@@ -213,6 +213,33 @@ TEST(Documentation, lists_the_laws_and_the_packages_there_are) {
   EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
 }
 
+TEST(Documentation, shows_newcomers_a_candidate_that_is_there) {
+  const std::string root = RAYCHECK_SOURCE_DIR;
+  EXPECT_TRUE(has(contents(root + "/README.md"),
+                  "```cpp\n" + contents(root + "/examples/first/candidate.cpp") + "```"));
+}
+
+/// Who reads on from README.md finds every page: none is missing there, and no link leads nowhere.
+TEST(Documentation, has_every_page_in_the_readme_and_no_link_that_leads_nowhere) {
+  const std::filesystem::path root = RAYCHECK_SOURCE_DIR;
+  const std::string readme = contents(root / "README.md");
+  for (const auto& entry : std::filesystem::directory_iterator(root / "docs")) {
+    const std::string name = entry.path().filename().string();
+    if (!name.ends_with(".md") || name.ends_with(".in.md")) continue;
+    EXPECT_TRUE(has(readme, "(docs/" + name + ")")) << name;
+  }
+  static const std::regex kLink(R"(\]\(([^)\s#:]+)(#[^)\s]*)?\))");
+  std::vector<std::filesystem::path> pages = documents();
+  pages.push_back(root / "SECURITY.md");
+  for (const auto& page : pages) {
+    const std::string text = contents(page);
+    for (std::sregex_iterator at(text.begin(), text.end(), kLink), end; at != end; ++at) {
+      EXPECT_TRUE(std::filesystem::exists(page.parent_path() / (*at)[1].str()))
+          << page << ": " << (*at)[0];
+    }
+  }
+}
+
 /// The names of tests, "Suite.Test", by suite, in all of tests/.
 std::map<std::string, std::set<std::string>> tests_by_suite() {
   static const std::regex kTest(R"(TEST(_F|_P)?\(\s*(\w+),\s*(\w+)\))");

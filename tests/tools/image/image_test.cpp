@@ -223,7 +223,7 @@ TEST(Image, shows_the_errors_that_check_counts) {
     }
     EXPECT_EQ(sum, measured);
     EXPECT_GT(measured, 50u);
-    // By the textbook s is lost; by the other one it is not (README.md).
+    // By the textbook s is lost; by the other one it is not (docs/scenes.md).
     EXPECT_EQ(error["steps"].back()["pixels"] > 0, exit_code == 1);
     EXPECT_EQ(error["steps"][0]["pixels"] > 0, exit_code == 0);
   }
