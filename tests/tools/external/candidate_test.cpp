@@ -186,7 +186,7 @@ TEST(Candidate, lies_in_a_folder_that_is_closed_to_others) {
   // What is named is the candidate's, even if it is closed itself.
   std::filesystem::permissions(folder + "/right.cpp", std::filesystem::perms::owner_read);
   expect_right(kRays, "command:python3 " + folder + "/right.py");
-  expect_right(kRays, "source:" + folder);
+  expect_right(kRays, "source:" + folder + "/right.cpp");
   // What runs there is still not root, where raycheck is.
   const json open = judged(kRays, "command:python3 tests/candidates/right.py");
   EXPECT_EQ(judged(kRays, "command:python3 " + folder + "/right.py")["isolated_by"],
