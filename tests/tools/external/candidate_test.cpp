@@ -67,8 +67,8 @@ TEST(Candidate, that_makes_no_rays_is_held_to_laws_on_cameras_too) {
 }
 
 TEST(Candidate, holds_every_law_on_ordinary_cases) {
-  const Outcome outcome = run("properties --candidate " + right_library(), 0);
-  expect_parts(outcome.out, {"documents no bounds: held to those of direct/cross"});
+  expect_parts(run("properties --candidate " + right_library(), 0).out,
+               {"documents no bounds: held to those of direct/cross"});
 }
 
 /// right.cpp with something put in the place of something else, compiled once for many runs.

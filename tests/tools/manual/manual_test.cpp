@@ -106,8 +106,7 @@ TEST(Completions, OfZshAreCommandsOptionsAndFiles) {
     std::string arguments =
         "tests/tools/manual/zsh_offers.py '" RAYCHECK_MANUAL "/zsh/vendor-completions'";
     for (const std::string& line : lines) arguments += " '" + line + "'";
-    const Outcome outcome = run_python(arguments, 0);
-    return lines_of(outcome.out);
+    return lines_of(run_python(arguments, 0).out);
   });
 }
 
@@ -120,8 +119,7 @@ TEST(Completions, OfFishAreCommandsOptionsAndFiles) {
     for (const std::string& line : lines) {
       script += "echo (complete -C'" + line + "' | string replace -r '\\t.*' '' | sort)\n";
     }
-    const Outcome outcome = run_bash(temporary_file("fish.sh", script + "\""), 0);
-    return lines_of(outcome.out);
+    return lines_of(run_bash(temporary_file("fish.sh", script + "\""), 0).out);
   });
 }
 
