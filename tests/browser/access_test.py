@@ -12,7 +12,7 @@ PAGES = {
     "given rays": (ROOT / "scene/examples/tangent-and-neighbours.toml",),
     "dial": ("--family", "distance", "--method", "quadratic,cross"),
 }
-GRADED = ("mira", "jana", "zoe")  # of functions, of nothing that runs, of pictures, one of them a program's that fails
+GRADED = ("nils", "jana", "zoe")  # of functions, of nothing that runs, of pictures, one of them a program's that fails
 RUN = """return axe.run(document, { resultTypes: ["violations"] }).then(({ violations, passes }) => [passes.length,
   violations.flatMap((one) => one.nodes.map((node) => `${one.id}: ${node.target} ${node.failureSummary}`))]);"""
 

@@ -126,12 +126,6 @@ TEST(HostileOptions, that_nothing_uses_are_refused) {
     expect_refused("check" + kOfGivenRays + " " + option, name + " requires --candidate");
     expect_refused(std::string("properties ") + option, name + " requires --candidate");
   }
-  expect_refused("grade lecture7.toml --secret-file README.md",
-                 "--secret-file README.md: is for submissions, and none are given");
-  expect_refused("grade lecture7.toml --out nowhere", "--out nowhere: is for submissions");
-  expect_refused("grade lecture7.toml --against nowhere", "--against nowhere: is for submissions");
-  expect_refused("grade lecture7.toml --probe README.md --secret-file x",
-                 "--secret-file x: --probe");
 }
 
 /// Command lines, where FAR is a scene and OUT an option of a file, and what is said of each.
@@ -181,6 +175,54 @@ const std::pair<const char*, const char*> kRefused[] = {
     {"stress --cases 1 --family distance --severity 9999", "--severity 9999..9999: the severities"},
     {"stress --family distance --severity 4294967296", "give a whole number from 0 to 2147483647"},
     {"stress --family distance --severity -1", "--severity -1: give a whole number from 0"},
+    // Implementations of others.
+    {"worst --family distance", "give --method or --candidate"},
+    {"worst --family distance --candidate a:b --candidate c:d", "give it once"},
+    {"worst --family distance --method cross --candidate a:b", "excludes"},
+    {"stress --family distance --candidate 'renderer:sh {scene} {image}'",
+     "it draws pictures; what is asked here is single answers"},
+    {"image FAR --what depth OUT --candidate a:b", "only --what error shows an implementation"},
+    {"check FAR --candidate mine", "candidate mine: give library:PATH.so, source:PATH, command:"},
+    {"check FAR --candidate elsewhere:mine", "candidate elsewhere:mine: there is no elsewhere:"},
+    {"check FAR --candidate library:", "give library:PATH.so"},
+    {"check FAR --candidate library:nowhere.so", "No such file or directory"},
+    {"check FAR --candidate library:README.md", "README.md"},
+    {"check FAR --candidate source:nowhere.cpp", "No such file or directory"},
+    {"check FAR --candidate source:docs", "no .cpp file lies in it"},
+    {"check FAR --candidate 'command:nosuchprogram --fast'",
+     "there is no program 'nosuchprogram' in /usr/local/bin:/usr/bin:/bin"},
+    {"check FAR --candidate command:./nosuchprogram", "there is no program './nosuchprogram'"},
+    {"check FAR --candidate 'renderer:nosuchprogram {scene} {image}'",
+     "there is no program 'nosuchprogram'"},
+    {"check FAR --candidate 'renderer:./rt {scene}'", "{image} is missing"},
+    {"check FAR --candidate command:true", "exited with 0"},
+    {"check FAR --candidate 'command:echo hello'", "hello"},
+    {"check FAR --candidate 'command:python3 tests/candidates/hostile.py early'",
+     "more than it was asked"},
+    // Rubrics and submissions.
+    {"grade", "RUBRIC"},
+    {"grade nowhere.toml README.md --out nowhere", "nowhere.toml: cannot be read"},
+    {"grade lecture7.toml README.md", "--out: give a folder for the results"},
+    {"grade lecture7.toml nowhere --out nowhere", "nowhere: there is no such file or folder"},
+    {"grade lecture7.toml README.md README.md --out nowhere", "has the same name, README"},
+    {"grade lecture7.toml README.md --package x.png", "--package: grades nothing; leave out"},
+    {"grade lecture7.toml README.md --out nowhere --secret-file no", "--secret-file no: cannot be"},
+    {"grade lecture7.toml --package nowhere/a.zip", "package nowhere/a.zip: "},
+    {"grade lecture7.toml README.md --out nowhere --jobs 0", "--jobs"},
+    {"grade lecture7.toml --secret-file README.md",
+     "--secret-file README.md: is for submissions, and none are given"},
+    {"grade lecture7.toml --out nowhere", "--out nowhere: is for submissions"},
+    {"grade lecture7.toml --against nowhere", "--against nowhere: is for submissions"},
+    {"grade lecture7.toml --probe README.md --secret-file x", "--secret-file x: --probe"},
+    {"grade lecture7.toml --probe", "--probe"},
+    {"grade lecture7.toml README.md --probe --format csv", "--format csv"},
+    {"grade lecture7.toml README.md --probe --dialect D", "dialect D"},
+    {"try lecture7.toml", "SUBMISSION"},
+    {"try nowhere.toml README.md", "nowhere.toml: cannot be read"},
+    {"try lecture7.toml nowhere", "nowhere: there is no such file or folder"},
+    {"rubric lecture8", "lecture8: none of that name comes with raycheck; there is lecture7"},
+    {"rubric lecture7/frame", "rubric lecture7/frame: none of that name"},
+    {"rubric --out somewhere", "--out: name the rubric to copy"},
     // Numbers; none is of octal digits.
     {"generate --family rays --cases 010", "give a whole number from 1 to 1000000000, not '010'"},
     {"generate --family rays --cases 0x10", "not '0x10'"},
@@ -220,6 +262,13 @@ const std::pair<const char*, const char*> kRefused[] = {
     {"image FAR --out scene/examples", "--out scene/examples: cannot be written"},
     {"check FAR --certificates nowhere/x", "--certificates nowhere/x: cannot be written"},
     {"check FAR --certificates scene", "there is something that is not a file"},
+    {"check nowhere.toml --certificates x.png", "nowhere.toml"},
+    // They are tried before the work.
+    {"worst --method cross --family rays --cases 1000000000 --save /proc/x.toml",
+     "--save /proc/x.toml: cannot be written"},
+    {"stress --family distance --method cross --cases 1000000000 --plot /proc/x.svg",
+     "--plot /proc/x.svg: cannot be written"},
+    {"tradeoff --cases 1000000000 --plot /proc/x.svg", "--plot /proc/x.svg: cannot be written"},
     // Values that are empty, as variables of scripts are.
     {"check ''", "SCENE: is given without a value; give one, or leave the option out"},
     {"rubric ''", "NAME: is given without a value"},
@@ -248,16 +297,6 @@ TEST(HostileOptions, that_ask_for_what_there_is_not_say_which_and_why) {
   for (const char* left : {"/nowhere", "/x.png", "/x.gif"}) {
     EXPECT_FALSE(std::filesystem::exists(RAYCHECK_SOURCE_DIR + std::string(left))) << left;
   }
-}
-
-TEST(HostileOptions, of_files_are_tried_before_the_work) {
-  const std::string cases = " --family rays --cases 1000000000 ";
-  expect_refused("worst --method cross" + cases + "--save /proc/x.toml",
-                 "--save /proc/x.toml: cannot be written");
-  expect_refused("stress --family distance --method cross --cases 1000000000 --plot /proc/x.svg",
-                 "--plot /proc/x.svg: cannot be written");
-  expect_refused("tradeoff --cases 1000000000 --plot /proc/x.svg",
-                 "--plot /proc/x.svg: cannot be written");
 }
 
 }  // namespace

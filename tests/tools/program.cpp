@@ -79,6 +79,12 @@ Outcome start(const std::string& program, const std::string& arguments,
   return result;
 }
 
+Outcome ended(Outcome outcome, const std::string& arguments, std::optional<int> exit_code) {
+  EXPECT_EQ(outcome.exit_code, exit_code.value_or(outcome.exit_code)) << arguments << "\n"
+                                                                      << outcome.out << outcome.err;
+  return outcome;
+}
+
 }  // namespace
 
 std::string contents(const std::string& path) {
@@ -107,10 +113,7 @@ std::string camera_text(std::int64_t width, std::int64_t height, double window, 
 }
 
 Outcome run(const std::string& arguments, std::optional<int> exit_code) {
-  Outcome outcome = start(RAYCHECK_BINARY, arguments);
-  EXPECT_EQ(outcome.exit_code, exit_code.value_or(outcome.exit_code)) << arguments << "\n"
-                                                                      << outcome.out << outcome.err;
-  return outcome;
+  return ended(start(RAYCHECK_BINARY, arguments), arguments, exit_code);
 }
 
 nlohmann::json printed_json(const std::string& arguments, std::optional<int> exit_code) {
@@ -152,9 +155,13 @@ void expect_parts(const std::string& text, const std::vector<std::string>& parts
   }
 }
 
-Outcome run_python(const std::string& arguments) { return start("python3", arguments); }
+Outcome run_python(const std::string& arguments, std::optional<int> exit_code) {
+  return ended(start("python3", arguments), arguments, exit_code);
+}
 
-Outcome run_bash(const std::string& path) { return start("bash", "'" + path + "'"); }
+Outcome run_bash(const std::string& path, std::optional<int> exit_code) {
+  return ended(start("bash", "'" + path + "'"), path, exit_code);
+}
 
 bool eventually(const std::function<bool()>& holds) {
   for (int k = 0; k < 60000; ++k) {

@@ -31,10 +31,10 @@ void expect_refused(const std::string& arguments, const std::string& why);
 std::vector<std::string> all_commands();
 
 /// Runs `python3 ARGUMENTS` in the same way.
-Outcome run_python(const std::string& arguments);
+Outcome run_python(const std::string& arguments, std::optional<int> exit_code = {});
 
 /// Runs a script by bash.
-Outcome run_bash(const std::string& path);
+Outcome run_bash(const std::string& path, std::optional<int> exit_code = {});
 
 /// Waits until it holds, however busy the machine is; false where it does not within ten minutes.
 bool eventually(const std::function<bool()>& holds);

@@ -1,16 +1,22 @@
-// What surrounds the program: a standard output that is closed or full, by which no file loses what
-// it should have, and a machine without apt-get, where `./run` is in a folder with few programs
-// beside bash.
+// What surrounds the program: a standard output that is closed or full, a machine without apt-get
+// (where
+// `./run` is in a folder with few programs beside bash), and names and files with bytes that act on
+// terminals, or that are no UTF-8, and files that are none.
 
 #include <gtest/gtest.h>
 
 #include <filesystem>
+#include <nlohmann/json.hpp>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "tests/tools/program.h"
 
 namespace raycheck::tests {
 namespace {
+
+using nlohmann::json;
 
 /// A command without the file or folder that it writes, and what that begins with.
 struct Written {
@@ -82,33 +88,146 @@ ln -s "$(type -P echo)" build/release/tools/raycheck
 PATH=$PWD/bin ./run check scene.toml
 )bash";
 
-Outcome run_without_apt(const std::string& setting) {
+Outcome run_without_apt(const std::string& setting, int exit_code) {
   return run_bash(
-      temporary_file("elsewhere.sh", "source='" RAYCHECK_SOURCE_DIR "'\n" + setting + kRun));
+      temporary_file("elsewhere.sh", "source='" RAYCHECK_SOURCE_DIR "'\n" + setting + kRun),
+      exit_code);
 }
 
-TEST(RunScript, names_the_packages_where_nothing_installs_them) {
-  const Outcome result = run_without_apt("unset RAYCHECK_PACKAGES");
-  EXPECT_EQ(result.exit_code, 2);
-  EXPECT_EQ(result.out, "");
-  EXPECT_TRUE(has(result.err, " libflint-arb-dev or libflint-dev>=3 "));
-  EXPECT_TRUE(has(result.err, "RAYCHECK_PACKAGES=have"));
+TEST(RunScript, names_the_packages_where_nothing_installs_them_and_goes_on_where_they_are_there) {
+  expect_parts(run_without_apt("unset RAYCHECK_PACKAGES", 2).err,
+               {" libflint-arb-dev or libflint-dev>=3 ", "RAYCHECK_PACKAGES=have"});
+  const Outcome result = run_without_apt("export RAYCHECK_PACKAGES=have", 0);
+  EXPECT_EQ(result.out, "check scene.toml\n");
+  EXPECT_EQ(result.err, "building for the first time: a few minutes\n");
 }
 
 TEST(RunScript, takes_an_older_package_for_none_where_it_holds_less) {
   if (!is_installed("dpkg")) GTEST_SKIP() << "packages are of another kind here";
   const Outcome result = run_without_apt(
       "unset RAYCHECK_PACKAGES\nmore=dpkg\n"
-      "query='[[ $4 == libflint-arb-dev ]] || echo ii 2.9.0'");
-  EXPECT_EQ(result.exit_code, 2);
+      "query='[[ $4 == libflint-arb-dev ]] || echo ii 2.9.0'",
+      2);
   EXPECT_TRUE(has(result.err, " calls libflint-arb-dev or libflint-dev>=3, "));
 }
 
-TEST(RunScript, goes_on_where_the_packages_are_there_in_another_way) {
-  const Outcome result = run_without_apt("export RAYCHECK_PACKAGES=have");
-  EXPECT_EQ(result.exit_code, 0);
-  EXPECT_EQ(result.out, "check scene.toml\n");
-  EXPECT_EQ(result.err, "building for the first time: a few minutes\n");
+/// A copy of an example under a name that is no UTF-8, and acts on a terminal.
+class HostileNames : public testing::Test {
+ protected:
+  HostileNames() : folder_(temporary_file("\x1b[31m\xff", "") + ".d") {
+    std::filesystem::create_directories(folder_);
+    for (const char* file : {"probe.toml", "driver-b.txt"}) {
+      std::filesystem::copy_file(std::string(RAYCHECK_SOURCE_DIR "/scene/examples/") + file,
+                                 folder_ + "/" + file);
+    }
+  }
+  ~HostileNames() override { std::filesystem::remove_all(folder_); }
+
+  std::string scene(const std::string& file) const { return " '" + folder_ + "/" + file + "' "; }
+
+  /// Nothing that is printed acts on a terminal, or is no UTF-8 (which JSON is the judge of).
+  static void expect_plain(const Outcome& outcome) {
+    for (const std::string& text : {outcome.out, outcome.err}) {
+      EXPECT_FALSE(has(text, "\x1b"));
+      EXPECT_FALSE(has(text, "\xff"));
+      EXPECT_NO_THROW(json(text).dump()) << text;
+    }
+  }
+
+  std::string folder_;
+};
+
+TEST_F(HostileNames, are_printed_in_every_format) {
+  const std::vector<std::string> all = {
+      "check" + scene("probe.toml"),
+      "plan" + scene("driver-b.txt"),
+      "explain" + scene("probe.toml") + "--pixel 3,3",
+      "image" + scene("probe.toml") + "--out '" + folder_ + "/x.ppm'",
+      "check" + scene("probe.toml") +
+          "--candidate \"command:python3 tests/candidates/right.py \xff\x1b[31m\"",
+      "tradeoff" + scene("probe.toml") + "--method cross"};
+  for (const std::string& command : all) {
+    const Outcome text = run(command, 0);
+    expect_plain(text);
+    const Outcome report = run(command + " --format json", 0);
+    expect_plain(report);
+    EXPECT_FALSE(json::parse(report.out).empty());
+  }
+  EXPECT_TRUE(has(run("check" + scene("probe.toml")).out, "\\x1b[31m\uFFFD"));
+}
+
+TEST_F(HostileNames, are_shown_in_errors) {
+  const std::string hostile = "'\x1b[31m\xff'";
+  std::vector<std::string> all = {"check" + scene("nowhere.toml"), "check" + scene(""),
+                                  "grade" + scene("probe.toml"),
+                                  "explain" + scene("probe.toml") + "--pixel 99,99",
+                                  "check" + scene("probe.toml") + "--rays " + hostile};
+  for (const char* before : {"", "check --", "check a ", "properties --filter ",
+                             "properties --level ", "properties --replay "}) {
+    all.push_back(before + hostile);
+  }
+  for (const std::string& arguments : all) {
+    const Outcome outcome = run(arguments, 2);
+    EXPECT_NE(outcome.err, "");
+    expect_plain(outcome);
+  }
+}
+
+TEST(HostileKeywords, are_shown) {
+  const std::string file = temporary_file(
+      "keywords.txt", "camera 0 0 10 0 0 0 0 1 0 -5\nbounds -1 1 -1 1\nres 4 4\n\x1b]0;\xff\a 1\n");
+  for (const char* format : {"text", "json"}) {
+    const Outcome outcome = run("check '" + file + "' --format " + format, 0);
+    EXPECT_TRUE(has(outcome.err, "4: \\x1b]0;\uFFFD\\x07: unknown keyword"));
+  }
+}
+
+/// A byte that ends texts elsewhere ends no sentence.
+TEST(HostileInput, with_a_nul_is_shown_in_whole_sentences) {
+  const auto file = [](const std::string& name, const std::string& text) {
+    return "'" + temporary_file(name, text) + "'";
+  };
+  const std::string nul(1, '\0');
+  for (const auto& [line, why] :
+       {std::pair("distance@3:1:0:0" + nul + "x miss\n",
+                  "line 1: '0\\x00x' is not a whole number\n"),
+        {"distance@3:1:0:0 1" + nul + " 1 2 3\n", "line 1: '1\\x00' is not a number\n"},
+        {"a" + nul + "b miss\n",
+         "line 1: 'a\\x00b' is no id, which is SOURCE:SEED:RAY:SPHERE\n"}}) {
+    const Outcome outcome =
+        run("verify --family distance@3 --cases 2 <" + file("answers", line), 2);
+    EXPECT_TRUE(has(outcome.err, why));
+  }
+  const std::string rubric = contents(RAYCHECK_SOURCE_DIR "/tools/grade/rubrics/lecture7.toml");
+  expect_refused("grade " + file("nul.toml", "bounds = \"cross\\u0000x\"\n" + rubric),
+                 "nul.toml:1: bounds = \"cross\\x00x\": must be without NUL\n");
+  expect_refused("check scene/examples/driver-b.txt --baseline " +
+                     file("known", "a; b; c; d; %4" + nul + "1\n"),
+                 "line 1: '%4\\x00' is not % and two hexadecimal digits\n");
+}
+
+TEST(HostileInput, that_has_no_end_is_refused) {
+  const std::string device = "/dev/zero: cannot be read: it is a device; give a file";
+  expect_refused("check /dev/zero", device);
+  expect_refused("plan /dev/zero", device);
+  expect_refused("grade /dev/zero", device);
+  expect_refused("grade lecture7.toml README.md --out nowhere --secret-file /dev/zero",
+                 "--secret-file " + device);
+  EXPECT_TRUE(has(run("check /dev/stdin </dev/zero").err, "it is a device"));
+  expect_refused("check /tmp", "/tmp: cannot be read: it is a folder; give a file");
+}
+
+TEST(HostileInput, of_pipes_is_read) {
+  const std::string file = RAYCHECK_SOURCE_DIR "/scene/examples/driver-b.txt";
+  const Outcome of_file = run("plan '" + file + "' --format json");
+  for (const char* const words : {"cat FILE | RAYCHECK plan /dev/stdin --format json",
+                                  "RAYCHECK plan <(cat FILE) --format json"}) {
+    std::string script = words;
+    script.replace(script.find("FILE"), 4, "'" + file + "'");
+    script.replace(script.find("RAYCHECK"), 8, "'" RAYCHECK_BINARY "'");
+    const Outcome of_pipe = run_bash(temporary_file("pipe.sh", script), 0);
+    EXPECT_EQ(json::parse(of_pipe.out)["spheres"], json::parse(of_file.out)["spheres"]);
+  }
 }
 
 }  // namespace

@@ -8,7 +8,7 @@
 
 #include "fast/intersect.h"
 #include "fast/pixel_ray.h"
-#include "tests/tools/program.h"
+#include "tests/tools/external/judged.h"
 
 namespace raycheck::tests {
 namespace {
@@ -18,13 +18,6 @@ using nlohmann::json;
 std::string far_sphere_scene(std::int64_t width, std::int64_t height) {
   return camera_text(width, height, 0.001) +
          "[[sphere]]\ncentre = [0.3, 0.2, -1e8]\nradius = 60000\n";
-}
-
-const json* find_named(const json& list, const std::string& name) {
-  for (const json& entry : list) {
-    if (entry.at("name") == name) return &entry;
-  }
-  return nullptr;
 }
 
 TEST(Check, runs_on_every_example_scene) {
@@ -93,8 +86,8 @@ TEST(Check, judges_what_overflows_instead_of_refusing_it) {
   EXPECT_FALSE(candidate["inside_domain"]);
   EXPECT_EQ(candidate["discrepancies_by_standing"]["defect"], 0);
   EXPECT_GT(candidate["discrepancies_by_standing"]["not judged"], 0);
-  EXPECT_EQ(find_named(candidate["quantities"], "direction")->at("max"), "infinity");
-  EXPECT_EQ(find_named(candidate["quantities"], "class")->at("cases"), 256);
+  EXPECT_EQ(quantity_of(candidate["quantities"], "direction")["max"], "infinity");
+  EXPECT_EQ(quantity_of(candidate["quantities"], "class")["cases"], 256);
   const json explained = printed_json("explain " + path + " --pixel 0,0", 0);
   for (const json& method : explained["methods"]) {
     EXPECT_NE(method["standing"], "defect") << method["name"];

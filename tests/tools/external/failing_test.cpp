@@ -1,15 +1,20 @@
-// Candidates that fail on some questions: those are found, and the others judged.
+// Candidates that fail on some questions: those are found, and the others judged; where in its
+// source one died, or threw, is a line, as data and in the sentence.
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <array>
 #include <filesystem>
+#include <map>
 #include <nlohmann/json.hpp>
-#include <set>
+#include <sstream>
 #include <string>
 #include <vector>
 
 #include "properties/trial.h"
 #include "tests/tools/external/judged.h"
+#include "tools/external/protocol/frames.h"
 
 namespace raycheck::tests {
 namespace {
@@ -121,6 +126,184 @@ TEST(FailingCandidate, is_told_one_question_by_properties_and_a_replay) {
       EXPECT_NE(scene.find(what), std::string::npos) << how << "\n" << scene;
       EXPECT_EQ(scene.find(what), scene.rfind(what)) << how << "\n" << scene;
     }
+  }
+}
+
+namespace fs = std::filesystem;
+
+const std::string kDies = "tests/candidates/dies.cpp";
+
+/// A line of a file, from 1 on.
+struct Place {
+  std::string file;
+  int line = 0;
+};
+
+/// The lines that bear a name, "// dies: NAME" or "// dies: NAME; NAME".
+std::map<std::string, Place> named_lines() {
+  std::map<std::string, Place> found;
+  for (const char* const file : {kDies.c_str(), "tests/candidates/dies_elsewhere.h"}) {
+    std::istringstream text(contents(std::string(RAYCHECK_SOURCE_DIR) + "/" + file));
+    int number = 0;
+    for (std::string line; std::getline(text, line);) {
+      ++number;
+      const std::string mark = "// dies: ";
+      const std::size_t at = line.find(mark);
+      if (at == std::string::npos) continue;
+      std::istringstream names(line.substr(at + mark.size()));
+      for (std::string name; std::getline(names >> std::ws, name, ';');) {
+        found[name] = {file, number};
+      }
+    }
+  }
+  return found;
+}
+
+void write(const std::string& path, const std::string& text) {
+  fs::rename(temporary_file("part", text), path);
+}
+
+/// A scene of rays that meet nothing, whose origins have these x.
+std::string scene_of(int first, int last) {
+  std::string text = "[[sphere]]\ncentre = [1000, 1000, 1000]\nradius = 1\n";
+  for (int k = first; k <= last; ++k) {
+    text += "[[ray]]\norigin = [" + std::to_string(k) + ", 0, 0]\ndirection = [0, 0, 1]\n";
+  }
+  return text;
+}
+
+/// The ways of dies.cpp in its order, and how a death of each is called.
+struct Way {
+  std::string name, words;
+};
+const std::array kWays = {
+    Way{"writes nowhere", "it was killed by signal 11"},
+    Way{"reads behind a file", "it was killed by signal 7"},
+    Way{"divides by zero", "it was killed by signal 8"},
+    Way{"does what is no instruction", "it was killed by signal 4"},
+    Way{"asserts", "it was killed by signal 6"},
+    Way{"aborts", "it was killed by signal 6"},
+    Way{"throws what is no exception", "it was killed by signal 6"},
+    Way{"throws", "it says: it is?so"},
+    Way{"asks a list for what it has not", "it says: vector::_M_range_check"},
+    Way{"uses up its stack", "it was killed by signal 11"},
+    Way{"raises", "it was killed by signal 8"},
+    Way{"sorts what is not there", "it was killed by signal 11"},
+    Way{"sorts by what dies", "it was killed by signal 11"},
+    Way{"frees what it has not", "it was killed by signal 6"},
+    Way{"throws where it may not", "it was killed by signal 6"},
+    Way{"smashes its stack", "it was killed by signal 11"},
+    Way{"in an inlined function of another file", "it was killed by signal 8"},
+};
+
+TEST(FailingLine, is_told_whichever_way_it_dies) {
+  const auto lines = named_lines();
+  constexpr int kAtATime = 6;  // fewer than are sought
+  const int all = static_cast<int>(kWays.size());
+  int told = 0;
+  for (int first = 0; first < all; first += kAtATime) {
+    const std::string scene =
+        temporary_file("deaths.toml", scene_of(first + 1, std::min(first + kAtATime, all)));
+    const json report = judged(scene, "source:" + kDies, "--top 50");
+    for (const json& one : report["worst"]) {
+      const Way& way = kWays.at(first + one["ray"].get<std::size_t>());
+      ASSERT_TRUE(lines.contains(way.name)) << way.name;
+      const auto& [file, line] = lines.at(way.name);
+      const std::string what = one["what"];
+      expect_parts(what, {way.words});
+      EXPECT_NE(what.find(" at " + file + ":" + std::to_string(line)), std::string::npos)
+          << way.name << ": " << what << ", not line " << line;
+      const json& at = one["failed"]["at"];
+      ASSERT_FALSE(at.is_null()) << way.name;
+      EXPECT_EQ(at["file"], file) << way.name;
+      EXPECT_EQ(at["line"], line) << way.name;
+      expect_parts(at["text"].get<std::string>(), {way.name});
+      ++told;
+    }
+  }
+  EXPECT_EQ(told, all);
+}
+
+TEST(FailingLine, is_told_of_what_cmake_builds) {
+  const std::string folder = temporary_file("lines_of_cmake", "") + ".d";
+  fs::create_directories(folder + "/src");
+  const std::string root = std::string(RAYCHECK_SOURCE_DIR) + "/tests/candidates/";
+  fs::copy_file(root + "dies.cpp", folder + "/src/dies.cxx");
+  fs::copy_file(root + "dies_elsewhere.h", folder + "/src/dies_elsewhere.h");
+  write(folder + "/CMakeLists.txt",
+        "cmake_minimum_required(VERSION 3.16)\nproject(dies CXX)\n"
+        "set(CMAKE_CXX_STANDARD 20)\nadd_library(dies SHARED src/dies.cxx)\n");
+  const std::string scene = temporary_file("death.toml", scene_of(17, 17));
+  const json report = judged(scene, "source:" + folder);
+  ASSERT_EQ(report["discrepancies"], 1);
+  const json& at = report["worst"][0]["failed"]["at"];
+  ASSERT_FALSE(at.is_null()) << report["worst"][0];
+  EXPECT_EQ(at["file"], folder + "/src/dies_elsewhere.h");
+  EXPECT_EQ(at["line"], named_lines()["in an inlined function of another file"].line);
+}
+
+TEST(FailingLine, is_none_of_what_only_ends) {
+  const json report =
+      judged(temporary_file("ends.toml", scene_of(1, 1)), "source:tests/candidates/exits.cpp");
+  ASSERT_EQ(report["discrepancies"], 1);
+  EXPECT_TRUE(report["worst"][0]["failed"]["at"].is_null());
+}
+
+/// What `check` says of a candidate whose tables of lines say that it died elsewhere.
+json died_at(const std::string& folder, const std::string& claim) {
+  fs::remove_all(folder);
+  fs::create_directories(folder + "own");
+  write(folder + "outside.h", "what is outside\n");
+  fs::create_symlink(folder + "outside.h", folder + "own/link.h");
+  write(folder + "own/own.cpp", R"(#include <raycheck/candidate.hpp>
+int* volatile nowhere = nullptr;
+std::optional<raycheck::Hit> intersect(const raycheck::Ray&, const raycheck::Sphere&,
+                                       const raycheck::Conventions&) {
+#line )" + claim + R"(
+  *nowhere = 1;
+  return {};
+}
+RAYCHECK_CANDIDATE(.intersect = intersect)
+)");
+  const json report =
+      judged(temporary_file("claim.toml", scene_of(1, 1)), "source:" + folder + "own/own.cpp");
+  const json one = report["worst"][0];
+  const bool is_said = one["what"].get<std::string>().find(" at ") != std::string::npos;
+  EXPECT_EQ(is_said, !one["failed"]["at"].is_null()) << one;
+  return one["failed"]["at"];
+}
+
+TEST(HostileLines, OfTheCandidatesOwnFolderAloneAreBelieved) {
+  const std::string own = temporary_file("claimed", "") + ".d/";
+  const json believed = died_at(own, "2 \"" + own + "own/own.cpp\"");
+  ASSERT_FALSE(believed.is_null());
+  EXPECT_EQ(believed["line"], 2);
+  EXPECT_EQ(believed["text"], "int* volatile nowhere = nullptr;");
+  for (const std::string& claim :
+       {"1000 \"" + own + "own/own.cpp\"", "1 \"" + own + "own/link.h\"",
+        "1 \"" + own + "own/gone.h\"", "1 \"" + own + "own/../outside.h\"",
+        std::string("1 \"/etc/passwd\""), "1 \"" + own + "own\""}) {
+    EXPECT_TRUE(died_at(own, claim).is_null()) << claim;
+  }
+}
+
+TEST(HostileLines, OfFramesAreReadWhereTheyHaveTheirFormAlone) {
+  using tools::frames_in;
+  using Frames = std::vector<std::uint64_t>;
+  EXPECT_EQ(frames_in("frames 1f 2\n"), (Frames{0x1f, 2}));
+  EXPECT_EQ(frames_in("reply 1\n0 0\nframes 1f\nerror 1 why\n"), Frames{0x1f});
+  EXPECT_EQ(frames_in("frames 1\nframes 2\n"), Frames{2});
+  EXPECT_EQ(frames_in("frames ffffffffffffffff\n"), Frames{0xffffffffffffffff});
+  std::string most = "frames", more;
+  for (std::size_t k = 0; k < tools::kMostFrames; ++k) most += " 1";
+  more = most + " 1\n";
+  most += "\n";
+  EXPECT_EQ(frames_in(most).size(), tools::kMostFrames);
+  for (const std::string none :
+       {more.c_str(), "", "frames 1f", "frames\n", "frames \n", "frames  1\n", "frames 1 \n",
+        "frames g\n", "frames -1\n", "frames 0x1\n", "frames 10000000000000000\n", "framesets 1\n",
+        "frames 1;rm\n"}) {
+    EXPECT_TRUE(frames_in(none).empty()) << none;
   }
 }
 

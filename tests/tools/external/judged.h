@@ -3,8 +3,11 @@
 #include <gtest/gtest.h>
 #include <unistd.h>
 
+#include <cstdlib>
+#include <filesystem>
 #include <nlohmann/json.hpp>
 #include <string>
+#include <vector>
 
 #include "tests/tools/program.h"
 
@@ -44,6 +47,26 @@ inline nlohmann::json report_of(const std::string& arguments, const std::string&
   const Outcome outcome = run(arguments + " --format json --candidate '" + candidate + "'");
   EXPECT_EQ(outcome.exit_code, exit_code) << arguments << "\n" << outcome.out << outcome.err;
   return nlohmann::json::parse(outcome.out, nullptr, false);
+}
+
+/// A renderer of these lines of Python, which comes after imports; these words are before its
+/// files.
+inline std::string python_renderer(const std::string& lines, const std::string& words = "") {
+  static int count = 0;
+  const std::string path =
+      temporary_file("lines" + std::to_string(++count) + ".py",
+                     "import ctypes, os, signal, subprocess, sys, time\n" + lines + "\n");
+  return "renderer:python3 " + path + " " + words + (words.empty() ? "" : " ") + "{scene} {image}";
+}
+
+/// The processes whose command line has this text.
+inline std::vector<pid_t> processes_with(const std::string& text) {
+  std::vector<pid_t> found;
+  for (const auto& entry : std::filesystem::directory_iterator("/proc")) {
+    if (!has(contents(entry.path() / "cmdline"), text)) continue;
+    found.push_back(std::atoi(entry.path().filename().c_str()));
+  }
+  return found;
 }
 
 /// tests/candidates/right.cpp, built once for all tests.

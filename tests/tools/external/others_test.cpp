@@ -4,7 +4,6 @@
 #include <gtest/gtest.h>
 #include <unistd.h>
 
-#include <filesystem>
 #include <nlohmann/json.hpp>
 #include <string>
 
@@ -43,22 +42,6 @@ TEST(OthersWorst, are_searched_by_the_stage_of_the_quantity) {
   const json failing = report_of(few + "distance", kFailing + "exit all", 1);
   EXPECT_GT(failing["failures"]["count"], 0);
   EXPECT_EQ(failing["failures"]["first"], "intersect: it exited with 3");
-}
-
-TEST(OthersWorst, are_given_once_in_place_of_a_method_and_answer_singly) {
-  const std::string worst = "worst --family distance ";
-  for (const auto& [arguments, why] :
-       {std::pair(worst, "give --method or --candidate"),
-        {worst + "--candidate a:b --candidate c:d", "give it once"},
-        {worst + "--method cross --candidate " + right_library(), "excludes"},
-        {"stress --family distance --candidate 'renderer:sh {scene} {image}'",
-         "it draws pictures; what is asked here is single answers"},
-        {"image " + kSpheresScene + " --what depth --out x.png --candidate " + right_library(),
-         "only --what error shows an implementation"}}) {
-    const Outcome outcome = run(arguments);
-    EXPECT_EQ(outcome.exit_code, 2) << outcome.out;
-    expect_parts(outcome.err, {why});
-  }
 }
 
 TEST(OthersTradeoff, are_timed_in_this_process_alone_and_otherwise_told_why_not) {

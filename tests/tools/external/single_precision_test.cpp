@@ -1,25 +1,29 @@
-// Candidates that declare single precision, in every form, through the built program.
+// Candidates that declare single precision, in every form, through the built program: their errors
+// count ulp and u of float, and what they are asked are floats.
 
 #include <gtest/gtest.h>
+#include <unistd.h>
 
-#include <filesystem>
 #include <nlohmann/json.hpp>
 #include <string>
 
+#include "properties/rounded_case.h"
+#include "scene/files/scene_file.h"
 #include "tests/tools/external/judged.h"
+#include "tools/stress/stress_views.h"
+#include "tools/tradeoff/tradeoff_views.h"
 
 namespace raycheck::tests {
 namespace {
 
 using nlohmann::json;
 
-const std::string kGood = "source:tests/candidates/float_tracer.cpp";
+const std::string kTracer = "source:tests/candidates/float_tracer.cpp";
 const std::string kTextbook = "source:tests/candidates/float_quadratic.cpp";
 
 TEST(SinglePrecision, passes_all_laws_where_floats_are_good_of_their_kind) {
-  const Outcome outcome = run("properties --cases 300 --candidate " + kGood);
-  EXPECT_EQ(outcome.exit_code, 0) << outcome.out << outcome.err;
-  EXPECT_FALSE(has(outcome.out, "0 comparisons, 300 left out"));
+  const std::string said = run("properties --cases 300 --candidate " + kTracer, 0).out;
+  EXPECT_FALSE(has(said, "0 comparisons, 300 left out"));
 }
 
 TEST(SinglePrecision, tells_a_textbook_formula_in_its_own_units) {
@@ -36,14 +40,14 @@ TEST(SinglePrecision, is_judged_on_the_scene_rounded_to_floats_and_the_report_sa
                                            "[[ray]]\norigin = [0, 0.1, 0]\ndirection = [1, 0, 0]\n"
                                            "[[sphere]]\ncentre = [3, 0.1, 0.3]\nradius = 0.7\n");
   // Beside a candidate in doubles each is judged on what it was asked.
-  const json both = report_of("check " + scene + " --rays direct", kGood, 0)["candidates"];
+  const json both = report_of("check " + scene + " --rays direct", kTracer, 0)["candidates"];
   ASSERT_EQ(both.size(), 2u);
   EXPECT_EQ(both[0]["precision"], "double");
   EXPECT_EQ(both[0]["rounded_numbers"], 0);
   EXPECT_EQ(both[1]["rounded_numbers"], 4);
   EXPECT_LT(quantity_of(both[1]["quantities"], "parameter")["max"], 4);
   expect_parts(
-      run("check " + scene + " --candidate " + kGood).out,
+      run("check " + scene + " --candidate " + kTracer).out,
       {"4 numbers of the scene are no floats: asked and judged on the scene rounded to floats"});
 }
 
@@ -51,8 +55,7 @@ TEST(SinglePrecision, is_not_judged_where_floats_cannot_hold_the_scene) {
   const std::string scene = temporary_file("wide.toml",
                                            "[[ray]]\norigin = [0, 0, 0]\ndirection = [1, 0, 0]\n"
                                            "[[sphere]]\ncentre = [1e60, 0, 0]\nradius = 1\n");
-  const Outcome words = run("check " + scene + " --candidate " + kGood);
-  EXPECT_EQ(words.exit_code, 4) << words.out << words.err;
+  const Outcome words = run("check " + scene + " --candidate " + kTracer, 4);
   expect_parts(words.out, {"not judged here: rounded to floats: 1e+60 leaves their range"});
 }
 
@@ -65,8 +68,7 @@ TEST(SinglePrecision, has_certificates_that_hold) {
   const std::string proofs = temporary_file("proofs", "");
   const json report = judged(scene, kTextbook, "--max-ulp 0 --top 50 --certificates " + proofs);
   EXPECT_GT(report["discrepancies"], 3);
-  const Outcome verified = run_python("tools/verify_certificates.py " + proofs);
-  EXPECT_EQ(verified.exit_code, 0) << verified.out;
+  const Outcome verified = run_python("tools/verify_certificates.py " + proofs, 0);
   expect_parts(verified.out, {"confirmed"});
   EXPECT_FALSE(has(verified.out, "not certified:")) << verified.out;
 }
@@ -99,9 +101,6 @@ TEST(SinglePrecision, of_a_renderer_is_an_option) {
   const json single = judged(probe, renderer, "--precision single");
   EXPECT_EQ(single["precision"], "single");
   EXPECT_GT(single["quantities"][0]["cases"], 1000);
-  const Outcome wrong = check(probe, renderer, "--precision half");
-  EXPECT_EQ(wrong.exit_code, 2);
-  expect_parts(wrong.err, {"--precision"});
 }
 
 TEST(SinglePrecision, that_is_none_is_refused) {
@@ -109,9 +108,215 @@ TEST(SinglePrecision, that_is_none_is_refused) {
       temporary_file("bad.cpp",
                      "#include <raycheck/candidate.hpp>\nusing namespace raycheck;\n"
                      "RAYCHECK_CANDIDATE(.precision = static_cast<Precision>(7))\n");
-  const Outcome bad = check("scene/examples/lecture-examples.toml", "source:" + source);
-  EXPECT_EQ(bad.exit_code, 2);
-  expect_parts(bad.err, {"no such precision: 7"});
+  expect_refused("check scene/examples/lecture-examples.toml --candidate source:" + source,
+                 "no such precision: 7");
+}
+
+/// The scene of a report is one of floats.
+void expect_floats(const std::string& toml) {
+  const scene::Scene scene = scene::load_scene(temporary_file("found.toml", toml)).scene;
+  EXPECT_TRUE(properties::is_of_format(scene, scene::Precision::kSingle)) << toml;
+}
+
+TEST(OwnUnits, AreThoseOfStress) {
+  const std::string distance = "stress --family distance --severity 0..2 --cases 40";
+  const json good = report_of(distance, kTracer, 0)["families"][0]["methods"][0];
+  EXPECT_EQ(good["precision"], "single");
+  EXPECT_EQ(good["bounds_of"], "direct/cross");
+  EXPECT_EQ(good["first_failing"], nullptr);
+  for (const json& severity : good["severities"]) {
+    const json s = quantity_of(severity["inside"], "parameter");
+    EXPECT_EQ(s["unit"], "ulp of float");
+    EXPECT_LT(s["median"], 4);
+    EXPECT_EQ(quantity_of(severity["inside"], "backward error")["unit"], "u of float");
+  }
+  const json bad = report_of("stress --family distance --severity 0..4 --cases 40", kTextbook,
+                             1)["families"][0]["methods"][0];
+  EXPECT_GT(bad["max_ratio"], 16);
+  const json s = quantity_of(bad["severities"].back()["inside"], "parameter");
+  EXPECT_EQ(s["unit"], "ulp of float");
+  EXPECT_GT(s["max"], 88);
+  EXPECT_LT(s["max"], 1e8);  // there are no more than 2^24 of them in s
+  // Its rays, too, of cameras rounded to floats.
+  const json rays = report_of("stress --family far-camera --severity 0..1 --cases 20", kTracer,
+                              0)["families"][0]["methods"];
+  ASSERT_EQ(rays.size(), 2u);
+  for (const json& stage : rays) {
+    const bool makes_rays = stage["stage"] == "rays";
+    const json main =
+        quantity_of(stage["severities"][0]["inside"], makes_rays ? "direction" : "parameter");
+    EXPECT_EQ(main["unit"], makes_rays ? "u of float" : "ulp of float");
+    EXPECT_LT(main["max"], 64);
+  }
+}
+
+TEST(OwnUnits, OfDoublesDoNotChangeBesideFloats) {
+  const std::string stress = "stress --family distance --severity 1 --cases 20 --method cross";
+  const Outcome alone = run(stress + " --format json");
+  const json beside = report_of(stress, kTracer, 0)["families"][0]["methods"];
+  EXPECT_EQ(json::parse(alone.out)["families"][0]["methods"][0], beside[0]);
+  EXPECT_EQ(beside[0]["precision"], "double");
+  EXPECT_EQ(beside[1]["precision"], "single");
+  expect_parts(run(stress + " --candidate " + kTracer).out,
+               {"judged in single precision: u = 2^-24, ulp of float", "ulp of float\n"});
+}
+
+TEST(OwnUnits, LeaveOutWhatFloatsCannotHoldAndCountIt) {
+  const std::string scale = "stress --family scale --cases 10";
+  const json method = report_of(scale, kTracer, 0)["families"][0]["methods"].back();
+  EXPECT_GT(method["severities"].back()["left_out"], 0);
+  EXPECT_EQ(method["severities"][0]["left_out"], 0);
+  expect_parts(run(scale + " --candidate " + kTracer).out,
+               {"left out, whose numbers floats cannot hold"});
+}
+
+TEST(OwnUnits, AreThoseOfWorst) {
+  const std::string few = "worst --cases 60 --steps 200 --family ";
+  const json good = report_of(few + "distance", kTracer, 0);
+  EXPECT_EQ(good["unit"], "ulp of float");
+  EXPECT_EQ(good["precision"], "single");
+  EXPECT_GT(good["error"], 0.5);
+  EXPECT_LT(good["error"], 88);
+  expect_floats(good["scene"]);
+  EXPECT_EQ(good["discrepancy"]["unit"], "ulp of float");
+  EXPECT_EQ(report_of(few + "cameras --quantity direction", kTracer, 0)["unit"], "u of float");
+  const json bad = report_of(few + "distance@4", kTextbook, 1);
+  EXPECT_GT(bad["error"], 88);
+  EXPECT_EQ(bad["outcome"], "unstable");
+  expect_floats(bad["scene"]);
+}
+
+TEST(OwnUnits, AreThoseOfTradeoff) {
+  const std::string arguments = "tradeoff --family distance@4 --cases 60 --method cross";
+  const json report = report_of(arguments, kTextbook, 0);
+  const json& mine = report["intersections"][1];
+  EXPECT_EQ(quantity_of(mine["inside"], "parameter")["unit"], "ulp of float");
+  EXPECT_EQ(mine["unstable_on"], json::array({"distance@4"}));
+  EXPECT_EQ(report["intersections"][0]["precision"], "double");
+  const json good = report_of(arguments, kTracer, 0)["intersections"][1];
+  EXPECT_EQ(good["unstable_on"], json::array());
+  EXPECT_LT(quantity_of(good["inside"], "parameter")["max"], 16);
+  expect_parts(
+      run(arguments + " --candidate " + kTracer).out,
+      {"\nintersections\n", "\nintersections, in single precision\n", "median ulp of float",
+       "backward u of float", "u and ulp are those of float, 2^29 times those of double"});
+}
+
+/// It ends where it is asked anything but floats.
+TEST(OwnUnits, AreAskedAboutFloatsAlone) {
+  const std::string source = temporary_file("floats_alone.cpp", R"(
+#include <raycheck/candidate.hpp>
+#include <unistd.h>
+#include <initializer_list>
+using namespace raycheck;
+static std::optional<Hit> intersect(const Ray& r, const Sphere& s, const Conventions&) {
+  for (const double x : {r.origin.x, r.origin.y, r.origin.z, r.direction.x, r.direction.y,
+                         r.direction.z, s.centre.x, s.centre.y, s.centre.z, s.radius}) {
+    if (x != double(float(x))) _exit(3);
+  }
+  return {};
+}
+RAYCHECK_CANDIDATE(.intersect = intersect, .precision = Precision::single)
+)");
+
+  const std::string picture = temporary_file("floats.png", "");
+  const std::string scene = "scene/examples/ten-spheres.toml";
+  for (const std::string& command :
+       {std::string("stress --family distance --severity 1 --cases 20 --method cross"),
+        std::string("stress --family field-of-view --severity 1 --cases 20 --method direct,cross"),
+        std::string("worst --family distance --cases 20 --steps 40"),
+        "tradeoff --cases 40 --method direct,cross" + kUnkept, "explain " + scene + " --pixel 3,4",
+        "image " + scene + " --what error --out " + picture}) {
+    const Outcome outcome = run(command + " --candidate source:" + source + " --format json");
+    EXPECT_FALSE(has(outcome.out, "exited with 3")) << command << outcome.out;
+    EXPECT_TRUE(json::accept(outcome.out)) << command << outcome.err;
+    if (command.starts_with("tradeoff")) {
+      const json mine = json::parse(outcome.out)["intersections"][1];
+      EXPECT_EQ(mine["called_in_process"], true) << mine["note"];
+      EXPECT_GT(mine["batch"]["median_ns"], 0);
+    }
+  }
+}
+
+TEST(OwnUnits, AreThoseOfExplain) {
+  const std::string far = "explain --ray 0,0.1,0,1,0,0 --sphere 3000,0.1,0.3,0.7";
+  const std::string near = "explain --ray 0,0.1,0,1,0,0 --sphere 3,0.1,0.3,0.7";
+  const json good = report_of(near, kTracer, 0);
+  EXPECT_EQ(good["rounded_numbers"], 4);
+  const json& mine = good["methods"].back();
+  EXPECT_EQ(mine["unit"], "ulp of float");
+  EXPECT_LT(mine["ulp_error"], 4);
+  EXPECT_EQ(mine["steps"][1]["unit"], "u of float");
+  EXPECT_EQ(good["methods"][0]["unit"], "ulp");
+  const json bad = report_of(far, kTextbook, 1)["methods"].back();
+  EXPECT_EQ(bad["goes_wrong_at"], "s");
+  EXPECT_GT(bad["ulp_error"], 88);
+  EXPECT_LT(bad["ulp_error"], 1e8);
+  expect_parts(run(near + " --candidate " + kTracer).out,
+               {"4 numbers of the scene are no floats", " ulp of float\n"});
+  // Of a camera: every step that it offers.
+  const json pixel =
+      report_of("explain scene/examples/ten-spheres.toml --pixel 11,7 --sphere 2", kTracer, 0);
+  for (const json& step : pixel["ray_methods"].back()["steps"]) {
+    EXPECT_EQ(step["unit"], "u of float");
+    EXPECT_LT(step["error"], 16) << step;
+  }
+}
+
+TEST(OwnUnits, AreThoseOfPicturesOfErrors) {
+  const std::string picture = temporary_file("floats.png", "");
+  const std::string scene = "scene/examples/ten-spheres.toml";
+  const std::string image = "image " + scene + " --what error --out " + picture;
+  const json good = report_of(image, kTracer, 0)["error"];
+  EXPECT_EQ(good["unit"], "ulp of float");
+  const json& steps = good["steps"];
+  EXPECT_EQ(steps.back()["pixels"], 0);
+  EXPECT_EQ(steps[steps.size() - 2]["pixels"], 0);  // up to 65536
+  EXPECT_GT(steps[0]["pixels"].get<int>() + steps[1]["pixels"].get<int>(), 0);
+  expect_parts(run(image + " --candidate " + kTracer).out, {"up to 0.5 ulp of float"});
+  // Who makes no rays is given raycheck's, rounded to floats.
+  const json textbook = report_of(image, kTextbook, 0)["error"];
+  EXPECT_EQ(textbook["failed"]["pixels"], 0);
+  EXPECT_EQ(textbook["steps"].back()["pixels"], 0);
+}
+
+/// A plot has one unit: floats have one of their own.
+TEST(OwnUnits, HaveAPlotOfTheirOwn) {
+  const auto expect_labels = [](const std::vector<tools::Plot>& plots) {
+    std::string text;
+    for (const tools::Plot& plot : plots) text += plot.y_label + "\n";
+    expect_parts(text, {"99.9% error of s, in ulp\n", "99.9% error of s, in ulp of float\n"});
+  };
+  const auto in_floats = std::make_shared<const tools::OtherMethod>(tools::OtherMethod{
+      .name = "floats",
+      .isolated_by = "",
+      .bounds_of = "",
+      .candidate =
+          [] {
+            properties::Candidate mine = tools::candidate_of(tools::kDefaultMethods);
+            mine.name = "floats";
+            return judged_in(scene::Precision::kSingle, std::move(mine));
+          },
+      .precision = scene::Precision::kSingle});
+  tools::StressOptions options;
+  options.families = {"distance"};
+  options.methods = {"cross"};
+  options.others = {{.stage = properties::Stage::kIntersection, .other = in_floats}};
+  options.cases = 5;
+  options.severities = {{0, 1}};
+  expect_labels(stress_plots(run_stress(options)));
+  tools::TradeoffOptions tradeoff;
+  tradeoff.sources = {"distance"};
+  tradeoff.methods = options.methods;
+  tradeoff.others = options.others;
+  tradeoff.cases = 10;
+  tools::TradeoffReport report = run_tradeoff(tradeoff);
+  report.intersections[1].batch = report.intersections[0].batch;  // nobody's is timed from here
+  expect_labels(tradeoff_plots(report));
+  // Ranked in one unit: an ulp of float is 2^29 of double.
+  const auto& costs = report.intersections;
+  ASSERT_EQ(costs.size(), 2u);
+  EXPECT_EQ(costs[1].badness()->second, *costs[1].main()->quantile(0.999) * 0x1p29);
 }
 
 }  // namespace

@@ -1,10 +1,14 @@
-// What continuous integration reads: JUnit, Markdown, GitHub's commands, GitLab's code quality.
+// What continuous integration reads (JUnit, Markdown, GitHub's commands, GitLab's code quality),
+// and the files for pipelines that are ready to be copied: their commands run as they stand.
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cstdlib>
+#include <filesystem>
+#include <fstream>
 #include <nlohmann/json.hpp>
+#include <regex>
 #include <set>
 #include <string>
 #include <vector>
@@ -174,20 +178,6 @@ TEST_F(GateOfARun, WritesEveryReportBesideWhatItPrints) {
   EXPECT_GE(json::parse(contents(file("gitlab-codequality"))).size(), broken);
 }
 
-TEST_F(GateOfARun, WritesNoFileThatItReadsAndNoneTwice) {
-  const Outcome twice =
-      run(asked() + " --report json=" + file("a") + " --report text=" + file("a"), 2);
-  EXPECT_TRUE(has(twice.err, "the file is named twice"));
-  const std::string scene =
-      temporary_file("own.toml", contents(RAYCHECK_SOURCE_DIR "/scene/examples/first-camera.toml"));
-  const std::string before = contents(scene);
-  EXPECT_EQ(run("check " + scene + " --report text=" + scene).exit_code, 2);
-  EXPECT_EQ(run("check " + scene + " --update-baseline --baseline " + scene).exit_code, 2);
-  EXPECT_EQ(contents(scene), before);
-  EXPECT_EQ(run("check " + scene + " --report pdf=x").exit_code, 2);
-  EXPECT_EQ(run("check " + scene + " --format picture").exit_code, 2);
-}
-
 TEST(HostileLog, OfGitHubObeysNothingThatACandidatePrints) {
   const std::string program =
       temporary_file("prints.py",
@@ -225,6 +215,62 @@ TEST_F(GateOfARun, ShowsTheDefectsOnTheScene) {
   EXPECT_EQ(contents(file("where.png")).substr(1, 3), "PNG");
   EXPECT_TRUE(has(outcome.out, "[where](https://example.org/a%20%28b%29)"));
   EXPECT_NE(run(checked).out.find("![where](data:image/png;base64,iVBOR"), std::string::npos);
+}
+
+namespace fs = std::filesystem;
+
+/// The raycheck commands of a file: lines that begin with it once the file's own signs are gone.
+std::vector<std::string> commands_of(const std::string& file) {
+  static const std::regex command(" *(?:- |entry: |run: )*(raycheck prope.*)");
+  std::vector<std::string> commands;
+  for (const std::string& line : lines_of(contents(RAYCHECK_SOURCE_DIR "/" + file))) {
+    std::smatch found;
+    if (std::regex_match(line, found, command)) commands.push_back(found[1]);
+  }
+  return commands;
+}
+
+class LongReadyFile : public testing::TestWithParam<const char*> {};
+
+TEST_P(LongReadyFile, GatesAProjectThatIsRightAndOneThatIsNot) {
+  const auto commands = commands_of(GetParam());
+  ASSERT_EQ(commands.size(), 1u);
+  const TestFolder its;
+  const fs::path folder = its.path();
+  fs::create_directories(folder / "src");
+  std::ofstream(folder / "raycheck.baseline").flush();
+  for (const char* name : {"none", "far_root"}) {
+    const std::string built = built_submission("rays.cpp", name, folder / "src");
+    // The hook is given its candidate as an argument, the others by the environment.
+    const bool is_hook = std::string(GetParam()).ends_with("hooks.yaml");
+    const std::string script = temporary_file(
+        "ready.sh", "set -e\ncd " + folder.string() + "\nmkdir -p raycheck-reports\nPATH=" +
+                        fs::path(RAYCHECK_BINARY).parent_path().string() +
+                        ":$PATH\nexport CANDIDATE=library:" + built +
+                        " BASELINE=raycheck.baseline CASES=500 GITHUB_STEP_SUMMARY=summary.md\n" +
+                        commands.front() + (is_hook ? " --candidate \"$CANDIDATE\"" : "") + "\n");
+    run_bash(script, std::string(name) == "none" ? 0 : 1);
+  }
+  const bool is_github = std::string(GetParam()).find("github/") != std::string::npos;
+  EXPECT_EQ(fs::exists(folder / "summary.md"), is_github);
+}
+
+INSTANTIATE_TEST_SUITE_P(Files, LongReadyFile,
+                         testing::Values("examples/ci/github/workflow.yml",
+                                         "examples/ci/github/action.yml",
+                                         "examples/ci/gitlab/raycheck.gitlab-ci.yml",
+                                         ".pre-commit-hooks.yaml"));
+
+TEST(ReadyFiles, SayWhichIsolationTheyGet) {
+  for (const char* file : {"examples/ci/github/workflow.yml", "examples/ci/github/action.yml",
+                           "examples/ci/gitlab/raycheck.gitlab-ci.yml",
+                           "examples/ci/container/Containerfile", ".pre-commit-hooks.yaml"}) {
+    const std::string text = contents(RAYCHECK_SOURCE_DIR "/" + std::string(file));
+    EXPECT_TRUE(has(text, "solation")) << file;
+  }
+  const std::string container =
+      contents(RAYCHECK_SOURCE_DIR "/examples/ci/container/Containerfile");
+  EXPECT_TRUE(has(container, "\nUSER raycheck\n"));
 }
 
 }  // namespace

@@ -1,9 +1,12 @@
-// Right submissions, the same grades each time, and runs that are cut short.
+// Right submissions, the same grades each time, runs that are cut short, and hand-ins as a class
+// gives them (tests/submissions/class): each has the score and the sentences that its table says.
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cstdlib>
 #include <filesystem>
+#include <ostream>
 #include <set>
 #include <string>
 #include <vector>
@@ -124,8 +127,7 @@ TEST(Rubric, that_asks_for_more_than_raycheck_can_answer_fails_with_1) {
   const std::string rubric =
       grading.write("rubric.toml", item_of("beyond doubles", "points = 1\ntolerance = { ulp = 0 }",
                                            functions("direction", "course", 20)));
-  const Outcome outcome = run("grade '" + rubric + "'");
-  EXPECT_EQ(outcome.exit_code, 1);
+  const Outcome outcome = run("grade '" + rubric + "'", 1);
   expect_parts(outcome.err, {"beyond doubles: raycheck's own answer is not given all points"});
 }
 
@@ -247,6 +249,60 @@ TEST(Grades, of_an_interrupted_run_are_finished_by_the_next) {
   }
   EXPECT_EQ(grading.file("", "grades.csv"), grading.file("", "grades.csv", "whole"));
 }
+
+/// A hand-in, as the class's table has it.
+struct HandIn {
+  std::string name;
+  std::string language;
+  bool is_right = false;
+  double score = 0;
+  std::vector<std::string> sentences;  ///< Of the items that fail, each once, in order.
+};
+
+void PrintTo(const HandIn& hand_in, std::ostream* to) { *to << hand_in.name; }
+
+/// Those of the table, which is read by Python.
+std::vector<HandIn> hand_ins() {
+  const Outcome read = run_python(
+      "-c \"import json, sys, tomllib; "
+      "json.dump(tomllib.load(open(sys.argv[1], 'rb')), sys.stdout)\" "
+      "tests/submissions/class/class.toml");
+  std::vector<HandIn> all;
+  const json table = json::parse(read.out);
+  for (const json& one : table["hand_in"]) {
+    all.push_back({one["name"], one["language"], one["faults"].empty(), one["score"], one["says"]});
+  }
+  return all;
+}
+
+class EachHandIn : public testing::TestWithParam<HandIn> {};
+
+TEST_P(EachHandIn, HasItsScoreAndItsSentences) {
+  const HandIn& hand_in = GetParam();
+  if (hand_in.language == "Java" && !is_installed("javac")) GTEST_SKIP() << "Java is not installed";
+  if (hand_in.language == "JavaScript" && !is_installed("node"))
+    GTEST_SKIP() << "Node is not installed";
+  const Grading grading;
+  const Outcome outcome = grading.grade(
+      kLecture7, {std::string(RAYCHECK_SOURCE_DIR) + "/tests/submissions/class/" + hand_in.name});
+  const json result = grading.result(hand_in.name);
+  EXPECT_NEAR(result["score"].get<double>(), hand_in.score, 0.005) << outcome.out;
+  if (hand_in.is_right) {
+    EXPECT_GE(result["score"], result["points"]);
+  }
+  std::vector<std::string> said;
+  for (const json& item : result["items"]) {
+    if (item["state"] != "fails") continue;
+    for (const json& mistake : item["mistakes"]) {
+      const std::string sentence = mistake["sentence"];
+      if (std::find(said.begin(), said.end(), sentence) == said.end()) said.push_back(sentence);
+    }
+  }
+  EXPECT_EQ(said, hand_in.sentences) << outcome.out;
+}
+
+INSTANTIATE_TEST_SUITE_P(Class, EachHandIn, testing::ValuesIn(hand_ins()),
+                         [](const auto& the_test) { return the_test.param.name; });
 
 }  // namespace
 }  // namespace raycheck::tests

@@ -149,15 +149,7 @@ std::string functions(const std::string& law, const std::string& source, int cas
 std::string full_rubric(int pictures, const std::string& head) {
   std::string scenes;
   for (int k = 0; k < pictures; ++k) scenes += "\"full.toml\", ";
-  return head + R"(
-[driver]
-preset = "B"
-
-[[form]]
-has = "*"
-build = "auto"
-candidate = "renderer:{program} {scene} {image}"
-
+  return head + "[driver]\npreset = \"B\"\n" + kAsTheyCome + R"(
 [[item]]
 name = "all"
 points = 10

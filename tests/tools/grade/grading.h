@@ -77,6 +77,14 @@ candidate = "command:python3 {file}"
 
 )";
 
+/// That of renderers as they come.
+inline constexpr const char* kAsTheyCome = R"(
+[[form]]
+has = "*"
+build = "auto"
+candidate = "renderer:{program} {scene} {image}"
+)";
+
 /// An [[item]] of a rubric: its keys, and its questions to functions.
 std::string item_of(const std::string& name, const std::string& keys, const std::string& questions);
 std::string functions(const std::string& law, const std::string& source, int cases,

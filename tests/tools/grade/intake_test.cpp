@@ -261,6 +261,19 @@ TEST_F(LongIntake, builds_java_with_packages_and_jars) {
             "renderer:java -cp raycheck-classes:lib/white.jar de.uni.Main {scene} {image}");
 }
 
+/// A module, of which package.json says that it is the program's, by a name without its ending.
+TEST_F(Intake, runs_what_package_json_names) {
+  if (!is_installed("node")) GTEST_SKIP() << "Node is not installed";
+  expect_full(
+      "module",
+      {{"package.json", R"({"type": "module", "main": "./src/tracer"})"},
+       {"src/tracer.js",
+        "import fs from 'fs';\nconst [, , scene, image] = process.argv;\n"
+        "const [w, h] = /res (\\d+) (\\d+)/.exec(fs.readFileSync(scene, 'utf8')).slice(1);\n"
+        "fs.writeFileSync(image, `P3 ${w} ${h} 255\\n` + '255 255 255 '.repeat(w * h));\n"},
+       {"rt.js", "console.log(process.argv.length);\n"}});
+}
+
 TEST_F(Intake, runs_notebooks) { expect_full("notebook", {{"Homework.ipynb", kNotebook}}); }
 
 TEST_F(Intake, runs_a_program_without_sources) {
@@ -284,8 +297,6 @@ TEST_F(Intake, refuses_what_cannot_be_built_and_says_why) {
 }
 
 TEST_F(Intake, shows_the_first_and_the_last_of_what_a_compiler_says) {
-  std::string many = "int main() {}\n";
-  for (int k = 0; k < 60; ++k) many += "#warning line " + std::to_string(k) + " \n";
   expect_refused("many",
                  {{"Makefile", "rt:\n\t@for k in $$(seq 60); do echo line $$k; done; false\n"}},
                  {"line 1\n", "line 12\n... ", " lines left out ...\n", "line 60\n"});

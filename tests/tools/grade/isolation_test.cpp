@@ -159,10 +159,9 @@ TEST_P(HostileOnMachine, LessThanThereShouldBeIsAnErrorUnlessItIsAskedFor) {
                {"sandbox require: what does not work here: bubblewrap", "bwrap: Permission denied",
                 "sandbox available, which goes on with what does: ", GetParam().isolation()});
   EXPECT_FALSE(fs::exists(grading.path("out/right/result.json")));
-  const Outcome probed =
-      run_bash(grading.write("probe.sh", GetParam().words() + "'" RAYCHECK_BINARY "' grade '" +
-                                             rubric + "' '" + right + "' --probe\n"));
-  EXPECT_EQ(probed.exit_code, 2) << probed.out;
+  run_bash(grading.write("probe.sh", GetParam().words() + "'" RAYCHECK_BINARY "' grade '" + rubric +
+                                         "' '" + right + "' --probe\n"),
+           2);
 }
 
 TEST_P(HostileOnMachine, OtherProcessesOfTheUserTakeNothingFromSubmissions) {
@@ -235,12 +234,13 @@ TEST(HostileSandbox, ThatFailsLaterIsNeverLeftOut) {
   ASSERT_EQ(chmod(grading.path("bwrap").c_str(), 0755), 0);
   ASSERT_EQ(chmod(grading.path("count").c_str(), 0666), 0);
   const std::string root = RAYCHECK_SOURCE_DIR;
-  const Outcome outcome = run_bash(grading.write(
-      "check.sh", "exec unshare -m sh -c \"mount --bind '" + grading.path("bwrap") +
-                      "' /usr/bin/bwrap && exec '" RAYCHECK_BINARY "' check '" + root +
-                      "/scene/examples/lecture-examples.toml' --candidate 'command:python3 " +
-                      root + "/tests/candidates/right.py'\"\n"));
-  EXPECT_EQ(outcome.exit_code, 1) << outcome.err;
+  const Outcome outcome = run_bash(
+      grading.write("check.sh",
+                    "exec unshare -m sh -c \"mount --bind '" + grading.path("bwrap") +
+                        "' /usr/bin/bwrap && exec '" RAYCHECK_BINARY "' check '" + root +
+                        "/scene/examples/lecture-examples.toml' --candidate 'command:python3 " +
+                        root + "/tests/candidates/right.py'\"\n"),
+      1);
   expect_parts(outcome.out, {"could not be started in its sandbox: bwrap: no room for "
                              "namespaces",
                              "bubblewrap"});
@@ -297,8 +297,7 @@ TEST(HostileTemporaryFolder, WhereNothingRunsEndsGradingBeforeItBegins) {
                         grading.arguments(rubric, {right}, "out") + "\n"));
   ASSERT_NE(outcome.exit_code, 0);
   const Variable temporary("TMPDIR", grading.path("noexec"));
-  const Outcome there = run_bash(grading.path("grade.sh"));
-  EXPECT_EQ(there.exit_code, 2) << there.out;
+  const Outcome there = run_bash(grading.path("grade.sh"), 2);
   expect_parts(there.err, {"grading does not begin: raycheck's own "});
   EXPECT_FALSE(fs::exists(grading.path("out/right/result.json")));
 }
@@ -314,8 +313,7 @@ TEST(HostileSandbox, WithoutWhatStartsCandidatesIsRefusedAndBlamesNoOne) {
         "check " RAYCHECK_SOURCE_DIR "/scene/examples/optical-axis.toml --candidate source:" +
             right + "/rays.py"}) {
     const Outcome outcome = run_bash(
-        grading.write("alone.sh", "exec '" + grading.path("raycheck") + "' " + command + "\n"));
-    EXPECT_EQ(outcome.exit_code, 2) << outcome.out;
+        grading.write("alone.sh", "exec '" + grading.path("raycheck") + "' " + command + "\n"), 2);
     expect_parts(outcome.err, {"raycheck-jail: No such file or directory"});
     EXPECT_EQ(outcome.out, "");
   }
@@ -326,9 +324,8 @@ TEST(HostileSandbox, NoneIsRefusedToRootWhoDoesNotSayThatHeKnows) {
   const std::string rubric = grading.lecture7_with({});
   const std::string right = grading.submit("right", "rays.py");
   if (geteuid() == 0) {
-    const Outcome refused = grading.try_to_grade(rubric, {right}, "out", "--sandbox none");
-    EXPECT_EQ(refused.exit_code, 2);
-    expect_parts(refused.err, {"--sandbox none: candidates would run as root"});
+    expect_refused(grading.arguments(rubric, {right}, "out", "--sandbox none"),
+                   "--sandbox none: candidates would run as root");
     EXPECT_FALSE(fs::exists(grading.path("out")));
   }
   expect_parts(grading.grade(rubric, {right}, "out", "--sandbox none --i-know").out,

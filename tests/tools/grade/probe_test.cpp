@@ -33,13 +33,6 @@ print("wrote it", file=sys.stderr)
 open(sys.argv[2], "w")
 )";
 
-/// Renderers as they come, one picture of each.
-const std::string kAsTheyCome = R"(
-[[form]]
-has = "*"
-build = "auto"
-candidate = "renderer:{program} {scene} {image}"
-)";
 const std::string kOnePicture = R"(
 [[item]]
 name = "one picture"
@@ -73,7 +66,7 @@ class Probe : public testing::Test {
   /// Driver files of one form alone.
   std::string one_form() const {
     return grading_.write("one-form.toml",
-                          "[driver]\npreset = \"2018\"\n" + kAsTheyCome + kOnePicture);
+                          std::string("[driver]\npreset = \"2018\"\n") + kAsTheyCome + kOnePicture);
   }
   static std::string of_class(const std::string& name) {
     return RAYCHECK_SOURCE_DIR "/tests/submissions/class/" + name;
@@ -163,8 +156,8 @@ TEST_F(Probe, repeats_a_programs_own_words_where_its_picture_is_missing_empty_or
 TEST_F(Probe, lists_what_is_done_where_nobody_watches_and_tries_again_alone_what_only_waits) {
   const std::string waits = hand_in("waits", "rt.py", "import time\ntime.sleep(60)\n");
   const std::string rubric = grading_.write(
-      "one-second.toml",
-      "[limits]\nreply_seconds = 1\n[driver]\npreset = \"2018\"\n" + kAsTheyCome + kOnePicture);
+      "one-second.toml", std::string("[limits]\nreply_seconds = 1\n[driver]\npreset = \"2018\"\n") +
+                             kAsTheyCome + kOnePicture);
   const Outcome outcome =
       probe(rubric, {hand_in("black", "rt.py", kBlackPicture), waits}, "--format json");
   EXPECT_EQ(outcome.err,
@@ -283,17 +276,6 @@ TEST_F(Probe, says_how_much_time_a_slow_renderer_needs) {
   EXPECT_GT(slow["dry_run"]["needed_seconds"], 1.2);
 }
 
-TEST_F(Probe, needs_submissions_and_prints_text_or_json) {
-  const std::string farid = of_class("farid");
-  for (const auto& [submissions, option] : {std::pair(std::vector<std::string>{}, "--probe"),
-                                            {{farid}, "--format csv"},
-                                            {{farid}, "--dialect D"}}) {
-    const Outcome outcome = probe(kLecture7, submissions, option);
-    EXPECT_EQ(outcome.exit_code, 2) << option;
-    expect_parts(outcome.err, {has(option, "D") ? "dialect D" : option});
-  }
-}
-
 TEST_F(Probe, is_the_first_step_of_grading_whose_table_has_its_notes) {
   expect_parts(
       grading_.grade(one_form(), {of_class("farid"), hand_in("black", "rt.py", kBlackPicture)}).out,
@@ -302,8 +284,8 @@ TEST_F(Probe, is_the_first_step_of_grading_whose_table_has_its_notes) {
 
 TEST_F(Probe, reads_what_the_dialect_says_in_place_of_the_rubrics) {
   const std::string farid = of_class("farid");
-  const std::string as_2018 =
-      grading_.write("2018.toml", "[driver]\npreset = \"2018\"\n" + kAsTheyCome + kOnePicture);
+  const std::string as_2018 = grading_.write(
+      "2018.toml", std::string("[driver]\npreset = \"2018\"\n") + kAsTheyCome + kOnePicture);
   const auto form_of = [&](const std::string& rubric, const std::string& more) {
     grading_.grade(rubric, {farid}, "out", more);
     const json result = grading_.result("farid");

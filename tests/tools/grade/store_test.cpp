@@ -41,14 +41,6 @@ def intersect(ray, sphere, asked):
 rc.run('hits', intersect=intersect)
 )";
 
-/// A renderer whose every picture is black.
-constexpr const char* kBlack = R"(
-import sys
-words = open(sys.argv[1]).read().split()
-w, h = (int(x) for x in words[words.index('res') + 1:][:2])
-open(sys.argv[2], 'wb').write(b'P6 %d %d 255\n' % (w, h) + bytes(3 * w * h))
-)";
-
 class Store : public testing::Test {
  protected:
   /// A rubric of one item that programs `rays.py` are asked, and renderers `rt.py`.
@@ -113,7 +105,7 @@ cases = 1
 
 TEST_F(Store, starts_and_builds_nothing_when_an_item_has_changed) {
   const std::vector<std::string> folders = {submit("functions", "rays.py", kHits),
-                                            submit("pictures", "rt.py", kBlack)};
+                                            submit("pictures", "rt.py", white_renderer())};
   const json first = graded(rubric(10), folders);
   EXPECT_EQ(first["submissions"][0]["score"], 10) << first.dump(2);
   EXPECT_EQ(first["submissions"][1]["score"], 0);
@@ -208,9 +200,7 @@ TEST_F(Store, is_its_owners_and_no_submission_is_called_so) {
   ASSERT_EQ(stat(stored("").c_str(), &status), 0);
   EXPECT_EQ(status.st_mode & 0777, 0700u);
   const std::string hidden = submit(".raycheck", "rays.py", kHits);
-  const Outcome outcome = grading.try_to_grade(rubric(10), {hidden}, "out", kUnkept);
-  EXPECT_EQ(outcome.exit_code, 2);
-  expect_parts(outcome.err, {"rename it"});
+  expect_refused(grading.arguments(rubric(10), {hidden}, "out", kUnkept), "rename it");
 }
 
 TEST_F(Store, against_an_earlier_grading_lists_changed_points_with_their_causes) {

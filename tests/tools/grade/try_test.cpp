@@ -1,4 +1,5 @@
-// `try` says what `grade` says.
+// What students do at home: `try` says what `grade` says, and the commands that their pages name
+// are run in a copy of the hand-in.
 
 #include <gtest/gtest.h>
 
@@ -6,7 +7,6 @@
 #include <map>
 #include <sstream>
 #include <string>
-#include <utility>
 #include <vector>
 
 #include "tests/tools/grade/grading.h"
@@ -89,19 +89,94 @@ TEST(TryCommand, shows_what_students_may_see_and_counts_all) {
   EXPECT_EQ(files_of(grading.path("tried/mine")), files_of(grading.path("out/mine")));
 }
 
-TEST(TryCommand, fails_with_2_and_writes_nothing) {
+/// Enough to fail by what is wrong with the camera.
+constexpr const char* kFewPictures = R"(
+[[item]]
+name = "a few pictures"
+points = 10
+[item.pictures]
+judge = "mask"
+scenes = ["lecture7/wide.toml", "lecture7/orientation.toml"]
+)";
+
+/// What stands behind `label` in its first line of a report; empty: nowhere.
+std::string stands_behind(const std::string& report, const std::string& label) {
+  const std::size_t at = report.find("\n  " + label);
+  if (at == std::string::npos) return "";
+  const std::size_t begin = at + 3 + label.size();
+  return report.substr(begin, report.find('\n', begin) - begin);
+}
+
+/// Tries a hand-in with a mistake, and does in a copy of its folder what the report says of the
+/// first item that fails.
+void expect_the_commands_to_work(const Grading& grading, const std::string& hand_in,
+                                 const std::string& head = "") {
+  const std::string rubric = grading.write("few.toml", head + kAsTheyCome + kFewPictures);
+  const Outcome tried =
+      run("try '" + rubric + "' '" + hand_in + "' --out '" + grading.path("out") + "'", 1);
+  const std::string build =
+      stands_behind(tried.out, "Build it as here, in a copy of your folder: ");
+  const std::string draw = stands_behind(tried.out, "Draw it: ");
+  const std::string check = stands_behind(tried.out, "Judge every pixel of it: ");
+  ASSERT_FALSE(build.empty()) << tried.out;
+  ASSERT_FALSE(draw.empty()) << tried.out;
+  ASSERT_FALSE(check.empty()) << tried.out;
+  const std::string home = grading.path("home");
+  fs::copy(hand_in, home, fs::copy_options::recursive);
+  for (const auto& entry :
+       fs::directory_iterator(grading.path("out/" + fs::path(hand_in).filename().string()))) {
+    fs::copy(entry.path(), home, fs::copy_options::recursive);
+  }
+  const Outcome at_home =
+      run_bash(grading.write("home.sh", "raycheck() { '" RAYCHECK_BINARY "' \"$@\"; }\ncd '" +
+                                            home + "'\n" + build + " > /dev/null || exit 10\n" +
+                                            draw + " > /dev/null || exit 11\n" + check),
+               1);
+  expect_parts(at_home.out, {"image"});
+}
+
+TEST(Home, BuildsAsItWasBuilt) {
+  const std::string line = "#define MISTAKE width_height";
+  {
+    const Grading grading;
+    expect_the_commands_to_work(grading, grading.submit("mine", "rt.cpp", line));
+  }
+  {
+    // By a Makefile in a folder below, without leaving the folder.
+    const Grading grading;
+    const std::string folder = grading.submit("mine/src", "rt.cpp", line);
+    grading.write("submissions/mine/src/Makefile", "rt: rt.cpp\n\tg++ -O1 -o rt rt.cpp\n");
+    grading.write("submissions/mine/readme.txt", "see src\n");
+    expect_the_commands_to_work(grading, fs::path(folder).parent_path());
+  }
+  {
+    const Grading grading;
+    const std::string folder = grading.submit("mine", "rt.cpp", line);
+    grading.write("submissions/mine/CMakeLists.txt",
+                  "cmake_minimum_required(VERSION 3.10)\nproject(mine CXX)\n"
+                  "find_package(Eigen3 REQUIRED)\nfind_package(Threads REQUIRED)\n"
+                  "add_executable(rt rt.cpp)\n"
+                  "target_link_libraries(rt Eigen3::Eigen Threads::Threads)\n");
+    expect_the_commands_to_work(grading, folder);
+  }
+  {
+    // Of a form of driver files that has to be said.
+    const Grading grading;
+    expect_the_commands_to_work(grading, RAYCHECK_SOURCE_DIR "/tests/submissions/class/kofi");
+  }
+  if (!is_installed("javac")) return;
   const Grading grading;
-  const std::string mine = grading.submit("mine", "rays.py");
-  const auto fails = [&](const std::string& words, const std::string& why) {
-    const Outcome outcome = run("try " + words);
-    EXPECT_EQ(outcome.exit_code, 2) << words;
-    expect_parts(outcome.err, {why});
-    EXPECT_EQ(outcome.out, "") << words;
-  };
-  const std::string rubric = kLecture7;
-  fails(rubric, "SUBMISSION");
-  fails("nowhere.toml '" + mine + "'", "nowhere.toml: cannot be read");
-  fails(rubric + " nowhere", "nowhere: there is no such file or folder");
+  const std::string java = grading.write("mine/White.java", R"(import java.nio.file.*;
+public class White {
+  public static void main(String[] words) throws Exception {
+    String[] size = Files.readString(Path.of(words[0])).split("res ")[1].split("\\s+");
+    int width = Integer.parseInt(size[0]), height = Integer.parseInt(size[1]);
+    Files.writeString(Path.of(words[1]),
+        "P3 " + width + " " + height + " 255\n" + "255 255 255 ".repeat(width * height));
+  }
+}
+)");
+  expect_the_commands_to_work(grading, fs::path(java).parent_path(), "[driver]\npreset = \"B\"\n");
 }
 
 }  // namespace

@@ -2,7 +2,6 @@
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <filesystem>
 #include <functional>
 #include <regex>
@@ -107,9 +106,7 @@ TEST(Completions, OfZshAreCommandsOptionsAndFiles) {
     std::string arguments =
         "tests/tools/manual/zsh_offers.py '" RAYCHECK_MANUAL "/zsh/vendor-completions'";
     for (const std::string& line : lines) arguments += " '" + line + "'";
-    const Outcome outcome = run_python(arguments);
-    EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
-    return lines_of(outcome.out);
+    return lines_of(run_python(arguments, 0).out);
   });
 }
 
@@ -122,9 +119,7 @@ TEST(Completions, OfFishAreCommandsOptionsAndFiles) {
     for (const std::string& line : lines) {
       script += "echo (complete -C'" + line + "' | string replace -r '\\t.*' '' | sort)\n";
     }
-    const Outcome outcome = run_bash(temporary_file("fish.sh", script + "\""));
-    EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
-    return lines_of(outcome.out);
+    return lines_of(run_bash(temporary_file("fish.sh", script + "\""), 0).out);
   });
 }
 

@@ -1,6 +1,9 @@
 #pragma once
 
+#include <gtest/gtest.h>
+
 #include <nlohmann/json.hpp>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -18,16 +21,43 @@ inline constexpr const char* kNearestByAnUlp = "tests/regressions/nearest-by-one
 inline constexpr const char* kFarSphere = "scene/examples/far-sphere.toml";
 
 /// The certificates of `check ARGUMENTS`; `report`, if given, becomes what it printed.
-std::vector<ordered_json> certificates_of(const std::string& arguments,
-                                          std::string* report = nullptr);
+inline std::vector<ordered_json> certificates_of(const std::string& arguments,
+                                                 std::string* report = nullptr) {
+  const std::string path = temporary_file("certificates.jsonl", "");
+  const Outcome checked = run("check " + arguments + " --certificates " + path);
+  EXPECT_TRUE(checked.exit_code != 2) << checked.err;
+  if (report != nullptr) *report = checked.out;
+  std::vector<ordered_json> certificates;
+  for (const std::string& line : lines_of(contents(path))) {
+    certificates.push_back(ordered_json::parse(line));
+  }
+  return certificates;
+}
 
 /// tools/verify_certificates.py on certificates that may be no longer what the program wrote.
-Outcome script_on(const std::vector<ordered_json>& certificates);
+inline Outcome script_on(const std::vector<ordered_json>& certificates) {
+  std::string text;
+  for (const ordered_json& one : certificates) text += one.dump() + "\n";
+  const std::string path = temporary_file("certificates.jsonl", text);
+  return run_python("tools/verify_certificates.py " + path);
+}
 
 /// What the script prints where it refutes nothing: a line for each, and what it counted.
-std::vector<std::string> script_lines(const std::vector<ordered_json>& certificates);
+inline std::vector<std::string> script_lines(const std::vector<ordered_json>& certificates) {
+  const Outcome outcome = script_on(certificates);
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.out << outcome.err;
+  std::vector<std::string> lines = lines_of(outcome.out);
+  EXPECT_GT(lines.size(), certificates.size());
+  return lines;
+}
 
 /// The first certificate of a quantity; throws std::runtime_error when there is none.
-ordered_json of_quantity(const std::vector<ordered_json>& certificates, const char* quantity);
+inline ordered_json of_quantity(const std::vector<ordered_json>& certificates,
+                                const char* quantity) {
+  for (const ordered_json& one : certificates) {
+    if (one.at("quantity") == quantity) return one;
+  }
+  throw std::runtime_error(std::string("no certificate of a ") + quantity);
+}
 
 }  // namespace raycheck::tests

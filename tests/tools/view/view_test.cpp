@@ -245,17 +245,21 @@ void expect_the_microscope_of_a_miss_says_why_it_is_wide(const json& scene) {
   EXPECT_TRUE(has(told, fmt::format("claims is {:.3g} ulp away", nearest)));
 }
 
+std::uint64_t pixels_of(const json& picture, const std::string& text) {
+  std::uint64_t pixels = 0;
+  for (const json& entry : picture["legend"]) {
+    if (entry["text"].get<std::string>().find(text) == 0) pixels += entry["pixels"].get<int>();
+  }
+  return pixels;
+}
+
 void expect_pictures_count_what_they_show(const json& scene) {
   const json& pictures = scene["pictures"];
   ASSERT_EQ(pictures.size(), 3u);
   std::uint64_t pixels = 0;
   for (const json& entry : pictures[0]["legend"]) pixels += entry["pixels"].get<std::uint64_t>();
   EXPECT_EQ(pixels, 256u);
-  std::uint64_t wrong = 0;
-  for (const json& entry : pictures[2]["legend"]) {
-    if (entry["text"].get<std::string>().find("wrong") == 0) wrong += entry["pixels"].get<int>();
-  }
-  EXPECT_EQ(wrong, 56u);  // 7 missed, 49 false hits: as check says
+  EXPECT_EQ(pixels_of(pictures[2], "wrong"), 56u);  // 7 missed, 49 false hits: as check says
 }
 
 TEST(View, of_a_far_sphere_tells_all_methods_apart) {
@@ -272,13 +276,6 @@ TEST(View, of_a_far_sphere_tells_all_methods_apart) {
   expect_which_digits_are_right(alone);
   expect_how_many_discrepancies_there_are(quadratic);
   expect_pictures_count_what_they_show(alone);
-}
-
-std::uint64_t pixels_of(const json& picture, const std::string& text) {
-  for (const json& entry : picture["legend"]) {
-    if (entry["text"].get<std::string>().find(text) == 0) return entry["pixels"];
-  }
-  return 0;
 }
 
 std::string renderer(const std::string& mistake) {

@@ -28,7 +28,6 @@ def normalize(a):
 eye = look = up = None
 ambient = [0, 0, 0]
 spheres = []
-lights = []
 
 for line in open(sys.argv[1]):
     w = line.split()
@@ -45,8 +44,6 @@ for line in open(sys.argv[1]):
         cols, rows = int(nums[0]), int(nums[1])
     elif w[0] == 'ambient':
         ambient = nums
-    elif w[0] == 'light':
-        lights.append(nums)
     elif w[0] == 'sphere':
         assert len(nums) == 21
         spheres.append(nums)
@@ -76,16 +73,7 @@ def color(origin, direction):
     s, t = nearest(origin, direction)
     if s is None:
         return (0, 0, 0)
-    q = madd(origin, t, direction)
-    n = normalize(sub(q, s[0:3]))
-    c = [ambient[k] * s[4 + k] for k in range(3)]
-    for light in lights:
-        l = normalize(sub(light[0:3], q))
-        nl = dot(n, l)
-        if nl > 0 and nearest(madd(q, 1e-6, n), l)[0] is None:
-            for k in range(3):
-                c[k] += light[4 + k] * s[7 + k] * nl
-    return tuple(int(min(1, p) * 255) for p in c)
+    return tuple(int(min(1, ambient[k] * s[4 + k]) * 255) for k in range(3))
 
 
 # image[column][row]

@@ -1,12 +1,290 @@
+// Control groups of programs: that none is left by what it holds, or left behind, what they limit,
+// and what is said where none may be made.
+
 #include "tools/external/sandbox/control_group.h"
 
+#include <fcntl.h>
 #include <gtest/gtest.h>
+#include <sys/file.h>
+#include <sys/wait.h>
+#include <unistd.h>
 
+#include <csignal>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
 #include <stdexcept>
 #include <string>
+#include <system_error>
+#include <vector>
+
+#include "tests/tools/external/judged.h"
+#include "tests/tools/external/machine.h"
 
 namespace raycheck::tests {
 namespace {
+
+namespace fs = std::filesystem;
+using nlohmann::json;
+
+constexpr const char* kGroupScene = "scene/examples/probe.toml";
+constexpr uid_t kNobodysUser = 65534;
+
+std::vector<fs::path> groups_in(const fs::path& folder) {
+  std::vector<fs::path> folders;
+  std::error_code gone;
+  for (const auto& entry : fs::directory_iterator(folder)) {
+    if (entry.is_directory(gone)) folders.push_back(entry.path());
+  }
+  return folders;
+}
+
+/// A control group for raycheck, as `systemd-run --scope -p Delegate=yes` makes one.
+class Delegated {
+ public:
+  Delegated() {
+    if (geteuid() != 0) {
+      why_not_ = "only root makes a group for others";
+      return;
+    }
+    try {
+      const fs::path own =
+          tools::own_control_group(contents("/proc/self/mountinfo"), contents("/proc/self/cgroup"));
+      for (const char* one : {"+memory", "+pids"}) {
+        std::ofstream(own / "cgroup.subtree_control") << one;
+      }
+      const fs::path path = own / ("test-of-raycheck-" + std::to_string(getpid()));
+      if (!fs::create_directory(path)) throw std::runtime_error(path.string() + " is there");
+      path_ = path;
+    } catch (const std::runtime_error& error) {
+      why_not_ = error.what();
+    }
+  }
+  ~Delegated() {
+    if (path_.empty()) return;
+    std::ofstream(path_ / "cgroup.kill") << 1;
+    eventually([this] { return rmdir(path_.c_str()) == 0; });
+  }
+  Delegated(const Delegated&) = delete;
+  Delegated& operator=(const Delegated&) = delete;
+
+  /// Why there is none on this machine; empty where there is.
+  const std::string& why_not() const { return why_not_; }
+  const fs::path& path() const { return path_; }
+  void give_to(uid_t user) const {
+    for (const char* file : {"", "cgroup.procs", "cgroup.threads", "cgroup.subtree_control"}) {
+      EXPECT_EQ(chown((path_ / file).c_str(), user, user), 0) << file;
+    }
+  }
+  /// Those that groups in it have.
+  std::string controllers() const { return contents(path_ / "cgroup.subtree_control"); }
+  /// A run that was killed leaves them on, and then nothing may enter.
+  void switch_off_controllers() const {
+    for (const char* one : {"-memory", "-pids", "-cpu"}) {
+      std::ofstream(path_ / "cgroup.subtree_control") << one;
+    }
+  }
+  bool offers(const std::string& controller) const {
+    return contents(path_ / "cgroup.controllers").find(controller) != std::string::npos;
+  }
+
+  /// What `raycheck check` in it says of a candidate, run by these words, after these lines.
+  json judged(const std::string& words, const std::string& candidate, const std::string& more = "",
+              const std::string& before = "") const {
+    const Outcome outcome = run_bash(temporary_file(
+        "group.sh", before + "echo $$ > '" + path_.string() + "/cgroup.procs' && exec " + words +
+                        "'" RAYCHECK_BINARY "' check " + kGroupScene + " --format json " + more +
+                        " --candidate '" + candidate + "'\n"));
+    EXPECT_TRUE(outcome.exit_code == 0 || outcome.exit_code == 1) << outcome.err << outcome.out;
+    if (outcome.out.empty()) return {};
+    return json::parse(outcome.out)["candidates"][0];
+  }
+
+ private:
+  std::string why_not_;
+  fs::path path_;
+};
+
+std::string group_isolation(const json& candidate) {
+  return candidate.value("isolated_by", std::string("nothing"));
+}
+
+/// Who runs raycheck; those that this machine cannot are passed over.
+class HostileControlGroupOn : public testing::TestWithParam<Machine> {
+ protected:
+  void SetUp() override {
+    if (!delegated.why_not().empty()) GTEST_SKIP() << delegated.why_not();
+    const std::string test = GetParam().words() + "test -x '" RAYCHECK_BINARY "'";
+    if (std::system(test.c_str()) != 0) GTEST_SKIP() << "does not work here: " << test;
+    if (!GetParam().is_root) delegated.give_to(kNobodysUser);
+  }
+  const Delegated delegated;
+};
+
+INSTANTIATE_TEST_SUITE_P(Machines, HostileControlGroupOn, testing::ValuesIn(kMachines),
+                         kNameOfMachine);
+
+TEST_P(HostileControlGroupOn, CannotBeLeftOrChangedByWhatItHolds) {
+  // By the path that it is told, by that of its own group, and by all that it finds.
+  const std::string lines = R"(
+own = open('/proc/self/cgroup').read().split('0::')[1].strip()
+told = sys.argv[1]
+mounted = told.rsplit('/', 1)[0]
+folders = {told, mounted, mounted + own, told + own}
+for place in '/sys/fs/cgroup', told:
+    folders.update(folder for folder, _, _ in os.walk(place))
+gained = []
+for folder in sorted(folders):
+    for name in ('cgroup.procs', 'cgroup.threads', 'cgroup.kill', 'cgroup.subtree_control',
+                 'cgroup.max.descendants', 'memory.max', 'pids.max'):
+        try:
+            os.close(os.open(folder + '/' + name, os.O_WRONLY))
+            gained.append(folder + '/' + name)
+        except OSError:
+            pass
+    try:
+        os.mkdir(folder + '/mine')
+        gained.append(folder + '/mine')
+    except OSError:
+        pass
+here = os.getcwd().encode()
+if ctypes.CDLL(None).mount(b'none', here, b'cgroup2', 0, None) == 0:
+    gained.append('a mount')
+sys.exit('gained ' + ' '.join(gained) if gained else 'tried %d' % len(folders)))";
+  const json candidate =
+      delegated.judged(GetParam().words(), python_renderer(lines, delegated.path().string()));
+  if (!GetParam().has_bubblewrap &&
+      group_isolation(candidate).find("Landlock") == std::string::npos && !GetParam().is_root) {
+    EXPECT_EQ(group_isolation(candidate).find("control group"), std::string::npos);
+    GTEST_SKIP() << "this kernel has no Landlock: " << group_isolation(candidate);
+  }
+  expect_parts(group_isolation(candidate), {"control group"});
+  const std::string words = candidate["worst"].dump();
+  EXPECT_EQ(words.find("gained"), std::string::npos) << words;
+  expect_parts(words, {"it said: tried "});
+  EXPECT_TRUE(groups_in(delegated.path()).empty()) << groups_in(delegated.path())[0];
+  EXPECT_TRUE(delegated.controllers().empty()) << delegated.controllers();
+}
+
+TEST_P(HostileControlGroupOn, MayHaveSoManyProcessesInAll) {
+  if (!delegated.offers("pids")) GTEST_SKIP() << "the kernel counts no processes in such groups";
+  // The kernel counts those of a user too, which here has others.
+  const std::string others = std::string("for k in $(seq 40); do ") + kAsNobody +
+                             "sleep 100 & others=\"$others $!\"; done\n" +
+                             "(sleep 30; kill $others) & sleep 0.5\n";
+  const json candidate = delegated.judged(GetParam().words(), python_renderer(R"(
+count = 1
+try:
+    while count < 200:
+        if os.fork() == 0:
+            time.sleep(60)
+        count += 1
+except OSError:
+    pass
+sys.exit('so many: %d.' % count))"),
+                                          "", others);
+  expect_parts(group_isolation(candidate), {"processes)"});
+  const std::string words = candidate["worst"].dump();
+  const std::size_t at = words.find("so many: ");
+  ASSERT_NE(at, std::string::npos) << words;
+  const int count = std::atoi(words.c_str() + at + std::string("so many: ").size());
+  EXPECT_LE(count, 64);
+  EXPECT_GE(count, 60);
+}
+
+TEST_P(HostileControlGroupOn, MayHaveSoMuchMemoryInAll) {
+  if (!delegated.offers("memory")) GTEST_SKIP() << "the kernel counts no memory in such groups";
+  const json candidate = delegated.judged(GetParam().words(), python_renderer(R"(
+for k in range(5):
+    if os.fork() == 0:
+        kept = b'x' * (1000 << 20)
+        time.sleep(60)
+time.sleep(60))"),
+                                          "--timeout 30");
+  expect_parts(group_isolation(candidate), {"(memory"});
+  const std::string words = candidate["worst"].dump();
+  expect_parts(words, {"was stopped: it uses more than 4096 MiB of memory"});
+}
+
+TEST(HostileControlGroup, IsNotMadeWhereOthersAreAndItIsSaidWhy) {
+  const Delegated delegated;
+  if (!delegated.why_not().empty()) GTEST_SKIP() << delegated.why_not();
+  const std::string submission = temporary_file("notes.txt", "nothing that runs\n");
+  const std::string out = temporary_file("out", "") + ".d";
+  const std::string group = delegated.path().string();
+  /// What raycheck in the group, after these words, says of its isolation.
+  const auto said = [&](const std::string& before) {
+    const Outcome outcome = run_bash(temporary_file(
+        "group.sh", "echo $$ > '" + group + "/cgroup.procs'\n" + before +
+                        "'" RAYCHECK_BINARY "' grade tools/grade/rubrics/lecture7.toml '" +
+                        submission + "' --sandbox available --out '" + out + "'\n"));
+    fs::remove_all(out);
+    const std::size_t at = outcome.out.find("isolated by: ");
+    if (at == std::string::npos) return outcome.out + outcome.err;
+    return outcome.out.substr(at, outcome.out.find('\n', at) - at);
+  };
+  const std::string alone = said("exec ");
+  expect_parts(alone, {", control group"});
+  const std::string mounted = "'" + fs::path(group).parent_path().string() + "'";
+  const std::string closed =
+      said("exec unshare -m sh -c \"mount --bind " + mounted + " " + mounted +
+           " && mount -o remount,ro,bind " + mounted + " && exec \\\"\\$@\\\"\" sh ");
+  expect_parts(closed, {"; no control group: " + group, ": Read-only file system"});
+  EXPECT_TRUE(groups_in(delegated.path()).empty()) << groups_in(delegated.path())[0];
+  const std::string beside = said("sleep 60 & ");
+  expect_parts(beside, {"; no control group: " + group + " holds other processes besides"});
+}
+
+TEST(HostileControlGroup, HoldsWhatLeavesItsParentAndIsRemovedByTheNextRun) {
+  const Delegated delegated;
+  if (!delegated.why_not().empty()) GTEST_SKIP() << delegated.why_not();
+  const std::string mark = std::to_string(920000000 + getpid());
+  const std::string candidate = python_renderer(
+      "for k in range(4):\n  if os.fork() == 0:\n    os.setsid()\n    if os.fork() == 0:\n"
+      "      os.execvp('sleep', ['sleep', '" +
+      mark + "'])\n    os._exit(0)\ntime.sleep(60)\n");
+  const std::string script = temporary_file(
+      "killed.sh",
+      "echo $$ > '" + delegated.path().string() +
+          "/cgroup.procs'\nexec '" RAYCHECK_BINARY "' check '" RAYCHECK_SOURCE_DIR "'/" +
+          kGroupScene + " --timeout 60 --candidate '" + candidate + "' > /dev/null 2>&1\n");
+  const pid_t child = fork();
+  if (child == 0) {
+    execl("/bin/bash", "bash", script.c_str(), static_cast<char*>(nullptr));
+    _exit(127);
+  }
+  EXPECT_TRUE(eventually([&] { return processes_with(mark).size() == 4; }));
+  const std::vector<pid_t> held = processes_with(mark);
+  const std::string begin = "/raycheck-" + std::to_string(child) + "-";
+  for (const pid_t one : held) {
+    const std::string group = contents("/proc/" + std::to_string(one) + "/cgroup");
+    expect_parts(group, {begin});
+  }
+  kill(child, SIGKILL);
+  waitpid(child, nullptr, 0);
+  EXPECT_TRUE(eventually([&] { return processes_with(mark).empty(); }));
+  // Its own, and those of programs.
+  EXPECT_GE(groups_in(delegated.path()).size(), 2u);
+  delegated.switch_off_controllers();
+  const json next = delegated.judged("", python_renderer("pass"));
+  expect_parts(group_isolation(next), {"control group"});
+  EXPECT_TRUE(groups_in(delegated.path()).empty()) << groups_in(delegated.path())[0];
+}
+
+TEST(HostileControlGroup, OfARunThatCannotBeSeenIsLeftAloneWhileItIsHeld) {
+  const Delegated delegated;
+  if (!delegated.why_not().empty()) GTEST_SKIP() << delegated.why_not();
+  // As of a run in another namespace of processes: no process here has this number.
+  const fs::path group = delegated.path() / "raycheck-99999999-0";
+  fs::create_directory(group);
+  const int held = open(group.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+  ASSERT_EQ(flock(held, LOCK_SH), 0);
+  delegated.judged("", python_renderer("pass"));
+  EXPECT_TRUE(fs::exists(group));
+  close(held);
+  delegated.judged("", python_renderer("pass"));
+  EXPECT_FALSE(fs::exists(group));
+}
 
 /// A machine's /proc/self/mountinfo and /proc/self/cgroup, and where raycheck's own group is then,
 /// or why there is none.

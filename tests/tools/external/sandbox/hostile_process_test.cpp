@@ -28,13 +28,6 @@ using nlohmann::json;
 
 constexpr const char* kScene = "scene/examples/probe.toml";
 
-/// A renderer of these lines of Python, which comes after the imports.
-std::string renderer(const std::string& name, const std::string& lines) {
-  const std::string path =
-      temporary_file(name + ".py", "import os, signal, subprocess, sys, time\n" + lines + "\n");
-  return "renderer:python3 " + path + " {scene} {image}";
-}
-
 /// What is said of it, with these more options.
 std::string words_of(const std::string& candidate, const std::string& more) {
   return judged(kScene, candidate, more)["worst"].dump();
@@ -66,16 +59,6 @@ cases = 1
                              : json::parse(outcome.out)["submissions"][0]["refused"].dump();
 }
 
-/// The number of processes whose command line has this text.
-int processes_with(const std::string& text) {
-  int count = 0;
-  for (const auto& entry : fs::directory_iterator("/proc")) {
-    const std::string line = contents(entry.path() / "cmdline");
-    count += line.find(text) != std::string::npos ? 1 : 0;
-  }
-  return count;
-}
-
 class HostileProcess : public testing::TestWithParam<const char*> {};
 
 TEST_P(HostileProcess, MayHaveSoMuchOnDiskInAll) {
@@ -100,8 +83,8 @@ TEST_P(HostileProcess, LeavesNothingBehindThatRuns) {
       "      os.execvp('sleep', ['sleep', '" +
       mark + "'])\n    os._exit(0)\ntime.sleep(0.2)\n";
   for (const char* end : {"", "sys.stdout.close()\ntime.sleep(60)", "os.kill(os.getpid(), 9)"}) {
-    words_of(renderer("orphans", orphans + end), std::string("--timeout 1 ") + GetParam());
-    EXPECT_EQ(processes_with(mark), 0) << end;
+    words_of(python_renderer(orphans + end), std::string("--timeout 1 ") + GetParam());
+    EXPECT_EQ(processes_with(mark).size(), 0u) << end;
   }
 }
 
@@ -114,28 +97,27 @@ TEST_P(HostileProcess, LeavesNothingBehindThatStartsAnotherAndEnds) {
       "    os.execvp('sleep', ['" +
       mark + "', '9'])\ntime.sleep(0.2)\n";
   for (const char* end : {"", "time.sleep(60)"}) {
-    words_of(renderer("hops", hops + end), std::string("--timeout 1 ") + GetParam());
+    words_of(python_renderer(hops + end), std::string("--timeout 1 ") + GetParam());
     std::this_thread::sleep_for(std::chrono::seconds(4));
-    EXPECT_EQ(processes_with(mark), 0) << end;
+    EXPECT_EQ(processes_with(mark).size(), 0u) << end;
   }
 }
 
 TEST_P(HostileProcess, IsNotHeardForLongerThanItsTime) {
   // It ends: sixty-eight seconds were once the end of two.
   for (const char* stream : {"stderr", "stdout"}) {
-    const std::string words = words_of(
-        renderer("flood", std::string("while True: sys.") + stream + ".write('x' * 65536)"),
-        std::string("--timeout 1 ") + GetParam());
+    const std::string words =
+        words_of(python_renderer(std::string("while True: sys.") + stream + ".write('x' * 65536)"),
+                 std::string("--timeout 1 ") + GetParam());
     expect_parts(words, {"did not end within 1"});
   }
 }
 
 TEST_P(HostileProcess, NestsFoldersOnlySoDeep) {
-  const std::string words =
-      words_of(renderer("deep",
-                        "for k in range(3000):\n  os.mkdir('d' * 200)\n  os.chdir('d' * 200)\n"
-                        "time.sleep(60)"),
-               GetParam());
+  const std::string words = words_of(
+      python_renderer("for k in range(3000):\n  os.mkdir('d' * 200)\n  os.chdir('d' * 200)\n"
+                      "time.sleep(60)"),
+      GetParam());
   expect_parts(words, {"was stopped: it nests folders too deep"});
 }
 
@@ -151,9 +133,9 @@ TEST_P(HostileProcess, MayHaveSoMuchOnDiskInAllThatItRemoves) {
 TEST_P(HostileProcess, HasOnlySoManyFiles) {
   // More take long to look at, and nothing else would be looked at.
   const std::string words =
-      words_of(renderer("many", "for k in range(" + std::to_string(tools::kMostFiles + 1000) +
-                                    "): os.close(os.open(str(k), os.O_CREAT))\n"
-                                    "time.sleep(60)"),
+      words_of(python_renderer("for k in range(" + std::to_string(tools::kMostFiles + 1000) +
+                               "): os.close(os.open(str(k), os.O_CREAT))\n"
+                               "time.sleep(60)"),
                std::string("--timeout 300 ") + GetParam());
   expect_parts(words,
                {"was stopped: it has more than " + std::to_string(tools::kMostFiles) + " files"});
@@ -167,26 +149,25 @@ INSTANTIATE_TEST_SUITE_P(Sandbox, HostileProcess,
 
 TEST(HostileClock, IsNotStoppedByAParentThatSleepsDeeply) {
   // As one does that waits for a disk. Once that was the machine's fault.
-  const std::string words = words_of(
-      renderer("deeply",
-               "import ctypes\nlibc = ctypes.PyDLL(None)\nif libc.vfork() == 0: libc.pause()"),
-      "--timeout 1");
+  const std::string words =
+      words_of(python_renderer(
+                   "import ctypes\nlibc = ctypes.PyDLL(None)\nif libc.vfork() == 0: libc.pause()"),
+               "--timeout 1");
   expect_parts(words, {"did not end"});
 }
 
 /// Right, after these lines of Python.
-std::string right_after(const std::string& name, const std::string& lines) {
-  return renderer(name, lines + "\nos.execvp('python3', ['python3', '" +
-                            std::string(RAYCHECK_SOURCE_DIR) +
-                            "/tests/candidates/rt.py', 'right'] + sys.argv[1:])");
+std::string right_after(const std::string& lines) {
+  return python_renderer(lines + "\nos.execvp('python3', ['python3', '" +
+                         std::string(RAYCHECK_SOURCE_DIR) +
+                         "/tests/candidates/rt.py', 'right'] + sys.argv[1:])");
 }
 
 TEST(HostileClock, CountsWhatIsComputedAndNotWhatIsSlept) {
   // More than its time, and never all of it at once.
   const json report =
       judged(kScene,
-             right_after("naps",
-                         "for k in range(5):\n  time.sleep(0.5)\n  began = time.process_time()\n"
+             right_after("for k in range(5):\n  time.sleep(0.5)\n  began = time.process_time()\n"
                          "  while time.process_time() < began + 0.03: pass"),
              "--timeout 2 --sandbox none --i-know");
   EXPECT_EQ(report["discrepancies"], 0) << report["worst"].dump(2);
@@ -194,9 +175,8 @@ TEST(HostileClock, CountsWhatIsComputedAndNotWhatIsSlept) {
 
 TEST(HostileClock, EndsWhatHardlyComputesAfterManyTimesItsTime) {
   const std::string words =
-      words_of(renderer("hardly",
-                        "while True:\n  time.sleep(0.1)\n  began = time.process_time()\n"
-                        "  while time.process_time() < began + 0.004: pass"),
+      words_of(python_renderer("while True:\n  time.sleep(0.1)\n  began = time.process_time()\n"
+                               "  while time.process_time() < began + 0.004: pass"),
                "--timeout 0.3");
   expect_parts(words, {"did not end within 3 s of waiting, and computed for less than 0.3 s"});
 }
@@ -220,8 +200,7 @@ TEST(HostileClock, HasTheTimeOfThoseThatNobodyHasWaitedFor) {
 TEST(HostileRoom, IsNotReservedBeyondTheSizeOfAFile) {
   // KEEP_SIZE and INSERT_RANGE, and what ioctl() calls the first: RESVSP, RESVSP64, ZERO_RANGE.
   const std::string words = words_of(
-      renderer(
-          "room",
+      python_renderer(
           "import ctypes, fcntl, struct\nsaid = []\nlibc = ctypes.CDLL(None, use_errno=True)\n"
           "file = open('x', 'wb')\nfile.truncate(1 << 20)\n"
           "for mode, size in (1, 1 << 28), (32, 1 << 28), (0, 4096):\n"
@@ -262,8 +241,7 @@ TEST(HostileNeighbours, TakeNoneOfACandidatesTime) {
   const Thieves thieves(4 * processors);
   // Half of its time, if it were alone.
   const json report = judged(kScene,
-                             right_after("slow",
-                                         "began = time.process_time()\n"
+                             right_after("began = time.process_time()\n"
                                          "while time.process_time() < began + 1: pass"),
                              "--timeout 2 --sandbox none --i-know");
   EXPECT_EQ(report["discrepancies"], 0) << report["worst"].dump(2);
@@ -301,8 +279,8 @@ TEST(HostileEnds, OfRaycheckItselfLeaveNothingThatTheNextRunDoesNotRemove) {
   fs::create_directories(folder);
   fs::permissions(folder, fs::perms::others_exec, fs::perm_options::add);
   const std::string mark = std::to_string(910000000 + getpid());
-  const std::string candidate = renderer("sleeps", "subprocess.run(['sleep', '" + mark + "'])");
-  const std::string other = renderer("none", "pass");
+  const std::string candidate = python_renderer("subprocess.run(['sleep', '" + mark + "'])");
+  const std::string other = python_renderer("pass");
   const auto folders = [&] {
     std::vector<fs::path> all;
     for (const auto& entry : fs::directory_iterator(folder)) all.push_back(entry.path());
@@ -317,10 +295,10 @@ TEST(HostileEnds, OfRaycheckItselfLeaveNothingThatTheNextRunDoesNotRemove) {
     execl("/bin/sh", "sh", "-c", command.c_str(), static_cast<char*>(nullptr));
     _exit(127);
   }
-  ASSERT_TRUE(eventually([&] { return processes_with(mark) > 0; }));
+  ASSERT_TRUE(eventually([&] { return !processes_with(mark).empty(); }));
   kill(child, SIGKILL);
   waitpid(child, nullptr, 0);
-  EXPECT_TRUE(eventually([&] { return processes_with(mark) == 0; }));
+  EXPECT_TRUE(eventually([&] { return processes_with(mark).empty(); }));
   ASSERT_EQ(folders().size(), 1u);
   const Variable temporary("TMPDIR", folder);
   EXPECT_GT(judged(kScene, other)["discrepancies"], 0);
@@ -335,7 +313,7 @@ TEST(HostileEnds, OfRunsRemoveNoFolderThatIsOnlyNamedAsTheirsAre) {
   fs::create_directories(own);
   std::ofstream(own / "notes.txt") << "do not lose";
   const Variable temporary("TMPDIR", folder);
-  EXPECT_GT(judged(kScene, renderer("none", "pass"))["discrepancies"], 0);
+  EXPECT_GT(judged(kScene, python_renderer("pass"))["discrepancies"], 0);
   EXPECT_EQ(contents(own / "notes.txt"), "do not lose");
 }
 

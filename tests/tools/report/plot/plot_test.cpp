@@ -3,12 +3,12 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <limits>
 #include <set>
 #include <string>
 #include <vector>
 
 #include "tests/has.h"
+#include "tests/numbers.h"
 #include "tools/report/plot/plot_axis.h"
 #include "tools/report/plot/plot_labels.h"
 #include "tools/report/plot/plot_series.h"
@@ -16,8 +16,6 @@
 namespace raycheck::tools {
 namespace {
 
-constexpr double kPlottedInfinity = std::numeric_limits<double>::infinity();
-constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 constexpr double kLength = 480;
 
 TEST(PlotAxis, GoesByPowersOfTenWithTicksOfTheirNames) {
@@ -40,16 +38,16 @@ TEST(PlotAxis, GoesByPowersOfTenWithTicksOfTheirNames) {
 }
 
 TEST(PlotAxis, HasRowsForZeroAndInfinityThatNoNumberReaches) {
-  const PlotAxis axis = PlotAxis::powers({0, 5e-324, 1.7e308, kPlottedInfinity}, kLength, false);
+  const PlotAxis axis = PlotAxis::powers({0, 5e-324, 1.7e308, kInfinity}, kLength, false);
   ASSERT_EQ(axis.rows().size(), 2u);
   EXPECT_EQ(axis.rows()[0].text, "0");
   EXPECT_EQ(axis.rows()[1].text, "infinite");
   EXPECT_EQ(axis.rows()[0].at, axis.place(0));
-  EXPECT_EQ(axis.rows()[1].at, axis.place(kPlottedInfinity));
+  EXPECT_EQ(axis.rows()[1].at, axis.place(kInfinity));
   EXPECT_GT(axis.place(5e-324), axis.place(0) + kRow / 2);
-  EXPECT_LT(axis.place(1.7e308), axis.place(kPlottedInfinity) - kRow / 2);
-  const PlotAxis alone = PlotAxis::powers({kPlottedInfinity, kPlottedInfinity}, kLength, true);
-  EXPECT_EQ(alone.place(kPlottedInfinity), kLength - kRow / 2);
+  EXPECT_LT(axis.place(1.7e308), axis.place(kInfinity) - kRow / 2);
+  const PlotAxis alone = PlotAxis::powers({kInfinity, kInfinity}, kLength, true);
+  EXPECT_EQ(alone.place(kInfinity), kLength - kRow / 2);
   EXPECT_EQ(alone.rows().size(), 1u);
 }
 
@@ -185,9 +183,8 @@ TEST(PlotSeries, ShowsWhatDecisionsWereAndBreaksWhereThereIsNoError) {
 TEST(PlotScript, NamesSeriesDirectly) {
   Plot plot;
   plot.title = "it's";
-  plot.series = {
-      {"cross'; system 'x", PlotSeries::Style::kCurve, {{0, 1}, {1, kPlottedInfinity}}, 0},
-      {"robust_{2}", PlotSeries::Style::kCurve, {{0, 0}, {1, kNaN}}, 1}};
+  plot.series = {{"cross'; system 'x", PlotSeries::Style::kCurve, {{0, 1}, {1, kInfinity}}, 0},
+                 {"robust_{2}", PlotSeries::Style::kCurve, {{0, 0}, {1, kNaN}}, 1}};
   const std::string script = gnuplot_script({plot}, "a.svg");
   for (const char* part : {"set label 'cross''; system ''x' at ", "set label 'robust_{2}' at ",
                            "unset key", "'infinite'", "set label 'it''s'"}) {

@@ -1,5 +1,5 @@
 // What is not raycheck's own is neither replaced nor removed, and nothing is written into what was
-// handed in.
+// handed in; and the folder in which a hand-in's renderer runs.
 
 #include <gtest/gtest.h>
 
@@ -50,8 +50,7 @@ class HostileOut : public testing::Test {
   /// It ends with 2 and a reason, and leaves all files as they are.
   void refuses(const std::string& words, const std::string& why) {
     const auto before = files_below(grading_.path("."));
-    const Outcome outcome = run(words);
-    EXPECT_EQ(outcome.exit_code, 2) << words << outcome.out;
+    const Outcome outcome = run(words, 2);
     expect_parts(outcome.err, {why});
     EXPECT_EQ(outcome.out, "") << words;
     EXPECT_EQ(files_below(grading_.path(".")), before) << words;
@@ -90,12 +89,10 @@ TEST_F(HostileOut, HasFilesOfOthersThatStay) {
   const std::string scene = grading_.write("out/mine/other.toml", "do not lose");
   const std::string above = grading_.write("out/README.txt", "do not lose");
   for (int time = 0; time < 2; ++time) {
-    const Outcome graded = run(grade_words("out"));
-    EXPECT_EQ(graded.exit_code, 0) << graded.err;
+    run(grade_words("out"), 0);
     EXPECT_FALSE(grading_.file("mine", "pixel-0-0.toml").empty());
   }
-  const Outcome tried = run(try_words("out"));
-  EXPECT_EQ(tried.exit_code, 1) << tried.err;
+  run(try_words("out"), 1);
   for (const std::string& file : {notes, scene, above}) EXPECT_EQ(contents(file), "do not lose");
 }
 
@@ -147,6 +144,8 @@ TEST_F(HostileOut, ThatIsAFileWhichIsReadIsRefused) {
            {of_rubric, beside},
            {"image '" + scene + "' --out", scene},
            {"check '" + scene + "' --certificates", scene},
+           {"check '" + scene + "' --report", "text=" + scene},
+           {"check '" + scene + "' --update-baseline --baseline", scene},
            {"check '" + scene + "'" + candidate + " --certificates", source},
            {"tradeoff '" + plot + "' --plot", plot},
            {"properties --cases 3" + candidate + " --view", source},
@@ -168,8 +167,7 @@ TEST_F(HostileOut, MayBeCalledAsAMethodIs) {
       "' && exec '" RAYCHECK_BINARY
       "' worst --method cross --family distance --cases 9 --steps 3 --save cross\n";
   for (int run = 0; run < 2; ++run) {
-    const Outcome outcome = run_bash(grading_.write("save.sh", words));
-    EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+    run_bash(grading_.write("save.sh", words), 0);
   }
 }
 
@@ -178,10 +176,98 @@ TEST_F(HostileOut, IsNamedOnce) {
   const std::string one = grading_.path("x"), same = grading_.path("./x");
   const std::string twice = ": the file is named twice";
   refuses("check " + scene + " --view " + one + " --report json=" + same, twice);
+  refuses("check " + scene + " --report text=" + one + " --report json=" + same, twice);
   refuses("check " + scene + " --certificates " + one + " --view " + same, twice);
   refuses("check " + scene + " --baseline " + one + " --update-baseline --view " + same, twice);
   refuses("worst --method cross --family distance --save " + one + " --view " + one, twice);
   refuses("stress --family distance --plot " + one + ".svg --view " + same + ".svg", twice);
+}
+
+class RunFolder : public testing::Test {
+ protected:
+  void SetUp() override {
+    grading_.write("full.toml", kFullScene);
+    rubric_ = grading_.write("rubric.toml", full_rubric(3));
+  }
+  void hand_in(const std::string& file, const std::string& text) const {
+    grading_.write("mine/" + file, text);
+  }
+  nlohmann::json graded() const {
+    grading_.grade(rubric_, {grading_.path("mine")});
+    return grading_.result("mine");
+  }
+  void expect_full() const {
+    const nlohmann::json result = graded();
+    EXPECT_EQ(result["score"], 10) << result["refused"];
+  }
+  const Grading grading_;
+  std::string rubric_;
+};
+
+/// Of hand-ins that make use of it.
+class HostileRunFolder : public RunFolder {};
+
+TEST_F(RunFolder, HasTheFoldersOfTheHandInEvenEmptyOnes) {
+  hand_in("rt.py", white_renderer("", "'output/deep/image.ppm'"));
+  fs::create_directories(grading_.path("mine/output/deep"));
+  expect_full();
+}
+
+TEST_F(RunFolder, HasItsFiles) {
+  hand_in("rt.py", white_renderer("assert open('config/size.txt').read() == 'large'\n"
+                                  "assert len(open('config/table.txt').read()) == 300000\n"));
+  hand_in("config/size.txt", "large");
+  hand_in("config/table.txt", std::string(300000, '7'));
+  expect_full();
+}
+
+TEST_F(HostileRunFolder, IsTheSameWheneverItRuns) {
+  hand_in("rt.py", white_renderer("assert open('count.txt').read() == '0'\n"
+                                  "assert not os.path.exists('new.txt')\n"
+                                  "open('count.txt', 'w').write('1')\n"
+                                  "open('new.txt', 'w')\n"));
+  hand_in("count.txt", "0");
+  expect_full();
+}
+
+TEST_F(HostileRunFolder, LetsNoRunChangeALargeFileOfALaterOne) {
+  hand_in("rt.py", white_renderer("assert open('table.txt').read(1) == '7'\n"
+                                  "try: open('table.txt', 'r+').write('8')\n"
+                                  "except OSError: pass\n"
+                                  "else: sys.exit(3 if os.path.islink('table.txt') else 0)\n"));
+  hand_in("table.txt", std::string(300000, '7'));
+  expect_full();
+}
+
+TEST_F(HostileRunFolder, HasNoPictureThatWasHandedIn) {
+  // Of the likeliest name, of the name of the driver file, and folders of the names of a run.
+  hand_in("rt.py", white_renderer("assert not os.path.exists('out.ppm')\n"
+                                  "assert not os.path.exists('drawn')\n",
+                                  "'mine.ppm'"));
+  for (const char* const name :
+       {"out.ppm", "scene.ppm", "drawn", "image.ppm/a.txt", "scene.txt/b"}) {
+    hand_in(name, "P3 1 1 255 0 0 0\n");
+  }
+  hand_in("mine.ppm", "P3 1 1 255 0 0 0\n");
+  const nlohmann::json result = graded();
+  EXPECT_EQ(result["score"], 10) << result["refused"];
+  EXPECT_EQ(result["notes"][0], "it writes mine.ppm whatever name it is given");
+}
+
+TEST_F(RunFolder, HasSoManyFilesThoseNearTheTopFirst) {
+  hand_in("rt.py", white_renderer("assert os.path.exists('last.txt')\n"
+                                  "count = sum(len(d) + len(f) for _, d, f in os.walk('.'))\n"
+                                  "assert count == 101, count\n"));
+  for (int k = 0; k < 150; ++k) hand_in("below/" + std::to_string(k) + ".txt", "few words");
+  hand_in("last.txt", "");
+  expect_full();
+}
+
+TEST_F(RunFolder, OfAnotherHandInIsNotTakenForAStoredOne) {
+  hand_in("rt.py", white_renderer("", "'output/image.ppm'"));
+  EXPECT_TRUE(graded()["refused"].is_object()) << "there is no folder output";
+  fs::create_directories(grading_.path("mine/output"));
+  expect_full();
 }
 
 }  // namespace
