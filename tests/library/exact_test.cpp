@@ -10,6 +10,8 @@
 #include <string>
 #include <vector>
 
+#include "tests/has.h"
+
 namespace raycheck::tests {
 namespace {
 
@@ -129,11 +131,20 @@ TEST(Cases, AreTheSameByTheirSeed) {
   EXPECT_THROW(make_case("nowhere", 1), std::invalid_argument);
 }
 
+/// Every double has a spelling of its own, -0 and subnormal ones, too.
 TEST(Cases, ReadBackAsTheyAreWritten) {
-  const Case one = make_case("rays", 1);
-  const Scene read = read_scene(scene_text(one));
-  EXPECT_EQ(scene_text({read, one.pixels}), scene_text(one));
-  EXPECT_FALSE(simpler(one).empty());
+  int subnormal = 0;
+  for (const Source& source : sources()) {
+    for (std::uint64_t number = 0; number < 400; ++number) {
+      const auto severity = static_cast<int>(number) % (source.highest + 1);
+      const Case one = make_case(source.name, 7, number, number < 20 ? source.highest : severity);
+      const std::string text = scene_text(one);
+      ASSERT_EQ(scene_text({read_scene(text), one.pixels}), text);
+      subnormal += has(text, "e-31") ? 1 : 0;
+    }
+  }
+  EXPECT_GT(subnormal, 20);
+  EXPECT_FALSE(simpler(make_case("rays", 1)).empty());
 }
 
 TEST(Cases, AreMadeOfAnyBytes) {

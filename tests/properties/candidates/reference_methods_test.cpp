@@ -10,7 +10,6 @@
 #include "properties/candidates/fast_candidate.h"
 #include "properties/search/campaign.h"
 #include "reference/exact_ray.h"
-#include "tests/method_expectations.h"
 #include "tests/method_names.h"
 #include "tests/reference/random_cases.h"
 
@@ -30,22 +29,6 @@ const Sphere kUnitSphere = {{0, 0, 0}, 1};
 constexpr double kCertifiedSlack = 0x1p-14;
 
 class EachExactMethod : public testing::TestWithParam<const fast::IntersectMethod*> {};
-
-TEST_P(EachExactMethod, AnswersOneRayAsItDoesABatch) {
-  Random random(1);
-  int hits = 0;
-  for (int k = 0; k < 20; ++k) {
-    std::vector<Ray> rays;
-    for (int ray = 0; ray < 20; ++ray) {
-      rays.push_back(reference::random_ray(random, Sizes::kOrdinary));
-    }
-    const Sphere sphere = {{random.between(-5, 5), random.between(-5, 5), 0}, 6};
-    hits += expect_batch_is_single_calls(*GetParam(), rays, sphere, Root::kNearest, Tangent::kHit);
-  }
-  EXPECT_GT(hits, 100);
-}
-
-TEST_P(EachExactMethod, RefusesByTheNameOfTheField) { expect_refusals(*GetParam()); }
 
 /// Under every convention, and with its bound on s.
 TEST_P(EachExactMethod, KeepsTheLawsOnOrdinaryCases) {

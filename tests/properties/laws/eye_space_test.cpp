@@ -1,4 +1,5 @@
-// The bounds of scene::EyeSpace hold the exact values, on every source of cameras.
+// On every source of cameras the bounds of scene::EyeSpace hold the exact values, and those of
+// reference/visibility/visibility_kernel.h on E and E_m do.
 
 #include "scene/plan/eye_space.h"
 
@@ -6,11 +7,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string>
+#include <vector>
 
 #include "properties/cases/case_source.h"
 #include "reference/enclosure.h"
 #include "reference/error_measure.h"
 #include "reference/exact_camera.h"
+#include "reference/visibility/visibility_bound.h"
 #include "scene/plan/plan.h"
 #include "tests/numbers.h"
 
@@ -22,13 +26,21 @@ using reference::Enclosure3;
 using scene::Bounds;
 using scene::EyeSpace;
 
+Enclosure exactly(double x) { return Enclosure(x, kBitsOfAnySum); }
+template <class Triple>
+Enclosure3 exactly3(const Triple& v) {
+  return {exactly(v.x), exactly(v.y), exactly(v.z)};
+}
+/// In two factors, as the power itself may be out of the range of doubles.
+Enclosure power_of_two(int exponent) {
+  return exactly(std::ldexp(1.0, exponent / 2)) * exactly(std::ldexp(1.0, exponent - exponent / 2));
+}
+
 /// Bounds times 2^exponent against the exact value, which an enclosure of 256 bits stands for: it
 /// may lie across an end by its own width.
 void expect_holds(const Bounds& bounds, int exponent, const Enclosure& exact) {
   ASSERT_LE(bounds.low, bounds.high);
-  const auto at = [exponent](double end) {
-    return Enclosure(end, kBitsOfAnySum) * Enclosure(std::ldexp(1.0, exponent), kBitsOfAnySum);
-  };
+  const auto at = [exponent](double end) { return exactly(end) * power_of_two(exponent); };
   if (std::isfinite(bounds.low)) {
     EXPECT_GE((exact - at(bounds.low)).certain_sign().value_or(0), 0) << bounds.low;
   }
@@ -63,18 +75,13 @@ Known compare(const CaseSource& source, std::uint64_t cases, bool as_planned) {
     const auto& [plane, lengths] = eye.scaling();
     for (const scene::Sphere& sphere : the_case.scene.spheres) {
       const scene::EyeSphere seen = eye.sphere(sphere);
-      const Enclosure3 f =
-          Enclosure3{Enclosure(sphere.centre.x, kBitsOfAnySum),
-                     Enclosure(sphere.centre.y, kBitsOfAnySum),
-                     Enclosure(sphere.centre.z, kBitsOfAnySum)} -
-          Enclosure3{Enclosure(camera.eye.x, kBitsOfAnySum), Enclosure(camera.eye.y, kBitsOfAnySum),
-                     Enclosure(camera.eye.z, kBitsOfAnySum)};
-      const Enclosure r(sphere.radius, kBitsOfAnySum);
+      const Enclosure3 f = exactly3(sphere.centre) - exactly3(camera.eye);
+      const Enclosure r = exactly(sphere.radius);
       expect_holds(seen.u, lengths, dot(f, axes.U));
       expect_holds(seen.v, lengths, dot(f, axes.V));
       expect_holds(seen.w, lengths, dot(f, axes.W));
       expect_holds(seen.radius, lengths, r);
-      const Enclosure scale(std::ldexp(1.0, lengths), kBitsOfAnySum);
+      const Enclosure scale = power_of_two(lengths);
       expect_holds(seen.distance_sq, lengths, dot(f, f) / scale);
       expect_holds(seen.power, lengths, (dot(f, f) - r * r) / scale);
       known.count(seen.distance_sq);
@@ -106,6 +113,104 @@ TEST(EyeSpace, BoundsTheExactValues) {
     EXPECT_GT(known.all, 100);
     EXPECT_GT(20 * known.finite, 19 * known.all);
     EXPECT_GT(4 * known.to_ten_digits, 3 * known.all);
+  }
+}
+
+/// What one pixel and sphere are in scaled lengths, exactly but for the axes, known to 512 bits.
+struct Exact {
+  Enclosure b, disc;
+};
+
+/// The same in doubles, fused as the kernel does it, or not.
+struct Computed {
+  double b, disc;
+};
+
+Computed computed(const reference::FilteredSphere& sphere, double alpha, double beta, double near,
+                  bool fused) {
+  if (fused) {
+    const double b = std::fma(alpha, sphere.u, std::fma(beta, sphere.v, near * sphere.w));
+    const double a = std::fma(alpha, alpha, std::fma(beta, beta, near * near));
+    return {b, std::fma(b, b, -(sphere.power * a))};
+  }
+  const double b = alpha * sphere.u + (beta * sphere.v + near * sphere.w);
+  const double a = alpha * alpha + (beta * beta + near * near);
+  return {b, b * b - sphere.power * a};
+}
+
+/// The largest shares of a bound that errors took.
+struct Shares {
+  double disc = 0, numerator = 0;
+  int compared = 0, decided = 0;
+};
+
+/// |got - exact| / bound, at least.
+double share(double got, const Enclosure& exact, double bound) {
+  return (abs(exactly(got) - exact) / exactly(bound)).upper();
+}
+
+void compare(const Case& the_case, Shares& shares) {
+  const scene::Camera& camera = *the_case.scene.camera;
+  const scene::ScenePlan plan =
+      scene::plan_scene(the_case.scene, the_case.scene.conventions, scene::Wanted::kNearest);
+  const auto& [plane, lengths] = plan.eye.scaling();
+  std::vector<scene::Bounds> alpha, beta;
+  for (const scene::Pixel& pixel : the_case.pixels) {
+    alpha.push_back(plan.eye.alpha(static_cast<double>(pixel.i)));
+    beta.push_back(plan.eye.beta(static_cast<double>(pixel.j)));
+  }
+  const double near = reference::middle(plan.eye.near());
+  const auto sizes = reference::plane_sizes(alpha, beta, plan.eye.near());
+  const reference::ExactCamera exact(camera, the_case.scene.conventions);
+  const auto axes = exact.frame(512);
+  for (std::size_t k = 0; k < plan.spheres.size(); ++k) {
+    const auto sphere = reference::filtered(plan.spheres[k], k, sizes);
+    if (sphere.exact) continue;
+    const scene::Sphere& given = the_case.scene.spheres[k];
+    const Enclosure unit = power_of_two(-lengths);
+    const Enclosure3 T = exactly3(given.centre) - exactly3(camera.eye);
+    const Enclosure3 f{T.x * unit, T.y * unit, T.z * unit};
+    const Enclosure r = exactly(given.radius) * unit;
+    const Enclosure u = dot(f, axes.U), v = dot(f, axes.V), w = dot(f, axes.W);
+    const Enclosure c = dot(f, f) - r * r;
+    for (std::size_t at = 0; at < the_case.pixels.size(); ++at) {
+      const Enclosure3 position = exact.plane_position(the_case.pixels[at]);
+      const Enclosure on_plane = power_of_two(-plane);
+      const Enclosure x = position.x * on_plane, y = position.y * on_plane,
+                      n = position.z * on_plane;
+      const Enclosure b = n * w + y * v + x * u;
+      const Enclosure disc = b * b - c * (n * n + x * x + y * y);
+      const double E = sphere.decided / reference::kDecidedBeyond;
+      for (const bool fused : {true, false}) {
+        const Computed got = computed(sphere, reference::middle(alpha[at]),
+                                      reference::middle(beta[at]), near, fused);
+        shares.disc = std::max(shares.disc, share(got.disc, disc, E));
+        ++shares.compared;
+        if (!(got.disc > sphere.decided)) continue;
+        ++shares.decided;
+        for (const double sign : {-1.0, 1.0}) {
+          const double m = got.b + sign * std::sqrt(got.disc);
+          shares.numerator = std::max(shares.numerator,
+                                      share(m, b + exactly(sign) * sqrt(disc), sphere.root_margin));
+        }
+      }
+    }
+  }
+}
+
+TEST(VisibilityBound, HoldsOnEverySourceOfCameras) {
+  for (const CaseSource& source : case_sources()) {
+    if (!source.has_camera) continue;
+    SCOPED_TRACE(source.name);
+    Shares shares;
+    for (std::uint64_t seed = 0; seed < 400; ++seed) compare(any_case(source, seed), shares);
+    EXPECT_LE(shares.disc, 1);
+    EXPECT_LE(shares.numerator, 1);
+    // It bounds all pixels and spheres at once, but it is no idle bound.
+    EXPECT_GT(shares.disc, 0x1p-6);
+    EXPECT_GT(shares.compared, 200);
+    RecordProperty(std::string(source.name) + "-disc", std::to_string(shares.disc));
+    RecordProperty(std::string(source.name) + "-numerator", std::to_string(shares.numerator));
   }
 }
 

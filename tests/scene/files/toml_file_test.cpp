@@ -216,6 +216,19 @@ TEST(ReadToml, LocatesSyntaxErrors) {
   }
 }
 
+TEST(WriteToml, IsReadable) {
+  Scene scene;
+  scene.rays = {{{-0.0, 1e300, 5e-324}, {1, 0.1, 1e18}}};
+  scene.spheres = {{{1, -2, 3}, 1234567890123456768.0}};
+  scene.conventions.tangent = Tangent::kMiss;
+  EXPECT_EQ(write_toml(scene, "one\n\ntwo\r"),
+            "# one\n#\n# two \n\n[conventions]\ntangent = \"miss\"\n\n"
+            "[[sphere]]\ncentre = [1, -2, 3]\nradius = 1234567890123456768.0\n\n"
+            "[[ray]]\norigin = [-0.0, 1e+300, 5e-324]\ndirection = [1, 0.1, 1e+18]\n");
+  scene.conventions = {};
+  EXPECT_EQ(write_toml(scene).find("conventions"), std::string::npos);
+}
+
 Scene with_conventions(const std::string& conventions) {
   return read_toml("[conventions]\n" + conventions + kRay, "scene.toml").scene;
 }

@@ -222,53 +222,31 @@ TEST(Plan, OfGivenRaysIsRefused) {
   EXPECT_THROW(plan_of(scene), std::invalid_argument);
 }
 
-/// What is asserted: in the indices of pixels, as real numbers, each side of a silhouette's box
-/// lies x; a rectangle then begins at ceil(x) and ends after floor(x), or up to kRectangleSlack
-/// farther out where x is so near to a whole number that its bounds hold that.
-class Tightness {
- public:
-  explicit Tightness(const Camera& camera) : camera_(camera) {}
+/// How many sides of rectangles were compared, and how many of them lie where exact ones would.
+struct Tightness {
+  int sides = 0, exact = 0;
 
-  void compare(const Sphere& sphere, const PixelRectangle& pixels) {
-    const long double z = -sphere.centre.z;
-    compare(sides(sphere.centre.x, z, sphere.radius), camera_.left, camera_.right, camera_.width,
-            pixels.i_begin, pixels.i_end);
-    compare(sides(sphere.centre.y, z, sphere.radius), camera_.bottom, camera_.top, camera_.height,
-            pixels.j_begin, pixels.j_end);
+  void side(std::int64_t where, std::int64_t got) {
+    ++sides;
+    exact += got == where ? 1 : 0;
+    EXPECT_LE(got, where);
+    EXPECT_GE(got, where - kRectangleSlack);
   }
-  int sides_compared() const { return sides_compared_; }
-  int as_tight_as_can_be() const { return tight_; }
-
- private:
-  using Range = std::pair<long double, long double>;
-
-  /// The slopes at the angles of the tangents.
-  static Range sides(long double x, long double z, long double r) {
-    const long double middle = std::atan2(x, z);
-    const long double half = std::asin(r / std::hypot(x, z));
-    return {std::tan(middle - half), std::tan(middle + half)};
-  }
-
-  void compare(const Range& slopes, double first, double last, std::int64_t count,
-               std::int64_t begin, std::int64_t end) {
-    const auto index = [&](long double slope) {
-      return (slope * -static_cast<long double>(camera_.near) - first) /
-             (static_cast<long double>(last) - first) * static_cast<long double>(count - 1);
+  /// One way across: in the indices of pixels, as real numbers, each side of a silhouette's box
+  /// lies x; a rectangle then begins at ceil(x) and ends after floor(x), or up to kRectangleSlack
+  /// farther out where x is so near to a whole number that its bounds hold that.
+  void compare(long double x, long double z, long double r, long double near, long double first,
+               long double last, std::int64_t count, std::int64_t begin, std::int64_t end) {
+    const long double middle = std::atan2(x, z), half = std::asin(r / std::hypot(x, z));
+    const auto index = [&](long double angle) {
+      return (std::tan(angle) * -near - first) / (last - first) *
+             static_cast<long double>(count - 1);
     };
-    const auto low = static_cast<std::int64_t>(std::ceil(index(slopes.first)));
-    const auto high = static_cast<std::int64_t>(std::floor(index(slopes.second))) + 1;
-    if (low > 0) side(low, begin, begin);
-    if (high < count) side(-high, -end, end);
+    const auto low = static_cast<std::int64_t>(std::ceil(index(middle - half)));
+    const auto high = static_cast<std::int64_t>(std::floor(index(middle + half))) + 1;
+    if (low > 0) side(low, begin);
+    if (high < count) side(-high, -end);
   }
-  void side(std::int64_t exact, std::int64_t got, std::int64_t shown) {
-    ++sides_compared_;
-    tight_ += got == exact ? 1 : 0;
-    EXPECT_LE(got, exact) << shown;
-    EXPECT_GE(got, exact - kRectangleSlack) << shown;
-  }
-
-  Camera camera_;
-  int sides_compared_ = 0, tight_ = 0;
 };
 
 TEST(Rectangle, IsNoLargerThanTheSilhouettesBoxCallsFor) {
@@ -276,11 +254,9 @@ TEST(Rectangle, IsNoLargerThanTheSilhouettesBoxCallsFor) {
   const auto between = [&](double low, double high) {
     return low + (high - low) * static_cast<double>(engine() >> 11) * 0x1p-53;
   };
-  int compared = 0, tight = 0;
+  Tightness tightness;
   for (int k = 0; k < 4000; ++k) {
-    Camera camera;
-    camera.look_at = {0, 0, -1};
-    camera.up = {0, 1, 0};
+    Camera camera = plain_camera();
     camera.near = -between(0.1, 10);
     camera.left = camera.near * between(0.2, 2);
     camera.right = -camera.near * between(0.2, 2);
@@ -290,19 +266,19 @@ TEST(Rectangle, IsNoLargerThanTheSilhouettesBoxCallsFor) {
     camera.height = 2 + static_cast<std::int64_t>(engine() % 2000);
     const double z = between(12, 100);
     const double x = z * between(-1, 1), y = z * between(-1, 1);
-    Scene scene;
-    scene.camera = camera;
-    scene.spheres.push_back({{x, y, -z}, z * between(0.01, 0.3)});
+    const double r = z * between(0.01, 0.3);
     const SpherePlan plan =
-        plan_scene(scene, {}, Wanted::kClass, {.basis = k % 2 == 0}).spheres.front();
+        plan_scene(scene_of({ahead(x, y, z, r)}, camera), {}, Wanted::kClass, {.basis = k % 2 == 0})
+            .spheres.front();
     if (plan.left_out) continue;
-    Tightness tightness(camera);
-    tightness.compare(scene.spheres.front(), plan.pixels);
-    compared += tightness.sides_compared();
-    tight += tightness.as_tight_as_can_be();
+    const PixelRectangle& box = plan.pixels;
+    tightness.compare(x, z, r, camera.near, camera.left, camera.right, camera.width, box.i_begin,
+                      box.i_end);
+    tightness.compare(y, z, r, camera.near, camera.bottom, camera.top, camera.height, box.j_begin,
+                      box.j_end);
   }
-  EXPECT_GT(compared, 4000);
-  EXPECT_GT(1000 * tight, 999 * compared);
+  EXPECT_GT(tightness.sides, 4000);
+  EXPECT_GT(1000 * tightness.exact, 999 * tightness.sides);
 }
 
 }  // namespace
