@@ -101,9 +101,7 @@ double Watch::taken() const {
   return std::min(std::max(computed_ - before_, waited() / kBackstop), limits_.seconds);
 }
 
-double Watch::waited() const {
-  return waited_ + duration<double>(Clock::now() - looked_).count();
-}
+double Watch::waited() const { return waited_ + duration<double>(Clock::now() - looked_).count(); }
 
 milliseconds Watch::until_next() const {
   return std::max(duration_cast<milliseconds>(next_ - Clock::now()) + milliseconds(1),

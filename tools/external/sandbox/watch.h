@@ -17,9 +17,9 @@ namespace raycheck::tools {
 inline constexpr std::uint64_t kMemoryReserve = std::uint64_t{384} << 20;
 inline constexpr std::uint64_t kDiskReserve = std::uint64_t{256} << 20;
 
-/// Who waits more than he computes has so many times his limit of time that passes; who does nothing
-/// but wait, his limit once. Neither has less than so many seconds. Time in which he wants to run,
-/// and the machine lets others, passes as many times slower.
+/// Who waits more than he computes has so many times his limit of time that passes; who does
+/// nothing but wait, his limit once. Neither has less than so many seconds. Time in which he wants
+/// to run, and the machine lets others, passes as many times slower.
 inline constexpr double kBackstop = 10, kLeastBackstop = 1;
 
 class ControlGroup;
