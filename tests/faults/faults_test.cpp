@@ -2,6 +2,7 @@
 // is said. What is not finished is finished by the next run.
 
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <cerrno>
@@ -117,6 +118,8 @@ class HostileFaults : public HostileFaultsAtAll, public testing::WithParamInterf
 
 TEST_P(HostileFaults, OfTheSystemMakeNoGradeWrongAndLoseNothing) {
   const auto [fault, points] = GetParam();
+  if (fault.name == std::string("chown") && geteuid() != 0)
+    GTEST_SKIP() << "root alone gives folders to users of their own";
   ASSERT_EQ(grade("whole").exit_code, 0);
   const int count = counts().at(fault.name);
   ASSERT_GT(count, 0) << fault.name << " is never called";
