@@ -27,6 +27,32 @@ void expect_right(const std::string& scene, const std::string& candidate) {
   EXPECT_GT(cases, 8u) << candidate;
 }
 
+TEST(Candidate, is_judged_where_raycheck_lies_below_a_folder_that_others_may_not_enter) {
+  const std::filesystem::path closed = temporary_file("closed", "") + ".d";
+  std::filesystem::create_directories(closed / "lib");
+  std::filesystem::create_directories(closed / "build/tools");
+  const std::filesystem::path programs = std::filesystem::path(RAYCHECK_BINARY).parent_path();
+  for (const char* name : {"raycheck", "raycheck-check", "raycheck-jail", "raycheck-worker"}) {
+    std::filesystem::copy_file(programs / name, closed / "build/tools" / name);
+  }
+  std::filesystem::permissions(closed, std::filesystem::perms::owner_all);
+  // Beside that folder, so that all around both is shown to what compiles it.
+  const std::string candidate =
+      temporary_file("right.cpp", contents(RAYCHECK_SOURCE_DIR "/tests/candidates/right.cpp"));
+  const Outcome outcome = run_bash(temporary_file(
+      "closed.sh", "cd '" RAYCHECK_SOURCE_DIR "' && exec '" + closed.string() +
+                       "/build/tools/raycheck' check scene/examples/optical-axis.toml "
+                       "--sandbox available --candidate 'source:" +
+                       candidate + "'"));
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+  expect_parts(outcome.out, {"no discrepancy"});
+  if (has(run("check scene/examples/optical-axis.toml --candidate 'source:" + candidate + "'").out,
+          "bubblewrap")) {
+    expect_parts(outcome.out, {"bubblewrap"});
+  }
+  std::filesystem::remove_all(closed);
+}
+
 TEST(Candidate, that_makes_no_rays_is_given_them_and_the_report_says_so) {
   const std::string meets = "command:python3 tests/candidates/meets.py none";
   const json right = judged(kCamera, meets);

@@ -179,9 +179,9 @@ class RunGroups {
         new_group(own_ / fmt::format("{}{}{}", kGroupPrefix, kLeafPrefix, getpid()));
     try {
       write_value(leaf / kProcesses, "0");
-    } catch (const std::system_error&) {
+    } catch (const std::system_error& error) {
       rmdir(leaf.c_str());
-      throw;
+      throw std::system_error(error.code(), own_);
     }
     leaf_ = leaf;
   }

@@ -145,10 +145,7 @@ void bind(const Confined& confined, const fs::path& folder, std::uint64_t user,
     arguments.insert(arguments.end(), more);
   };
   std::vector<fs::path> shown = system_paths();
-  for (const fs::path& path : own_paths()) shown.push_back(path);
   for (const fs::path& path : shown) add({"--ro-bind-try", path, path});
-  const std::string jail = helper("raycheck-jail");
-  add({"--ro-bind", jail, jail});
   // A folder before what lies in it. bubblewrap lists the folders around those that it binds, which
   // those of runs do not allow: where all around them is shown, an empty one takes their place.
   std::vector<fs::path> readable = confined.readable;
@@ -161,6 +158,13 @@ void bind(const Confined& confined, const fs::path& folder, std::uint64_t user,
     add({"--tmpfs", of_run});
     is_emptied = true;
   }
+  // After that, for they may be copies that lie there.
+  for (const fs::path& path : own_paths()) {
+    add({"--ro-bind", path, path});
+    shown.push_back(path);
+  }
+  const std::string jail = helper("raycheck-jail");
+  add({"--ro-bind", jail, jail});
   shown.insert(shown.end(), confined.readable.begin(), confined.readable.end());
   for (const fs::path& hidden : hidden_paths()) {
     // Already kept from that user, and from bubblewrap, which runs as it.

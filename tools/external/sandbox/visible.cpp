@@ -1,5 +1,7 @@
 #include "tools/external/sandbox/visible.h"
 
+#include <unistd.h>
+
 #include <algorithm>
 #include <string>
 #include <string_view>
@@ -32,7 +34,10 @@ std::vector<fs::path> system_paths() {
 std::vector<fs::path> own_paths() {
   std::vector<fs::path> paths = {adapters()};
   const fs::path libraries = prefix() / "lib";
-  if (fs::exists(libraries)) paths.push_back(readable_copy(libraries));
+  // Where others may not read them they are of no use: what needs them runs as another user.
+  if (fs::exists(libraries) && (geteuid() != 0 || others_may_read(libraries))) {
+    paths.push_back(libraries);
+  }
   return paths;
 }
 

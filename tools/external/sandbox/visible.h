@@ -10,7 +10,7 @@ namespace raycheck::tools {
 std::vector<std::filesystem::path> system_paths();
 
 /// What raycheck's helpers need besides the system: the adapters, and the libraries of a package
-/// where it brings some.
+/// where it brings some that they may read.
 std::vector<std::filesystem::path> own_paths();
 
 /// Of all these what gives away right answers, or what is asked: raycheck itself, wherever programs
