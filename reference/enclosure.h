@@ -1,6 +1,10 @@
 #pragma once
 
+// In this order: FLINT 3 declares what takes MPFR's floats only behind them.
+// clang-format off
+#include <mpfr.h>
 #include <arb.h>
+// clang-format on
 
 #include <optional>
 #include <utility>

@@ -177,7 +177,7 @@ TEST(View, the_microscope_s_curve_is_the_circle) {
 }
 
 void expect_which_digits_are_right(const json& scene) {
-  const json& answers = step_of(panel_of(scene, 9, 8), "s")["answers"];
+  const json answers = step_of(panel_of(scene, 9, 8), "s")["answers"];
   ASSERT_EQ(answers.size(), 1u);
   // 99999999 for 99999998.0015...: eight digits, of which the last is wrong.
   EXPECT_EQ(answers[0]["said"], json::parse(R"([["number", "9999999"], ["mark", "9"]])"));
