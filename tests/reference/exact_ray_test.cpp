@@ -136,13 +136,6 @@ TEST(IntervalRay, TouchesAtItsOriginByTheSmallerRoot) {
   }
 }
 
-TEST(Nearest, IsEmptyWhenNothingIsMet) {
-  const ExactRay ray(kFromZero);
-  EXPECT_FALSE(ray.nearest({}, {}).has_value());
-  const std::vector<Sphere> spheres{{{-5, 0, 0}, 1}, {{5, 5, 0}, 1}};
-  EXPECT_FALSE(ray.nearest(spheres, {}).has_value());
-}
-
 TEST(Nearest, ReportsEveryTieAndTheFirstOfThem) {
   // All but the first two are met at s = 4; the fifth from inside.
   const std::vector<Sphere> spheres{{{9, 0, 0}, 1}, {{-3, 0, 0}, 1}, {{6, 0, 0}, 2}, {{5, 0, 0}, 1},

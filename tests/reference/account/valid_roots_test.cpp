@@ -148,5 +148,23 @@ TEST(RefutedNearby, TellsWhichSphereIsMetFirst) {
   EXPECT_EQ(claim(FirstMet::What::kSphere, 1, 4), Nearby::kUndecided);
 }
 
+/// (1 - k u)(1 + 16 u) > 1 - 16 u, by which a hit at height 1 - k u is nearly a miss, is k < 32;
+/// and likewise (1 + k u)(1 - 16 u) <= 1 + 16 u above, where k is even.
+TEST(NearbyAnswer, TellsToTheLastBitHowCloseAMissIs) {
+  const auto found = [](double height, const std::optional<double>& answer) {
+    const ExactRay ray(scene::Ray{{-5, height, 0}, {1, 0, 0}});
+    return right_nearby(ray, kUnit, {.relative_change = 16 * 0x1p-53}, answer).found;
+  };
+  for (int k = 1; k <= 80; ++k) {
+    if (k == 32) continue;  // 256 u^2 alone decides
+    const Nearby expected = k < 32 ? Nearby::kWitness : Nearby::kRefuted;
+    EXPECT_EQ(found(1 - k * 0x1p-53, std::nullopt), expected) << k;
+    if (k % 2 == 0) EXPECT_EQ(found(1 + k * 0x1p-53, 5.0), expected) << k;
+  }
+  for (const double s : {-1.0, kInfinity, -kInfinity, kNaN}) {
+    EXPECT_EQ(found(1, s), Nearby::kRefuted) << "no parameter";
+  }
+}
+
 }  // namespace
 }  // namespace raycheck::reference
