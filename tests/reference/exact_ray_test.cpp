@@ -136,17 +136,6 @@ TEST(IntervalRay, TouchesAtItsOriginByTheSmallerRoot) {
   }
 }
 
-TEST(Nearest, ReportsEveryTieAndTheFirstOfThem) {
-  // All but the first two are met at s = 4; the fifth from inside.
-  const std::vector<Sphere> spheres{{{9, 0, 0}, 1}, {{-3, 0, 0}, 1}, {{6, 0, 0}, 2}, {{5, 0, 0}, 1},
-                                    {{0, 0, 0}, 4}, {{4, 3, 0}, 3},  {{8, 0, 0}, 4}};
-  const auto nearest = ExactRay(kFromZero).nearest(spheres, {});
-  ASSERT_TRUE(nearest.has_value());
-  EXPECT_EQ(nearest->index, 2u);
-  EXPECT_EQ(nearest->intersection, kSmallerHit);
-  EXPECT_EQ(nearest->ties, (std::vector<std::size_t>{2, 3, 4, 5, 6}));
-}
-
 TEST(Nearest, FollowsTheConventions) {
   const std::vector<Sphere> spheres{{{0, 0, 0}, 3}, {{4, 2, 0}, 2}, {{9, 0, 0}, 1}};
   const ExactRay ray(kFromZero);

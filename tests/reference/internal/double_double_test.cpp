@@ -127,22 +127,6 @@ TEST(DoubleDouble, KeepsExactZeros) {
   EXPECT_FALSE(product.is_within(1));
 }
 
-TEST(DoubleDouble, KeepsExactResultsExact) {
-  const DoubleDouble one(1);
-  const DoubleDouble tiny(0x1p-60);
-  for (const DoubleDouble& result :
-       {one + tiny, (one + tiny) - one, DoubleDouble(0.1) * DoubleDouble(0.3),
-        one / DoubleDouble(8), DoubleDouble(21) / DoubleDouble(7), sqrt(DoubleDouble(2.25)),
-        DoubleDouble(0.1) - DoubleDouble(0.3)}) {
-    EXPECT_EQ(result.radius(), 0);
-    EXPECT_TRUE(result.is_within(1000));
-  }
-  for (const DoubleDouble& result :
-       {one / DoubleDouble(3), sqrt(DoubleDouble(2)), (one + tiny) * (one + tiny)}) {
-    EXPECT_GT(result.radius(), 0);
-  }
-}
-
 TEST(DoubleDouble, SaysWhereItKnowsNothing) {
   const DoubleDouble zero(0);
   const DoubleDouble one(1);
