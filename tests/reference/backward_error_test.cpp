@@ -3,13 +3,13 @@
 #include <gtest/gtest.h>
 
 #include <array>
+#include <boost/multiprecision/gmp.hpp>
 #include <cmath>
 #include <limits>
 #include <stdexcept>
 
 #include "reference/error_measure.h"
 #include "reference/exact_ray.h"
-#include "tests/reference/account/changed_choice.h"
 #include "tests/reference/random_cases.h"
 
 namespace raycheck::reference {
@@ -17,6 +17,7 @@ namespace {
 
 using scene::Ray;
 using scene::Sphere;
+using Fraction = boost::multiprecision::mpq_rational;
 
 /// |p| / (2 sum_k |q_k| (|L_k| + |C_k| + |s d_k|) + 2 r^2) in units of u; 0 where p = 0.
 Fraction exact_backward_error(const Ray& ray, const Sphere& sphere, double parameter) {
@@ -32,11 +33,10 @@ Fraction exact_backward_error(const Ray& ray, const Sphere& sphere, double param
     const Fraction step = Fraction(parameter) * Fraction(direction);
     const Fraction q = Fraction(origin) + step - Fraction(centre);
     p += q * q;
-    change += 2 * absolute(q) *
-              (absolute(Fraction(origin)) + absolute(Fraction(centre)) + absolute(step));
+    change += 2 * abs(q) * (abs(Fraction(origin)) + abs(Fraction(centre)) + abs(step));
   }
   if (p == 0) return 0;
-  return absolute(p) / change * Fraction(0x1p53);
+  return abs(p) / change * Fraction(0x1p53);
 }
 
 void expect_exact(const Ray& ray, const Sphere& sphere, double parameter) {

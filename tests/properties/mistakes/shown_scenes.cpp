@@ -3,70 +3,21 @@
 #include "scene/files/scene_file.h"
 
 namespace raycheck::properties {
-namespace {
 
-using scene::Camera;
 using scene::Scene;
-using scene::Sphere;
 
-Camera square() {
-  Camera camera;
-  camera.look_at = {0, 0, -1};
-  camera.up = {0, 1, 0};
-  camera.near = -1;
-  camera.left = camera.bottom = -1;
-  camera.right = camera.top = 1;
-  camera.width = camera.height = 25;
-  return camera;
-}
-
-Camera asymmetric() {
-  Camera camera = square();
-  camera.left = -1.75;
-  camera.right = 1.25;
-  camera.bottom = -1;
-  camera.top = 1.5;
-  return camera;
-}
-
-Camera oblong() {
-  Camera camera = square();
-  camera.left = -1.5;
-  camera.right = 1.5;
-  camera.width = 31;
-  camera.height = 21;
-  return camera;
-}
-
-Camera tilted() {
-  Camera camera = square();
-  camera.eye = {0.5, 1.25, 6};
-  camera.look_at = {-0.75, 0.5, 0};
-  camera.up = {0.5, 2, 0.25};
-  camera.near = -1.5;
-  return camera;
-}
-
-Scene scene_of(const Camera& camera, std::vector<Sphere> spheres) {
-  Scene scene;
-  scene.camera = camera;
-  scene.spheres = std::move(spheres);
-  return scene;
-}
+namespace {
 
 /// Spheres at a billionth of a length from the eye, at ten times as much, and so on: what is
 /// compared with a fixed small number loses the first of them.
-Scene ladder() {
-  Scene scene;
-  Camera camera = square();
-  camera.near = -1e-10;
-  camera.left = camera.bottom = -1e-10;
+Scene ladder(Scene scene) {
+  scene::Camera& camera = *scene.camera;
+  camera.near = camera.left = camera.bottom = -1e-10;
   camera.right = camera.top = 1e-10;
-  scene.camera = camera;
+  scene.spheres.clear();
   double way = 4e-10;
   for (int k = 0; k < 10; ++k, way *= 10) {
-    const double x = 0.3 * (k % 4) - 0.45;
-    const double y = 0.5 * (k / 4) - 0.5;
+    const double x = 0.3 * (k % 4) - 0.45, y = 0.5 * (k / 4) - 0.5;
     scene.spheres.push_back({{x * way, y * way, -way}, 0.15 * way});
   }
   return scene;
@@ -80,22 +31,26 @@ const Scene& probe() {
   return kProbe;
 }
 
+Scene rubric_scene(const std::string& name) {
+  return scene::load_scene(RAYCHECK_SOURCE_DIR "/tools/grade/rubrics/lecture7/" + name + ".toml")
+      .scene;
+}
+
 std::vector<Scene> rubric_scenes() {
-  Scene with_far_root = scene_of(square(), {{{0, 0, -2}, 4}, {{0.5, 0.25, -4}, 0.75}});
-  return {
-      scene_of(square(), {{{-5, 4, -10}, 2.25}, {{6, -5, -10}, 1}}),
-      scene_of(asymmetric(), {{{-4, 3, -6}, 1.5}, {{2, -2, -5}, 1.25}, {{3, 4, -6}, 0.75}}),
-      scene_of(oblong(), {{{1.5, 0.5, -5}, 1.25}}),
-      scene_of(oblong(), {{{-2, 1, -6}, 1.5}, {{2.5, -1.5, -7}, 2.25}, {{0.5, 1.25, -4}, 0.5}}),
-      scene_of(tilted(), {{{-2, 0, -1}, 1.25}, {{1.5, 2.25, 0}, 1}, {{0.75, -1, 1.5}, 0.5}}),
-      scene_of(square(), {{{0, 0, -8}, 2}, {{0.5, 1, -12}, 6}, {{0.25, -0.5, -5}, 0.75}}),
-      scene_of(square(), {{{0.25, -0.5, -5}, 0.75}, {{0, 0, -8}, 2}, {{0.5, 1, -12}, 6}}),
-      scene_of(square(), {{{0.125, 0.25, -0.75}, 0.375}, {{1, 1.5, -5}, 1}, {{-1, 0, -4}, 0.5}}),
-      scene_of(square(), {{{0.5, 0, -5}, 1.25}, {{3, 2, 5}, 1.5}, {{-2, 3, 6}, 1.25}}),
-      with_far_root,
-      ladder(),
-      probe(),
-  };
+  static const std::vector<Scene> kScenes = [] {
+    std::vector<Scene> scenes;
+    for (const char* name : {"orientation", "corners", "wide", "tall", "tilted", "overlap",
+                             "overlap-reversed", "before", "behind", "frame", "edges"}) {
+      scenes.push_back(rubric_scene(name));
+    }
+    scenes.push_back(probe());
+    // Around the eye, where the far root counts.
+    scenes.push_back(scenes.front());
+    scenes.back().spheres = {{{0, 0, -2}, 4}, {{0.5, 0.25, -4}, 0.75}};
+    scenes.push_back(ladder(scenes.front()));
+    return scenes;
+  }();
+  return kScenes;
 }
 
 std::vector<ShownPicture> shown_with(const Fault& fault, const std::vector<Scene>& scenes) {

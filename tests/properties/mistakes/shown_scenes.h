@@ -1,5 +1,6 @@
 #pragma once
 
+#include <string>
 #include <vector>
 
 #include "properties/mistakes/picture_causes.h"
@@ -10,8 +11,9 @@ namespace raycheck::properties {
 /// The scene that tells classic mistakes apart.
 const scene::Scene& probe();
 
-/// Scenes as a rubric for pictures has them: square and asymmetric, not square and symmetric, one
-/// sphere, many, spheres before the image plane and behind the eye, around it, small and near.
+/// A scene of the rubric of the seventh lecture, and most of them: the first is square and
+/// symmetric, of an eye at the origin.
+scene::Scene rubric_scene(const std::string& name);
 std::vector<scene::Scene> rubric_scenes();
 
 /// The pictures of a program with a fault.

@@ -4,7 +4,9 @@
 
 #include <cmath>
 #include <limits>
+#include <vector>
 
+#include "reference/account/internal/vector_length.h"
 #include "reference/account/nearby_valid.h"
 #include "reference/exact_ray.h"
 #include "tests/numbers.h"
@@ -146,6 +148,68 @@ TEST(RefutedNearby, TellsWhichSphereIsMetFirst) {
   EXPECT_EQ(claim(FirstMet::What::kNothing, 0, 5), Nearby::kRefuted);
   EXPECT_EQ(claim(FirstMet::What::kSomething, 0, 20), Nearby::kRefuted);
   EXPECT_EQ(claim(FirstMet::What::kSphere, 1, 4), Nearby::kUndecided);
+}
+
+/// (1 - k u)(1 + 16 u) > 1 - 16 u, by which a hit at height 1 - k u is nearly a miss, is k < 32;
+/// and likewise (1 + k u)(1 - 16 u) <= 1 + 16 u above, where k is even.
+TEST(NearbyAnswer, TellsToTheLastBitHowCloseAMissIs) {
+  const auto found = [](double height, const std::optional<double>& answer) {
+    const ExactRay ray(scene::Ray{{-5, height, 0}, {1, 0, 0}});
+    return right_nearby(ray, kUnit, {.relative_change = 16 * 0x1p-53}, answer).found;
+  };
+  for (int k = 1; k <= 80; ++k) {
+    if (k == 32) continue;  // 256 u^2 alone decides
+    const Nearby expected = k < 32 ? Nearby::kWitness : Nearby::kRefuted;
+    EXPECT_EQ(found(1 - k * 0x1p-53, std::nullopt), expected) << k;
+    if (k % 2 == 0) EXPECT_EQ(found(1 + k * 0x1p-53, 5.0), expected) << k;
+  }
+  for (const double s : {-1.0, kInfinity, -kInfinity, kNaN}) {
+    EXPECT_EQ(found(1, s), Nearby::kRefuted) << "no parameter";
+  }
+}
+
+constexpr std::size_t kInputs = 7;
+
+Variation random_variation(Random& random, double value, double reach) {
+  Variation result{Enclosure(value, kVariationBits), {}};
+  for (std::size_t k = 0; k < kInputs; ++k) {
+    result.reach.emplace_back(random.between(-reach, reach), kVariationBits);
+  }
+  result.most = sum_of_sizes(result.reach);
+  return result;
+}
+
+double at(const Variation& variation, const std::vector<double>& t) {
+  double value = variation.value.lower();
+  for (std::size_t k = 0; k < t.size(); ++k) value += t[k] * variation.reach[k].lower();
+  return value;
+}
+
+/// What answers far from right are refuted by.
+TEST(VectorLength, IsShortestWhereNoOtherPointOfTheBoxIsShorter) {
+  Random random(5);
+  int certainly_longer = 0;
+  for (int trial = 0; trial < 1500; ++trial) {
+    const double reach = random.between(0, 0.3);
+    const auto any = [&](double low, double most) {
+      return random_variation(random, random.between(low, low + 2), most);
+    };
+    const VectorAndLength both{{any(-1, reach), any(-1, reach), any(-1, 0.2)}, any(0, 0.01)};
+    const auto length_at = [&](const std::vector<double>& t) {
+      return std::hypot(at(both.vector[0], t), at(both.vector[1], t), at(both.vector[2], t));
+    };
+    const Shortest least = shortest(both);
+    const Variation room = less_share_along(both, least.direction);
+    const bool is_longer = (room.value + room.most).certain_sign() == -1;
+    certainly_longer += is_longer ? 1 : 0;
+    for (int place = 0; place < 50; ++place) {
+      std::vector<double> t;
+      for (std::size_t k = 0; k < kInputs; ++k) t.push_back(random.between(-1, 1));
+      ASSERT_GE(length_at(t), length_at(least.t) - 1e-3);
+      ASSERT_TRUE(!is_longer || length_at(t) > at(both.length, t));
+    }
+  }
+  EXPECT_GE(certainly_longer, 300);
 }
 
 }  // namespace
