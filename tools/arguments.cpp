@@ -17,7 +17,7 @@
 
 #include "scene/number.h"
 #include "scene/text.h"
-#include "tools/exit_codes.h"
+#include "tools/commands.h"
 #include "tools/external/pictures/dry_run.h"
 #include "tools/external/staged.h"
 #include "tools/report/words.h"

@@ -11,8 +11,8 @@
 #include <string>
 #include <vector>
 
-#include "tools/all_commands.h"
 #include "tools/command_line.h"
+#include "tools/commands.h"
 #include "tools/manual/manual.h"
 #include "tools/report/version.h"
 

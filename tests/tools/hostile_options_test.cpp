@@ -11,8 +11,8 @@
 #include <vector>
 
 #include "tests/tools/program.h"
-#include "tools/all_commands.h"
 #include "tools/command_line.h"
+#include "tools/commands.h"
 
 namespace raycheck::tests {
 namespace {

@@ -7,7 +7,6 @@
 #include <vector>
 
 #include "tools/arguments.h"
-#include "tools/check/check_page.h"
 #include "tools/check/check_views.h"
 #include "tools/commands.h"
 #include "tools/gate_arguments.h"

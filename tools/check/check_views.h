@@ -4,6 +4,7 @@
 
 #include <functional>
 #include <string>
+#include <vector>
 
 #include "tools/check/check.h"
 #include "tools/gates/gate.h"
@@ -11,6 +12,7 @@
 #include "tools/report/json.h"
 #include "tools/report/view.h"
 #include "tools/report/words.h"
+#include "tools/view/document.h"
 
 namespace raycheck::tools {
 
@@ -51,5 +53,16 @@ Json candidate_json(const CandidateReport& candidate, std::size_t top);
 
 /// Certificates of the worst discrepancies of each candidate, those of check_json: a line each.
 std::string check_certificates(const CheckReport& report);
+
+/// What is asked of a page besides what a report has found.
+struct CheckPageOptions {
+  std::vector<Selection> wanted;  ///< Shown first.
+  bool is_of_methods = false;     ///< Methods were asked for: panels show the steps of no others.
+};
+
+/// The scene of a report as a page, with its worst discrepancies and largest errors beside it: one
+/// view of it for raycheck's methods, and one for each implementation of someone else's.
+ViewDocument check_document(const CheckReport& report, const CheckPageOptions& options,
+                            const properties::RunControl& control);
 
 }  // namespace raycheck::tools

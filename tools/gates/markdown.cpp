@@ -7,7 +7,7 @@
 
 #include "scene/text.h"
 #include "tools/gates/gate_views.h"
-#include "tools/report/data_address.h"
+#include "tools/report/spelling.h"
 
 namespace raycheck::tools {
 namespace {

@@ -8,8 +8,8 @@
 #include "scene/number.h"
 #include "tools/arguments.h"
 #include "tools/commands.h"
+#include "tools/image/image.h"
 #include "tools/image/image_paint.h"
-#include "tools/image/image_views.h"
 #include "tools/report/output_file.h"
 #include "tools/terminal.h"
 

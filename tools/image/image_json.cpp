@@ -1,7 +1,7 @@
 #include <nlohmann/json.hpp>
 
+#include "tools/image/image.h"
 #include "tools/image/image_paint.h"
-#include "tools/image/image_views.h"
 #include "tools/report/json.h"
 
 namespace raycheck::tools {

@@ -1,7 +1,7 @@
 #include <nlohmann/json.hpp>
 
 #include "scene/conventions.h"
-#include "tools/list/list_views.h"
+#include "tools/list/list.h"
 #include "tools/report/json.h"
 
 namespace raycheck::tools {

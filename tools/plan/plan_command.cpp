@@ -4,7 +4,7 @@
 
 #include "tools/arguments.h"
 #include "tools/commands.h"
-#include "tools/plan/plan_views.h"
+#include "tools/plan/plan.h"
 
 namespace raycheck::tools {
 namespace {

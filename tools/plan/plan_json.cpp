@@ -1,6 +1,6 @@
 #include <nlohmann/json.hpp>
 
-#include "tools/plan/plan_views.h"
+#include "tools/plan/plan.h"
 #include "tools/report/json.h"
 
 namespace raycheck::tools {

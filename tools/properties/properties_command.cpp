@@ -5,7 +5,6 @@
 #include "tools/arguments.h"
 #include "tools/commands.h"
 #include "tools/gate_arguments.h"
-#include "tools/properties/properties_page.h"
 #include "tools/properties/properties_views.h"
 #include "tools/report/output_file.h"
 #include "tools/terminal.h"

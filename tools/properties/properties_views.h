@@ -3,12 +3,14 @@
 // The views of `properties`, each in the file of its name.
 
 #include <span>
+#include <string>
 #include <vector>
 
 #include "tools/gates/gate.h"
 #include "tools/gates/gate_views.h"
 #include "tools/properties/properties.h"
 #include "tools/report/view.h"
+#include "tools/view/document.h"
 
 namespace raycheck::tools {
 
@@ -47,5 +49,9 @@ std::string replay_text(const CampaignReport& campaign, const std::string& repla
 /// Why a law is broken, in lines, with the shrunk case.
 /// Domain: a campaign with a failure.
 std::string failure_text(const CampaignReport& campaign, bool colours);
+
+/// The shrunk case of every broken law, as a page: a scene each.
+ViewDocument properties_document(const PropertiesReport& report,
+                                 const properties::RunControl& control);
 
 }  // namespace raycheck::tools

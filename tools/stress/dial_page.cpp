@@ -1,4 +1,3 @@
-#include "tools/stress/dial_page.h"
 
 #include <fmt/core.h>
 
@@ -11,7 +10,7 @@
 #include "properties/cases/random.h"
 #include "scene/interruption.h"
 #include "tools/report/words.h"
-#include "tools/stress/stress_page.h"
+#include "tools/stress/stress.h"
 #include "tools/view/scene_view.h"
 #include "tools/view/selection.h"
 

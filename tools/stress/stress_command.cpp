@@ -7,8 +7,7 @@
 #include "tools/arguments.h"
 #include "tools/commands.h"
 #include "tools/report/output_file.h"
-#include "tools/stress/stress_page.h"
-#include "tools/stress/stress_views.h"
+#include "tools/stress/stress.h"
 #include "tools/terminal.h"
 #include "tools/view/page/page.h"
 

@@ -1,9 +1,11 @@
 #include <nlohmann/json.hpp>
 
+#include "tools/report/certificate.h"
 #include "tools/report/json.h"
-#include "tools/stress/stress_views.h"
+#include "tools/stress/stress.h"
 
 namespace raycheck::tools {
+
 std::string stress_json(const StressReport& report, const ViewOptions& /*options*/) {
   Json json = json_header("stress");
   json["interrupted"] = report.interrupted;
@@ -46,6 +48,23 @@ std::string stress_json(const StressReport& report, const ViewOptions& /*options
     json["families"].push_back(std::move(entry));
   }
   return json_text(json);
+}
+
+std::string stress_certificates(const StressReport& report) {
+  std::vector<Json> certificates;
+  for (const FamilyReport& family : report.families) {
+    for (const StressCurve& curve : family.curves) {
+      const properties::Candidate candidate = candidate_of(curve.method);
+      for (const properties::StressResult& result : curve.results) {
+        for (const properties::Example& found : result.found) {
+          const scene::Scene& scene = found.the_case.scene;
+          certificates.push_back(certificate(scene, candidate.declared.over(scene.conventions),
+                                             found.discrepancy, curve.method.name()));
+        }
+      }
+    }
+  }
+  return certificates_text(certificates);
 }
 
 }  // namespace raycheck::tools

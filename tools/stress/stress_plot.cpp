@@ -3,7 +3,7 @@
 #include <limits>
 
 #include "tools/report/words.h"
-#include "tools/stress/stress_views.h"
+#include "tools/stress/stress.h"
 
 namespace raycheck::tools {
 

@@ -5,8 +5,7 @@
 #include "tools/commands.h"
 #include "tools/report/output_file.h"
 #include "tools/terminal.h"
-#include "tools/tradeoff/tradeoff_page.h"
-#include "tools/tradeoff/tradeoff_views.h"
+#include "tools/tradeoff/tradeoff.h"
 #include "tools/view/page/page.h"
 
 namespace raycheck::tools {

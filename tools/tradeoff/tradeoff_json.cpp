@@ -1,7 +1,7 @@
 #include <nlohmann/json.hpp>
 
 #include "tools/report/json.h"
-#include "tools/tradeoff/tradeoff_views.h"
+#include "tools/tradeoff/tradeoff.h"
 
 namespace raycheck::tools {
 namespace {

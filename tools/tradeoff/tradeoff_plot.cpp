@@ -3,8 +3,7 @@
 #include <utility>
 
 #include "tools/report/words.h"
-#include "tools/tradeoff/tradeoff_front.h"
-#include "tools/tradeoff/tradeoff_views.h"
+#include "tools/tradeoff/tradeoff.h"
 
 namespace raycheck::tools {
 namespace {

@@ -8,11 +8,10 @@
 
 #include "scene/interruption.h"
 #include "tools/arguments.h"
-#include "tools/check/check_page.h"
+#include "tools/check/check_views.h"
 #include "tools/commands.h"
-#include "tools/exit_codes.h"
 #include "tools/report/output_file.h"
-#include "tools/stress/dial_page.h"
+#include "tools/stress/stress.h"
 #include "tools/terminal.h"
 #include "tools/view/document_json.h"
 #include "tools/view/page/page.h"

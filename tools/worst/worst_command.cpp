@@ -7,8 +7,7 @@
 #include "tools/report/output_file.h"
 #include "tools/terminal.h"
 #include "tools/view/page/page.h"
-#include "tools/worst/worst_page.h"
-#include "tools/worst/worst_views.h"
+#include "tools/worst/worst.h"
 
 namespace raycheck::tools {
 namespace {

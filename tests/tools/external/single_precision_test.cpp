@@ -10,8 +10,8 @@
 #include "properties/rounded_case.h"
 #include "scene/files/scene_file.h"
 #include "tests/tools/external/judged.h"
-#include "tools/stress/stress_views.h"
-#include "tools/tradeoff/tradeoff_views.h"
+#include "tools/stress/stress.h"
+#include "tools/tradeoff/tradeoff.h"
 
 namespace raycheck::tests {
 namespace {

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "scene/files/scene_file.h"
-#include "tools/report/picture_reader.h"
+#include "tools/report/picture_file.h"
 
 namespace raycheck::tools {
 

@@ -10,7 +10,6 @@
 
 #include "properties/other_size.h"
 #include "tools/external/pictures/picture_file.h"
-#include "tools/external/pictures/stored_picture.h"
 #include "tools/external/sandbox/file_tree.h"
 
 namespace raycheck::tools {

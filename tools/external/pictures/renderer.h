@@ -9,7 +9,7 @@
 #include "tools/external/pictures/driver_form.h"
 #include "tools/external/pictures/sphere_colours.h"
 #include "tools/external/sandbox/process.h"
-#include "tools/report/picture_reader.h"
+#include "tools/report/picture_file.h"
 
 namespace raycheck::tools {
 

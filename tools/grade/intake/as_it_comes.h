@@ -4,7 +4,7 @@
 
 #include "tools/external/locate.h"
 #include "tools/grade/intake/handed_in.h"
-#include "tools/grade/store/built.h"
+#include "tools/grade/store/store.h"
 
 namespace raycheck::tools {
 

@@ -10,8 +10,8 @@
 #include "tools/grade/intake/as_it_comes.h"
 #include "tools/grade/intake/build_plan.h"
 #include "tools/grade/intake/quoting.h"
-#include "tools/grade/rubric/digest.h"
-#include "tools/grade/store/toolchain.h"
+#include "tools/grade/rubric/rubric_files.h"
+#include "tools/grade/store/store.h"
 #include "tools/report/words.h"
 
 namespace raycheck::tools {

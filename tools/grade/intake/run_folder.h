@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "tools/external/sandbox/starting_folder.h"
+#include "tools/external/sandbox/private_folder.h"
 #include "tools/grade/intake/handed_in.h"
 
 namespace raycheck::tools {

@@ -5,9 +5,9 @@
 
 #include "properties/run_control.h"
 #include "tools/external/locate.h"
-#include "tools/external/sandbox/starting_folder.h"
+#include "tools/external/sandbox/private_folder.h"
 #include "tools/grade/intake/submission.h"
-#include "tools/grade/store/built.h"
+#include "tools/grade/store/store.h"
 
 namespace raycheck::tools {
 

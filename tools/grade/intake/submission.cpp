@@ -19,7 +19,7 @@
 #include "tools/grade/intake/quoting.h"
 #include "tools/grade/intake/run_folder.h"
 #include "tools/grade/intake/starting.h"
-#include "tools/grade/rubric/digest.h"
+#include "tools/grade/rubric/rubric_files.h"
 
 namespace raycheck::tools {
 namespace {

@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "tools/grade/pages/answered.h"
-#include "tools/report/html_text.h"
+#include "tools/report/spelling.h"
 
 namespace raycheck::tools {
 namespace {

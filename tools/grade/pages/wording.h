@@ -5,7 +5,6 @@
 #include <string>
 #include <vector>
 
-#include "tools/grade/results/class_grade.h"
 #include "tools/grade/results/redaction.h"
 #include "tools/grade/results/result.h"
 #include "tools/grade/rubric/rubric.h"

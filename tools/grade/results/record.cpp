@@ -8,7 +8,7 @@
 #include "properties/laws/law.h"
 #include "scene/files/scene_file.h"
 #include "scene/number.h"
-#include "tools/grade/results/earlier.h"
+#include "tools/grade/results/changes.h"
 #include "tools/grade/results/image_runs.h"
 #include "tools/grade/results/record_answers.h"
 #include "tools/grade/results/record_parts.h"

@@ -15,10 +15,19 @@
 #include "properties/verdict.h"
 #include "tools/external/candidate_spec.h"
 #include "tools/external/pictures/driver_form.h"
-#include "tools/external/refusal.h"
+#include "tools/external/sandbox/launch.h"
 #include "tools/external/sandbox/process.h"
+#include "tools/grade/results/changes.h"
+#include "tools/grade/rubric/rubric.h"
 
 namespace raycheck::tools {
+
+/// The candidate held to what an item tolerates.
+properties::Candidate tolerated(properties::Candidate candidate, const Tolerance& tolerance);
+
+/// What someone's program or compiler said, without the names of raycheck's private folders and
+/// without what is not ASCII.
+std::string plain_text(const std::string& said);
 
 /// Where a case comes from: a scene of the rubric, or a source of random cases.
 struct CaseOrigin {
@@ -194,5 +203,24 @@ struct SubmissionGrade {
 
 /// Otherwise its points say nothing: nothing of it ran.
 inline bool could_be_judged(const SubmissionGrade& grade) { return !grade.refused; }
+
+/// What a run took for the submissions that it graded itself, added up.
+struct GradingTimes {
+  double build_seconds = 0, judge_seconds = 0;
+  std::uint64_t stored_builds = 0;  ///< Submissions that were not built, but taken from the store.
+};
+
+/// A class, graded.
+struct ClassGrade {
+  Rubric rubric;
+  std::string out;                           ///< Where the results are; empty: nowhere.
+  std::vector<SubmissionGrade> submissions;  ///< In the order given; those that were reached.
+  std::optional<LayersHere> isolation = {};  ///< Absent: none was run.
+  std::uint64_t reused = 0;                  ///< Of those, graded by an earlier run.
+  std::uint64_t not_graded = 0;  ///< For causes outside them, which may have gone next time.
+  bool interrupted = false;
+  std::optional<GradingTimes> times = {};    ///< Absent: nothing was run.
+  std::optional<ClassChanges> changes = {};  ///< Where an earlier grading is given.
+};
 
 }  // namespace raycheck::tools

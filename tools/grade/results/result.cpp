@@ -1,4 +1,8 @@
-#include "tools/grade/results/tolerated.h"
+#include "tools/grade/results/result.h"
+
+#include <regex>
+
+#include "tools/external/sandbox/private_folder.h"
 
 namespace raycheck::tools {
 
@@ -12,6 +16,17 @@ properties::Candidate tolerated(properties::Candidate candidate, const Tolerance
     candidate.unit_roundoff = unit * *tolerance.ulp / properties::kExcusedRoundoffs;
   }
   return candidate;
+}
+
+std::string plain_text(const std::string& said) {
+  // How compilers quote.
+  static const std::regex quotes("\xe2\x80[\x98\x99]");
+  std::string text = std::regex_replace(without_private_folders(said), quotes, "'");
+  for (char& c : text) {
+    const auto byte = static_cast<unsigned char>(c);
+    if ((byte < ' ' && c != '\n' && c != '\t') || byte > '~') c = '?';
+  }
+  return text;
 }
 
 }  // namespace raycheck::tools
