@@ -1,4 +1,3 @@
-#include <nlohmann/json.hpp>
 
 #include "tools/check/check_views.h"
 #include "tools/exchange/verify_views.h"

@@ -341,7 +341,7 @@ class ClassRun {
     if (const ResultsFormat* results = options_.results) {
       files[kResultsFile] = results->render(student_grade(rubric_, grade, results->hidden_by));
     }
-    files[kRecordFile] = record_text(grade);
+    files[kRecordFile] = json_text(record_json(grade));
     own_->replace(submission.name, files);
   }
 

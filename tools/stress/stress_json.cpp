@@ -1,4 +1,3 @@
-#include <nlohmann/json.hpp>
 
 #include "tools/report/certificate.h"
 #include "tools/report/json.h"
@@ -30,10 +29,8 @@ std::string stress_json(const StressReport& report, const ViewOptions& /*options
       method["precision"] = name(precision);
       method["stage"] = name(curve.method.stage);
       method["judged"] = curve.is_judged();
-      const std::optional<int> failing = curve.first_failing();
-      method["first_failing"] = failing ? Json(*failing) : Json(nullptr);
-      const std::optional<double> slope = curve.slope(family.family->dial->base);
-      method["slope"] = slope ? Json(*slope) : Json(nullptr);
+      method["first_failing"] = or_null(curve.first_failing());
+      method["slope"] = or_null(curve.slope(family.family->dial->base));
       method["max_ratio"] =
           error_json(curve.worst_ratio() < 0 ? std::nullopt : std::optional(curve.worst_ratio()));
       for (std::size_t k = 0; k < curve.results.size(); ++k) {

@@ -1,4 +1,3 @@
-#include <nlohmann/json.hpp>
 
 #include "properties/cases/case_text.h"
 #include "tools/report/json.h"

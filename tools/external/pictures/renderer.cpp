@@ -17,9 +17,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// What a picture may have at most, whatever the scene's size.
-constexpr std::int64_t kMostPicturePixels = std::int64_t{1} << 26;
-
 /// Of a program that has ended. `most`: as large as its files may be.
 std::string read_made(const fs::path& path, std::uint64_t most) {
   struct stat status {};

@@ -4,7 +4,8 @@
 #include <exception>
 #include <fstream>
 #include <map>
-#include <nlohmann/json.hpp>
+
+#include "tools/grade/results/record.h"
 
 namespace raycheck::tools {
 
@@ -21,28 +22,11 @@ std::optional<EarlierGrade> earlier_grade(const std::filesystem::path& folder) {
     }
     grade.seed = json.at("seed");
     grade.isolation = json.at("isolated_by");
-    if (json.contains("inputs")) grade.inputs = inputs_of(json.at("inputs"));
+    if (json.contains("inputs")) grade.inputs = read_inputs(json.at("inputs"));
     return grade;
   } catch (const std::exception&) {
     return {};  // no record, then
   }
-}
-
-Json inputs_json(const GradeInputs& inputs) {
-  Json items = Json::array();
-  for (const auto& [item, digest] : inputs.items) {
-    items.push_back({{"name", item}, {"digest", digest}});
-  }
-  return {{"raycheck", inputs.raycheck},
-          {"submission", inputs.submission},
-          {"rubric", inputs.rubric},
-          {"items", std::move(items)}};
-}
-
-GradeInputs inputs_of(const Json& json) {
-  GradeInputs inputs{json.at("raycheck"), json.at("submission"), json.at("rubric"), {}};
-  for (const Json& item : json.at("items")) inputs.items[item.at("name")] = item.at("digest");
-  return inputs;
 }
 
 namespace {

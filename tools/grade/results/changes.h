@@ -12,7 +12,6 @@
 #include <vector>
 
 #include "tools/grade/results/result.h"
-#include "tools/report/json.h"
 
 namespace raycheck::tools {
 
@@ -31,10 +30,6 @@ struct EarlierGrade {
 /// The grade that the results of a submission have, of this and of earlier shapes of records; empty
 /// where there is none, or it was not finished.
 std::optional<EarlierGrade> earlier_grade(const std::filesystem::path& folder);
-
-/// As records have them. Errors of the second: std::exception where it is no such thing.
-Json inputs_json(const GradeInputs& inputs);
-GradeInputs inputs_of(const Json& json);
 
 /// What differs between two gradings of a submission.
 enum class ChangeCause {
