@@ -6,7 +6,6 @@
 #include "tools/commands.h"
 #include "tools/gate_arguments.h"
 #include "tools/properties/properties_views.h"
-#include "tools/report/output_file.h"
 #include "tools/terminal.h"
 #include "tools/view/page/page.h"
 
@@ -65,8 +64,7 @@ int run_properties_command(const PropertiesArguments& arguments) {
     const auto pairs = contestants(chosen_methods(arguments.rays, arguments.intersect));
     options.contestants.insert(options.contestants.begin(), pairs.begin(), pairs.end());
   }
-  std::optional<OutputFile> view;
-  if (arguments.view) view.emplace("--view", *arguments.view);
+  std::optional<OutputFile> view = opened("--view", arguments.view);
   GateFiles files(arguments.gate);
   PropertiesReport report = run_properties(options, run_control("laws"));
   report.ratchet = files.ratchet(findings_of(report), report.interrupted);

@@ -157,8 +157,7 @@ CommandRun add_view(CLI::App& command) {
       ->capture_default_str();
   add_seed(command, arguments.seed);
   command.add_option("--out", arguments.out, "the page: one HTML file, which needs no other");
-  command.add_option("--dialect", arguments.dialect,
-                     "of a driver file: A, B or C, or a year, 2017 to 2020");
+  add_dialect(command, arguments.dialect);
   command
       .add_option("--method", arguments.methods,
                   "the methods that intersect rays, with commas between (default: all, or of large "

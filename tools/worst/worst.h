@@ -20,7 +20,7 @@ struct WorstOptions {
   std::vector<StagedMethod> others;
   std::string family;    ///< "SOURCE" or "SOURCE@SEVERITY", where the search starts.
   std::string quantity;  ///< With hyphens for spaces; empty: the main one of the method's stage.
-  std::string climb = "error";  ///< One of properties::kClimbNames.
+  properties::Climb climb = properties::Climb::kError;
   int cases = properties::SearchOptions{}.cases;
   int steps = properties::SearchOptions{}.steps;
   std::uint64_t seed = properties::SearchOptions{}.seed;
