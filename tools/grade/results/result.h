@@ -17,7 +17,6 @@
 #include "tools/external/pictures/driver_form.h"
 #include "tools/external/sandbox/launch.h"
 #include "tools/external/sandbox/process.h"
-#include "tools/grade/results/changes.h"
 #include "tools/grade/rubric/rubric.h"
 
 namespace raycheck::tools {
@@ -208,6 +207,42 @@ inline bool could_be_judged(const SubmissionGrade& grade) { return !grade.refuse
 struct GradingTimes {
   double build_seconds = 0, judge_seconds = 0;
   std::uint64_t stored_builds = 0;  ///< Submissions that were not built, but taken from the store.
+};
+
+/// What differs between two gradings of a submission.
+enum class ChangeCause {
+  kSubmission,  ///< Its files.
+  kItems,       ///< Items of the rubric.
+  kRubric,      ///< What the rubric says beside its items.
+  kSeed,
+  kRaycheck,  ///< Its version.
+  kIsolation
+};
+inline constexpr std::array<std::string_view, 6> kChangeCauseNames = {
+    "submission", "items", "rubric", "seed", "raycheck", "isolation"};
+constexpr std::string_view name(ChangeCause cause) {
+  return kChangeCauseNames[static_cast<std::size_t>(cause)];
+}
+
+/// Points before and now. Absent: it could not be judged, or the item was not there.
+struct ScoreChange {
+  std::string name;
+  std::optional<double> before, now;
+};
+
+/// A submission whose points changed.
+struct SubmissionChange {
+  ScoreChange score;
+  std::vector<ScoreChange> items;         ///< Those whose points changed.
+  std::vector<ChangeCause> causes;        ///< Empty: it answers otherwise when it is asked again.
+  std::vector<std::string> rubric_items;  ///< Those that the rubric changed, added or left out.
+};
+
+/// A class beside an earlier grading.
+struct ClassChanges {
+  std::string against;                       ///< The folder of that.
+  std::uint64_t compared = 0, new_ones = 0;  ///< Submissions with a grade there, and without.
+  std::vector<SubmissionChange> changed;
 };
 
 /// A class, graded.
