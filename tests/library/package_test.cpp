@@ -67,7 +67,7 @@ class Package : public testing::Test {
                                    build / "tools/raycheck-jail",  build / "tools/raycheck-worker",
                                    build / "CPackConfig.cmake"};
     for (const fs::path& below : {source / "include", source / "examples", source / "packaging",
-                                  source / "library/cmake", source / "tools/grade/rubrics",
+                                  source / "library/cmake", source / "examples/rubrics",
                                   source / "tools/external/adapters", build / "tools/manual"}) {
       for (const auto& entry : fs::recursive_directory_iterator(below)) paths.push_back(entry);
     }

@@ -146,8 +146,10 @@ bool remove_tree(const std::filesystem::path& folder) {
   return rmdir(folder.c_str()) == 0 || errno == ENOENT;
 }
 
-void empty_folder(const fs::path& folder) {
-  for (const auto& entry : fs::directory_iterator(folder)) fs::remove_all(entry.path());
+void empty_folder(const std::filesystem::path& folder) {
+  for (const auto& entry : std::filesystem::directory_iterator(folder)) {
+    std::filesystem::remove_all(entry.path());
+  }
 }
 
 DiskUse disk_use(const std::filesystem::path& folder) {

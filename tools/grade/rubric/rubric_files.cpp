@@ -22,7 +22,7 @@ namespace fs = std::filesystem;
 /// Beside the installed program, or in the sources.
 fs::path shipped_folder() {
   fs::path installed = prefix() / "share/raycheck/rubrics";
-  return fs::is_directory(installed) ? installed : fs::path(kSourceFolder) / "tools/grade/rubrics";
+  return fs::is_directory(installed) ? installed : fs::path(kSourceFolder) / "examples/rubrics";
 }
 
 std::optional<fs::path> if_file(const fs::path& path) {
