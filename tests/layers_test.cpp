@@ -100,7 +100,6 @@ const std::map<std::string, std::string> kInside = {
     {"tools/external/sandbox", "tools/external"},
     {"tools/external/protocol", "tools/external"},
     {"tools/external/pictures", "tools/external"},
-    {"tools/report/plot", "tools/report"},
     {"tools/view/chart", "tools/view"},
     {"tools/view/figure", "tools/view"},
     {"tools/view/page", "tools/view"},

@@ -9,6 +9,9 @@ namespace raycheck::tools {
 ChartFacet stress_facet(const FamilyReport& family, properties::Stage stage,
                         scene::Precision precision);
 
+/// All that a report has.
+std::vector<ChartFacet> stress_facets(const StressReport& report);
+
 /// A report as a page: error against severity, on each of its families.
 ViewDocument stress_document(const StressReport& report);
 

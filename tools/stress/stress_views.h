@@ -2,7 +2,6 @@
 
 // The views of `stress`, each in the file of its name.
 
-#include "tools/report/plot/plot.h"
 #include "tools/report/view.h"
 #include "tools/stress/stress.h"
 
@@ -22,7 +21,5 @@ inline constexpr View<StressReport> kStressViews[] = {
 
 /// Certificates of the first discrepancy of each kind at each severity: a line each.
 std::string stress_certificates(const StressReport& report);
-/// Error against severity, a plot for each family, stage and format.
-std::vector<Plot> stress_plots(const StressReport& report);
 
 }  // namespace raycheck::tools

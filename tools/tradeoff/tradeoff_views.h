@@ -2,7 +2,6 @@
 
 // The views of `tradeoff`, each in the file of its name.
 
-#include "tools/report/plot/plot.h"
 #include "tools/report/view.h"
 #include "tools/tradeoff/tradeoff.h"
 
@@ -19,8 +18,5 @@ inline constexpr View<TradeoffReport> kTradeoffViews[] = {
     {"csv", tradeoff_csv},
     {"markdown", tradeoff_markdown},
 };
-
-/// Error against time, a plot for each stage and format.
-std::vector<Plot> tradeoff_plots(const TradeoffReport& report);
 
 }  // namespace raycheck::tools
