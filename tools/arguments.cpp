@@ -21,6 +21,7 @@
 #include "tools/external/pictures/dry_run.h"
 #include "tools/external/staged.h"
 #include "tools/report/words.h"
+#include "tools/view/chart/plot.h"
 
 namespace raycheck::tools {
 
@@ -392,9 +393,9 @@ void print_report(const std::string& report, bool colours) {
 
 void print_commands(const std::string& commands) { write_out(scene::visible(commands)); }
 
-void draw_or_say(const std::vector<Plot>& plots, const std::string& path) {
+void draw_or_say(const std::vector<ChartFacet>& facets, const std::string& path) {
   try {
-    draw(plots, path);
+    draw(facets, path);
   } catch (const GnuplotMissing& error) {
     print_error(fmt::format("warning: {}\n", error.what()));
   }

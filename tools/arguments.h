@@ -15,9 +15,9 @@
 #include "tools/external/contestant.h"
 #include "tools/external/pictures/driver_rule.h"
 #include "tools/report/output_file.h"
-#include "tools/report/plot/plot.h"
 #include "tools/report/view.h"
 #include "tools/terminal.h"
+#include "tools/view/chart/chart.h"
 
 namespace raycheck::tools {
 
@@ -156,8 +156,8 @@ void print_view(const View<Report> (&views)[N], std::string_view format, const R
     }
   }
 }
-/// Draws the plots, unless there is no gnuplot: then it says so on standard error.
-void draw_or_say(const std::vector<Plot>& plots, const std::string& path);
+/// Draws the facets, unless there is no gnuplot: then it says so on standard error.
+void draw_or_say(const std::vector<ChartFacet>& facets, const std::string& path);
 
 /// `found`: a defect, or what else fails; `checked`: enough was judged to say that there is none.
 int exit_code(bool was_interrupted, bool found, bool checked);

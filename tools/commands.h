@@ -76,11 +76,4 @@ inline constexpr int kExitNothingChecked = 4;
 /// And the signal: of one that interrupted it, and of SIGPIPE where nobody reads what it prints.
 inline constexpr int kExitOfSignal = 128;
 
-/// Of all programs, for who links them all: the manual, and tests.
-inline constexpr LinkedCommand kAllCommands[] = {
-#define RAYCHECK_LINKED(name, program, sentence) {#name, add_##name},
-    RAYCHECK_COMMANDS(RAYCHECK_LINKED)
-#undef RAYCHECK_LINKED
-};
-
 }  // namespace raycheck::tools

@@ -46,8 +46,6 @@ int run_check(const CheckArguments& arguments) {
         "--all: judges every method; leave out --rays, --intersect and --candidate");
   }
   const bool methods_asked = !(arguments.rays.empty() && arguments.intersect.empty());
-  require_lines_for_sarif(arguments.gate, arguments.format, arguments.external.candidates,
-                          methods_asked);
   options.contestants = find_contestants(arguments.external, rule);
   if (arguments.all) {
     options.contestants = contestants(all_pairs());
@@ -68,9 +66,6 @@ int run_check(const CheckArguments& arguments) {
   files.write(kCheckViews, report);
   if (certificates) certificates->write(check_certificates(report));
   print_view(kCheckViews, arguments.format, report, arguments.gate.picture_link);
-  if (asks_for(arguments.gate, arguments.format, kSarif)) {
-    print_warnings(sarif_warnings(check_gate(report)));
-  }
   if (view) {
     view->write(
         page(check_document(report, {{}, methods_asked}, run_control("page", arguments.threads))));

@@ -68,9 +68,7 @@ GateCheck check_of(Quantity quantity, const Tally& tally, const CheckReport& rep
   for (const Discrepancy& one : defects) identities.insert(identity_of(one, report, candidate));
   check.defects = {identities.begin(), identities.end()};
   for (const Discrepancy& one : defects) {
-    if (one.wrong != properties::Wrong::kFailed) continue;
-    check.failed.push_back(
-        {identity_of(one, report, candidate), discrepancy_text(one, false), one.failed.line});
+    if (!check.line) check.line = one.failed.line;
   }
   for (const Discrepancy& one : undecided) identities.insert(identity_of(one, report, candidate));
   check.outcome = outcome_of({identities.begin(), identities.end()}, report.ratchet);
@@ -164,9 +162,6 @@ std::string check_markdown(const CheckReport& report, const ViewOptions& options
 }
 std::string check_github(const CheckReport& report, const ViewOptions& /*options*/) {
   return github(check_gate(report));
-}
-std::string check_sarif(const CheckReport& report, const ViewOptions& /*options*/) {
-  return sarif(check_gate(report));
 }
 std::string check_gitlab_codequality(const CheckReport& report, const ViewOptions& /*options*/) {
   return gitlab_codequality(check_gate(report));

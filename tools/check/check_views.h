@@ -21,7 +21,6 @@ std::string check_json(const CheckReport& report, const ViewOptions& options);
 std::string check_junit(const CheckReport& report, const ViewOptions& options);
 std::string check_markdown(const CheckReport& report, const ViewOptions& options);
 std::string check_github(const CheckReport& report, const ViewOptions& options);
-std::string check_sarif(const CheckReport& report, const ViewOptions& options);
 std::string check_gitlab_codequality(const CheckReport& report, const ViewOptions& options);
 /// Where the scene shows discrepancies, as a PNG file: exact silhouettes, and on them the pixels of
 /// the discrepancies that are kept, by standing. Of a scene without a camera a picture of nothing.
@@ -34,7 +33,6 @@ inline constexpr View<CheckReport> kCheckViews[] = {
     {"markdown", check_markdown},
     {"github", check_github, ViewKind::kCommands},
     {"gitlab-codequality", check_gitlab_codequality},
-    {kSarif, check_sarif},
     {"picture", check_picture, ViewKind::kBytes},
 };
 

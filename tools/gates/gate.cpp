@@ -32,6 +32,14 @@ bool is_known(const Identity& one, const std::optional<Ratchet>& ratchet) {
   return ratchet && std::binary_search(ratchet->known.begin(), ratchet->known.end(), one);
 }
 
+std::optional<properties::CodeLine> line_of(const Gate& gate, const GateCheck& check) {
+  if (check.line) return check.line;
+  for (const SourceFile& source : gate.sources) {
+    if (source.candidate == check.candidate) return properties::CodeLine{source.path};
+  }
+  return std::nullopt;
+}
+
 GateOutcome outcome_of(const std::vector<Identity>& found, const std::optional<Ratchet>& ratchet) {
   GateOutcome outcome = found.empty() ? GateOutcome::kPassed : GateOutcome::kKnown;
   for (const Identity& one : found) {

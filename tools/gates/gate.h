@@ -27,13 +27,6 @@ constexpr std::string_view name(GateOutcome outcome) {
   return kGateOutcomeNames[static_cast<std::size_t>(outcome)];
 }
 
-/// A question that got no answer.
-struct FailedAnswer {
-  Identity identity;
-  std::string words;                         ///< How it failed, in lines.
-  std::optional<properties::CodeLine> line;  ///< Of the candidate's source, where that is known.
-};
-
 /// One check of a gate: a law on the cases of a source, or a quantity of a scene.
 struct GateCheck {
   std::string candidate;
@@ -42,7 +35,7 @@ struct GateCheck {
   std::string summary;  ///< Of what is not passed, why: one line.
   std::string text;     ///< Of what failed, all there is to say, in lines.
   std::vector<Identity> defects = {};
-  std::vector<FailedAnswer> failed = {};  ///< Of the defects, where there was no answer.
+  std::optional<properties::CodeLine> line = {};  ///< At which the candidate first died or threw.
 };
 
 /// Where a candidate's own source lies.
@@ -62,6 +55,10 @@ struct Gate {
 
   std::uint64_t count(GateOutcome outcome) const;
 };
+
+/// Where readers are to show a check: the line at which the candidate died, else line 1 of its
+/// source; empty where neither is known.
+std::optional<properties::CodeLine> line_of(const Gate& gate, const GateCheck& check);
 
 /// Says what a check comes to by what was found: known where the baseline has all of it.
 GateOutcome outcome_of(const std::vector<Identity>& found, const std::optional<Ratchet>& ratchet);

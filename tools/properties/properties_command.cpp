@@ -57,8 +57,6 @@ int run_properties_command(const PropertiesArguments& arguments) {
   options.frontier = arguments.frontier;
   options.strict = arguments.strict;
   const bool methods_asked = !(arguments.rays.empty() && arguments.intersect.empty());
-  require_lines_for_sarif(arguments.gate, arguments.format, arguments.external.candidates,
-                          methods_asked);
   options.contestants = find_contestants(arguments.external, parse_driver(arguments.dialect));
   if (methods_asked) {
     const auto pairs = contestants(chosen_methods(arguments.rays, arguments.intersect));
@@ -70,9 +68,6 @@ int run_properties_command(const PropertiesArguments& arguments) {
   report.ratchet = files.ratchet(findings_of(report), report.interrupted);
   files.write(kPropertiesViews, report);
   print_view(kPropertiesViews, arguments.format, report);
-  if (asks_for(arguments.gate, arguments.format, kSarif)) {
-    print_warnings(sarif_warnings(properties_gate(report)));
-  }
   if (view) {
     view->write(page(properties_document(report, run_control("page"))));
   }

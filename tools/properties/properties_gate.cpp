@@ -60,20 +60,6 @@ std::vector<Identity> undecided_of(const CampaignReport& campaign, Parts parts) 
   return {found.begin(), found.end()};
 }
 
-/// Where parts got no answer.
-std::vector<FailedAnswer> failed_of(const CampaignReport& campaign, Parts parts) {
-  std::vector<FailedAnswer> failed;
-  for (const CampaignPart& part : parts) {
-    for (const properties::Discrepancy& one : part.failures) {
-      failed.push_back({identity_of(campaign, part, kind_text({one.quantity, one.wrong})),
-                        fmt::format("{}replay: {}\n", discrepancy_text(one, false),
-                                    replay_text(campaign, part.replay)),
-                        one.failed.line});
-    }
-  }
-  return failed;
-}
-
 /// "the far root is taken (root: wrong root; ordinary)"
 std::string summary_of(const CampaignReport& campaign, const std::vector<Identity>& defects) {
   std::string shown;
@@ -115,7 +101,9 @@ GateCheck check_of(const CampaignReport& campaign, Parts parts,
   std::vector<Identity> found = undecided_of(campaign, parts);
   found.insert(found.end(), check.defects.begin(), check.defects.end());
   check.outcome = outcome_of(found, ratchet);
-  check.failed = failed_of(campaign, parts);
+  for (const CampaignPart& part : parts) {
+    if (!check.line) check.line = part.failed_at;
+  }
   const std::uint64_t undecided = count(parts, Standing::kUndecided);
   if (undecided > 0 && (check.outcome == GateOutcome::kInconclusive || check.defects.empty())) {
     check.summary = fmt::format("{} undecided", count_text(undecided, "answer"));
@@ -207,9 +195,6 @@ std::string properties_markdown(const PropertiesReport& report, const ViewOption
 }
 std::string properties_github(const PropertiesReport& report, const ViewOptions& /*options*/) {
   return github(properties_gate(report));
-}
-std::string properties_sarif(const PropertiesReport& report, const ViewOptions& /*options*/) {
-  return sarif(properties_gate(report));
 }
 std::string properties_gitlab_codequality(const PropertiesReport& report,
                                           const ViewOptions& /*options*/) {

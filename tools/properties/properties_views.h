@@ -19,7 +19,6 @@ std::string properties_json(const PropertiesReport& report, const ViewOptions& o
 std::string properties_junit(const PropertiesReport& report, const ViewOptions& options);
 std::string properties_markdown(const PropertiesReport& report, const ViewOptions& options);
 std::string properties_github(const PropertiesReport& report, const ViewOptions& options);
-std::string properties_sarif(const PropertiesReport& report, const ViewOptions& options);
 std::string properties_gitlab_codequality(const PropertiesReport& report,
                                           const ViewOptions& options);
 
@@ -30,7 +29,6 @@ inline constexpr View<PropertiesReport> kPropertiesViews[] = {
     {"markdown", properties_markdown},
     {"github", properties_github, ViewKind::kCommands},
     {"gitlab-codequality", properties_gitlab_codequality},
-    {kSarif, properties_sarif},
 };
 
 /// A check for each law on each source.

@@ -9,7 +9,6 @@
 #include "properties/run_control.h"
 #include "properties/search/stress.h"
 #include "tools/methods/methods.h"
-#include "tools/report/plot/plot.h"
 #include "tools/report/view.h"
 #include "tools/view/document.h"
 
@@ -80,12 +79,13 @@ inline constexpr View<StressReport> kStressViews[] = {
 
 /// Certificates of the first discrepancy of each kind at each severity: a line each.
 std::string stress_certificates(const StressReport& report);
-/// Error against severity, a plot for each family, stage and format.
-std::vector<Plot> stress_plots(const StressReport& report);
 
 /// The methods of one stage that are judged in one format, on a family.
 ChartFacet stress_facet(const FamilyReport& family, properties::Stage stage,
                         scene::Precision precision);
+
+/// All that a report has.
+std::vector<ChartFacet> stress_facets(const StressReport& report);
 
 /// A report as a page: error against severity, on each of its families.
 ViewDocument stress_document(const StressReport& report);

@@ -47,7 +47,7 @@ int run_stress(StressArguments& arguments) {
   if (certificates) certificates->write(stress_certificates(report));
   print_view(kStressViews, arguments.format, report);
   if (!arguments.plot.empty() && !report.interrupted)
-    draw_or_say(stress_plots(report), arguments.plot);
+    draw_or_say(stress_facets(report), arguments.plot);
   if (view) view->write(page(stress_document(report)));
   return exit_code(report.interrupted, !report.all_stable(), report.compared() > 0);
 }

@@ -14,7 +14,6 @@
 #include "properties/search/stress.h"
 #include "scene/files/scene_file.h"
 #include "tools/methods/methods.h"
-#include "tools/report/plot/plot.h"
 #include "tools/report/view.h"
 #include "tools/view/document.h"
 
@@ -129,8 +128,8 @@ inline constexpr View<TradeoffReport> kTradeoffViews[] = {
     {"markdown", tradeoff_markdown},
 };
 
-/// Error against time, a plot for each stage and format.
-std::vector<Plot> tradeoff_plots(const TradeoffReport& report);
+/// What a report has of all of its sources together, and of each.
+std::vector<ChartFacet> tradeoff_facets(const TradeoffReport& report, bool with_each);
 
 /// A report as a page: error against run time, on all of its sources together and on each.
 ViewDocument tradeoff_document(const TradeoffReport& report);

@@ -34,7 +34,7 @@ int run_tradeoff(TradeoffArguments& arguments) {
   print_warnings(report.warnings);
   print_view(kTradeoffViews, arguments.format, report);
   if (!arguments.plot.empty() && !report.interrupted)
-    draw_or_say(tradeoff_plots(report), arguments.plot);
+    draw_or_say(tradeoff_facets(report, false), arguments.plot);
   if (view) view->write(page(tradeoff_document(report)));
   return exit_code(report.interrupted, false, report.compared() > 0);
 }

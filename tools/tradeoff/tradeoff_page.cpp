@@ -130,24 +130,30 @@ ChartFacet facet_of_source(const Part& part, std::size_t index) {
 
 }  // namespace
 
-ViewDocument tradeoff_document(const TradeoffReport& report) {
-  ChartView chart;
+std::vector<ChartFacet> tradeoff_facets(const TradeoffReport& report, bool with_each) {
+  std::vector<ChartFacet> facets;
   const auto add = [&](ChartFacet facet) {
-    if (!facet.series.empty()) chart.facets.push_back(std::move(facet));
+    if (!facet.series.empty()) facets.push_back(std::move(facet));
   };
   for (const auto& [stage, costs] : {std::pair(Stage::kIntersection, &report.intersections),
                                      std::pair(Stage::kRays, &report.rays)}) {
     for (const auto precision : {scene::Precision::kDouble, scene::Precision::kSingle}) {
       if (!has_any(*costs, precision)) continue;
       const Part part{report, *costs, stage, precision};
-      if (report.sources.size() > 1) add(facet_of_all(part));
+      const bool has_several = report.sources.size() > 1;
+      if (has_several) add(facet_of_all(part));
+      if (has_several && !with_each) continue;
       for (std::size_t k = 0; k < report.sources.size(); ++k) add(facet_of_source(part, k));
     }
   }
+  return facets;
+}
+
+ViewDocument tradeoff_document(const TradeoffReport& report) {
   ViewDocument document;
   document.title = fmt::format("Error against run time: {}", subject_text(report));
   document.left_out = report.left_out;
-  document.chart = std::move(chart);
+  document.chart = ChartView{tradeoff_facets(report, true)};
   return document;
 }
 
