@@ -7,8 +7,7 @@
 #include <vector>
 
 #include "tools/grade/grade.h"
-#include "tools/grade/intake/apart.h"
-#include "tools/grade/intake/submission.h"
+#include "tools/grade/intake/prepare.h"
 #include "tools/grade/results/own_files.h"
 
 namespace raycheck::tools {

@@ -261,6 +261,7 @@ std::string record_text(const SubmissionGrade& grade) {
       {"finished", grade.finished},
       {"points", grade.points},
       {"score", grade.score},
+      {"bonus", grade.bonus},
       {"items", Json::array()}};
   for (const auto& [file, kind, bytes] : grade.opaque_files) {
     json["opaque_files"].push_back({{"name", file}, {"kind", kind}, {"bytes", bytes}});
@@ -294,6 +295,7 @@ SubmissionGrade read_record(std::string_view text) {
   grade.finished = json.at("finished");
   grade.points = json.at("points");
   grade.score = json.at("score");
+  grade.bonus = json.at("bonus");
   for (const Json& item : json.at("items")) grade.items.push_back(item_of(item));
   return grade;
 }
