@@ -15,8 +15,7 @@
 
 #include "properties/mistakes/picture_causes.h"
 #include "scene/interruption.h"
-#include "tools/grade/intake/apart.h"
-#include "tools/grade/intake/submission.h"
+#include "tools/grade/intake/prepare.h"
 #include "tools/grade/judging/judge.h"
 #include "tools/grade/pages/wording.h"
 #include "tools/grade/results/changes.h"
@@ -58,8 +57,8 @@ void judge_all(const Rubric& rubric, Judged judged, const RunControl& control,
                SubmissionGrade& grade) {
   grade.items = judge(rubric, std::move(judged), grade.seed, control);
   for (const ItemGrade& item : grade.items) {
-    if (!item.bonus) grade.points += item.points;
     grade.score += item.score;
+    (item.bonus ? grade.bonus : grade.points) += item.bonus ? item.score : item.points;
   }
   grade.finished = !control.interrupted();
 }
@@ -267,9 +266,9 @@ class ClassRun {
   /// What a dry run, if there was one, tells of the form that a renderer reads.
   static FormKnown form_known(const DriverRule& rule, const std::optional<DryRun>& dry) {
     const bool is_given = !dry || !rule.tries_others ||
-                          (rule.is_asked_for && dry->shows_a_sphere && dry->driver == rule.form);
+                          (rule.is_asked_for && dry->shows_a_sphere() && dry->driver == rule.form);
     if (is_given) return FormKnown::kGiven;
-    return dry->shows_a_sphere ? FormKnown::kFound : FormKnown::kNot;
+    return dry->shows_a_sphere() ? FormKnown::kFound : FormKnown::kNot;
   }
 
   /// Why the grade is none, for a cause outside the submission; empty: it is one.

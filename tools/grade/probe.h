@@ -7,7 +7,7 @@
 
 #include "properties/run_control.h"
 #include "tools/grade/grade.h"
-#include "tools/grade/intake/submission.h"
+#include "tools/grade/intake/prepare.h"
 #include "tools/grade/results/result.h"
 
 namespace raycheck::tools {

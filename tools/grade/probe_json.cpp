@@ -15,7 +15,7 @@ Json dry_run_json(const DryRun& dry) {
           {"seconds", dry.seconds},
           {"needed_seconds", or_null(dry.needed_seconds)},
           {"writes", text_or_null(dry.picture_name)},
-          {"shows_a_sphere", dry.shows_a_sphere},
+          {"shows_a_sphere", dry.shows_a_sphere()},
           {"background", {background.red, background.green, background.blue}},
           {"channels", dry.colours.channels},
           {"tells_spheres", dry.colours.tells_spheres},

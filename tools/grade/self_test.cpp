@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "tools/external/locate.h"
-#include "tools/grade/intake/submission.h"
+#include "tools/grade/intake/prepare.h"
 #include "tools/grade/rubric/rubric_files.h"
 #include "tools/grade/store/store.h"
 

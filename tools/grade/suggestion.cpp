@@ -76,7 +76,7 @@ std::string driver_part(const ProbeReport& report) {
   std::vector<std::pair<DriverForm, int>> counts;
   for (const SubmissionProbe& probe : report.submissions) {
     const auto& dry = probe.found.dry_run;
-    if (!dry || !dry->shows_a_sphere) continue;
+    if (!dry || !dry->shows_a_sphere()) continue;
     const auto known = std::find_if(counts.begin(), counts.end(),
                                     [&](const auto& count) { return count.first == dry->driver; });
     if (known == counts.end()) {
@@ -101,7 +101,7 @@ struct BuiltAlike {
 std::vector<BuiltAlike> built_alike(const ProbeReport& report) {
   std::vector<BuiltAlike> found;
   for (const SubmissionProbe& probe : report.submissions) {
-    if (probe.refusal || !probe.found.as_it_comes) continue;
+    if (probe.refusal || !probe.found.built_automatically) continue;
     const std::string candidate = probe.found.program->text();
     auto known = std::find_if(found.begin(), found.end(), [&](const BuiltAlike& one) {
       return one.build == probe.found.build_words && one.candidate == candidate;
@@ -161,15 +161,15 @@ std::string names_of(const Probes& members) {
 
 std::string suggestion(const ProbeReport& report) {
   std::string text = driver_part(report);
-  bool any_as_it_comes = false;
+  bool any_automatic = false;
   for (const BuiltAlike& alike : built_alike(report)) {
-    any_as_it_comes = true;
+    any_automatic = true;
     const std::string has = distinguishing_file(alike, report);
     if (has.empty()) continue;
     text += "\n# " + names_of(alike.members) + form_table(has, alike.build, alike.candidate);
   }
   for (const Form& form : report.rubric.forms) {
-    if (any_as_it_comes && form.builds_as_it_comes()) {
+    if (any_automatic && form.is_built_automatically()) {
       text += form_table(form.has, form.build, form.program.text());
     }
   }

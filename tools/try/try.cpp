@@ -9,8 +9,7 @@
 #include <vector>
 
 #include "tools/grade/grade.h"
-#include "tools/grade/intake/apart.h"
-#include "tools/grade/intake/submission.h"
+#include "tools/grade/intake/prepare.h"
 #include "tools/grade/pages/wording.h"
 #include "tools/grade/results/own_files.h"
 #include "tools/report/words.h"

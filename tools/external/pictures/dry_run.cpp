@@ -108,10 +108,10 @@ struct Attempt {
   DriverForm form;
   std::optional<MadePicture> made;
   Refusal failure;  ///< Where there is no picture.
-  bool timed_out = false;
+  Progress progress = Progress::kPicture;
   double like = 0;
   double seconds = 0;
-  bool reads() const { return like >= kShownAlike; }
+  bool reads() const { return progress == Progress::kSpheres; }
   bool is_sure() const { return like >= kSurelyAlike; }
 };
 
@@ -123,17 +123,19 @@ class DryRunner {
   DryRun run() {
     Attempt chosen = find_form();
     DryRun found;
-    found.driver = chosen.form;
+    found.driver = chosen.made ? chosen.form : rule_.form;
     found.seconds = chosen.seconds;
-    found.shows_a_sphere = chosen.reads();
+    found.progress = chosen.progress;
     const std::optional<DriverForm> other = form_read_instead(chosen);
     if (other) found.notes.push_back(unread_note(*other));
     if (!chosen.made) {
-      found.refusal = chosen.timed_out ? with_more_time(chosen, found) : chosen.failure;
+      found.refusal = chosen.progress == Progress::kTimeUp ? with_more_time(chosen, found)
+                      : fails_by_fractions()               ? by_fractions(chosen)
+                                                           : chosen.failure;
       return found;
     }
     found.picture_name = chosen.made->other_name;
-    if (!found.shows_a_sphere) found.said = chosen.made->said;
+    if (!chosen.reads()) found.said = chosen.made->said;
     if (rule_.is_asked_for && !(chosen.form == rule_.form)) {
       found.notes.push_back(unread_note(chosen.form));
     }
@@ -167,6 +169,7 @@ class DryRunner {
           fmt::format("its background is not black but ({}, {}, {})", red, green, blue));
     }
     find_colours(found);
+    leave_out_light(found);
     return found;
   }
 
@@ -183,21 +186,29 @@ class DryRunner {
   /// The symmetric scene in a form.
   Attempt attempt(const DriverForm& form) {
     ++tried_;
+    return attempt_of(scene_, form);
+  }
+  /// A scene that looks the same.
+  Attempt attempt_of(const scene::Scene& scene, const DriverForm& form) {
     Attempt made;
     made.form = form;
     const double before = spent();
+    const std::vector<Colour> white(scene.spheres.size(), {255, 255, 255});
     try {
-      made.made = rendered(renderer_, driver_text(scene_, form, white_), size_);
+      made.made = rendered(renderer_, driver_text(scene, form, white), size_);
       const ReadPicture& picture = made.made->picture;
       if (!picture.pixels.empty()) {
         made.like = likeness(mask_of(picture, background_of(picture)), truth_);
       }
+      if (made.like >= kShownAlike) made.progress = Progress::kSpheres;
     } catch (const ProcessFailure& failure) {
+      const bool is_late = failure.kind() == FailureKind::kTimeUp;
       made.failure = {failure.what(), {}};
-      made.timed_out = failure.kind() == FailureKind::kTimeUp;
-      timed_out_ += made.timed_out ? 1 : 0;
+      made.progress = is_late ? Progress::kTimeUp : Progress::kFailed;
+      timed_out_ += is_late ? 1 : 0;
     } catch (const std::runtime_error& error) {
       made.failure = {error.what(), {}};
+      made.progress = Progress::kNoPicture;
     }
     made.seconds = spent() - before;
     return made;
@@ -209,14 +220,14 @@ class DryRunner {
   }
 
   /// The first form that is surely read; else the one in which the picture is most alike; where
-  /// that is nowhere, the rule's if it gives a picture, else the first that does.
+  /// that is nowhere, the one in which it comes farthest, the rule's before others.
   Attempt best_of_all(Attempt best) {
     for (const DriverForm& form : known_forms(rule_.form)) {
       if (form == rule_.form) continue;
       if (control_.interrupted() || timed_out_ >= kMostTimeouts) break;
       Attempt next = attempt(form);
       if (next.is_sure()) return next;
-      const bool is_better = next.reads() ? next.like > best.like : !best.made && next.made;
+      const bool is_better = next.reads() ? next.like > best.like : next.progress > best.progress;
       if (is_better) best = std::move(next);
     }
     return best;
@@ -224,7 +235,9 @@ class DryRunner {
 
   /// Where the rule's form alone counts and is not read.
   std::optional<DriverForm> form_read_instead(const Attempt& chosen) {
-    if (rule_.tries_others || chosen.reads() || chosen.timed_out) return {};
+    if (rule_.tries_others || chosen.reads() || chosen.progress == Progress::kTimeUp) {
+      return {};
+    }
     const Attempt other = best_of_all(chosen);
     if (!other.reads()) return {};
     return other.form;
@@ -239,7 +252,7 @@ class DryRunner {
     const double seconds = renderer_.program.limits.seconds;
     renderer_.program.limits.seconds = kMoreTime * seconds;
     const auto began = std::chrono::steady_clock::now();
-    const Attempt again = attempt(rule_.form);
+    const Attempt again = attempt(slow.form);
     if (!again.made) return slow.failure;
     // Who computed less than it was allowed was stopped for waiting: then what passed is what it
     // needs.
@@ -298,6 +311,45 @@ class DryRunner {
     }
   }
 
+  /// Whether a program that makes no picture makes one where no number has a fraction.
+  bool fails_by_fractions() {
+    constexpr std::size_t kMostForms = 30;
+    const scene::Scene whole = whole_scene();
+    std::vector<DriverForm> forms = known_forms(rule_.form);
+    forms.resize(std::min(forms.size(), rule_.tries_others ? kMostForms : 1));
+    return std::any_of(forms.begin(), forms.end(), [&](const DriverForm& form) {
+      return !control_.interrupted() && timed_out_ < kMostTimeouts &&
+             attempt_of(whole, form).made.has_value();
+    });
+  }
+  static Refusal by_fractions(const Attempt& failed) {
+    return {"it reads numbers as integers, and fails where one has a fraction", failed.failure.why};
+  }
+
+  bool fails_on(const scene::Scene& scene, const DriverForm& form) const {
+    try {
+      rendered(renderer_, driver_text(scene, form), {scene.camera->width, scene.camera->height});
+      return false;
+    } catch (const std::runtime_error&) {
+      return true;
+    }
+  }
+
+  /// Nothing is asked about the light, so what fails by it alone is no fault.
+  void leave_out_light(DryRun& found) {
+    if (!rule_.tries_others || found.driver.light == DriverLight::kNone) return;
+    DriverForm unlit = found.driver;
+    unlit.light = DriverLight::kNone;
+    for (const scene::Scene& scene : ordinary_scenes()) {
+      if (control_.interrupted()) return;
+      if (!fails_on(scene, found.driver) || fails_on(scene, unlit)) continue;
+      if (!attempt(unlit).reads()) return;
+      found.driver = unlit;
+      found.notes.emplace_back("it fails where there is a light, so its driver files have none");
+      return;
+    }
+  }
+
   /// After so many pictures that are not made in time, no further form is tried.
   static constexpr int kMostTimeouts = 3;
 
@@ -306,8 +358,6 @@ class DryRunner {
   const properties::RunControl& control_;
   const scene::Scene scene_ = symmetric_scene();
   const PictureSize size_ = {scene_.camera->width, scene_.camera->height};
-  const std::vector<Colour> white_ =
-      std::vector<Colour>(scene_.spheres.size(), Colour{255, 255, 255});
   const Mask truth_ = true_mask(scene_);
   int tried_ = 0, timed_out_ = 0;
 };

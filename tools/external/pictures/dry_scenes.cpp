@@ -1,7 +1,10 @@
 #include "tools/external/pictures/dry_scenes.h"
 
 #include <cmath>
+#include <cstdint>
 #include <utility>
+
+#include "properties/cases/case_source.h"
 
 namespace raycheck::tools {
 
@@ -25,6 +28,30 @@ scene::Scene symmetric_scene() {
     }
   }
   return scene;
+}
+
+scene::Scene whole_scene() {
+  constexpr double kScale = 10;
+  scene::Scene scene = symmetric_scene();
+  scene::Camera& camera = *scene.camera;
+  for (double* x :
+       {&camera.eye.z, &camera.near, &camera.left, &camera.right, &camera.bottom, &camera.top}) {
+    *x *= kScale;
+  }
+  for (auto& [centre, radius] : scene.spheres) {
+    centre = {kScale * centre.x, kScale * centre.y, kScale * centre.z};
+    radius *= kScale;
+  }
+  return scene;
+}
+
+std::vector<scene::Scene> ordinary_scenes() {
+  constexpr std::uint64_t kCount = 3;
+  std::vector<scene::Scene> scenes;
+  for (std::uint64_t seed = 1; seed <= kCount; ++seed) {
+    scenes.push_back(properties::find_case_source("course-behind")->make(0, seed).scene);
+  }
+  return scenes;
 }
 
 scene::Scene middle_spheres() {

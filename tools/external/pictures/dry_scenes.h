@@ -1,5 +1,7 @@
 #pragma once
 
+#include <vector>
+
 #include "tools/external/pictures/driver_form.h"
 
 namespace raycheck::tools {
@@ -10,6 +12,12 @@ namespace raycheck::tools {
 /// whole numbers, which programs read that read no others. The picture is the same turned and
 /// mirrored.
 scene::Scene symmetric_scene();
+
+/// The same ten times as large, all its numbers whole.
+scene::Scene whole_scene();
+
+/// A few scenes as they are judged, with fractions, and spheres behind the eye.
+std::vector<scene::Scene> ordinary_scenes();
 
 /// Of each cross the sphere in the middle.
 scene::Scene middle_spheres();

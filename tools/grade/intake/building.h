@@ -10,35 +10,26 @@
 
 namespace raycheck::tools {
 
-/// How a submission is built by its form: by the form's words, as it comes, or as a library of
-/// functions; some need nothing.
-class Building {
- public:
-  /// `file`: what says that the form fits; `program`: what the form makes of it; `folder`: a copy
-  /// of the submission, with these files; `contents`: their digest. They outlast it.
-  Building(const Form& form, const std::string& file, const CandidateSpec& program,
-           const std::filesystem::path& folder, const HandedInFiles& files, std::string contents);
-
-  bool is_needed() const;
-  /// Builds it in the empty folder `to`. Errors: CandidateError with what a compiler said.
-  Built run(const std::filesystem::path& to, const RunOptions& options) const;
-  /// A digest of all that what is built depends on: the files, what is run on them, compilers, and
-  /// raycheck's version.
-  std::string key(const Layers& layers) const;
-
- private:
-  std::string words() const;
-
-  const Form& form_;
-  const std::string& file_;
-  const CandidateSpec& program_;
-  const std::filesystem::path& folder_;
-  const HandedInFiles& files_;
-  std::string contents_;
+/// A submission before it is built.
+struct Unbuilt {
+  const Form& form;
+  const std::string& file;              ///< What says that the form fits.
+  const CandidateSpec& program;         ///< What the form makes of it.
+  const std::filesystem::path& folder;  ///< A copy of the submission, with these files.
+  const HandedInFiles& files;
+  std::string contents;  ///< Their digest.
 };
 
-/// A digest of all that the answers of what was built depend on, the requests aside.
-std::string answers_key(const std::string& build, const CandidateSpec& program,
-                        const Limits& limits);
+bool needs_building(const Unbuilt& submission);
+
+/// Builds a submission in the empty folder `to`: by the form's words, in the first way that works,
+/// or as a library of functions. Errors: CandidateError with what a compiler said, of several ways
+/// with what each did.
+Built build_submission(const Unbuilt& submission, const std::filesystem::path& to,
+                       const RunOptions& options);
+
+/// A digest of all that what is built depends on: the files, what is run on them, compilers, and
+/// raycheck's version.
+std::string build_key(const Unbuilt& submission, const Layers& layers);
 
 }  // namespace raycheck::tools

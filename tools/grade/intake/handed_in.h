@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <functional>
 #include <map>
 #include <string>
 #include <vector>
@@ -35,9 +36,10 @@ struct HandedInPaths {
 /// Errors: std::invalid_argument with what is wrong: no file or folder, or too large.
 HandedInPaths paths_of(const std::filesystem::path& path, const IntakeLimits& limits);
 
-/// Where a folder has nothing but another, as unpacked archives do, that; what is left behind
-/// aside.
-std::filesystem::path innermost(std::filesystem::path path);
+/// Where a folder has nothing but another, as unpacked archives do, that, unless a name `is_meant`;
+/// what is left behind aside.
+std::filesystem::path innermost(std::filesystem::path path,
+                                const std::function<bool(const std::string& name)>& is_meant);
 
 /// A digest of files, their names, contents, and which are programs, and of folders.
 std::string digest_of(const HandedInPaths& paths);

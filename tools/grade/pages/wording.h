@@ -38,9 +38,11 @@ std::string state_text(const ItemGrade& grade);
 /// "time is up after 60 s: robustness not judged"; empty where all that it was to be asked was.
 std::string time_up_text(const SubmissionGrade& grade);
 
-/// What a submission has; "-" of one that could not be judged and for which the rubric gives no
-/// points.
+/// What a submission has, its bonus aside; "-" of one that could not be judged and for which the
+/// rubric gives no points.
 std::string score_text(const SubmissionGrade& grade);
+/// " of 100, bonus 7.5"
+std::string of_points_text(const SubmissionGrade& grade);
 
 /// "could not be judged: 'make' exited with 2". Domain: a submission that could not.
 std::string not_judged_text(const SubmissionGrade& grade);

@@ -272,7 +272,7 @@ void list_fields(auto& fields, SubmissionGrade& grade) {
          grade.isolation, "refused", grade.refused, "build_seconds", grade.build_seconds,
          "build_is_stored", grade.build_is_stored, "judge_seconds", grade.judge_seconds, "seed",
          grade.seed, "key", grade.key, "inputs", grade.inputs, "finished", grade.finished, "points",
-         grade.points, "score", grade.score, "items", grade.items);
+         grade.points, "score", grade.score, "bonus", grade.bonus, "items", grade.items);
 }
 
 }  // namespace

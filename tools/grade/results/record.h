@@ -10,7 +10,7 @@
 namespace raycheck::tools {
 
 /// Changes with the shape of records: those of another shape are graded again.
-inline constexpr std::string_view kRecordShape = "record 10";
+inline constexpr std::string_view kRecordShape = "record 11";
 
 /// All that is known of a submission's grade, as JSON: for instructors, since it has what is
 /// withheld from students, and for the next run.

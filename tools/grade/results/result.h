@@ -197,6 +197,7 @@ struct SubmissionGrade {
   bool finished = false;
   double points = 0;  ///< Of items that are asked, bonus aside.
   double score = 0;
+  double bonus = 0;  ///< Of the score, what comes on top of the points.
   std::vector<ItemGrade> items;
 };
 

@@ -149,10 +149,10 @@ class RubricReader {
       fields_.fail(fields_.required(from, "has"), "names a file of the submission's own folder");
     }
     const bool has_program = result.program.what.find("{program}") != std::string::npos;
-    if (has_program && !result.builds_as_it_comes()) {
+    if (has_program && !result.is_built_automatically()) {
       fields_.fail(candidate, "{program} is what build = \"auto\" makes");
     }
-    if (result.builds_as_it_comes() && !(has_program && result.program.is_words())) {
+    if (result.is_built_automatically() && !(has_program && result.program.is_words())) {
       fields_.fail(candidate,
                    "build = \"auto\" needs {program} in the words of a renderer: or command:");
     }

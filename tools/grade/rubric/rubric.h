@@ -102,11 +102,12 @@ std::string file_name(std::string_view item);
 /// A form of submission: a folder in which a file of that name lies.
 struct Form {
   std::string has;  ///< A name with * and ?.
-  /// Shell words, run in a copy of the folder; "auto": as it comes; empty: nothing to build.
+  /// Shell words, run in a copy of the folder; "auto": the first way that works; empty: nothing to
+  /// build.
   std::string build;
   CandidateSpec program;  ///< {file} is the file found, {program} what starts what was built.
 
-  bool builds_as_it_comes() const { return build == "auto"; }
+  bool is_built_automatically() const { return build == "auto"; }
 };
 
 /// How much a submission may have and use, beside its times.
