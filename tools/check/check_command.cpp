@@ -61,7 +61,7 @@ int run_check(const CheckArguments& arguments) {
   std::optional<OutputFile> view = opened("--view", arguments.view);
   GateFiles files(arguments.gate);
   CheckReport report = check(options, run_control(options.path, arguments.threads));
-  report.ratchet = files.ratchet(findings_of(report), report.interrupted);
+  report.ratchet = files.ratchet(check_gate(report).findings, report.interrupted);
   print_warnings(report.warnings);
   files.write(kCheckViews, report);
   if (certificates) certificates->write(check_certificates(report));

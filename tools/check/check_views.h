@@ -18,28 +18,22 @@ namespace raycheck::tools {
 
 std::string check_text(const CheckReport& report, const ViewOptions& options);
 std::string check_json(const CheckReport& report, const ViewOptions& options);
-std::string check_junit(const CheckReport& report, const ViewOptions& options);
-std::string check_markdown(const CheckReport& report, const ViewOptions& options);
-std::string check_github(const CheckReport& report, const ViewOptions& options);
-std::string check_gitlab_codequality(const CheckReport& report, const ViewOptions& options);
 /// Where the scene shows discrepancies, as a PNG file: exact silhouettes, and on them the pixels of
 /// the discrepancies that are kept, by standing. Of a scene without a camera a picture of nothing.
 std::string check_picture(const CheckReport& report, const ViewOptions& options);
 
+/// A check for each quantity of each candidate; the report outlives it.
+Gate check_gate(const CheckReport& report);
+
 inline constexpr View<CheckReport> kCheckViews[] = {
     {"text", check_text},
     {"json", check_json},
-    {"junit", check_junit},
-    {"markdown", check_markdown},
-    {"github", check_github, ViewKind::kCommands},
-    {"gitlab-codequality", check_gitlab_codequality},
+    {"junit", gate_view<junit, check_gate>},
+    {"markdown", gate_view<markdown, check_gate>},
+    {"github", gate_view<github, check_gate>, ViewKind::kCommands},
+    {"gitlab-codequality", gate_view<gitlab_codequality, check_gate>},
     {"picture", check_picture, ViewKind::kBytes},
 };
-
-/// A check for each quantity of each candidate.
-Gate check_gate(const CheckReport& report);
-/// What a baseline holds of it.
-Findings findings_of(const CheckReport& report);
 
 using NamedPlace = std::function<std::string(const properties::Place&)>;
 /// What was compared of a candidate, a row a quantity; `named` says where it was worst.

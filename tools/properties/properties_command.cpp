@@ -65,7 +65,7 @@ int run_properties_command(const PropertiesArguments& arguments) {
   std::optional<OutputFile> view = opened("--view", arguments.view);
   GateFiles files(arguments.gate);
   PropertiesReport report = run_properties(options, run_control("laws"));
-  report.ratchet = files.ratchet(findings_of(report), report.interrupted);
+  report.ratchet = files.ratchet(properties_gate(report).findings, report.interrupted);
   files.write(kPropertiesViews, report);
   print_view(kPropertiesViews, arguments.format, report);
   if (view) {

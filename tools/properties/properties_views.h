@@ -16,25 +16,18 @@ namespace raycheck::tools {
 
 std::string properties_text(const PropertiesReport& report, const ViewOptions& options);
 std::string properties_json(const PropertiesReport& report, const ViewOptions& options);
-std::string properties_junit(const PropertiesReport& report, const ViewOptions& options);
-std::string properties_markdown(const PropertiesReport& report, const ViewOptions& options);
-std::string properties_github(const PropertiesReport& report, const ViewOptions& options);
-std::string properties_gitlab_codequality(const PropertiesReport& report,
-                                          const ViewOptions& options);
+
+/// A check for each law on each source.
+Gate properties_gate(const PropertiesReport& report);
 
 inline constexpr View<PropertiesReport> kPropertiesViews[] = {
     {"text", properties_text},
     {"json", properties_json},
-    {"junit", properties_junit},
-    {"markdown", properties_markdown},
-    {"github", properties_github, ViewKind::kCommands},
-    {"gitlab-codequality", properties_gitlab_codequality},
+    {"junit", gate_view<junit, properties_gate>},
+    {"markdown", gate_view<markdown, properties_gate>},
+    {"github", gate_view<github, properties_gate>, ViewKind::kCommands},
+    {"gitlab-codequality", gate_view<gitlab_codequality, properties_gate>},
 };
-
-/// A check for each law on each source.
-Gate properties_gate(const PropertiesReport& report);
-/// What a baseline holds of it.
-Findings findings_of(const PropertiesReport& report);
 
 /// The parts of each source, in the order of sources.
 std::vector<std::span<const properties::CampaignPart>> by_source(
