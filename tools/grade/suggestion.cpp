@@ -37,40 +37,6 @@ std::string toml_text(std::string_view text) {
   return result + "\"";
 }
 
-std::string toml_texts(const std::vector<std::string>& texts) {
-  std::string list;
-  for (const std::string& text : texts) list += (list.empty() ? "" : ", ") + toml_text(text);
-  return "[" + list + "]";
-}
-
-std::string driver_table(const DriverForm& form, bool others) {
-  DriverForm preset = form_of(form.dialect);
-  std::string_view name = kDialectNames[static_cast<std::size_t>(form.dialect)];
-  for (const DriverPreset& known : driver_presets()) {
-    if (!(known.form == form)) continue;
-    preset = form;
-    name = known.name;
-  }
-  std::string text = fmt::format("[driver]\npreset = {}\n", toml_text(name));
-  if (others) text += "others = true\n";
-  if (form.sphere_numbers != preset.sphere_numbers) {
-    text += fmt::format("sphere_numbers = {}\n", form.sphere_numbers);
-  }
-  if (form.extra_lines != preset.extra_lines) {
-    text += fmt::format("extra_lines = {}\n", toml_texts(form.extra_lines));
-  }
-  if (form.light != preset.light) {
-    text +=
-        fmt::format("light = \"{}\"\n", kDriverLightNames[static_cast<std::size_t>(form.light)]);
-  }
-  if (form.numbers != preset.numbers) {
-    text += fmt::format("numbers = \"{}\"\n",
-                        kDriverNumberNames[static_cast<std::size_t>(form.numbers)]);
-  }
-  if (form.order != preset.order) text += fmt::format("order = {}\n", toml_texts(form.order));
-  return text;
-}
-
 /// The form that most read; of equally many the first.
 std::string driver_part(const ProbeReport& report) {
   std::vector<std::pair<DriverForm, int>> counts;
@@ -89,7 +55,8 @@ std::string driver_part(const ProbeReport& report) {
   const auto most =
       std::max_element(counts.begin(), counts.end(),
                        [](const auto& a, const auto& b) { return a.second < b.second; });
-  return driver_table(most->first, counts.size() > 1);
+  return fmt::format("[driver]\npreset = {}\n{}", toml_text(most->first.name()),
+                     counts.size() > 1 ? "others = true\n" : "");
 }
 
 /// Submissions that the same words build and start.

@@ -19,9 +19,8 @@ struct DriverRule {
 /// Errors: std::invalid_argument that lists the names, or what driver_form() throws.
 DriverRule driver_rule(std::string_view name);
 
-/// The table [driver] of a rubric: a preset, what is other than it says, and whether `others` are
-/// tried where it is not read. Errors: scene::SceneFileError naming file, line, field and
-/// value.
+/// The table [driver] of a rubric: a `preset`, as driver_rule() takes it, and whether `others` are
+/// tried where it is not read. Errors: scene::SceneFileError naming file, line, field and value.
 DriverRule read_driver(scene::TomlFields& fields, const scene::TomlFields::Table& from);
 
 }  // namespace raycheck::tools

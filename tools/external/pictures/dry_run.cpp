@@ -4,19 +4,14 @@
 
 #include <algorithm>
 #include <chrono>
-#include <cmath>
-#include <map>
 #include <stdexcept>
-#include <tuple>
 #include <utility>
 
 #include "properties/mistakes/shown_picture.h"
-#include "tools/external/pictures/dry_scenes.h"
+#include "tools/external/pictures/dry_pictures.h"
 
 namespace raycheck::tools {
 namespace {
-
-using Mask = std::vector<bool>;
 
 /// How much more time a picture is given that is not made in the rubric's.
 constexpr double kMoreTime = 4;
@@ -24,84 +19,8 @@ constexpr double kMoreTime = 4;
 /// A picture so much like the truth is made by who reads the form.
 constexpr double kSurelyAlike = 0.95;
 
-/// A frame of one colour is a background.
-constexpr double kBackgroundShare = 0.9;
-
-/// A frame of so many colours, none of them more than a share of it, is a sky.
-constexpr std::size_t kShadedColours = 12;
-constexpr double kShadedShare = 0.3;
-
 /// A channel of a pure colour is all, or at most this part of that.
 constexpr double kNoChannel = 0.4;
-
-/// The colours of the frame around a picture.
-struct Frame {
-  std::size_t colours = 0, pixels = 0;
-  Colour most;  ///< The most frequent one, of so many pixels.
-  std::size_t of_most = 0;
-
-  explicit Frame(const ReadPicture& picture) {
-    const auto less = [](const Colour& a, const Colour& b) {
-      return std::tie(a.red, a.green, a.blue) < std::tie(b.red, b.green, b.blue);
-    };
-    std::map<Colour, std::size_t, decltype(less)> counts(less);
-    for (std::int64_t y = 0; y < picture.height; ++y) {
-      for (std::int64_t x = 0; x < picture.width; ++x) {
-        if (x != 0 && y != 0 && x + 1 != picture.width && y + 1 != picture.height) continue;
-        ++counts[picture.pixels[static_cast<std::size_t>(y * picture.width + x)]];
-        ++pixels;
-      }
-    }
-    for (const auto& [colour, count] : counts) {
-      if (count > of_most) most = colour, of_most = count;
-    }
-    colours = counts.size();
-  }
-  double share_of_most() const {
-    return static_cast<double>(of_most) / static_cast<double>(pixels);
-  }
-};
-
-/// What a frame around a picture is nearly everywhere; black where it is not of one colour, or the
-/// picture shows nothing else.
-Colour background_of(const ReadPicture& picture) {
-  const Frame frame(picture);
-  if (frame.share_of_most() < kBackgroundShare) return {};
-  const bool shows_more = std::any_of(picture.pixels.begin(), picture.pixels.end(),
-                                      [&](const Colour& c) { return !(c == frame.most); });
-  return shows_more ? frame.most : Colour{};
-}
-
-/// Whether what lies around the spheres changes from pixel to pixel, as a sky does: nothing tells
-/// it from a sphere.
-bool is_shaded_around(const ReadPicture& picture) {
-  const Frame frame(picture);
-  return frame.colours >= kShadedColours && frame.share_of_most() < kShadedShare;
-}
-
-Mask mask_of(const ReadPicture& picture, const Colour& background) {
-  Mask mask;
-  for (const Colour& colour : picture.pixels) mask.push_back(!(colour == background));
-  return mask;
-}
-
-Mask true_mask(const scene::Scene& scene) {
-  Mask mask;
-  for (const auto& sphere : properties::exact_image(scene, scene.conventions)) {
-    mask.push_back(sphere.has_value());
-  }
-  return mask;
-}
-
-/// The share of what either shows that both show.
-double likeness(const Mask& a, const Mask& b) {
-  double both = 0, either = 0;
-  for (std::size_t k = 0; k < a.size(); ++k) {
-    both += a[k] && b[k] ? 1 : 0;
-    either += a[k] || b[k] ? 1 : 0;
-  }
-  return either == 0 ? 0 : both / either;
-}
 
 /// What became of the symmetric scene in one form.
 struct Attempt {
@@ -196,10 +115,7 @@ class DryRunner {
     const std::vector<Colour> white(scene.spheres.size(), {255, 255, 255});
     try {
       made.made = rendered(renderer_, driver_text(scene, form, white), size_);
-      const ReadPicture& picture = made.made->picture;
-      if (!picture.pixels.empty()) {
-        made.like = likeness(mask_of(picture, background_of(picture)), truth_);
-      }
+      made.like = likeness(made.made->picture, truth_);
       if (made.like >= kShownAlike) made.progress = Progress::kSpheres;
     } catch (const ProcessFailure& failure) {
       const bool is_late = failure.kind() == FailureKind::kTimeUp;
@@ -358,7 +274,7 @@ class DryRunner {
   const properties::RunControl& control_;
   const scene::Scene scene_ = symmetric_scene();
   const PictureSize size_ = {scene_.camera->width, scene_.camera->height};
-  const Mask truth_ = true_mask(scene_);
+  const properties::ImageAnswer truth_ = properties::exact_image(scene_, scene_.conventions);
   int tried_ = 0, timed_out_ = 0;
 };
 

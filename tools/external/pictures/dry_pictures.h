@@ -2,7 +2,9 @@
 
 #include <vector>
 
+#include "properties/candidate.h"
 #include "tools/external/pictures/driver_form.h"
+#include "tools/report/picture_reader.h"
 
 namespace raycheck::tools {
 
@@ -21,5 +23,17 @@ std::vector<scene::Scene> ordinary_scenes();
 
 /// Of each cross the sphere in the middle.
 scene::Scene middle_spheres();
+
+/// What a frame around a picture is nearly everywhere; black where it is not of one colour, or the
+/// picture shows nothing else.
+Colour background_of(const ReadPicture& picture);
+
+/// Whether what lies around the spheres changes from pixel to pixel, as a sky does: nothing tells
+/// it from a sphere.
+bool is_shaded_around(const ReadPicture& picture);
+
+/// Of the pixels in which a picture or the truth shows a sphere, the share in which both do; 0 of a
+/// picture of another size. Domain: a picture without pixels, or as many as the truth has.
+double likeness(const ReadPicture& picture, const properties::ImageAnswer& truth);
 
 }  // namespace raycheck::tools
