@@ -26,7 +26,7 @@ struct ClosedPipe {};
 /// Errors: ClosedPipe; std::runtime_error; scene::Interrupted, where it is given up.
 void write_out(std::string_view text);
 bool has_written_out();
-/// Reads what there is on standard input, at most so many bytes; nothing at its end.
+/// Reads what there is on standard input, at most `most` bytes; nothing at its end.
 /// Errors: std::runtime_error; scene::Interrupted.
 std::string read_in(std::size_t most);
 

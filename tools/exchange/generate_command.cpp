@@ -9,7 +9,7 @@
 namespace raycheck::tools {
 namespace {
 
-/// Bytes of questions that are printed together, once there are so many.
+/// Questions are printed in pieces of at least this many bytes.
 constexpr std::size_t kPrintedAtATime = 1 << 16;
 
 struct GenerateArguments {

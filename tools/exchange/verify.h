@@ -14,7 +14,7 @@
 namespace raycheck::tools {
 
 struct VerifyOptions {
-  /// What generate was asked for: the cases are those of so many seeds from `seed` on.
+  /// What generate was asked for: the cases are those of `cases` seeds from `seed` on.
   properties::ChosenSource source;
   std::uint64_t cases = 0;
   std::uint64_t seed = 0;
@@ -24,13 +24,13 @@ struct VerifyOptions {
   std::size_t top = 10;
 };
 
-/// Cases without an answer, and questions of cases with some, are named up to so many of each.
+/// Cases without an answer, and questions of cases with some, are named, at most this many of each.
 inline constexpr std::size_t kNamedMissing = 5;
 
 /// So many answers may wait for others to the same case, which bounds the memory.
 inline constexpr std::size_t kMostWaiting = std::size_t{1} << 18;
 
-/// No case has so many rays.
+/// More rays than any case has.
 inline constexpr std::size_t kMostRays = std::size_t{1} << 32;
 
 /// No answer is so long.

@@ -10,7 +10,7 @@
 namespace raycheck::tools {
 namespace {
 
-/// Bytes of answers that are read together, where there are so many.
+/// Answers are read in pieces of at most this many bytes.
 constexpr std::size_t kReadAtATime = 1 << 16;
 
 struct VerifyArguments {

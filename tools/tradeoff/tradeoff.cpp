@@ -34,7 +34,7 @@ constexpr std::size_t kMostNamed = 3;
 /// The rays judged at a time.
 constexpr std::uint64_t kChunk = 512;
 
-/// A scene's rays so many at a time.
+/// How many of a scene's rays are judged at a time.
 class SceneChunks {
  public:
   explicit SceneChunks(const properties::SceneCases& cases) : cases_(cases) {}

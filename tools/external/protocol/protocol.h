@@ -93,7 +93,7 @@ class Reply {
   std::vector<std::string_view> lines_;
 };
 
-/// More bytes than an honest reply of so many lines has, and no more than are held at a time.
+/// An upper bound on the bytes of an honest reply of `lines` lines, at most kMostBytes.
 inline constexpr std::size_t kMostBytes = std::size_t{1} << 28;
 constexpr std::size_t most_bytes(std::size_t lines) {
   return lines < kMostBytes / 320 ? 4096 + 320 * lines : kMostBytes;

@@ -20,7 +20,7 @@ struct NamelessFiles {
 /// of one there is, what is mapped of it counts.
 NamelessFiles nameless_files(const std::vector<ProcessState>& processes);
 
-/// The bytes of a file, or so many of the first. Errors: std::system_error; nothing is missed.
+/// The bytes of a file, at most the first `most`. Errors: std::system_error; nothing is missed.
 std::string file_bytes(const std::filesystem::path& file,
                        std::size_t most = std::numeric_limits<std::size_t>::max());
 

@@ -36,7 +36,7 @@ struct MemoryUse {
 /// What several have in common counts once.
 MemoryUse memory_together(const std::vector<ProcessState>& processes);
 
-/// What is killed has ended after so many seconds, however busy the machine is, or never does.
+/// A killed process has ended after this time, however busy the machine is, or it never ends.
 inline constexpr std::chrono::seconds kMostEnding{20};
 
 /// Kills all that this process started, and they, until none is left. False where some are after
