@@ -12,10 +12,9 @@
 #include "tools/arguments.h"
 #include "tools/commands.h"
 #include "tools/grade/grade.h"
-#include "tools/grade/package.h"
 #include "tools/grade/pages/views.h"
 #include "tools/grade/pages/wording.h"
-#include "tools/grade/probe_views.h"
+#include "tools/grade/probe.h"
 #include "tools/terminal.h"
 
 namespace raycheck::tools {

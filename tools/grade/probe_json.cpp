@@ -1,8 +1,7 @@
 
-#include "tools/grade/probe_views.h"
+#include "tools/grade/probe.h"
 #include "tools/grade/results/record.h"
 #include "tools/grade/results/result.h"
-#include "tools/grade/suggestion.h"
 #include "tools/report/json.h"
 
 namespace raycheck::tools {
