@@ -11,7 +11,7 @@
 
 #include "scene/files/scene_file.h"
 #include "tools/external/contestant.h"
-#include "tools/external/pictures/driver_rule.h"
+#include "tools/external/pictures/driver_form.h"
 #include "tools/report/plot/plot.h"
 #include "tools/report/view.h"
 #include "tools/terminal.h"
