@@ -16,7 +16,7 @@
 #include "tools/grade/package.h"
 #include "tools/grade/pages/views.h"
 #include "tools/grade/pages/wording.h"
-#include "tools/grade/probe_views.h"
+#include "tools/grade/probe.h"
 #include "tools/terminal.h"
 
 namespace raycheck::tools {

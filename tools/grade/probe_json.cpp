@@ -1,9 +1,8 @@
 #include <nlohmann/json.hpp>
 
-#include "tools/grade/probe_views.h"
+#include "tools/grade/probe.h"
 #include "tools/grade/results/plain_text.h"
 #include "tools/grade/results/record.h"
-#include "tools/grade/suggestion.h"
 #include "tools/report/json.h"
 
 namespace raycheck::tools {

@@ -4,9 +4,8 @@
 #include <sstream>
 
 #include "tools/grade/pages/wording.h"
-#include "tools/grade/probe_views.h"
+#include "tools/grade/probe.h"
 #include "tools/grade/results/plain_text.h"
-#include "tools/grade/suggestion.h"
 #include "tools/report/table.h"
 #include "tools/report/words.h"
 

@@ -1,5 +1,3 @@
-#include "tools/grade/suggestion.h"
-
 #include <fmt/core.h>
 
 #include <algorithm>
@@ -9,6 +7,7 @@
 #include <vector>
 
 #include "tools/grade/pages/wording.h"
+#include "tools/grade/probe.h"
 
 namespace raycheck::tools {
 namespace {

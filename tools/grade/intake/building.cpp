@@ -12,8 +12,6 @@
 
 #include "tools/external/compile.h"
 #include "tools/external/sandbox/file_tree.h"
-#include "tools/grade/intake/build_plan.h"
-#include "tools/grade/intake/include_repairs.h"
 #include "tools/grade/intake/sources.h"
 #include "tools/grade/rubric/digest.h"
 #include "tools/grade/store/toolchain.h"

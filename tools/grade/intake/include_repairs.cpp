@@ -1,4 +1,4 @@
-#include "tools/grade/intake/include_repairs.h"
+// Includes that lead nowhere, or are missing.
 
 #include <fmt/core.h>
 

@@ -13,9 +13,7 @@
 #include <tuple>
 
 #include "tools/grade/intake/building.h"
-#include "tools/grade/intake/notebook.h"
-#include "tools/grade/intake/opaque_files.h"
-#include "tools/grade/intake/run_folder.h"
+#include "tools/grade/intake/handed_in.h"
 #include "tools/grade/intake/sources.h"
 #include "tools/grade/rubric/digest.h"
 

@@ -4,7 +4,7 @@
 #include <utility>
 
 #include "scene/number.h"
-#include "tools/grade/pages/home.h"
+#include "tools/grade/pages/wording.h"
 #include "tools/report/words.h"
 #include "tools/view/view_words.h"
 

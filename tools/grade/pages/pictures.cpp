@@ -1,5 +1,3 @@
-#include "tools/grade/pages/pictures.h"
-
 #include <fmt/core.h>
 
 #include <array>
@@ -9,6 +7,7 @@
 #include <vector>
 
 #include "tools/grade/pages/html.h"
+#include "tools/grade/pages/wording.h"
 #include "tools/report/data_address.h"
 #include "tools/report/png.h"
 #include "tools/report/words.h"
