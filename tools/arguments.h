@@ -13,7 +13,7 @@
 
 #include "scene/files/scene_file.h"
 #include "tools/external/contestant.h"
-#include "tools/external/pictures/driver_rule.h"
+#include "tools/external/pictures/driver_form.h"
 #include "tools/report/output_file.h"
 #include "tools/report/view.h"
 #include "tools/terminal.h"

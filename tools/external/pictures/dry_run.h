@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "properties/run_control.h"
-#include "tools/external/pictures/driver_rule.h"
+#include "tools/external/pictures/driver_form.h"
 #include "tools/external/pictures/renderer.h"
 #include "tools/external/sandbox/launch.h"
 

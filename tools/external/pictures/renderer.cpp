@@ -3,6 +3,7 @@
 #include <fmt/core.h>
 #include <sys/stat.h>
 
+#include <boost/algorithm/string/replace.hpp>
 #include <ctime>
 #include <stdexcept>
 #include <system_error>
@@ -52,11 +53,8 @@ MadePicture drawn(const Renderer& renderer, const std::string& driver, PictureSi
   Confined program = renderer.program;
   program.files = {{kSceneFile, driver}};
   for (std::string& word : program.arguments) {
-    for (const auto& [mark, file] : {std::pair("{scene}", kSceneFile), {"{image}", kImageFile}}) {
-      for (std::size_t at; (at = word.find(mark)) != std::string::npos;) {
-        word.replace(at, std::string_view(mark).size(), file);
-      }
-    }
+    boost::replace_all(word, "{scene}", kSceneFile);
+    boost::replace_all(word, "{image}", kImageFile);
   }
   Process process(program);
   std::optional<ProcessFailure> failure;

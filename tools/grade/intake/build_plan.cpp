@@ -1,4 +1,4 @@
-#include "tools/grade/intake/build_plan.h"
+// Which ways there are to build what was handed in.
 
 #include <elf.h>
 #include <fmt/core.h>
@@ -7,6 +7,7 @@
 #include <cstring>
 #include <map>
 
+#include "tools/grade/intake/building.h"
 #include "tools/grade/intake/sources.h"
 #include "tools/report/words.h"
 

@@ -3,6 +3,7 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <boost/algorithm/string/replace.hpp>
 #include <iterator>
 #include <set>
 #include <system_error>
@@ -12,8 +13,6 @@
 
 #include "tools/external/compile.h"
 #include "tools/external/sandbox/file_tree.h"
-#include "tools/grade/intake/build_plan.h"
-#include "tools/grade/intake/include_repairs.h"
 #include "tools/grade/intake/sources.h"
 #include "tools/grade/rubric/rubric_files.h"
 #include "tools/grade/store/store.h"
@@ -68,7 +67,7 @@ std::vector<std::string> made_programs(const fs::path& folder,
 std::vector<std::string> made_classes(const fs::path& folder, const std::string& main_class,
                                       const HandedInFiles& handed_in) {
   if (main_class.empty()) return {};
-  const std::string ending = "/" + with_mark(main_class, ".", "/") + ".class";
+  const std::string ending = "/" + boost::replace_all_copy(main_class, ".", "/") + ".class";
   std::string root;
   std::set<std::string> jars;
   bool has_made = false;
@@ -176,7 +175,7 @@ Built auto_built(const Unbuilt& submission, const fs::path& to, const RunOptions
 }
 
 std::string words_of(const Unbuilt& submission) {
-  return with_mark(submission.form.build, "{file}", single_quoted(submission.file));
+  return boost::replace_all_copy(submission.form.build, "{file}", single_quoted(submission.file));
 }
 
 }  // namespace

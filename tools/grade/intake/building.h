@@ -2,6 +2,8 @@
 
 #include <filesystem>
 #include <string>
+#include <string_view>
+#include <vector>
 
 #include "tools/external/locate.h"
 #include "tools/grade/intake/handed_in.h"
@@ -9,6 +11,55 @@
 #include "tools/grade/store/store.h"
 
 namespace raycheck::tools {
+
+/// What `{program}` of a built candidate is: the executable that was made.
+inline constexpr std::string_view kMade = "{made}";
+
+/// A way to build what was handed in.
+struct BuildAttempt {
+  std::string what;   ///< "its Makefile", "its sources"
+  std::string shown;  ///< What is run, for who reads of it: "make", "g++ -O2 rt.cpp".
+  /// The shell words, run in a copy of the folder: what removes and repairs files, then what
+  /// builds; empty: nothing to build.
+  std::string repairs, words;
+  std::string program;  ///< The words that start it; kMade where it is what was made.
+  /// What the executable is likely called, best first.
+  std::vector<std::string> made = {};
+  std::vector<std::string> notes = {};
+  /// That a build may make in place of an executable: "de.uni.Main"; empty: no Java.
+  std::string main_class = {};
+};
+
+/// Ways to build a submission, best first, or why there is none.
+struct BuildPlan {
+  std::vector<BuildAttempt> attempts;
+  std::string why_none;
+};
+
+/// What can be built of the files of a submission: by its Makefile or CMakeLists.txt; else C and
+/// C++, Java, JavaScript, Python, in this order; else a program that was built before, or a script.
+BuildPlan build_plan(const HandedInFiles& files);
+
+/// The class of the likeliest main of Java, with its package; empty: there is none.
+std::string java_main_class(const HandedInFiles& files);
+
+/// What starts a class: with what lies in a folder and in jars, by their paths.
+std::string java_words(const std::string& folder, const std::vector<std::string>& jars,
+                       const std::string& main_class);
+
+/// Each of the parts of build_plan() adds its ways to those before it.
+void plan_make(const HandedInFiles& files, BuildPlan& plan);
+void plan_cmake(const HandedInFiles& files, BuildPlan& plan);
+void plan_c_family(const HandedInFiles& files, BuildPlan& plan);
+void plan_java(const HandedInFiles& files, BuildPlan& plan);
+void plan_javascript(const HandedInFiles& files, BuildPlan& plan);
+void plan_python(const HandedInFiles& files, BuildPlan& plan);
+void plan_built_before(const HandedInFiles& files, BuildPlan& plan);
+
+/// Whether a file is a program or library of Linux (ELF), or one of this machine that can be
+/// started.
+bool is_elf(std::string_view text);
+bool is_program_here(std::string_view text);
 
 /// A submission before it is built.
 struct Unbuilt {

@@ -1,8 +1,9 @@
-#include "tools/grade/intake/include_repairs.h"
+// Includes that lead nowhere, or are missing.
 
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <boost/algorithm/string/replace.hpp>
 #include <filesystem>
 #include <map>
 #include <optional>
@@ -141,7 +142,7 @@ std::string repair_words(const std::vector<IncludeRepair>& repairs) {
   for (const IncludeRepair& repair : repairs) {
     std::string instead = repair.instead;
     for (const char* const special : {"\\", "&", "|"}) {
-      instead = with_mark(instead, special, "\\" + std::string(special));
+      instead = boost::replace_all_copy(instead, special, "\\" + std::string(special));
     }
     const std::string script = repair.line == 0
                                    ? "1i#include " + repair.instead

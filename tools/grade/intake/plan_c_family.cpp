@@ -7,8 +7,7 @@
 #include <set>
 #include <sstream>
 
-#include "tools/grade/intake/build_plan.h"
-#include "tools/grade/intake/include_repairs.h"
+#include "tools/grade/intake/building.h"
 #include "tools/grade/intake/sources.h"
 #include "tools/report/words.h"
 

@@ -9,7 +9,7 @@
 #include <string_view>
 #include <vector>
 
-#include "tools/grade/intake/build_plan.h"
+#include "tools/grade/intake/building.h"
 #include "tools/grade/intake/sources.h"
 #include "tools/report/words.h"
 

@@ -4,6 +4,7 @@
 #include <fnmatch.h>
 
 #include <algorithm>
+#include <boost/algorithm/string/replace.hpp>
 #include <cctype>
 #include <fstream>
 #include <limits>
@@ -13,9 +14,7 @@
 #include <tuple>
 
 #include "tools/grade/intake/building.h"
-#include "tools/grade/intake/notebook.h"
-#include "tools/grade/intake/opaque_files.h"
-#include "tools/grade/intake/run_folder.h"
+#include "tools/grade/intake/handed_in.h"
 #include "tools/grade/intake/sources.h"
 #include "tools/grade/rubric/rubric_files.h"
 
@@ -154,8 +153,8 @@ class Preparing {
         copied_(copied(submission, rubric, copy_->path())) {
     std::tie(form_, file_) = form_of(copy_->path(), rubric);
     program_ = form_->program;
-    program_.what =
-        with_mark(program_.what, "{file}", program_.is_words() ? candidate_word(file_) : file_);
+    program_.what = boost::replace_all_copy(program_.what, "{file}",
+                                            program_.is_words() ? candidate_word(file_) : file_);
     open_to_others(copy_->path());
     found_ = {.program = program_,
               .files = top_files(copied_.files),
@@ -208,7 +207,8 @@ class Preparing {
   RunnableSubmission started(const std::string& by, const properties::RunControl& control) const {
     Preparation found = found_;
     CandidateSpec program = program_;
-    if (found.built_automatically) program.what = with_mark(program.what, "{program}", by);
+    if (found.built_automatically)
+      program.what = boost::replace_all_copy(program.what, "{program}", by);
     found.program = program;
     if (const std::size_t count = made_.programs.size(); count > 1) {
       found.notes.push_back(fmt::format("{} programs are built; {} is run", count, by));

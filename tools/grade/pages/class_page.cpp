@@ -9,7 +9,6 @@
 
 #include "tools/grade/pages/figures.h"
 #include "tools/grade/pages/html.h"
-#include "tools/grade/pages/pictures.h"
 #include "tools/grade/pages/views.h"
 #include "tools/grade/pages/wording.h"
 #include "tools/grade/results/statistics.h"

@@ -1,5 +1,3 @@
-#include "tools/grade/pages/pictures.h"
-
 #include <fmt/core.h>
 
 #include <array>
@@ -9,6 +7,7 @@
 #include <vector>
 
 #include "tools/grade/pages/html.h"
+#include "tools/grade/pages/wording.h"
 #include "tools/report/picture_file.h"
 #include "tools/report/spelling.h"
 #include "tools/report/words.h"

@@ -4,9 +4,7 @@
 
 #include "tools/grade/pages/drawing.h"
 #include "tools/grade/pages/figures.h"
-#include "tools/grade/pages/home.h"
 #include "tools/grade/pages/html.h"
-#include "tools/grade/pages/pictures.h"
 #include "tools/grade/pages/views.h"
 #include "tools/grade/pages/wording.h"
 #include "tools/report/words.h"

@@ -10,8 +10,6 @@
 #include "properties/laws/law.h"
 #include "scene/files/scene_file.h"
 #include "tools/external/pictures/renderer.h"
-#include "tools/grade/pages/home.h"
-#include "tools/grade/pages/pictures.h"
 #include "tools/report/words.h"
 
 namespace raycheck::tools {

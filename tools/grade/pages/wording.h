@@ -1,8 +1,9 @@
 #pragma once
 
-// The words that several views have for the same results.
+// The words, and parts of pages, that several views have for the same results.
 
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "tools/grade/results/redaction.h"
@@ -71,5 +72,27 @@ std::string submission_text(const std::vector<const Item*>& items, const Submiss
 
 /// What was asked in item k and became of it, as lines.
 std::string item_text(const StudentGrade& all, std::size_t k);
+
+/// A command line, and what it is for.
+struct HomeCommand {
+  std::string purpose;
+  std::string words;
+};
+
+/// Those that build the submission as it was built here, and repeat the failing case of item k, its
+/// files beside the submission's; empty where it has none.
+std::vector<HomeCommand> commands_for_case(const StudentGrade& grade, std::size_t k);
+
+/// What grades the submission again, as far as it is shown, in its folder.
+HomeCommand command_for_all(const StudentGrade& grade);
+
+/// "12 of 441 pixels differ: yours is the expected picture mirrored left to right", `whose` being
+/// "yours"; empty where there are no pictures, or what is exact is withheld.
+std::string difference_text(const FailingCase& failing, std::string_view whose = "yours");
+
+/// What the submission drew, what is expected and where they differ, beside each other: spheres in
+/// colours that the colour-blind tell apart, differences by marks. What is withheld is not there;
+/// empty where there are no pictures.
+std::string pictures_html(const FailingCase& failing, std::string_view whose = "yours");
 
 }  // namespace raycheck::tools

@@ -14,7 +14,7 @@
 #include "properties/laws/law.h"
 #include "scene/files/scene_file.h"
 #include "tools/external/candidate_spec.h"
-#include "tools/external/pictures/driver_rule.h"
+#include "tools/external/pictures/driver_form.h"
 #include "tools/methods/methods.h"
 
 namespace raycheck::tools {
