@@ -2,9 +2,9 @@
 #include <string>
 
 #include "tools/arguments.h"
+#include "tools/check/generate.h"
+#include "tools/check/verify_views.h"
 #include "tools/commands.h"
-#include "tools/exchange/generate.h"
-#include "tools/exchange/verify_views.h"
 #include "tools/terminal.h"
 
 namespace raycheck::tools {

@@ -2,8 +2,8 @@
 #include <string>
 
 #include "tools/arguments.h"
+#include "tools/check/generate.h"
 #include "tools/commands.h"
-#include "tools/exchange/generate.h"
 #include "tools/terminal.h"
 
 namespace raycheck::tools {
