@@ -19,7 +19,7 @@ using Json = nlohmann::ordered_json;
 
 /// Of the reports that docs/json.md describes: one more with every change that can break a reader
 /// (a key or value that goes, or means something else), not with what is added.
-inline constexpr int kSchemaVersion = 5;
+inline constexpr int kSchemaVersion = 6;
 
 /// A report as text, as every view writes it. Texts that are no UTF-8 have U+FFFD where they are
 /// none, and no byte of it acts on a terminal.

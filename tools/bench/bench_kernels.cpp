@@ -1,21 +1,25 @@
-// The work whose instructions tools/bench/counts.py counts, a piece a kernel: always the same, on
-// one thread. Run by itself, it checks the answers of every kernel and says how it was built; under
-// valgrind --tool=callgrind --collect-atstart=no it dumps one count a kernel.
+// Pieces of work, a kernel each, always the same, on one thread; a kernel is timed only after its
+// answers were found right.
+//   --target=NAME   is taken by choose_target; all else is Google Benchmark's
+//   --check         checks the answers of every kernel and says how the program was built
+//   --count         under valgrind --tool=callgrind --collect-atstart=no, dumps one count a kernel
 
 #if __has_include(<valgrind/callgrind.h>)
 #include <valgrind/callgrind.h>
 #define RAYCHECK_HAS_CALLGRIND
 #endif
 
+#include <benchmark/benchmark.h>
 #include <gnu/libc-version.h>
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <functional>
 #include <iostream>
 #include <memory>
-#include <optional>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -27,7 +31,6 @@
 #include "reference/exact_ray.h"
 #include "reference/visibility/visibility.h"
 #include "tools/bench/bench_scenes.h"
-#include "tools/bench/bench_target.h"
 #include "tools/check/check.h"
 #include "tools/methods/methods.h"
 
@@ -37,6 +40,7 @@ using namespace raycheck;
 
 struct Kernel {
   std::string name;
+  std::size_t items;
   std::function<void()> work;
   std::function<bool()> is_right;  ///< Whether the answers of the last work are.
 };
@@ -54,7 +58,7 @@ Kernel exact_decisions() {
   const reference::ExactCamera camera(*tools::camera_of(kSide, kSide).camera, {});
   const auto pixels = some_pixels(4000);
   const auto answers = std::make_shared<std::vector<reference::Intersection>>(pixels.size());
-  return {"exact-decisions",
+  return {"exact-decisions", pixels.size(),
           [=] {
             for (std::size_t k = 0; k < pixels.size(); ++k) {
               (*answers)[k] = reference::ExactRay(camera, pixels[k]).intersect(tools::kBenchSphere);
@@ -84,7 +88,7 @@ Kernel rounded_values() {
     double parameter;
   };
   const auto answers = std::make_shared<std::vector<Values>>(pixels.size());
-  return {"rounded-values",
+  return {"rounded-values", pixels.size(),
           [=] {
             for (std::size_t k = 0; k < pixels.size(); ++k) {
               const reference::ExactRay ray(camera, pixels[k]);
@@ -115,7 +119,7 @@ Kernel certified_s() {
   auto cases = tools::hitting_cases();
   cases.resize(2000);
   const auto answers = std::make_shared<std::vector<double>>(cases.size());
-  return {"certified-s",
+  return {"certified-s", cases.size(),
           [=] {
             for (std::size_t k = 0; k < cases.size(); ++k) {
               const reference::ExactRay ray(cases[k].ray);
@@ -142,7 +146,7 @@ Kernel rays_of_pixels(const fast::PixelRayMethod& method) {
   const auto pixels = properties::all_pixels(*scene.camera);
   const auto make = method.pixel_rays != nullptr ? method.pixel_rays : method.focal_rays;
   const auto rays = std::make_shared<fast::Rays>();
-  return {"rays/" + std::string(method.name),
+  return {"rays/" + std::string(method.name), pixels.size(),
           [=] { make(*scene.camera, scene.conventions, pixels, *rays); },
           [&method, scene] { return tools::wrong_answers(method, fast::kCross, scene).empty(); }};
 }
@@ -152,7 +156,7 @@ Kernel intersections(const fast::IntersectMethod& method) {
   const fast::Rays rays = tools::rays_of(scene);
   const auto hits = std::make_shared<fast::Hits>();
   return {
-      "intersect/" + std::string(method.name),
+      "intersect/" + std::string(method.name), rays.size(),
       [=, &method] {
         method.intersect(rays, scene.spheres.front(), scene::Root::kNearest, scene::Tangent::kHit,
                          *hits);
@@ -167,7 +171,7 @@ Kernel certified_image(std::int64_t spheres) {
   constexpr auto kPixels = static_cast<std::size_t>(kImageSide * kImageSide);
   const auto seen = std::make_shared<std::vector<std::int32_t>>(kPixels);
   const auto parameters = std::make_shared<std::vector<double>>(kPixels);
-  return {"image/" + std::to_string(spheres),
+  return {"image/" + std::to_string(spheres), kPixels,
           [=] {
             visibility->nearest(0, kImageSide, {*seen, *parameters, {}, {}, {}});
           },
@@ -192,7 +196,7 @@ Kernel campaign(const char* subject, const char* law) {
   const properties::Candidate candidate = tools::candidate_of(tools::kDefaultMethods);
   properties::CampaignOptions options;
   options.cases = 40;
-  return {"campaign/" + std::string(subject),
+  return {"campaign/" + std::string(subject), static_cast<std::size_t>(options.cases),
           [=] { *result = run_campaign(*properties::find_law(law), candidate, options); },
           [=] { return !result->failure && result->verdict.compared() > 0; }};
 }
@@ -203,7 +207,8 @@ Kernel check_of_scene() {
   options.contestants = {tools::kDefaultMethods};
   options.pixels = 200;
   const auto report = std::make_shared<tools::CheckReport>();
-  return {"check/ten-spheres", [=] { *report = tools::check(options); },
+  return {"check/ten-spheres", static_cast<std::size_t>(*options.pixels),
+          [=] { *report = tools::check(options); },
           [=] { return report->discrepancies() == 0 && report->compared() > 0; }};
 }
 
@@ -221,6 +226,9 @@ std::vector<Kernel> kernels() {
 
 /// What a count depends on beside the code; counts.py compares it with the baseline's.
 std::string built_by() {
+#ifndef RAYCHECK_HAS_CALLGRIND
+  return "built without valgrind/callgrind.h";
+#endif
 #ifdef __clang__
   const std::string compiler = "clang++ " __clang_version__;
 #else
@@ -230,9 +238,9 @@ std::string built_by() {
 }
 
 /// Counts the second run: the first one makes room for the answers.
-void count(const Kernel& kernel) {
-  kernel.work();
+void count([[maybe_unused]] const Kernel& kernel) {
 #ifdef RAYCHECK_HAS_CALLGRIND
+  kernel.work();
   CALLGRIND_ZERO_STATS;
   CALLGRIND_TOGGLE_COLLECT;
   kernel.work();
@@ -241,29 +249,47 @@ void count(const Kernel& kernel) {
 #endif
 }
 
+bool is_right(const Kernel& kernel) {
+  kernel.work();
+  if (kernel.is_right()) return true;
+  std::cerr << kernel.name << ": its answers are wrong\n";
+  return false;
+}
+
+void time_kernel(benchmark::State& state, const Kernel& kernel) {
+  if (!is_right(kernel)) {
+    state.SkipWithError("its answers are wrong");
+    return;
+  }
+  for (auto _ : state) {
+    kernel.work();
+    benchmark::ClobberMemory();
+  }
+  state.SetItemsProcessed(state.iterations() * static_cast<std::int64_t>(kernel.items));
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
-#ifndef RAYCHECK_HAS_CALLGRIND
-  std::cout << "built without valgrind/callgrind.h\n";
-  return 0;
-#else
-  // Highway's widest target that valgrind runs, and which most machines have.
-  std::vector<std::string> target = {argv[0], "--target=AVX2"};
-  std::vector<char*> arguments = {target[0].data(), target[1].data(), nullptr};
-  int count_of_arguments = 2;
-  if (!tools::choose_target(count_of_arguments, arguments.data())) return 2;
-  if (argc == 1) std::cout << built_by() << "\n";
-  for (const Kernel& kernel : kernels()) {
-    if (RUNNING_ON_VALGRIND != 0) {
-      count(kernel);
-      continue;
-    }
-    kernel.work();
-    if (kernel.is_right()) continue;
-    std::cerr << kernel.name << ": its answers are wrong\n";
-    return 1;
+  const std::string_view mode = argc == 2 ? argv[1] : "";
+  const bool checks = mode == "--check", counts = mode == "--count";
+  // What is counted is held to Highway's widest target that valgrind runs and most machines have.
+  if (!tools::choose_target(argc, argv, checks || counts ? "AVX2" : "")) return 2;
+  const std::vector<Kernel> all = kernels();
+  if (checks) {
+    std::cout << built_by() << "\n";
+    return std::all_of(all.begin(), all.end(), is_right) ? 0 : 1;
   }
+  if (counts) {
+    for (const Kernel& kernel : all) count(kernel);
+    return 0;
+  }
+  for (const Kernel& kernel : all) {
+    benchmark::RegisterBenchmark(kernel.name.c_str(), time_kernel, kernel);
+  }
+  benchmark::Initialize(&argc, argv);
+  if (benchmark::ReportUnrecognizedArguments(argc, argv)) return 2;
+  benchmark::RunSpecifiedBenchmarks();
+  benchmark::Shutdown();
   return 0;
-#endif
 }
