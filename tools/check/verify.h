@@ -27,7 +27,7 @@ struct VerifyOptions {
 /// More rays than any case has.
 inline constexpr std::size_t kMostRays = std::size_t{1} << 32;
 
-/// No answer is so long.
+/// Longer than any answer.
 inline constexpr std::size_t kMostLineBytes = std::size_t{1} << 16;
 
 struct VerifyReport {

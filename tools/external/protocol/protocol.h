@@ -17,7 +17,7 @@
 
 namespace raycheck::tools {
 
-/// A reply that is not one: what() says which line is wrong and how.
+/// A malformed reply: what() says which line is wrong and how.
 class ProtocolError : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;
@@ -29,7 +29,7 @@ inline constexpr int kProtocolVersion = 1;
 struct Introduction {
   std::string name;  ///< "-": none
   std::set<std::string> functions;
-  /// Every root >= 0 counts for who says nothing of them.
+  /// Every root >= 0 counts unless it says otherwise.
   properties::DeclaredConventions declared = {.rows = {},
                                               .samples = {},
                                               .origin = {},

@@ -16,7 +16,7 @@
 
 namespace raycheck::tools {
 
-/// What a program says, however much: its beginning and its end are kept.
+/// The beginning and the end of what a program says, however much that is.
 class KeptText {
  public:
   void append(std::string_view more);
@@ -43,8 +43,8 @@ std::string limit_text(const KeptText& said, const Limits& limits);
 /// with its first and last lines; empty where it was silent.
 std::string said_text(const KeptText& said, const KeptText& printed);
 
-/// A process that is talked to through pipes, in a folder of its own; its end is the end of all
-/// that it started.
+/// A process that is talked to through pipes, in a folder of its own. When it ends, so does
+/// everything that it started.
 /// Errors: ProcessFailure, also where it cannot be started; afterwards it is dead.
 class Process {
  public:
@@ -58,7 +58,7 @@ class Process {
   std::string exchange(std::string_view request,
                        const std::function<bool(std::string_view line)>& is_last,
                        std::size_t most_bytes);
-  /// Of an answer that failed, what had come until then.
+  /// What had arrived of an answer that failed.
   const std::string& unfinished() const { return answer_; }
   /// Limits what is exchanged from now on to this many seconds of CPU time.
   void allow(double seconds) { confined_.limits.seconds = seconds; }
