@@ -128,8 +128,7 @@ std::uint64_t StressCurve::left_out() const {
 std::optional<double> StressCurve::slope(int base) const {
   std::vector<double> errors;
   for (std::size_t k = 0; k < results.size(); ++k) {
-    const properties::Tally* const at = tally(k);
-    errors.push_back(at == nullptr ? 0 : at->quantile(0.999).value_or(0));
+    errors.push_back(tally(k).quantile(0.999).value_or(0));
   }
   return properties::error_slope(base, severities, errors);
 }
