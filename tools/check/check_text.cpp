@@ -203,14 +203,14 @@ std::string check_text(const CheckReport& report, const ViewOptions& options) {
   };
   std::vector<RankedDiscrepancy> ranked;
   for (const CandidateReport& candidate : report.candidates) {
-    const External* const external = external_of(candidate.contestant);
-    text +=
-        fmt::format("\n{}  {}\n", candidate.name,
-                    external == nullptr ? timing_text(candidate.timing, report.scene.spheres.size())
-                                        : "isolated by: " + external->program.layers.text());
-    if (external != nullptr && !external->renderer && !report.max_error) {
+    const Implementation& implementation = candidate.implementation;
+    text += fmt::format("\n{}  {}\n", candidate.name,
+                        implementation.isolated_by.empty()
+                            ? timing_text(candidate.timing, report.scene.spheres.size())
+                            : "isolated by: " + implementation.isolated_by);
+    if (!implementation.bounds_of.empty() && !report.max_error) {
       text += fmt::format("  documents no bounds: held to those of {} (--bounds)\n",
-                          candidate_of(external->bounds).name);
+                          implementation.bounds_of);
     }
     if (!(candidate.conventions == report.scene.conventions)) {
       text += fmt::format("  judged under its own conventions: {}\n",
@@ -222,9 +222,9 @@ std::string check_text(const CheckReport& report, const ViewOptions& options) {
     text += precision_text(candidate);
     text += swallowed_text(candidate);
     text += quantities_table(candidate);
-    const bool renders = external != nullptr && external->renderer;
-    text +=
-        indented(explanations_text(candidate.explanations, renders ? "pixels" : "answers"), "  ");
+    text += indented(
+        explanations_text(candidate.explanations, implementation.draws() ? "pixels" : "answers"),
+        "  ");
     text += failures_text(candidate.search);
     text += too_few_text(candidate);
     std::size_t rank = 0;

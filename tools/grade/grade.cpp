@@ -27,7 +27,7 @@
 #include "tools/grade/rubric/digest.h"
 #include "tools/grade/self_test.h"
 #include "tools/grade/store/store.h"
-#include "tools/methods/methods.h"
+#include "tools/implementations/built_in.h"
 #include "tools/report/version.h"
 #include "tools/run/in_order.h"
 

@@ -61,10 +61,10 @@ int run_properties_command(const PropertiesArguments& arguments) {
   const bool methods_asked = !(arguments.rays.empty() && arguments.intersect.empty());
   require_lines_for_sarif(arguments.gate, arguments.format, arguments.external.candidates,
                           methods_asked);
-  options.contestants = find_contestants(arguments.external, parse_driver(arguments.dialect));
+  options.implementations = find_candidates(arguments.external, parse_driver(arguments.dialect));
   if (methods_asked) {
-    const auto pairs = contestants(chosen_methods(arguments.rays, arguments.intersect));
-    options.contestants.insert(options.contestants.begin(), pairs.begin(), pairs.end());
+    const auto pairs = built_in(chosen_methods(arguments.rays, arguments.intersect));
+    options.implementations.insert(options.implementations.begin(), pairs.begin(), pairs.end());
   }
   std::optional<OutputFile> view;
   if (arguments.view) view.emplace("--view", *arguments.view);

@@ -54,6 +54,8 @@ Json error_json(std::optional<double> error) {
   return *error;
 }
 
+Json null_if_empty(const std::string& text) { return text.empty() ? Json(nullptr) : Json(text); }
+
 Json hexfloats(const std::vector<double>& numbers) {
   Json list = Json::array();
   for (const double x : numbers) list.push_back(scene::hexfloat(x));

@@ -35,6 +35,9 @@ std::string interrupted_json_text(std::string_view command);
 /// An error: a number, null where there is none, the string "infinity".
 Json error_json(std::optional<double> error);
 
+/// Null of an empty text.
+Json null_if_empty(const std::string& text);
+
 /// Doubles as hexfloat strings, so that no reader rounds them.
 Json hexfloats(const std::vector<double>& numbers);
 Json hexfloat_or_null(std::optional<double> number);

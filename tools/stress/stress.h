@@ -8,14 +8,13 @@
 
 #include "properties/run_control.h"
 #include "properties/search/stress.h"
-#include "tools/methods/methods.h"
+#include "tools/implementations/implementation.h"
 
 namespace raycheck::tools {
 
 struct StressOptions {
   std::vector<std::string> families;  ///< Empty: every source with a dial.
-  std::vector<std::string> methods;   ///< Empty: every method, or those of others alone.
-  std::vector<StagedMethod> others;
+  std::vector<Implementation> implementations;
   int cases = 200;  ///< At each severity.
   std::uint64_t seed = 1;
   /// Severities from..to; empty: the family's own range.
@@ -24,13 +23,14 @@ struct StressOptions {
 
 /// One method on one family.
 struct StressCurve {
-  StagedMethod method;
+  properties::Stage stage = properties::Stage::kRays;
+  Implementation method;
   std::vector<int> severities;
   std::vector<properties::StressResult> results;  ///< One a severity.
 
-  properties::Quantity quantity() const { return properties::main_quantity(method.stage); }
+  properties::Quantity quantity() const { return properties::main_quantity(stage); }
   /// Of that quantity's errors: "ulp", "u of float".
-  std::string_view unit() const { return unit_name(quantity(), method.precision()); }
+  std::string_view unit() const { return unit_name(quantity(), method.precision); }
   /// The tally of the main quantity within the stated domain at the k-th severity; null where
   /// nothing was measured.
   const properties::Tally* tally(std::size_t k) const;

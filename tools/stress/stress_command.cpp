@@ -17,6 +17,7 @@ namespace {
 
 struct StressArguments {
   StressOptions options;
+  std::vector<std::string> methods;
   std::string severity;
   std::string plot;
   std::optional<std::string> view;
@@ -42,7 +43,7 @@ std::pair<int, int> parse_range(const std::string& text) {
 int run_stress(StressArguments& arguments) {
   if (!arguments.severity.empty()) arguments.options.severities = parse_range(arguments.severity);
   if (!arguments.plot.empty()) require_plottable(arguments.plot);
-  arguments.options.others = find_others(arguments.external);
+  arguments.options.implementations = find_by_stages(arguments.methods, arguments.external);
   std::optional<OutputFile> certificates;
   if (arguments.certificates) certificates.emplace("--certificates", *arguments.certificates);
   std::optional<OutputFile> view;
@@ -65,9 +66,9 @@ CommandRun add_stress(CLI::App& command) {
       ->delimiter(',');
   command
       .add_option(
-          "--method,--methods", options.methods,
+          "--method,--methods", given->methods,
           "only these methods, of either kind, separated by commas, or all (default: those of "
-          "fast/, without the reference and peers)")
+          "fast/, without the reference)")
       ->delimiter(',');
   command.add_option("--severity", given->severity,
                      "only these severities, A..B (default: the family's own range)");

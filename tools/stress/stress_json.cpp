@@ -19,14 +19,12 @@ std::string stress_json(const StressReport& report, const ViewOptions& /*options
     entry["methods"] = Json::array();
     for (const StressCurve& curve : family.curves) {
       Json method;
-      const scene::Precision precision = curve.method.precision();
-      method["name"] = curve.method.name();
-      method["isolated_by"] =
-          curve.method.other ? Json(curve.method.other->isolated_by) : Json(nullptr);
-      method["bounds_of"] =
-          curve.method.other ? Json(curve.method.other->bounds_of) : Json(nullptr);
+      const scene::Precision precision = curve.method.precision;
+      method["name"] = curve.method.name;
+      method["isolated_by"] = null_if_empty(curve.method.isolated_by);
+      method["bounds_of"] = null_if_empty(curve.method.bounds_of);
       method["precision"] = name(precision);
-      method["stage"] = name(curve.method.stage);
+      method["stage"] = name(curve.stage);
       method["judged"] = curve.is_judged();
       const std::optional<int> failing = curve.first_failing();
       method["first_failing"] = failing ? Json(*failing) : Json(nullptr);

@@ -27,11 +27,11 @@ Plot plot_of(const FamilyReport& family, Stage stage, scene::Precision precision
   floor.name = "kappa of the problem";
   floor.style = PlotSeries::Style::kDashes;
   for (const StressCurve& curve : family.curves) {
-    if (curve.method.stage != stage) continue;
+    if (curve.stage != stage) continue;
     PlotSeries series;
-    series.name = std::string(curve.method.name());
+    series.name = curve.method.name;
     series.number = curve.method.number;
-    if (curve.method.precision() != precision) continue;
+    if (curve.method.precision != precision) continue;
     bool is_measured = false;
     for (std::size_t k = 0; k < curve.results.size(); ++k) {
       const Tally* const tally = curve.tally(k);

@@ -14,6 +14,7 @@ namespace {
 
 struct TradeoffArguments {
   TradeoffOptions options;
+  std::vector<std::string> methods;
   std::string dialect;
   std::string plot;
   std::optional<std::string> view;
@@ -32,7 +33,7 @@ int run_tradeoff(TradeoffArguments& arguments) {
   if (!arguments.plot.empty()) require_plottable(arguments.plot);
   std::optional<OutputFile> view;
   if (arguments.view) view.emplace("--view", *arguments.view);
-  options.others = find_others(arguments.external);
+  options.implementations = find_by_stages(arguments.methods, arguments.external);
   const TradeoffReport report = run_tradeoff(options, run_control("tradeoff"));
   print_warnings(report.warnings);
   print_view(kTradeoffViews, arguments.format, report);
@@ -58,9 +59,9 @@ CommandRun add_tradeoff(CLI::App& command) {
   command.add_flag("--all-families", options.all_families, "cases of every family");
   command
       .add_option(
-          "--method,--methods", options.methods,
+          "--method,--methods", given->methods,
           "only these methods, of either kind, separated by commas, or all (default: those of "
-          "fast/, without the reference and peers)")
+          "fast/, without the reference)")
       ->delimiter(',');
   command.add_option("--cases", options.cases, "how many cases, or pixels of a scene")
       ->check(whole_number(1, kMostCases))

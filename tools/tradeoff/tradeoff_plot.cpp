@@ -21,7 +21,7 @@ Plot plot_of(const std::vector<MethodCost>& costs, Stage stage, scene::Precision
   plot.title = fmt::format("{}{}: error against run time on {}", name(stage),
                            precision_words(precision), subject);
   plot.x_label = fmt::format("run time in a batch, over that of {} ({:.3g} ns an item)",
-                             base->method.name(), base->batch->median);
+                             base->method.name, base->batch->median);
   plot.y_label = fmt::format("99.9% {}, in {}",
                              stage == Stage::kRays ? "angle of the direction" : "error of s",
                              unit_name(properties::main_quantity(stage), precision));
@@ -38,7 +38,7 @@ Plot plot_of(const std::vector<MethodCost>& costs, Stage stage, scene::Precision
     const PlotPoint point{time->median / unit, *tally->quantile(0.999),
                           standing_of(cost.accuracy.inside), time->low / unit, time->high / unit};
     plot.series.push_back(
-        {std::string(cost.method.name()), PlotSeries::Style::kPoint, {point}, cost.method.number});
+        {cost.method.name, PlotSeries::Style::kPoint, {point}, cost.method.number});
     if (point.standing != PlotStanding::kDefect) places.emplace_back(point.x, point.y);
   }
   if (plot.series.empty()) return plot;
