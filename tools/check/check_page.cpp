@@ -6,8 +6,6 @@
 #include "properties/search/worst_case.h"
 #include "properties/stage.h"
 #include "tools/check/check_views.h"
-#include "tools/external/external_candidate.h"
-#include "tools/external/staged.h"
 #include "tools/report/words.h"
 #include "tools/view/scene_view.h"
 #include "tools/view/selection.h"
@@ -24,10 +22,9 @@ constexpr std::size_t kMostFindings = 8;
 constexpr std::size_t kMostDiscrepancies = 64;
 
 std::string method_of(const CandidateReport& candidate, Quantity quantity) {
-  const MethodPair* const pair = methods_of(candidate.contestant);
-  if (pair == nullptr) return candidate.name;
-  const bool is_of_rays = properties::law_of(properties::Stage::kRays, quantity) != nullptr;
-  return std::string(is_of_rays ? pair->rays->name : pair->intersect->name);
+  using properties::Stage;
+  const bool is_of_rays = properties::law_of(Stage::kRays, quantity) != nullptr;
+  return candidate.implementation.name_in(is_of_rays ? Stage::kRays : Stage::kIntersection);
 }
 
 /// What makes a candidate's wrong answers right, in a sentence; or nothing.
@@ -98,7 +95,7 @@ std::vector<Group> groups_of(const CheckReport& report) {
   std::vector<Group> groups;
   Group own;
   for (const CandidateReport& candidate : report.candidates) {
-    if (methods_of(candidate.contestant) != nullptr) {
+    if (candidate.implementation.methods) {
       own.push_back(&candidate);
     } else if (candidate.not_asked.empty()) {
       groups.push_back({&candidate});
@@ -106,20 +103,6 @@ std::vector<Group> groups_of(const CheckReport& report) {
   }
   if (!own.empty() || groups.empty()) groups.insert(groups.begin(), own);
   return groups;
-}
-
-/// Someone else's implementation as explain asks it; null where it cannot be asked that.
-std::shared_ptr<const OtherMethod> other_of(const CandidateReport& candidate) {
-  const External* const external = external_of(candidate.contestant);
-  if (external == nullptr || external->renderer) return nullptr;
-  return staged(*external).front().other;
-}
-
-/// Someone else's renderer; empty where it is none.
-CandidateMaker renderer_of(const CandidateReport& candidate) {
-  const External* const external = external_of(candidate.contestant);
-  if (external == nullptr || !external->renderer) return nullptr;
-  return [external = *external] { return external_candidate(external); };
 }
 
 }  // namespace
@@ -134,20 +117,13 @@ ViewDocument check_document(const CheckReport& report, const CheckPageOptions& o
   }
   for (const Group& group : groups_of(report)) {
     SceneViewOptions view;
-    view.name = group.size() == 1 && methods_of(group.front()->contestant) == nullptr
-                    ? group.front()->name
-                    : document.title;
+    view.name = group.size() == 1 && !group.front()->implementation.methods ? group.front()->name
+                                                                            : document.title;
     view.file = shell_word(report.path);
     view.is_of_methods = options.is_of_methods;
     view.wanted = options.wanted;
     for (const CandidateReport* candidate : group) {
-      if (const MethodPair* const pair = methods_of(candidate->contestant)) {
-        view.methods.push_back(*pair);
-      } else {
-        view.other = other_of(*candidate);
-        view.more_arguments = candidate_words(candidate->name);
-        view.renderer = renderer_of(*candidate);
-      }
+      show(candidate->implementation, view);
       const auto found = findings_of(*candidate, report.scene, document.scenes.size());
       document.findings.insert(document.findings.end(), found.begin(), found.end());
     }

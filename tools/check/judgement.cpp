@@ -129,7 +129,7 @@ void Judgement::seek_failures(std::size_t k, std::uint64_t first, ChunkVerdict& 
     return;
   }
   searchers_.resize(drafts_.size());
-  if (!searchers_[k]) searchers_[k] = candidate_of(report.contestant);
+  if (!searchers_[k]) searchers_[k] = report.implementation.make();
   const auto& cases = scenes_.of(report.precision);
   const Case chunk = cases->from(first, std::min(first + kChunk, cases->rays_judged()));
   properties::SharedTruths truths(chunk, plans_[static_cast<std::size_t>(report.precision)]);
@@ -143,7 +143,7 @@ std::vector<ChunkVerdict> Judgement::judge(std::uint64_t first) {
   std::vector<Candidate>& candidates = candidates_.local();
   if (candidates.empty()) {
     for (const Draft& draft : drafts_) {
-      candidates.push_back(candidate_of(draft.report.contestant));
+      candidates.push_back(draft.report.implementation.make());
     }
   }
   std::vector<ChunkVerdict> found(drafts_.size());

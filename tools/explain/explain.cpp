@@ -199,7 +199,7 @@ ExplainReport explain(const ExplainOptions& options) {
   if (options.rays->pixel_rays == nullptr) scene.conventions.origin = scene::Origin::kFocal;
   std::optional<properties::Candidate> other;
   if (options.other) {
-    other = options.other->candidate();
+    other = options.other->make();
     scene.conventions = other->declared.over(scene.conventions);
     auto [rounded, reason, changed] = properties::rounded_case({scene, {}}, other->precision);
     if (!rounded) throw std::invalid_argument(other->name + ": " + reason);

@@ -70,16 +70,15 @@ std::vector<Stage> stages_of(const CaseSource& family) {
 }
 
 std::vector<StressCurve> run_stage(const CaseSource& family, Stage stage,
-                                   const std::vector<StagedMethod>& methods,
                                    const StressOptions& options,
                                    const properties::RunControl& control) {
   std::vector<StressCurve> curves;
   std::vector<properties::Candidate> candidates;
   const std::vector<int> severities = severities_of(family, options);
-  for (const StagedMethod& method : methods) {
-    if (method.stage != stage) continue;
-    curves.push_back({method, severities, {}});
-    candidates.push_back(candidate_of(method));
+  for (const Implementation& method : options.implementations) {
+    if (!method.offers(stage)) continue;
+    curves.push_back({stage, method, severities, {}});
+    candidates.push_back(method.make());
   }
   if (curves.empty()) return curves;
   properties::StressOptions each;
@@ -159,12 +158,11 @@ StressReport run_stress(const StressOptions& options, const properties::RunContr
   report.cases = options.cases;
   report.seed = options.seed;
   const std::vector<const CaseSource*> families = chosen_families(options.families);
-  const std::vector<StagedMethod> methods = find_methods(options.methods, options.others);
   require_severities(families, options);
   for (const CaseSource* family : families) {
     FamilyReport one{family, {}};
     for (const Stage stage : stages_of(*family)) {
-      auto curves = run_stage(*family, stage, methods, options, control);
+      auto curves = run_stage(*family, stage, options, control);
       std::move(curves.begin(), curves.end(), std::back_inserter(one.curves));
     }
     report.families.push_back(std::move(one));

@@ -10,6 +10,7 @@
 #include "properties/rounded_case.h"
 #include "scene/validate.h"
 #include "tools/image/image_paint.h"
+#include "tools/implementations/built_in.h"
 #include "tools/run/in_order.h"
 #include "tools/view/document_json.h"
 #include "tools/view/figure/figure.h"
@@ -36,7 +37,7 @@ scene::Scene shown_scene(const scene::Scene& scene, const SceneViewOptions& opti
     shown.conventions.origin = scene::Origin::kFocal;
   }
   if (options.other) {
-    shown.conventions = options.other->candidate().declared.over(shown.conventions);
+    shown.conventions = options.other->make().declared.over(shown.conventions);
   }
   return shown;
 }
@@ -61,9 +62,9 @@ std::vector<CandidateMaker> candidates_of(const SceneViewOptions& options) {
     makers.push_back([pair] { return candidate_of(pair); });
   }
   // Who intersects nothing has no picture.
-  if (options.other && options.others_picture && options.other->candidate().intersect) {
+  if (options.other && options.others_picture && options.other->make().intersect) {
     makers.push_back(answering_candidate(
-        options.other, options.methods.empty() ? kDefaultMethods : options.methods.front()));
+        *options.other, options.methods.empty() ? kDefaultMethods : options.methods.front()));
   }
   if (options.renderer) makers.push_back(options.renderer);
   return makers;
@@ -181,6 +182,19 @@ void add_panels(const scene::Scene& scene, const SceneViewOptions& options, Scen
 }
 
 }  // namespace
+
+void show(const Implementation& implementation, SceneViewOptions& options) {
+  if (implementation.methods) {
+    options.methods.push_back(*implementation.methods);
+    return;
+  }
+  options.more_arguments = candidate_words(implementation.name);
+  if (implementation.draws()) {
+    options.renderer = implementation.make;
+  } else {
+    options.other = std::make_shared<const Implementation>(implementation);
+  }
+}
 
 SceneView view_of(const scene::Scene& scene, const SceneViewOptions& options,
                   std::vector<std::string>& left_out, const properties::RunControl& control) {
