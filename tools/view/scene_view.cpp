@@ -133,7 +133,6 @@ void add_panels(const scene::Scene& scene, const SceneViewOptions& options, Scen
   PanelOptions panels;
   if (!options.methods.empty()) panels.rays = options.methods.front().rays;
   panels.other = options.other;
-  panels.others_ray = options.others_ray;
   if (options.is_of_methods) panels.methods = options.methods;
   // Of a picture there are no steps: those that are right are told.
   if (options.renderer) panels.methods = {kDefaultMethods};

@@ -80,7 +80,6 @@ Panel panel_of(const scene::Scene& scene, const DrawnFrame& frame, const Selecti
   ExplainOptions explained;
   explained.rays = options.rays;
   explained.other = options.other;
-  explained.others_ray = options.others_ray;
   if (scene.camera) {
     explained.scene = scene;
     explained.pixel = selection.pixel;

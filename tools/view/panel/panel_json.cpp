@@ -137,8 +137,8 @@ Json step_json(const Step& step, const ExplainReport& report) {
 /// What a method comes to, held against the exact answer.
 Json verdict_json(const MethodReport& method, const ExplainReport& report) {
   Json said = Json::array();
-  if (!method.failure.empty()) {
-    add(said, "wrong", "failed: " + method.failure);
+  if (!method.failure().empty()) {
+    add(said, "wrong", "failed: " + method.failure());
   } else {
     if (method.parameter) {
       add(said, "symbol", "s");
@@ -147,7 +147,7 @@ Json verdict_json(const MethodReport& method, const ExplainReport& report) {
     } else if (method.intersects) {
       add(said, "", "a miss");
     }
-    add(said, "", answer_remarks(method, report));
+    add(said, "", answer_remarks(method));
     if (!method.goes_wrong_at.empty()) {
       add(said, "wrong", "; goes wrong at ");
       add(said, "symbol", method.goes_wrong_at);
@@ -156,7 +156,7 @@ Json verdict_json(const MethodReport& method, const ExplainReport& report) {
   }
   return {{"name", method.name},
           {"said", std::move(said)},
-          {"wrong", !method.goes_wrong_at.empty() || !method.failure.empty()}};
+          {"wrong", !method.goes_wrong_at.empty() || !method.failure().empty()}};
 }
 
 Json exact_json(const ExplainReport& report) {
