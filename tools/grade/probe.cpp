@@ -1,13 +1,9 @@
 #include "tools/grade/probe.h"
 
-#include <fmt/core.h>
-
 #include <algorithm>
-#include <cstdint>
 #include <utility>
 
 #include "tools/grade/self_test.h"
-#include "tools/run/in_order.h"
 
 namespace raycheck::tools {
 namespace {
@@ -50,26 +46,11 @@ ProbeReport probe(const GradeOptions& options, const properties::RunControl& con
   const Layers layers = chosen_layers(options.sandbox).layers;
   test_environment(report.rubric, layers);
   const std::vector<Submission> submissions = find_submissions(options.submissions, {});
-  std::vector<std::size_t> again;
-  in_order<Probed>(
-      static_cast<std::int64_t>(submissions.size()), control,
-      [&](std::int64_t k) {
-        return probed(submissions[static_cast<std::size_t>(k)], report.rubric, layers, control,
-                      false);
-      },
-      [&](Probed& one) {
-        if (!one.outside.empty()) again.push_back(report.submissions.size());
-        report.submissions.push_back(std::move(one.probe));
-        const std::string state =
-            fmt::format("{} of {} tried", report.submissions.size(), submissions.size());
-        control.progress(state);
-        control.done(fmt::format("{}: {}", state, report.submissions.back().name));
-      });
-  for (const std::size_t k : again) {
-    if (control.interrupted()) break;
-    control.progress(fmt::format("{} again, alone", submissions[k].name));
-    report.submissions[k] = probed(submissions[k], report.rubric, layers, control, true).probe;
-    control.done(fmt::format("tried again, alone: {}", submissions[k].name));
+  for (Probed& one :
+       done_for_each<Probed>(submissions, control, "tried", [&](const Submission&each, bool alone) {
+         return probed(each, report.rubric, layers, control, alone);
+       })) {
+    report.submissions.push_back(std::move(one.probe));
   }
   report.interrupted = control.interrupted();
   return report;
