@@ -66,7 +66,7 @@ std::vector<Mistake> root_mistakes() {
       choice("v < 0 counts as a miss, so that spheres around the origin are not seen where their "
              "centres lie behind it",
              [](const Ray& ray, const Roots& roots, const Conventions& conventions) -> Hit {
-               return roots.v < 0 ? Hit() : usual_choice(ray, roots, conventions);
+               return roots.axial_distance < 0 ? Hit() : usual_choice(ray, roots, conventions);
              }),
       value("Q = s D: the origin is not added",
             [](const Ray& ray, const HitAnswer& hit) {
