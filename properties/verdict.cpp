@@ -139,14 +139,11 @@ std::uint64_t Verdict::discrepancies() const {
   return std::accumulate(by_standing_.begin(), by_standing_.end(), std::uint64_t{0});
 }
 
-std::vector<Discrepancy> Verdict::failures(bool strictly) const {
-  std::set<std::optional<CodeLine>> lines;
-  std::vector<Discrepancy> found;
+std::optional<CodeLine> Verdict::failed_at(bool strictly) const {
   for (const Discrepancy& d : kept_) {
-    if (d.wrong != Wrong::kFailed || !is_held_against(d, strictly)) continue;
-    if (lines.insert(d.failed.line).second) found.push_back(d);
+    if (d.failed.line && is_held_against(d, strictly)) return d.failed.line;
   }
-  return found;
+  return std::nullopt;
 }
 
 std::vector<DefectKind> Verdict::defects(bool strictly) const {

@@ -58,7 +58,6 @@ const std::map<std::string, Rooms> kSees = {
     {"tools/external",
      {"scene", "scene/files", "properties", "properties/mistakes", "tools/methods",
       "tools/report"}},
-    {"tools/manual", {}},
     {"tools/peers", {"scene", "fast"}},
     {"tools/grade/rubric",
      {"scene/files", "properties/laws", "properties/cases", "tools/report", "tools/methods",
@@ -100,7 +99,6 @@ const std::map<std::string, std::string> kInside = {
     {"tools/external/sandbox", "tools/external"},
     {"tools/external/protocol", "tools/external"},
     {"tools/external/pictures", "tools/external"},
-    {"tools/report/plot", "tools/report"},
     {"tools/view/chart", "tools/view"},
     {"tools/view/figure", "tools/view"},
     {"tools/view/page", "tools/view"},
@@ -346,8 +344,7 @@ TEST(Programs, NeedWhatTheyMayLinkAndNoMore) {
   for (auto& [program, of_program] : files) {
     std::set<std::string> edge;
     for (const std::string& file : sources()) {
-      const bool is_shared = folder_of(file) == kEdge && file != "tools/write_manual.cpp" &&
-                             file != "tools/all_commands.h";
+      const bool is_shared = folder_of(file) == kEdge;
       if (is_shared || of_program.contains(file.substr(file.rfind('/') + 1))) edge.insert(file);
     }
     ASSERT_TRUE(kMayLink.contains(program)) << program;

@@ -68,4 +68,12 @@ constexpr const CommandRow* find_command(std::string_view name) {
 /// this program.
 inline constexpr std::string_view kAnswersForAll = find_command("check")->program;
 
+// What the exit codes of every command mean.
+inline constexpr int kExitNothingFound = 0;
+inline constexpr int kExitDiscrepancy = 1;
+inline constexpr int kExitBadInput = 2;
+inline constexpr int kExitNothingChecked = 4;
+/// And the signal: of one that interrupted it, and of SIGPIPE where nobody reads what it prints.
+inline constexpr int kExitOfSignal = 128;
+
 }  // namespace raycheck::tools

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <chrono>
 #include <cstddef>
 #include <string>
 #include <string_view>
@@ -33,23 +32,6 @@ std::string read_in(std::size_t most);
 
 /// Whether standard output takes colours: a terminal, and NO_COLOR is not set.
 bool stdout_takes_colours();
-
-/// One line on standard error that says how far long work has come, after the first second. Where
-/// standard error is no terminal it has instead a line for each part that is done.
-class Progress {
- public:
-  explicit Progress(std::string what);
-  Progress(const Progress&) = delete;
-  Progress& operator=(const Progress&) = delete;
-  ~Progress();
-  void show(std::string_view state);
-  void list(std::string_view done) const;
-
- private:
-  std::string what_;
-  std::chrono::steady_clock::time_point next_;
-  bool shown_ = false;
-};
 
 /// Runs work from the terminal: the signals that are caught end it early, and `what` is said to
 /// have come so far on standard error until the control is gone.

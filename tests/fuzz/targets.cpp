@@ -14,7 +14,7 @@
 #include "tools/exchange/verify.h"
 #include "tools/external/protocol/protocol.h"
 #include "tools/grade/rubric/rubric.h"
-#include "tools/report/picture_reader.h"
+#include "tools/report/picture_file.h"
 
 namespace raycheck::tests {
 namespace {

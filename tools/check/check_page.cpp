@@ -1,5 +1,3 @@
-#include "tools/check/check_page.h"
-
 #include <fmt/core.h>
 
 #include <algorithm>
@@ -7,6 +5,7 @@
 
 #include "properties/search/worst_case.h"
 #include "properties/stage.h"
+#include "tools/check/check_views.h"
 #include "tools/external/external_candidate.h"
 #include "tools/external/staged.h"
 #include "tools/report/words.h"

@@ -7,7 +7,7 @@
 #include "properties/given_rays.h"
 #include "properties/laws/law.h"
 #include "scene/interruption.h"
-#include "tools/check/swallowed.h"
+#include "tools/check/check.h"
 #include "tools/run/in_order.h"
 
 namespace raycheck::tools {

@@ -14,7 +14,7 @@
 namespace raycheck::tools {
 
 struct VerifyOptions {
-  /// What generate was asked for: the cases are those of so many seeds from `seed` on.
+  /// What generate was asked for: the cases are those of `cases` seeds from `seed` on.
   properties::ChosenSource source;
   std::uint64_t cases = 0;
   std::uint64_t seed = 0;
@@ -23,12 +23,6 @@ struct VerifyOptions {
   bool strict = false;  ///< What is excused or undecided fails, too.
   std::size_t top = 10;
 };
-
-/// Cases without an answer, and questions of cases with some, are named up to so many of each.
-inline constexpr std::size_t kNamedMissing = 5;
-
-/// So many answers may wait for others to the same case, which bounds the memory.
-inline constexpr std::size_t kMostWaiting = std::size_t{1} << 18;
 
 /// No case has so many rays.
 inline constexpr std::size_t kMostRays = std::size_t{1} << 32;
@@ -39,37 +33,28 @@ inline constexpr std::size_t kMostLineBytes = std::size_t{1} << 16;
 struct VerifyReport {
   std::uint64_t answers = 0, cases = 0;
   std::uint64_t cases_asked = 0;
-  std::uint64_t cases_left_out = 0;          ///< That floats cannot hold: they ask nothing.
-  std::vector<std::string> cases_missing;    ///< The first ones without any answer.
-  std::uint64_t questions_missing = 0;       ///< Of cases with some.
-  std::vector<std::string> questions_named;  ///< The first of those.
-  properties::ChosenSource source;           ///< As in the options.
+  std::uint64_t cases_left_out = 0;  ///< That floats cannot hold: they ask nothing.
+  std::string ends_before;          ///< The first question without an answer; empty: there is none.
+  properties::ChosenSource source;  ///< As in the options.
   std::uint64_t seed = 0;
-  /// In its verdict ray k of the n-th case, from 0 on, is ray n * kMostRays + k, whichever case was
-  /// answered first.
+  /// In its verdict ray k of the n-th case, from 0 on, is ray n * kMostRays + k.
   CandidateReport candidate;
   std::size_t top = 10;
   bool strict = false;
-  bool interrupted = false;  ///< Then what was not read yet is not missing.
+  bool interrupted = false;
 
-  /// Whether questions have no answer.
-  bool is_short() const {
-    return !interrupted && (cases_not_answered() > 0 || questions_missing > 0);
-  }
-  std::uint64_t cases_not_answered() const { return cases_asked - cases_left_out - cases; }
   std::size_t ray_in_case(std::size_t ray) const { return ray % kMostRays; }
   /// "SOURCE:SEED:RAY", which begins the ids of the questions about it.
   std::string ray_id(std::size_t ray) const;
-  bool holds() const { return candidate.verdict.holds(strict) && !is_short(); }
+  bool holds() const { return candidate.verdict.holds(strict) && ends_before.empty(); }
 };
 
 /// The next part of what is read; empty at the end.
 using ReadMore = std::function<std::string()>;
 
-/// Judges the answers to questions (tools/exchange/generate.h) by the laws of single values. A case
-/// is judged, and forgotten, once all its questions are answered.
-/// Errors: std::invalid_argument naming the line that is no answer to a question asked, or is the
-///         second to one.
+/// Judges the answers to questions (tools/exchange/generate.h), in their order, by the laws of
+/// single values. A case is judged, and forgotten, once all its questions are answered. Errors:
+/// std::invalid_argument naming the line that is no answer to the next question.
 VerifyReport verify(const ReadMore& answers, const VerifyOptions& options,
                     const properties::RunControl& control = {});
 

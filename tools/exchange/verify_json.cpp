@@ -1,4 +1,3 @@
-#include <nlohmann/json.hpp>
 
 #include "tools/check/check_views.h"
 #include "tools/exchange/verify_views.h"
@@ -12,9 +11,7 @@ std::string verify_json(const VerifyReport& report, const ViewOptions& /*options
   json["cases"] = report.cases;
   json["cases_asked"] = report.cases_asked;
   json["cases_left_out"] = report.cases_left_out;
-  json["cases_missing"] = report.cases_missing;
-  json["questions_missing"] = report.questions_missing;
-  json["questions_named"] = report.questions_named;
+  json["ends_before"] = report.ends_before.empty() ? Json(nullptr) : Json(report.ends_before);
   json["interrupted"] = report.interrupted;
   json["strict"] = report.strict;
   json["holds"] = report.holds();

@@ -85,8 +85,7 @@ CommandRun add_explain(CLI::App& command) {
   const auto given = std::make_shared<ExplainArguments>();
   ExplainArguments& arguments = *given;
   command.add_option("SCENE", arguments.scene, "a scene with a camera");
-  command.add_option("--dialect", arguments.dialect,
-                     "of a driver file: A, B or C, or a year, 2017 to 2020");
+  add_dialect(command, arguments.dialect);
   command.add_option("--pixel", arguments.pixel, "the pixel, I,J");
   command.add_option("--rays", arguments.rays,
                      "whose ray the intersection methods get (default: direct)");

@@ -43,8 +43,7 @@ std::optional<CodeLine> line_of(std::string_view text, std::int64_t number) {
     --end;
   }
   end = std::max(begin, end);
-  return CodeLine{"", number, static_cast<std::int64_t>(begin) + 1,
-                  std::string(text.substr(begin, end - begin))};
+  return CodeLine{"", number, std::string(text.substr(begin, end - begin))};
 }
 
 /// The path of a file in a folder, links followed; empty where it lies elsewhere, or is none.

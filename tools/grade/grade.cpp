@@ -18,12 +18,12 @@
 #include "tools/grade/intake/prepare.h"
 #include "tools/grade/judging/judge.h"
 #include "tools/grade/pages/wording.h"
-#include "tools/grade/results/earlier.h"
+#include "tools/grade/results/changes.h"
 #include "tools/grade/results/own_files.h"
-#include "tools/grade/results/plain_text.h"
 #include "tools/grade/results/record.h"
 #include "tools/grade/results/redaction.h"
-#include "tools/grade/rubric/digest.h"
+#include "tools/grade/results/result.h"
+#include "tools/grade/rubric/rubric_files.h"
 #include "tools/grade/self_test.h"
 #include "tools/grade/store/store.h"
 #include "tools/methods/methods.h"
@@ -323,7 +323,7 @@ class ClassRun {
     if (const ResultsFormat* results = options_.results) {
       files[kResultsFile] = results->render(student_grade(rubric_, grade, results->hidden_by));
     }
-    files[kRecordFile] = record_text(grade);
+    files[kRecordFile] = json_text(record_json(grade));
     own_->replace(submission.name, files);
   }
 

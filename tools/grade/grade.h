@@ -13,8 +13,8 @@
 #include "properties/run_control.h"
 #include "tools/grade/intake/submission.h"
 #include "tools/grade/pages/views.h"
-#include "tools/grade/results/class_grade.h"
 #include "tools/grade/results/redaction.h"
+#include "tools/grade/results/result.h"
 #include "tools/run/in_order.h"
 
 namespace raycheck::tools {

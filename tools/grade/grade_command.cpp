@@ -11,7 +11,6 @@
 #include "scene/files/file_text.h"
 #include "tools/arguments.h"
 #include "tools/commands.h"
-#include "tools/exit_codes.h"
 #include "tools/grade/grade.h"
 #include "tools/grade/package.h"
 #include "tools/grade/pages/views.h"

@@ -5,7 +5,7 @@
 
 #include "tools/grade/pages/wording.h"
 #include "tools/grade/probe.h"
-#include "tools/grade/results/plain_text.h"
+#include "tools/grade/results/result.h"
 #include "tools/report/table.h"
 #include "tools/report/words.h"
 

@@ -12,8 +12,8 @@
 
 #include "tools/external/locate.h"
 #include "tools/grade/intake/prepare.h"
-#include "tools/grade/rubric/digest.h"
-#include "tools/grade/store/toolchain.h"
+#include "tools/grade/rubric/rubric_files.h"
+#include "tools/grade/store/store.h"
 
 namespace raycheck::tools {
 namespace {

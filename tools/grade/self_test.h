@@ -2,7 +2,7 @@
 
 #include <filesystem>
 
-#include "tools/external/sandbox/layers.h"
+#include "tools/external/sandbox/launch.h"
 #include "tools/grade/rubric/rubric.h"
 
 namespace raycheck::tools {

@@ -1,15 +1,14 @@
 #include <fmt/core.h>
 #include <tbb/info.h>
 
-#include <algorithm>
 #include <memory>
 #include <stdexcept>
 
 #include "scene/number.h"
 #include "tools/arguments.h"
 #include "tools/commands.h"
+#include "tools/image/image.h"
 #include "tools/image/image_paint.h"
-#include "tools/image/image_views.h"
 #include "tools/report/output_file.h"
 #include "tools/terminal.h"
 
@@ -19,7 +18,7 @@ namespace {
 struct ImageArguments {
   std::string scene;
   std::string out;
-  std::string what = "sphere";
+  Picture what = Picture::kSphere;
   std::string dialect;
   std::string rays;
   std::string intersect;
@@ -59,9 +58,7 @@ int run_image(const ImageArguments& arguments) {
   ImageOptions options;
   options.path = arguments.scene;
   options.dialect = parse_dialect(arguments.dialect);
-  options.what =
-      static_cast<Picture>(std::find(kPictureNames.begin(), kPictureNames.end(), arguments.what) -
-                           kPictureNames.begin());
+  options.what = arguments.what;
   if (!arguments.size.empty()) options.size = parse_size(arguments.size);
   for (const auto& [option, value] :
        {std::pair("--rays", &arguments.rays), std::pair("--intersect", &arguments.intersect)}) {
@@ -110,12 +107,9 @@ CommandRun add_image(CLI::App& command) {
   command.add_option("--out", arguments.out, "the picture, .png or .ppm")
       ->required()
       ->type_name("FILE");
-  command
-      .add_option("--what", arguments.what,
-                  "class: hit or miss; sphere: the nearest one, shaded; depth: s, near is bright; "
-                  "error: how far a method's s is off, see below")
-      ->check(CLI::IsMember(std::vector<std::string>(kPictureNames.begin(), kPictureNames.end())))
-      ->capture_default_str();
+  add_named(command, "--what", arguments.what, kPictureNames,
+            "class: hit or miss; sphere: the nearest one, shaded; depth: s, near is bright; error: "
+            "how far a method's s is off, see below");
   command.add_option("--rays", arguments.rays,
                      "of error: the method that makes rays (default: direct)");
   command.add_option("--intersect", arguments.intersect,
@@ -126,8 +120,7 @@ CommandRun add_image(CLI::App& command) {
   command.add_option("--threads", arguments.threads, "how many; the picture is the same")
       ->check(whole_number(1, 1024))
       ->capture_default_str();
-  command.add_option("--dialect", arguments.dialect,
-                     "of a driver file: A, B or C, or a year, 2017 to 2020");
+  add_dialect(command, arguments.dialect);
   add_external(command, arguments.external);
   command.get_option("--candidate")->excludes(command.get_option("--intersect"));
   add_format(command, arguments.format, kImageViews);

@@ -1,6 +1,7 @@
 #pragma once
 
-#include <nlohmann/json_fwd.hpp>
+#include <functional>
+#include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -14,12 +15,11 @@
 
 namespace raycheck::tools {
 
-/// Complete in <nlohmann/json.hpp>, which only those include who make or read one.
 using Json = nlohmann::ordered_json;
 
 /// Of the reports that docs/json.md describes: one more with every change that can break a reader
 /// (a key or value that goes, or means something else), not with what is added.
-inline constexpr int kSchemaVersion = 5;
+inline constexpr int kSchemaVersion = 6;
 
 /// A report as text, as every view writes it. Texts that are no UTF-8 have U+FFFD where they are
 /// none, and no byte of it acts on a terminal.
@@ -35,6 +35,24 @@ std::string interrupted_json_text(std::string_view command);
 /// An error: a number, null where there is none, the string "infinity".
 Json error_json(std::optional<double> error);
 
+/// What is written of a value; null where there is none.
+template <class Value, class Write = std::identity>
+Json or_null(const std::optional<Value>& value, const Write& write = {}) {
+  return value ? Json(write(*value)) : Json(nullptr);
+}
+/// A text; null where it is empty.
+inline Json text_or_null(const std::string& text) {
+  return text.empty() ? Json(nullptr) : Json(text);
+}
+
+/// A list of what is written of each.
+template <class Values, class Write>
+Json list_json(const Values& values, const Write& write) {
+  Json list = Json::array();
+  for (const auto& value : values) list.push_back(write(value));
+  return list;
+}
+
 /// Doubles as hexfloat strings, so that no reader rounds them.
 Json hexfloats(const std::vector<double>& numbers);
 Json hexfloat_or_null(std::optional<double> number);
@@ -43,6 +61,10 @@ Json conventions_json(const scene::Conventions& conventions);
 /// "A", "B" or "C"; null of what is no driver file.
 Json dialect_json(std::optional<scene::Dialect> dialect);
 Json place_json(const properties::Place& place);
+/// The file of a scene, and the size of its image, null where it has none.
+void add_scene(Json& json, const std::string& path, const scene::Scene& scene);
+/// What was asked, of which too little was judged.
+Json too_few_json(const std::pair<properties::Quantity, properties::Question>& too_few);
 /// Null of a defect.
 Json excuse_json(const properties::Discrepancy& discrepancy);
 Json discrepancy_json(const properties::Discrepancy& discrepancy);

@@ -1,4 +1,3 @@
-#include "tools/stress/dial_page.h"
 
 #include <fmt/core.h>
 
@@ -11,7 +10,7 @@
 #include "properties/cases/random.h"
 #include "scene/interruption.h"
 #include "tools/report/words.h"
-#include "tools/stress/stress_page.h"
+#include "tools/stress/stress.h"
 #include "tools/view/scene_view.h"
 #include "tools/view/selection.h"
 
@@ -77,6 +76,15 @@ ShownCase worst_of_first(const properties::CaseSource& family, int severity,
   return shown;
 }
 
+/// Of a case that shows something wrong.
+FindingView finding_of(const ShownCase& shown, int severity, const std::string& method) {
+  return {.sentence = fmt::format("severity {}: {} {}", severity, info(shown.wrong->quantity).name,
+                                  wrongness_text(*shown.wrong)),
+          .candidate = method,
+          .method = method,
+          .selection = selection_of(shown.place, shown.the_case.scene)};
+}
+
 /// A facet of those of its severities.
 ChartFacet of_severities(ChartFacet facet, const std::vector<int>& chosen) {
   const auto keep = [&](auto& list) {
@@ -136,11 +144,8 @@ ViewDocument dial_document(const StressOptions& options, const properties::RunCo
     view.file = view.name + ".toml";
     view.wanted = selections_of(shown.the_case, shown.place);
     if (shown.wrong) {
-      document.findings.push_back(
-          {fmt::format("severity {}: {} {}", severity, info(shown.wrong->quantity).name,
-                       wrongness_text(*shown.wrong)),
-           std::string(first->name()), std::string(first->name()), properties::Standing::kDefect,
-           document.scenes.size(), selection_of(shown.place, shown.the_case.scene)});
+      document.findings.push_back(finding_of(shown, severity, std::string(first->name())));
+      document.findings.back().scene = document.scenes.size();
     }
     dial.scenes.push_back(document.scenes.size());
     document.scenes.push_back(view_of(shown.the_case.scene, view, document.left_out, control));

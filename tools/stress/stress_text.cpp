@@ -6,7 +6,7 @@
 #include "tools/methods/others_text.h"
 #include "tools/report/table.h"
 #include "tools/report/words.h"
-#include "tools/stress/stress_views.h"
+#include "tools/stress/stress.h"
 
 namespace raycheck::tools {
 namespace {

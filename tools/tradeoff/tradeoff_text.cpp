@@ -3,7 +3,7 @@
 #include "tools/methods/others_text.h"
 #include "tools/report/table.h"
 #include "tools/report/words.h"
-#include "tools/tradeoff/tradeoff_views.h"
+#include "tools/tradeoff/tradeoff.h"
 
 namespace raycheck::tools {
 namespace {

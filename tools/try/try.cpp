@@ -1,5 +1,7 @@
 #include "tools/try/try.h"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <filesystem>
 #include <optional>
@@ -8,7 +10,9 @@
 
 #include "tools/grade/grade.h"
 #include "tools/grade/intake/prepare.h"
+#include "tools/grade/pages/wording.h"
 #include "tools/grade/results/own_files.h"
+#include "tools/report/words.h"
 
 namespace raycheck::tools {
 
@@ -48,6 +52,29 @@ TryReport try_submission(const TryOptions& options, const properties::RunControl
   own->replace(name, files_for_student(report.shown));
   report.folder = (std::filesystem::path(options.out) / name).string();
   return report;
+}
+
+/// The lines that `grade` prints of one submission, then what there is to say of items that fail.
+std::string try_text(const TryReport& report) {
+  const StudentGrade& shown = report.shown;
+  std::string text = report.rubric->title + "\n" + submission_text(shown.items, shown.submission);
+  if (shown.unlisted > 0) {
+    text += fmt::format(
+        "  {} in the score and not shown\n",
+        shown.unlisted == 1 ? "1 item is" : fmt::format("{} items are", shown.unlisted));
+  }
+  for (std::size_t k = 0; k < shown.items.size(); ++k) {
+    const ItemGrade& item = shown.submission.items[k];
+    // Of what is not answered its line says all.
+    const bool has_more = item.failing || item.reason.kind != ItemReason::Kind::kUnanswered;
+    if (item.state != ItemState::kFails || !has_more) continue;
+    text += "\n" + shown.items[k]->name + "\n" + indented(item_text(shown, k), "  ");
+  }
+  if (!report.folder.empty()) {
+    text += "\nwritten: " + report.folder + "/report.html, and the smallest cases beside it\n";
+  }
+  if (report.interrupted) text += "INTERRUPTED: these are the items that were reached.\n";
+  return text;
 }
 
 }  // namespace raycheck::tools

@@ -37,4 +37,6 @@ struct TryReport {
 /// Errors: what grade() throws.
 TryReport try_submission(const TryOptions& options, const properties::RunControl& control = {});
 
+std::string try_text(const TryReport& report);
+
 }  // namespace raycheck::tools

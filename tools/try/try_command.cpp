@@ -4,7 +4,7 @@
 #include "tools/arguments.h"
 #include "tools/commands.h"
 #include "tools/terminal.h"
-#include "tools/try/try_views.h"
+#include "tools/try/try.h"
 
 namespace raycheck::tools {
 namespace {

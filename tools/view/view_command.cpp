@@ -8,11 +8,10 @@
 
 #include "scene/interruption.h"
 #include "tools/arguments.h"
-#include "tools/check/check_page.h"
+#include "tools/check/check_views.h"
 #include "tools/commands.h"
-#include "tools/exit_codes.h"
 #include "tools/report/output_file.h"
-#include "tools/stress/dial_page.h"
+#include "tools/stress/stress.h"
 #include "tools/terminal.h"
 #include "tools/view/document_json.h"
 #include "tools/view/page/page.h"
@@ -158,8 +157,7 @@ CommandRun add_view(CLI::App& command) {
       ->capture_default_str();
   add_seed(command, arguments.seed);
   command.add_option("--out", arguments.out, "the page: one HTML file, which needs no other");
-  command.add_option("--dialect", arguments.dialect,
-                     "of a driver file: A, B or C, or a year, 2017 to 2020");
+  add_dialect(command, arguments.dialect);
   command
       .add_option("--method", arguments.methods,
                   "the methods that intersect rays, with commas between (default: all, or of large "

@@ -1,3 +1,5 @@
+#include "tools/stress/stress.h"
+
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -6,9 +8,7 @@
 #include <string>
 
 #include "tests/tools/external/judged.h"
-#include "tools/stress/stress_page.h"
-#include "tools/tradeoff/tradeoff_front.h"
-#include "tools/tradeoff/tradeoff_page.h"
+#include "tools/tradeoff/tradeoff.h"
 #include "tools/view/document_json.h"
 #include "tools/view/page/page.h"
 

@@ -9,7 +9,7 @@
 
 #include "scene/files/scene_file.h"
 #include "scene/files/toml_fields.h"
-#include "tools/report/picture_reader.h"
+#include "tools/report/picture_file.h"
 
 namespace raycheck::tools {
 

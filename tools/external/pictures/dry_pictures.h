@@ -4,7 +4,7 @@
 
 #include "properties/candidate.h"
 #include "tools/external/pictures/driver_form.h"
-#include "tools/report/picture_reader.h"
+#include "tools/report/picture_file.h"
 
 namespace raycheck::tools {
 

@@ -7,7 +7,7 @@
 #include "properties/run_control.h"
 #include "tools/external/pictures/driver_form.h"
 #include "tools/external/pictures/renderer.h"
-#include "tools/external/refusal.h"
+#include "tools/external/sandbox/launch.h"
 
 namespace raycheck::tools {
 

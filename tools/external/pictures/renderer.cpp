@@ -11,16 +11,12 @@
 
 #include "properties/other_size.h"
 #include "tools/external/pictures/picture_file.h"
-#include "tools/external/pictures/stored_picture.h"
 #include "tools/external/sandbox/file_tree.h"
 
 namespace raycheck::tools {
 namespace {
 
 namespace fs = std::filesystem;
-
-/// What a picture may have at most, whatever the scene's size.
-constexpr std::int64_t kMostPicturePixels = std::int64_t{1} << 26;
 
 /// Of a program that has ended. `most`: as large as its files may be.
 std::string read_made(const fs::path& path, std::uint64_t most) {

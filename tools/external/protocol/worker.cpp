@@ -24,7 +24,7 @@
 #include <string_view>
 #include <vector>
 
-#include "tools/external/protocol/last_frames.h"
+#include "tools/external/protocol/frames.h"
 
 namespace {
 

@@ -24,7 +24,6 @@
 #include "scene/interruption.h"
 #include "tools/external/sandbox/private_folder.h"
 #include "tools/external/sandbox/process_tree.h"
-#include "tools/external/sandbox/visible.h"
 #include "tools/report/version.h"
 
 namespace raycheck::tools {

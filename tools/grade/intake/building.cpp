@@ -14,8 +14,8 @@
 #include "tools/external/compile.h"
 #include "tools/external/sandbox/file_tree.h"
 #include "tools/grade/intake/sources.h"
-#include "tools/grade/rubric/digest.h"
-#include "tools/grade/store/toolchain.h"
+#include "tools/grade/rubric/rubric_files.h"
+#include "tools/grade/store/store.h"
 #include "tools/report/words.h"
 
 namespace raycheck::tools {

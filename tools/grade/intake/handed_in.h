@@ -10,7 +10,7 @@
 #include <string_view>
 #include <vector>
 
-#include "tools/external/sandbox/starting_folder.h"
+#include "tools/external/sandbox/private_folder.h"
 #include "tools/grade/results/result.h"
 
 namespace raycheck::tools {

@@ -16,7 +16,7 @@
 #include "tools/grade/intake/building.h"
 #include "tools/grade/intake/handed_in.h"
 #include "tools/grade/intake/sources.h"
-#include "tools/grade/rubric/digest.h"
+#include "tools/grade/rubric/rubric_files.h"
 
 namespace raycheck::tools {
 namespace {

@@ -7,7 +7,7 @@
 #include <stdexcept>
 #include <system_error>
 
-#include "tools/grade/rubric/digest.h"
+#include "tools/grade/rubric/rubric_files.h"
 
 namespace raycheck::tools {
 namespace {

@@ -8,8 +8,8 @@
 
 #include "tools/grade/pages/html.h"
 #include "tools/grade/pages/wording.h"
-#include "tools/report/data_address.h"
-#include "tools/report/png.h"
+#include "tools/report/picture_file.h"
+#include "tools/report/spelling.h"
 #include "tools/report/words.h"
 
 namespace raycheck::tools {

@@ -1,7 +1,6 @@
 #include <fmt/core.h>
 
 #include <algorithm>
-#include <nlohmann/json.hpp>
 
 #include "tools/grade/pages/views.h"
 #include "tools/grade/pages/wording.h"

@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "tools/grade/pages/wording.h"
-#include "tools/grade/results/plain_text.h"
+#include "tools/grade/results/result.h"
 
 namespace raycheck::tools {
 

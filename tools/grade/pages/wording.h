@@ -6,7 +6,6 @@
 #include <string_view>
 #include <vector>
 
-#include "tools/grade/results/class_grade.h"
 #include "tools/grade/results/redaction.h"
 #include "tools/grade/results/result.h"
 #include "tools/grade/rubric/rubric.h"

@@ -10,9 +10,7 @@
 
 #include "scene/files/file_text.h"
 #include "scene/files/toml_fields.h"
-#include "tools/grade/rubric/digest.h"
-#include "tools/grade/rubric/shipped.h"
-#include "tools/grade/rubric/variations.h"
+#include "tools/grade/rubric/rubric_files.h"
 
 namespace raycheck::tools {
 namespace {
