@@ -24,7 +24,6 @@
 #include "tools/grade/results/redaction.h"
 #include "tools/grade/results/result.h"
 #include "tools/grade/rubric/rubric_files.h"
-#include "tools/grade/self_test.h"
 #include "tools/grade/store/store.h"
 #include "tools/methods/methods.h"
 #include "tools/report/version.h"

@@ -12,7 +12,6 @@
 #include "tools/arguments.h"
 #include "tools/commands.h"
 #include "tools/grade/grade.h"
-#include "tools/grade/package.h"
 #include "tools/grade/pages/views.h"
 #include "tools/grade/pages/wording.h"
 #include "tools/grade/probe.h"
