@@ -10,7 +10,6 @@
 #include "tools/report/words.h"
 #include "tools/view/scene_view.h"
 #include "tools/view/selection.h"
-#include "tools/view/view_words.h"
 
 namespace raycheck::tools {
 namespace {
@@ -23,7 +22,7 @@ void add_candidate(const CampaignReport& campaign, SceneViewOptions& view) {
     view.methods = {find_pair(campaign.candidate)};
   } else if (!campaign.external->renderer) {
     view.other = staged(*campaign.external).front().other;
-    view.more_arguments = candidate_words(campaign.candidate);
+    view.more_arguments = " --candidate " + shell_word(campaign.candidate);
   }
 }
 
@@ -48,7 +47,9 @@ ViewDocument properties_document(const PropertiesReport& report,
       std::count_if(report.campaigns.begin(), report.campaigns.end(), is_shown));
   const std::size_t shown = std::min(broken, kMostCasesShown);
   if (shown < broken) {
-    document.left_out.push_back(fewer_laws({shown, broken}));
+    document.left_out.push_back(fmt::format(
+        "cases of {} of {} broken laws; `raycheck properties --filter LAW --view` shows others",
+        shown, broken));
   }
   for (const CampaignReport& campaign : report.campaigns) {
     if (control.interrupted() || document.scenes.size() == shown) break;

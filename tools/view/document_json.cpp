@@ -31,6 +31,13 @@ Json selection_json(const Selection& selection) {
   return json;
 }
 
+/// "as direct/cross has it"
+std::string picture_name(const ScenePicture& picture) {
+  if (picture.kind == PictureKind::kCertified) return "certified";
+  if (picture.kind == PictureKind::kAnswered) return fmt::format("as {} has it", picture.candidate);
+  return "errors of " + picture.candidate;
+}
+
 Json picture_json(const ScenePicture& picture) {
   Json json;
   json["kind"] = name(picture.kind);

@@ -5,7 +5,6 @@
 #include "tools/report/words.h"
 #include "tools/view/scene_view.h"
 #include "tools/view/selection.h"
-#include "tools/view/view_words.h"
 
 namespace raycheck::tools {
 
@@ -19,7 +18,7 @@ ViewDocument worst_document(const WorstReport& report, const properties::RunCont
   view.file = view.name;
   view.other = report.method.other;
   if (view.other) {
-    view.more_arguments = candidate_words(view.other->name);
+    view.more_arguments = " --candidate " + shell_word(view.other->name);
   } else {
     view.methods = {{report.method.rays, report.method.intersect}};
   }

@@ -6,7 +6,6 @@
 #include "scene/number.h"
 #include "tools/grade/pages/home.h"
 #include "tools/report/words.h"
-#include "tools/view/view_words.h"
 
 namespace raycheck::tools {
 namespace {
@@ -36,7 +35,7 @@ std::vector<HomeCommand> commands_for_case(const StudentGrade& grade, std::size_
                                             "{image}", "out.ppm")});
   }
   std::string check =
-      fmt::format("raycheck check {}.toml{}", name, candidate_words(program->text()));
+      fmt::format("raycheck check {}.toml --candidate {}", name, shell_word(program->text()));
   if (is_renderer && !(grade.submission.driver == DriverForm{})) {
     check += " --dialect " + shell_word(grade.submission.driver.name());
   }
