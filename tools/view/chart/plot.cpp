@@ -27,8 +27,9 @@ constexpr int kNotFound = 127;  ///< What a shell exits with where there is no s
 constexpr int kWide = 1000, kTall = 640;  ///< Of each plot, in pixels.
 constexpr int kPixelsPerInch = 100;       ///< In files that measure in inches.
 constexpr std::size_t kMostTicks = 16;
-constexpr double kMostPower = 308;  ///< Of ten, in a double.
-constexpr double kRow = 0.06;       ///< Of the axis, between the errors and 0 or infinity.
+/// Of ten; beyond, errors are drawn there: gnuplot has doubles.
+constexpr double kMostPower = 250;
+constexpr double kRow = 0.06;  ///< Of the axis, between the errors and 0 or infinity.
 
 /// Okabe and Ito's colours (Color Universal Design, 2008), which most colour-blind readers tell
 /// apart, without yellow, which is lost on white.
@@ -79,8 +80,9 @@ struct ErrorAxis {
     has_zero = has_zero || *error == 0;
     has_infinity = has_infinity || std::isinf(*error);
     if (*error == 0 || std::isinf(*error)) return;
-    low = std::min(low, std::log10(*error));
-    high = std::max(high, std::log10(*error));
+    const double power = std::clamp(std::log10(*error), -kMostPower, kMostPower);
+    low = std::min(low, power);
+    high = std::max(high, power);
   }
   void complete() {
     if (low > high) low = high = 0;
@@ -89,17 +91,18 @@ struct ErrorAxis {
     high += room;
   }
   double row() const { return std::max(0.3, (high - low) * kRow); }
-  double zero() const { return std::pow(10, std::max(low - row(), -kMostPower + 1)); }
-  double infinity() const { return std::pow(10, std::min(high + row(), kMostPower)); }
+  double zero() const { return std::pow(10, low - row()); }
+  double infinity() const { return std::pow(10, high + row()); }
   double place(double error) const {
-    return error == 0 ? zero() : std::isinf(error) ? infinity() : error;
+    return error == 0          ? zero()
+           : std::isinf(error) ? infinity()
+                               : std::clamp(error, std::pow(10, low), std::pow(10, high));
   }
   std::string text() const {
     std::string told =
         fmt::format("set yrange [{:g}:{:g}]\nset ytics autofreq format '10^{{%T}}'\n",
                     has_zero ? zero() / 1.5 : std::pow(10, low),
-                    has_infinity ? std::min(infinity(), 1e307) * 1.5
-                                 : std::pow(10, std::min(high, kMostPower)));
+                    has_infinity ? infinity() * 1.5 : std::pow(10, high));
     if (has_zero) told += fmt::format("set ytics add ('0' {:g})\n", zero());
     if (has_infinity) told += fmt::format("set ytics add ('infinite' {:g})\n", infinity());
     return told;
