@@ -12,6 +12,7 @@
 
 #include "tests/tools/program.h"
 #include "tools/command_line.h"
+#include "tools/commands.h"
 
 namespace raycheck::tests {
 namespace {

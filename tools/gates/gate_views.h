@@ -5,8 +5,11 @@
 
 #include <cstddef>
 #include <string>
+#include <type_traits>
 
 #include "tools/gates/gate.h"
+#include "tools/report/json.h"
+#include "tools/report/view.h"
 
 namespace raycheck::tools {
 
@@ -23,8 +26,21 @@ inline constexpr std::size_t kMostMarkdownBytes = 1'000'000;
 /// within it; or linked, where an address is given.
 std::string markdown(const Gate& gate, const std::string& picture_link = {});
 
+/// A view of a report: what `kWrite` writes of the gate that `kGateOf` makes of it.
+template <auto kWrite, auto kGateOf, class Report>
+std::string gate_view(const Report& report, const ViewOptions& options) {
+  const Gate gate = kGateOf(report);
+  if constexpr (std::is_invocable_v<decltype(kWrite), const Gate&, const std::string&>) {
+    return kWrite(gate, options.picture_link);
+  } else {
+    return kWrite(gate);
+  }
+}
+
 /// What a baseline says of a run, in lines, for people.
 std::string ratchet_text(const Ratchet& ratchet);
+/// The same as JSON; null where there is no baseline.
+Json ratchet_json(const std::optional<Ratchet>& ratchet);
 
 /// GitHub shows no more annotations of a step than these.
 inline constexpr std::size_t kMostAnnotations = 10;

@@ -5,9 +5,7 @@
 #include "tools/arguments.h"
 #include "tools/commands.h"
 #include "tools/gate_arguments.h"
-#include "tools/properties/properties_page.h"
 #include "tools/properties/properties_views.h"
-#include "tools/report/output_file.h"
 #include "tools/terminal.h"
 #include "tools/view/page/page.h"
 
@@ -64,11 +62,10 @@ int run_properties_command(const PropertiesArguments& arguments) {
     const auto pairs = contestants(chosen_methods(arguments.rays, arguments.intersect));
     options.contestants.insert(options.contestants.begin(), pairs.begin(), pairs.end());
   }
-  std::optional<OutputFile> view;
-  if (arguments.view) view.emplace("--view", *arguments.view);
+  std::optional<OutputFile> view = opened("--view", arguments.view);
   GateFiles files(arguments.gate);
   PropertiesReport report = run_properties(options, run_control("laws"));
-  report.ratchet = files.ratchet(findings_of(report), report.interrupted);
+  report.ratchet = files.ratchet(properties_gate(report).findings, report.interrupted);
   files.write(kPropertiesViews, report);
   print_view(kPropertiesViews, arguments.format, report);
   if (view) {

@@ -1,5 +1,3 @@
-#include "tools/properties/properties_page.h"
-
 #include <fmt/core.h>
 
 #include <algorithm>
@@ -7,6 +5,7 @@
 
 #include "tools/external/staged.h"
 #include "tools/methods/methods.h"
+#include "tools/properties/properties_views.h"
 #include "tools/report/words.h"
 #include "tools/view/scene_view.h"
 #include "tools/view/selection.h"

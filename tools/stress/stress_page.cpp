@@ -1,6 +1,6 @@
-#include "tools/stress/stress_page.h"
-
 #include <fmt/core.h>
+
+#include "tools/stress/stress.h"
 
 namespace raycheck::tools {
 

@@ -1,8 +1,7 @@
-#include <nlohmann/json.hpp>
 
 #include "properties/cases/case_text.h"
 #include "tools/report/json.h"
-#include "tools/worst/worst_views.h"
+#include "tools/worst/worst.h"
 
 namespace raycheck::tools {
 namespace {

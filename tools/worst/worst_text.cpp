@@ -4,7 +4,7 @@
 #include "scene/number.h"
 #include "tools/methods/others_text.h"
 #include "tools/report/words.h"
-#include "tools/worst/worst_views.h"
+#include "tools/worst/worst.h"
 
 namespace raycheck::tools {
 namespace {

@@ -1,9 +1,7 @@
 #include <fmt/core.h>
 
 #include "tools/grade/pages/figures.h"
-#include "tools/grade/pages/home.h"
 #include "tools/grade/pages/html.h"
-#include "tools/grade/pages/pictures.h"
 #include "tools/grade/pages/views.h"
 #include "tools/grade/pages/wording.h"
 #include "tools/report/words.h"
@@ -99,17 +97,15 @@ std::string report_html(const StudentGrade& grade) {
   const SubmissionGrade& submission = grade.submission;
   std::string html =
       fmt::format("<h1>{}</h1>\n<p>{}</p>\n", escaped(grade.title), escaped(submission.name));
-  html += "<p class=\"total\">";
-  html += could_be_judged(submission)
-              ? points_text(submission.score) + " of " + points_text(submission.points)
-              : "could not be judged";
-  if (!could_be_judged(submission) && submission.score > 0) {
-    html += fmt::format(", for which there are {} of {}", points_text(submission.score),
-                        points_text(submission.points));
-  }
-  html += "</p>\n";
+  // Faults first: a bonus hides none.
   const std::string mistake = mistake_text(submission);
   if (!mistake.empty()) html += "<p><strong>" + escaped(mistake) + "</strong></p>\n";
+  const std::string total = score_text(submission) + of_points_text(submission);
+  html += "<p class=\"total\">" +
+          (could_be_judged(submission) ? total
+           : submission.score > 0      ? "could not be judged, for which there are " + total
+                                       : "could not be judged") +
+          "</p>\n";
   if (!submission.finished) {
     html += "<p><strong>Grading was cut short: this is what was judged.</strong></p>\n";
   }
@@ -121,9 +117,13 @@ std::string report_html(const StudentGrade& grade) {
             "</pre>\n";
   } else {
     std::size_t shown = 0;
+    std::string failing, others;
     for (std::size_t k = 0; k < grade.items.size(); ++k) {
-      html += item_html(grade, k, has_figure(grade, k) ? figure_address(shown++) : "");
+      const bool fails = submission.items[k].state == ItemState::kFails;
+      (fails ? failing : others) +=
+          item_html(grade, k, has_figure(grade, k) ? figure_address(shown++) : "");
     }
+    html += failing + others;
   }
   html += "<div>" + command_html(command_for_all(grade)) + "</div>\n";
   if (grade.unlisted > 0) {
