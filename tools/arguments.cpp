@@ -21,7 +21,7 @@
 #include "tools/external/pictures/dry_run.h"
 #include "tools/external/staged.h"
 #include "tools/report/words.h"
-#include "tools/view/chart/plot.h"
+#include "tools/view/chart/chart.h"
 
 namespace raycheck::tools {
 

@@ -10,7 +10,6 @@
 #include "tools/external/staged.h"
 #include "tools/report/words.h"
 #include "tools/view/scene_view.h"
-#include "tools/view/selection.h"
 
 namespace raycheck::tools {
 namespace {

@@ -8,7 +8,6 @@
 #include "tools/properties/properties_views.h"
 #include "tools/report/words.h"
 #include "tools/view/scene_view.h"
-#include "tools/view/selection.h"
 
 namespace raycheck::tools {
 namespace {

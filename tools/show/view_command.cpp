@@ -14,7 +14,7 @@
 #include "tools/show/view_text.h"
 #include "tools/stress/stress.h"
 #include "tools/terminal.h"
-#include "tools/view/document_json.h"
+#include "tools/view/document.h"
 #include "tools/view/page/page.h"
 
 namespace raycheck::tools {

@@ -1,5 +1,3 @@
-#include "tools/view/chart/plot.h"
-
 #include <fmt/core.h>
 #include <stdlib.h>
 #include <sys/wait.h>
@@ -17,6 +15,7 @@
 
 #include "tools/report/output_file.h"
 #include "tools/report/words.h"
+#include "tools/view/chart/chart.h"
 
 namespace raycheck::tools {
 namespace {

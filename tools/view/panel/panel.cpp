@@ -9,8 +9,6 @@
 #include "scene/number.h"
 #include "tools/explain/explain_views.h"
 #include "tools/report/typeset.h"
-#include "tools/view/panel/microscope.h"
-#include "tools/view/panel/sage.h"
 
 namespace raycheck::tools {
 namespace {
