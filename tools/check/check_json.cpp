@@ -2,7 +2,7 @@
 #include "properties/given_rays.h"
 #include "properties/laws/law.h"
 #include "scene/number.h"
-#include "tools/check/check_views.h"
+#include "tools/check/check.h"
 #include "tools/report/certificate.h"
 #include "tools/report/json.h"
 

@@ -1,6 +1,6 @@
 
 #include "properties/cases/case_text.h"
-#include "tools/properties/properties_views.h"
+#include "tools/properties/properties.h"
 #include "tools/report/json.h"
 
 namespace raycheck::tools {

@@ -9,7 +9,7 @@
 
 #include "tests/tools/external/judged.h"
 #include "tools/tradeoff/tradeoff.h"
-#include "tools/view/document_json.h"
+#include "tools/view/document.h"
 #include "tools/view/page/page.h"
 
 namespace raycheck::tests {

@@ -1,5 +1,3 @@
-#include "tools/view/chart/plot.h"
-
 #include <gtest/gtest.h>
 
 #include <filesystem>
@@ -7,6 +5,7 @@
 #include "tests/has.h"
 #include "tests/numbers.h"
 #include "tests/tools/program.h"
+#include "tools/view/chart/chart.h"
 
 namespace raycheck::tests {
 namespace {
