@@ -106,6 +106,12 @@ std::vector<Mistake> winner_mistakes() {
                return length(sphere.centre - ray.origin);
              }),
       winner("the smallest s wins, though it is negative", by_parameter(1), wherever_behind),
+      winner(
+          "s >= 0 is not tested, and the least |s| wins, though s is negative",
+          [](std::size_t, const Ray&, const Sphere&, const Roots&, double s) {
+            return std::abs(s);
+          },
+          wherever_behind),
       winner("the farthest sphere wins", by_parameter(-1)),
   };
 }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -8,14 +9,43 @@
 
 #include "properties/mistakes/explanation.h"
 #include "properties/run_control.h"
+#include "properties/tally.h"
 #include "properties/trial.h"
 #include "properties/verdict.h"
 #include "scene/files/scene_file.h"
-#include "tools/check/swallowed.h"
 #include "tools/gates/baseline.h"
 #include "tools/implementations/implementation.h"
 
 namespace raycheck::tools {
+
+/// A hit that an interval of parameters, or culling, leaves out.
+struct SwallowedHit {
+  properties::Place place;
+  double s = 0;         ///< Of the root that counts where every one >= 0 does; correctly rounded.
+  double in_radii = 0;  ///< s over the sphere's radius, about; infinite where that is 0.
+};
+
+/// What becomes of the hits of a sphere.
+struct SwallowedOfSphere {
+  std::uint64_t hits = 0;       ///< Where every root >= 0 counts.
+  std::uint64_t swallowed = 0;  ///< Of these, misses.
+  std::uint64_t moved = 0;      ///< Hits still, but at the other root.
+};
+
+/// What an interval or culling costs: the exact hits of a scene without it, and with it.
+struct Swallowed {
+  std::vector<SwallowedOfSphere> spheres;
+  std::vector<SwallowedHit> worst;  ///< Those farthest along their rays, in radii.
+
+  SwallowedOfSphere all() const;
+  void merge(const Swallowed& other);
+};
+
+/// How many of the worst are kept.
+inline constexpr std::size_t kKeptSwallowed = 10;
+
+/// For the rays and spheres of a trial, by the truth alone; empty where every root >= 0 counts.
+Swallowed swallowed(properties::Trial& trial);
 
 struct CheckOptions {
   std::string path;
@@ -36,7 +66,7 @@ struct Timing {
   std::optional<double> intersect;  ///< To intersect it with every sphere of the scene.
 };
 
-/// A law that had nothing to say, and why.
+/// A law that was not judged, and why.
 struct LeftOut {
   std::string law;
   std::string reason;

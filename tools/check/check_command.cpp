@@ -7,11 +7,9 @@
 #include <vector>
 
 #include "tools/arguments.h"
-#include "tools/check/check_page.h"
 #include "tools/check/check_views.h"
 #include "tools/commands.h"
 #include "tools/gate_arguments.h"
-#include "tools/report/output_file.h"
 #include "tools/terminal.h"
 #include "tools/view/page/page.h"
 
@@ -48,8 +46,6 @@ int run_check(const CheckArguments& arguments) {
         "--all: judges every method; leave out --rays, --intersect and --candidate");
   }
   const bool methods_asked = !(arguments.rays.empty() && arguments.intersect.empty());
-  require_lines_for_sarif(arguments.gate, arguments.format, arguments.external.candidates,
-                          methods_asked);
   options.implementations = find_candidates(arguments.external, rule);
   if (arguments.all) {
     options.implementations = built_in(all_pairs());
@@ -61,20 +57,15 @@ int run_check(const CheckArguments& arguments) {
   options.top = arguments.top;
   options.max_error = arguments.max_ulp;
   options.strict = arguments.strict;
-  std::optional<OutputFile> certificates;
-  if (arguments.certificates) certificates.emplace("--certificates", *arguments.certificates);
-  std::optional<OutputFile> view;
-  if (arguments.view) view.emplace("--view", *arguments.view);
+  std::optional<OutputFile> certificates = opened("--certificates", arguments.certificates);
+  std::optional<OutputFile> view = opened("--view", arguments.view);
   GateFiles files(arguments.gate);
   CheckReport report = check(options, run_control(options.path, arguments.threads));
-  report.ratchet = files.ratchet(findings_of(report), report.interrupted);
+  report.ratchet = files.ratchet(check_gate(report).findings, report.interrupted);
   print_warnings(report.warnings);
   files.write(kCheckViews, report);
   if (certificates) certificates->write(check_certificates(report));
   print_view(kCheckViews, arguments.format, report, arguments.gate.picture_link);
-  if (asks_for(arguments.gate, arguments.format, kSarif)) {
-    print_warnings(sarif_warnings(check_gate(report)));
-  }
   if (view) {
     view->write(
         page(check_document(report, {{}, methods_asked}, run_control("page", arguments.threads))));

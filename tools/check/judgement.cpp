@@ -7,7 +7,7 @@
 #include "properties/given_rays.h"
 #include "properties/laws/law.h"
 #include "scene/interruption.h"
-#include "tools/check/swallowed.h"
+#include "tools/check/check.h"
 #include "tools/run/in_order.h"
 
 namespace raycheck::tools {
@@ -30,8 +30,7 @@ struct ChunkVerdict {
   Swallowed swallowed;
 
   bool has_failed() const {
-    const auto found = verdict.tallies().find(properties::Quantity::kRefusal);
-    return found != verdict.tallies().end() && found->second.count(properties::Wrong::kFailed) > 0;
+    return verdict.tally(properties::Quantity::kRefusal).count(properties::Wrong::kFailed) > 0;
   }
 };
 

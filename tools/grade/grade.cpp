@@ -15,17 +15,15 @@
 
 #include "properties/mistakes/picture_causes.h"
 #include "scene/interruption.h"
-#include "tools/grade/intake/apart.h"
-#include "tools/grade/intake/submission.h"
+#include "tools/grade/intake/prepare.h"
 #include "tools/grade/judging/judge.h"
 #include "tools/grade/pages/wording.h"
-#include "tools/grade/results/earlier.h"
+#include "tools/grade/results/changes.h"
 #include "tools/grade/results/own_files.h"
-#include "tools/grade/results/plain_text.h"
 #include "tools/grade/results/record.h"
 #include "tools/grade/results/redaction.h"
-#include "tools/grade/rubric/digest.h"
-#include "tools/grade/self_test.h"
+#include "tools/grade/results/result.h"
+#include "tools/grade/rubric/rubric_files.h"
 #include "tools/grade/store/store.h"
 #include "tools/implementations/built_in.h"
 #include "tools/report/version.h"
@@ -58,8 +56,8 @@ void judge_all(const Rubric& rubric, Judged judged, const RunControl& control,
                SubmissionGrade& grade) {
   grade.items = judge(rubric, std::move(judged), grade.seed, control);
   for (const ItemGrade& item : grade.items) {
-    if (!item.bonus) grade.points += item.points;
     grade.score += item.score;
+    (item.bonus ? grade.bonus : grade.points) += item.bonus ? item.score : item.points;
   }
   grade.finished = !control.interrupted();
 }
@@ -238,7 +236,7 @@ class ClassRun {
   struct Graded {
     SubmissionGrade grade;
     bool reused = false;
-    std::string outside = {};  ///< The cause outside it for which its grade is none; empty: none.
+    std::string outside = {};  ///< The external cause why it has no grade; empty: none.
   };
 
   Graded graded(const Submission& submission, const RunControl& control, bool alone) {
@@ -267,12 +265,12 @@ class ClassRun {
   /// What a dry run, if there was one, tells of the form that a renderer reads.
   static FormKnown form_known(const DriverRule& rule, const std::optional<DryRun>& dry) {
     const bool is_given = !dry || !rule.tries_others ||
-                          (rule.is_asked_for && dry->shows_a_sphere && dry->driver == rule.form);
+                          (rule.is_asked_for && dry->shows_a_sphere() && dry->driver == rule.form);
     if (is_given) return FormKnown::kGiven;
-    return dry->shows_a_sphere ? FormKnown::kFound : FormKnown::kNot;
+    return dry->shows_a_sphere() ? FormKnown::kFound : FormKnown::kNot;
   }
 
-  /// Why the grade is none, for a cause outside the submission; empty: it is one.
+  /// The cause outside the submission why there is no grade; empty: there is one.
   std::string grade_one(const Submission& submission, const RunControl& given, bool alone,
                         SubmissionGrade& grade) {
     Stopwatch watch;
@@ -341,7 +339,7 @@ class ClassRun {
     if (const ResultsFormat* results = options_.results) {
       files[kResultsFile] = results->render(student_grade(rubric_, grade, results->hidden_by));
     }
-    files[kRecordFile] = record_text(grade);
+    files[kRecordFile] = json_text(record_json(grade));
     own_->replace(submission.name, files);
   }
 

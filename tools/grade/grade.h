@@ -1,15 +1,18 @@
 #pragma once
 
 #include <cstdint>
+#include <filesystem>
 #include <map>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "properties/run_control.h"
+#include "tools/external/sandbox/launch.h"
 #include "tools/grade/pages/views.h"
-#include "tools/grade/results/class_grade.h"
 #include "tools/grade/results/redaction.h"
+#include "tools/grade/results/result.h"
+#include "tools/grade/rubric/rubric.h"
 
 namespace raycheck::tools {
 
@@ -47,5 +50,18 @@ std::vector<std::string> names_for_student(const Rubric& rubric);
 /// submission is given.
 std::vector<SubmissionGrade> try_rubric(const Rubric& rubric, std::uint64_t seed,
                                         const properties::RunControl& control = {});
+
+/// Judges submissions of raycheck's own, which are right, one of each kind that the rubric's forms
+/// take: where they fail, so would those of the students, through no fault of theirs. That it held
+/// is noted in the folder `store`, and holds as long as what it depends on is the same; empty: it
+/// is noted nowhere.
+/// Errors: std::invalid_argument with what is wrong.
+void test_environment(const Rubric& rubric, const Layers& layers,
+                      const std::filesystem::path& store = {});
+
+/// Writes the zip file of a Gradescope autograder: setup.sh and run_autograder, the rubric with its
+/// scenes, and raycheck with the libraries that it needs besides those of C and C++.
+/// Errors: std::invalid_argument or std::runtime_error naming the file.
+void write_package(const Rubric& rubric, std::uint64_t seed, const std::string& path);
 
 }  // namespace raycheck::tools

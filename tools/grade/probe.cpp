@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <utility>
 
-#include "tools/grade/self_test.h"
+#include "tools/grade/grade.h"
 #include "tools/run/in_order.h"
 
 namespace raycheck::tools {

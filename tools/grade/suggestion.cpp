@@ -1,5 +1,3 @@
-#include "tools/grade/suggestion.h"
-
 #include <fmt/core.h>
 
 #include <algorithm>
@@ -9,6 +7,7 @@
 #include <vector>
 
 #include "tools/grade/pages/wording.h"
+#include "tools/grade/probe.h"
 
 namespace raycheck::tools {
 namespace {
@@ -37,46 +36,12 @@ std::string toml_text(std::string_view text) {
   return result + "\"";
 }
 
-std::string toml_texts(const std::vector<std::string>& texts) {
-  std::string list;
-  for (const std::string& text : texts) list += (list.empty() ? "" : ", ") + toml_text(text);
-  return "[" + list + "]";
-}
-
-std::string driver_table(const DriverForm& form, bool others) {
-  DriverForm preset = form_of(form.dialect);
-  std::string_view name = kDialectNames[static_cast<std::size_t>(form.dialect)];
-  for (const DriverPreset& known : driver_presets()) {
-    if (!(known.form == form)) continue;
-    preset = form;
-    name = known.name;
-  }
-  std::string text = fmt::format("[driver]\npreset = {}\n", toml_text(name));
-  if (others) text += "others = true\n";
-  if (form.sphere_numbers != preset.sphere_numbers) {
-    text += fmt::format("sphere_numbers = {}\n", form.sphere_numbers);
-  }
-  if (form.extra_lines != preset.extra_lines) {
-    text += fmt::format("extra_lines = {}\n", toml_texts(form.extra_lines));
-  }
-  if (form.light != preset.light) {
-    text +=
-        fmt::format("light = \"{}\"\n", kDriverLightNames[static_cast<std::size_t>(form.light)]);
-  }
-  if (form.numbers != preset.numbers) {
-    text += fmt::format("numbers = \"{}\"\n",
-                        kDriverNumberNames[static_cast<std::size_t>(form.numbers)]);
-  }
-  if (form.order != preset.order) text += fmt::format("order = {}\n", toml_texts(form.order));
-  return text;
-}
-
 /// The form that most read; of equally many the first.
 std::string driver_part(const ProbeReport& report) {
   std::vector<std::pair<DriverForm, int>> counts;
   for (const SubmissionProbe& probe : report.submissions) {
     const auto& dry = probe.found.dry_run;
-    if (!dry || !dry->shows_a_sphere) continue;
+    if (!dry || !dry->shows_a_sphere()) continue;
     const auto known = std::find_if(counts.begin(), counts.end(),
                                     [&](const auto& count) { return count.first == dry->driver; });
     if (known == counts.end()) {
@@ -89,7 +54,8 @@ std::string driver_part(const ProbeReport& report) {
   const auto most =
       std::max_element(counts.begin(), counts.end(),
                        [](const auto& a, const auto& b) { return a.second < b.second; });
-  return driver_table(most->first, counts.size() > 1);
+  return fmt::format("[driver]\npreset = {}\n{}", toml_text(most->first.name()),
+                     counts.size() > 1 ? "others = true\n" : "");
 }
 
 /// Submissions that the same words build and start.
@@ -101,7 +67,7 @@ struct BuiltAlike {
 std::vector<BuiltAlike> built_alike(const ProbeReport& report) {
   std::vector<BuiltAlike> found;
   for (const SubmissionProbe& probe : report.submissions) {
-    if (probe.refusal || !probe.found.as_it_comes) continue;
+    if (probe.refusal || !probe.found.built_automatically) continue;
     const std::string candidate = probe.found.program->text();
     auto known = std::find_if(found.begin(), found.end(), [&](const BuiltAlike& one) {
       return one.build == probe.found.build_words && one.candidate == candidate;
@@ -161,15 +127,15 @@ std::string names_of(const Probes& members) {
 
 std::string suggestion(const ProbeReport& report) {
   std::string text = driver_part(report);
-  bool any_as_it_comes = false;
+  bool any_automatic = false;
   for (const BuiltAlike& alike : built_alike(report)) {
-    any_as_it_comes = true;
+    any_automatic = true;
     const std::string has = distinguishing_file(alike, report);
     if (has.empty()) continue;
     text += "\n# " + names_of(alike.members) + form_table(has, alike.build, alike.candidate);
   }
   for (const Form& form : report.rubric.forms) {
-    if (any_as_it_comes && form.builds_as_it_comes()) {
+    if (any_automatic && form.is_built_automatically()) {
       text += form_table(form.has, form.build, form.program.text());
     }
   }

@@ -14,6 +14,7 @@
 #include "scene/files/scene_file.h"
 #include "tools/implementations/built_in.h"
 #include "tools/report/picture_file.h"
+#include "tools/report/view.h"
 
 namespace raycheck::tools {
 
@@ -86,5 +87,13 @@ struct ImageReport {
 ///         what the reader and the file throw.
 ImageReport make_image(const ImageOptions& options, PictureFile& file,
                        const properties::RunControl& control = {});
+
+std::string image_text(const ImageReport& report, const ViewOptions& options);
+std::string image_json(const ImageReport& report, const ViewOptions& options);
+
+inline constexpr View<ImageReport> kImageViews[] = {
+    {"text", image_text},
+    {"json", image_json},
+};
 
 }  // namespace raycheck::tools

@@ -1,8 +1,7 @@
 #include <fmt/core.h>
 
+#include "tools/image/image.h"
 #include "tools/image/image_paint.h"
-#include "tools/image/image_views.h"
-#include "tools/implementations/implementation.h"
 #include "tools/report/table.h"
 #include "tools/report/words.h"
 

@@ -1,10 +1,9 @@
-#include "tools/properties/properties_page.h"
-
 #include <fmt/core.h>
 
 #include <algorithm>
 #include <stdexcept>
 
+#include "tools/properties/properties_views.h"
 #include "tools/report/words.h"
 #include "tools/view/scene_view.h"
 #include "tools/view/selection.h"

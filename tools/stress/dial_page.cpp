@@ -1,4 +1,3 @@
-#include "tools/stress/dial_page.h"
 
 #include <fmt/core.h>
 
@@ -11,7 +10,7 @@
 #include "properties/cases/random.h"
 #include "scene/interruption.h"
 #include "tools/report/words.h"
-#include "tools/stress/stress_page.h"
+#include "tools/stress/stress.h"
 #include "tools/view/scene_view.h"
 #include "tools/view/selection.h"
 
@@ -27,18 +26,15 @@ constexpr int kCasesTried = 20;
 
 /// How bad an answer is: wrong decisions before errors.
 double badness(const StressResult& result, properties::Quantity quantity) {
-  const auto& tallies = result.inside.tallies();
-  const auto main = tallies.find(quantity);
-  const double error = main == tallies.end() ? -1 : main->second.max().value_or(-1);
-  return properties::defects(result.inside) > 0 ? HUGE_VAL : error;
+  return properties::defects(result.inside) > 0 ? HUGE_VAL
+                                                : result.inside.tally(quantity).max().value_or(-1);
 }
 
 /// Where the main quantity, or a decision, is worst.
 properties::Place worst_place(const StressResult& result, properties::Quantity quantity) {
   const auto worst = result.inside.worst(1);
   if (!worst.empty()) return worst.front().place;
-  const auto main = result.inside.tallies().find(quantity);
-  return main == result.inside.tallies().end() ? properties::Place{} : main->second.worst_place;
+  return result.inside.tally(quantity).worst_place;
 }
 
 struct ShownCase {
@@ -75,6 +71,15 @@ ShownCase worst_of_first(const properties::CaseSource& family, int severity,
     }
   }
   return shown;
+}
+
+/// Of a case that shows something wrong.
+FindingView finding_of(const ShownCase& shown, int severity, const std::string& method) {
+  return {.sentence = fmt::format("severity {}: {} {}", severity, info(shown.wrong->quantity).name,
+                                  wrongness_text(*shown.wrong)),
+          .candidate = method,
+          .method = method,
+          .selection = selection_of(shown.place, shown.the_case.scene)};
 }
 
 /// A facet of those of its severities.
@@ -133,11 +138,8 @@ ViewDocument dial_document(const StressOptions& options, bool is_of_methods,
     view.file = view.name + ".toml";
     view.wanted = selections_of(shown.the_case, shown.place);
     if (shown.wrong) {
-      document.findings.push_back(
-          {fmt::format("severity {}: {} {}", severity, info(shown.wrong->quantity).name,
-                       wrongness_text(*shown.wrong)),
-           first->method.name, first->method.name, properties::Standing::kDefect,
-           document.scenes.size(), selection_of(shown.place, shown.the_case.scene)});
+      document.findings.push_back(finding_of(shown, severity, first->method.name));
+      document.findings.back().scene = document.scenes.size();
     }
     dial.scenes.push_back(document.scenes.size());
     document.scenes.push_back(view_of(shown.the_case.scene, view, document.left_out, control));

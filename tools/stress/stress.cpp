@@ -98,12 +98,6 @@ std::vector<StressCurve> run_stage(const CaseSource& family, Stage stage,
 
 }  // namespace
 
-const properties::Tally* StressCurve::tally(std::size_t k) const {
-  const auto& tallies = results[k].inside.tallies();
-  const auto found = tallies.find(quantity());
-  return found == tallies.end() ? nullptr : &found->second;
-}
-
 bool StressCurve::is_judged() const {
   return std::any_of(results.begin(), results.end(),
                      [](const StressResult& result) { return result.inside.compared() > 0; });
@@ -116,8 +110,8 @@ std::optional<int> StressCurve::first_failing() const {
   return std::nullopt;
 }
 
-double StressCurve::worst_ratio() const {
-  double worst = -1;
+std::optional<double> StressCurve::worst_ratio() const {
+  std::optional<double> worst;
   for (const StressResult& result : results) {
     worst = std::max(worst, properties::worst_ratio(result.inside));
   }
@@ -133,8 +127,7 @@ std::uint64_t StressCurve::left_out() const {
 std::optional<double> StressCurve::slope(int base) const {
   std::vector<double> errors;
   for (std::size_t k = 0; k < results.size(); ++k) {
-    const properties::Tally* const at = tally(k);
-    errors.push_back(at == nullptr ? 0 : at->quantile(0.999).value_or(0));
+    errors.push_back(tally(k).quantile(0.999).value_or(0));
   }
   return properties::error_slope(base, severities, errors);
 }

@@ -57,15 +57,6 @@ Quantity chosen_quantity(const std::string& chosen, Stage stage) {
       fmt::format("quantity {}: no such quantity of {}; there are {}", chosen, name(stage), known));
 }
 
-properties::Climb chosen_climb(const std::string& name) {
-  const auto* const found =
-      std::find(properties::kClimbNames.begin(), properties::kClimbNames.end(), name);
-  if (found == properties::kClimbNames.end()) {
-    throw std::invalid_argument("climb " + name + ": no such height to climb on");
-  }
-  return static_cast<properties::Climb>(found - properties::kClimbNames.begin());
-}
-
 /// Counts how often a function fails.
 template <class Answer, class... Arguments>
 void count_failures(std::function<Answer(Arguments...)>& function, WorstReport& report) {
@@ -106,7 +97,7 @@ WorstReport find_worst(const WorstOptions& options, const properties::RunControl
                                             options.family, report.method.name));
   }
   search.quantity = chosen_quantity(options.quantity, report.stage);
-  search.climb = chosen_climb(options.climb);
+  search.climb = options.climb;
   search.cases = options.cases;
   search.steps = options.steps;
   search.seed = options.seed;

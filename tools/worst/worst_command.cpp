@@ -6,11 +6,9 @@
 
 #include "tools/arguments.h"
 #include "tools/commands.h"
-#include "tools/report/output_file.h"
 #include "tools/terminal.h"
 #include "tools/view/page/page.h"
-#include "tools/worst/worst_page.h"
-#include "tools/worst/worst_views.h"
+#include "tools/worst/worst.h"
 
 namespace raycheck::tools {
 namespace {
@@ -42,10 +40,8 @@ int run_worst(WorstArguments& arguments) {
     throw std::invalid_argument("--candidate: one is searched; give it once");
   }
   arguments.options.method = chosen_method(arguments);
-  std::optional<OutputFile> scene;
-  if (arguments.save) scene.emplace("--save", *arguments.save);
-  std::optional<OutputFile> view;
-  if (arguments.view) view.emplace("--view", *arguments.view);
+  std::optional<OutputFile> scene = opened("--save", arguments.save);
+  std::optional<OutputFile> view = opened("--view", arguments.view);
   const WorstReport report = find_worst(arguments.options, run_control("worst"));
   if (scene && report.worst) scene->write(worst_scene(report));
   print_view(kWorstViews, arguments.format, report);
@@ -70,13 +66,10 @@ CommandRun add_worst(CLI::App& command) {
   command.add_option("--quantity", options.quantity,
                      "direction or pixel-point; parameter, backward-error or hit-point (default: "
                      "direction or parameter)");
-  command
-      .add_option("--by", options.climb,
-                  "what to climb on: the error, the error over what the documented bound grows by, "
-                  "or the stability ratio rho")
-      ->check(CLI::IsMember(
-          std::vector<std::string>(properties::kClimbNames.begin(), properties::kClimbNames.end())))
-      ->capture_default_str();
+  add_named(
+      command, "--by", options.climb, properties::kClimbNames,
+      "what to climb on: the error, the error over what the documented bound grows by, or the "
+      "stability ratio rho");
   command.add_option("--cases", options.cases, "random cases")
       ->check(whole_number(1, kMostCases))
       ->capture_default_str();

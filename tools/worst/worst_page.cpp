@@ -1,10 +1,9 @@
-#include "tools/worst/worst_page.h"
-
 #include <fmt/core.h>
 
 #include "tools/report/words.h"
 #include "tools/view/scene_view.h"
 #include "tools/view/selection.h"
+#include "tools/worst/worst.h"
 
 namespace raycheck::tools {
 

@@ -3,7 +3,7 @@
 #include "properties/cases/case_text.h"
 #include "scene/number.h"
 #include "tools/report/words.h"
-#include "tools/worst/worst_views.h"
+#include "tools/worst/worst.h"
 
 namespace raycheck::tools {
 namespace {

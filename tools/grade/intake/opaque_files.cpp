@@ -1,8 +1,10 @@
-#include "tools/grade/intake/opaque_files.h"
+// What nobody sees through by reading a submission.
 
 #include <algorithm>
 #include <cctype>
 #include <string_view>
+
+#include "tools/grade/intake/handed_in.h"
 
 namespace raycheck::tools {
 namespace {

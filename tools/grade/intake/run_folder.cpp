@@ -1,4 +1,4 @@
-#include "tools/grade/intake/run_folder.h"
+// Where a renderer runs.
 
 #include <algorithm>
 #include <array>
@@ -8,7 +8,7 @@
 #include <utility>
 
 #include "tools/external/pictures/renderer.h"
-#include "tools/grade/intake/opaque_files.h"
+#include "tools/grade/intake/handed_in.h"
 #include "tools/grade/intake/sources.h"
 
 namespace raycheck::tools {

@@ -4,7 +4,7 @@
 #include <stdexcept>
 #include <utility>
 
-#include "tools/grade/results/tolerated.h"
+#include "tools/grade/results/result.h"
 
 namespace raycheck::tools {
 namespace {

@@ -1,25 +1,14 @@
 #include <fmt/core.h>
 
-#include <string_view>
+#include <boost/algorithm/string/replace.hpp>
 #include <utility>
 
 #include "scene/number.h"
-#include "tools/grade/pages/home.h"
+#include "tools/grade/pages/wording.h"
 #include "tools/report/words.h"
 #include "tools/view/view_words.h"
 
 namespace raycheck::tools {
-namespace {
-
-std::string replaced(std::string text, std::string_view what, const std::string& by) {
-  for (std::size_t at = 0; (at = text.find(what, at)) != std::string::npos; at += by.size()) {
-    text.replace(at, what.size(), by);
-  }
-  return text;
-}
-
-}  // namespace
-
 std::vector<HomeCommand> commands_for_case(const StudentGrade& grade, std::size_t k) {
   const ItemGrade& item = grade.submission.items[k];
   const auto& program = grade.submission.program;
@@ -32,8 +21,9 @@ std::vector<HomeCommand> commands_for_case(const StudentGrade& grade, std::size_
         {"Build it as here, in a copy of your folder", "(" + grade.submission.build_words + ")"});
   }
   if (is_renderer) {
-    commands.push_back({"Draw it", replaced(replaced(program->what, "{scene}", name + ".txt"),
-                                            "{image}", "out.ppm")});
+    std::string words = boost::replace_all_copy(program->what, "{scene}", name + ".txt");
+    boost::replace_all(words, "{image}", "out.ppm");
+    commands.push_back({"Draw it", std::move(words)});
   }
   std::string check =
       fmt::format("raycheck check {}.toml{}", name, candidate_words(program->text()));

@@ -3,7 +3,7 @@
 #include "tools/grade/pages/views.h"
 #include "tools/grade/pages/wording.h"
 #include "tools/grade/results/statistics.h"
-#include "tools/report/csv.h"
+#include "tools/report/spelling.h"
 
 namespace raycheck::tools {
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "tools/grade/pages/wording.h"
-#include "tools/grade/results/plain_text.h"
+#include "tools/grade/results/result.h"
 
 namespace raycheck::tools {
 
@@ -27,14 +27,15 @@ std::string notes_text(const SubmissionGrade& grade) {
 
 std::string submission_text(const std::vector<const Item*>& items, const SubmissionGrade& grade) {
   if (!could_be_judged(grade)) {
-    const std::string score = grade.score > 0 ? fmt::format("{} of {}, ", points_text(grade.score),
-                                                            points_text(grade.points))
-                                              : "";
+    const std::string score =
+        grade.score > 0 ? score_text(grade) + of_points_text(grade) + ", " : "";
     return fmt::format("{}: {}could not be judged: {}\n{}", line_text(grade.name), score,
                        refusal_text(*grade.refused), notes_text(grade));
   }
-  std::string text = fmt::format("{}: {} of {}\n", line_text(grade.name), points_text(grade.score),
-                                 points_text(grade.points));
+  std::string text =
+      line_text(grade.name) + ": " + score_text(grade) + of_points_text(grade) + "\n";
+  const std::string mistake = mistake_text(grade);
+  if (!mistake.empty()) text += "  " + mistake + "\n";
   std::size_t width = 0;
   for (const Item* item : items) width = std::max(width, item->name.size());
   for (std::size_t k = 0; k < grade.items.size(); ++k) {
@@ -47,8 +48,6 @@ std::string submission_text(const std::vector<const Item*>& items, const Submiss
                         item.state == ItemState::kNotAsked ? "-" : points_text(item.score), of,
                         state_text(item));
   }
-  const std::string mistake = mistake_text(grade);
-  if (!mistake.empty()) text += "  " + mistake + "\n";
   return text + notes_text(grade);
 }
 

@@ -83,11 +83,6 @@ Json series_json(const ChartSeries& series, const ChartFacet& facet) {
   return json;
 }
 
-/// "parameter error", "backward error"
-std::string error_name(std::string_view quantity) {
-  return fmt::format("{}{}", quantity, quantity.ends_with("error") ? "" : " error");
-}
-
 /// Of each quantity, share and severity what the problem magnifies errors by: the same for every
 /// method that was compared there.
 Json condition_json(const ChartFacet& facet) {
@@ -113,20 +108,14 @@ Json facet_json(const ChartFacet& facet) {
   const bool is_timed = !facet.baseline.empty();
   std::vector<std::string> severities = facet.severities;
   if (is_timed) severities.insert(severities.begin(), "all");
-  Json json = {
-      {"title", fmt::format("{} on {}", facet.stage, facet.subject)},
-      {"subject", facet.subject},
-      {"stage", facet.stage},
-      {"severities", std::move(severities)},
-      {"baseline", facet.baseline},
-      {"under", is_timed ? fmt::format("run time, times that of {}", facet.baseline)
-                         : fmt::format("severity: {}", facet.meaning)},
-      {"key", is_timed ? "Steps: no method without such defects is as fast and as accurate"
-                       : "kappa: how much the problem itself magnifies errors of the inputs"}};
+  Json json = {{"title", chart_title(facet)}, {"subject", facet.subject},
+               {"stage", facet.stage},        {"severities", std::move(severities)},
+               {"baseline", facet.baseline},  {"under", chart_under(facet)},
+               {"key", chart_key(facet)}};
   json["quantities"] = Json::array();
   for (const properties::Quantity quantity : facet.quantities) {
     json["quantities"].push_back({{"name", info(quantity).name},
-                                  {"error", error_name(info(quantity).name)},
+                                  {"error", chart_error(quantity)},
                                   {"unit", unit_name(quantity, facet.precision)}});
   }
   json["condition"] = condition_json(facet);
