@@ -35,8 +35,8 @@ Json candidate_json(const CandidateReport& candidate, std::size_t top) {
   const auto& methods = implementation.methods;
   json["rays"] = methods ? Json(methods->rays->name) : Json(nullptr);
   json["intersect"] = methods ? Json(methods->intersect->name) : Json(nullptr);
-  json["isolated_by"] = null_if_empty(implementation.isolated_by);
-  json["bounds_of"] = null_if_empty(implementation.bounds_of);
+  json["isolated_by"] = text_or_null(implementation.isolated_by);
+  json["bounds_of"] = text_or_null(implementation.bounds_of);
   json["conventions"] = conventions_json(candidate.conventions);
   json["ns_per_ray"] = {{"make", error_json(candidate.timing.make)},
                         {"intersect", error_json(candidate.timing.intersect)}};

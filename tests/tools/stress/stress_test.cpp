@@ -8,6 +8,7 @@
 #include <string>
 
 #include "tests/tools/external/judged.h"
+#include "tools/implementations/built_in.h"
 #include "tools/tradeoff/tradeoff.h"
 #include "tools/view/document.h"
 #include "tools/view/page/page.h"
