@@ -53,6 +53,12 @@ void Verdict::measured(Quantity quantity, const Place& place, double error, doub
   tally.note_worst(error, place);
 }
 
+const Tally& Verdict::tally(Quantity quantity) const {
+  static const Tally nothing;
+  const auto found = tallies_.find(quantity);
+  return found == tallies_.end() ? nothing : found->second;
+}
+
 void Verdict::weighed(Quantity quantity, const Place& place, double error,
                       const Stability& stability) {
   Tally& tally = tallies_[quantity];
@@ -60,7 +66,7 @@ void Verdict::weighed(Quantity quantity, const Place& place, double error,
   tally.note_worst(error, place, stability.condition);
   ++tally.outcomes[static_cast<std::size_t>(stability.outcome)];
   if (stability.outcome != Outcome::kOutsideDomain) {
-    tally.worst_ratio = std::max(tally.worst_ratio, stability.ratio);
+    tally.worst_ratio = std::max(tally.worst_ratio, std::optional(stability.ratio));
   }
   const double over_growth = std::isfinite(error) ? error / bound_growth(stability.condition) : 0;
   tally.max_over_growth = std::max(tally.max_over_growth.value_or(0), over_growth);

@@ -124,6 +124,8 @@ class Verdict {
   void relocate(const std::function<Place(const Place&)>& new_place);
 
   const std::map<Quantity, Tally>& tallies() const { return tallies_; }
+  /// That of one quantity; an empty one where nothing was compared.
+  const Tally& tally(Quantity quantity) const;
   /// The worst ones kept, in the order of worst_first().
   std::vector<Discrepancy> worst(std::size_t count) const;
   std::uint64_t discrepancies() const;

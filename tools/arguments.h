@@ -24,7 +24,7 @@ namespace raycheck::tools {
 /// `count` numbers separated by commas; the error names the option and the text.
 std::vector<double> parse_list(const char* option, std::string_view text, std::size_t count,
                                const char* meaning);
-/// Up to here doubles tell all whole numbers apart.
+/// Doubles represent every whole number up to here.
 inline constexpr std::int64_t kMostIndex = 9'000'000'000'000'000;
 /// A whole number of these; the error names the option.
 std::int64_t parse_index(const char* option, std::string_view text, std::int64_t least,
@@ -34,9 +34,9 @@ scene::Pixel parse_pixel(const char* option, std::string_view text);
 /// The same, of a scene's camera; the error names its file, too.
 scene::Pixel parse_pixel(const char* option, std::string_view text, std::string_view path,
                          const scene::Scene& scene);
-/// What --dialect says of a driver file that is read; empty of an empty text.
+/// What --dialect says of a driver file that is read; empty if the text is.
 std::optional<scene::Dialect> parse_dialect(const std::string& text);
-/// The form of driver files for renderers that it says, or that each is tried; likewise.
+/// The form of driver files for renderers that it names, or that each form is tried; likewise.
 std::optional<DriverRule> parse_driver(const std::string& text);
 /// --dialect of a driver file that is read.
 void add_dialect(CLI::App& command, std::string& dialect);
@@ -49,7 +49,7 @@ CLI::Validator whole_number(std::uint64_t least, std::uint64_t most);
 CLI::Validator number_between(double least, double most);
 /// A bound on errors: a finite number >= 0.
 extern const CLI::Validator kBound;
-/// Any value but none at all: of every option.
+/// Rejects an empty value: used for every option.
 extern const CLI::Validator kGiven;
 /// An option that takes one of these names, those of an enumeration in its order.
 template <class Enum, std::size_t N>

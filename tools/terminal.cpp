@@ -84,7 +84,7 @@ void write_out(std::string_view text) {
       if (waits > kMostWaits) throw scene::Interrupted{};
       continue;
     }
-    // A pipe that is ready takes so many bytes without a wait.
+    // A pipe that is ready takes this many bytes without blocking.
     const ssize_t count =
         write(STDOUT_FILENO, text.data(), std::min<std::size_t>(text.size(), PIPE_BUF));
     if (count >= 0) {

@@ -13,7 +13,6 @@
 #include "properties/mistakes/picture_causes.h"
 #include "scene/interruption.h"
 #include "tools/check/judgement.h"
-#include "tools/check/timing.h"
 
 namespace raycheck::tools {
 namespace {

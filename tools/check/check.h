@@ -41,11 +41,10 @@ struct Swallowed {
   void merge(const Swallowed& other);
 };
 
-/// So many of the worst are kept.
+/// How many of the worst are kept.
 inline constexpr std::size_t kKeptSwallowed = 10;
 
-/// Of the rays and the spheres of a trial, by the truth alone; nothing where every root >= 0
-/// counts.
+/// For the rays and spheres of a trial, by the truth alone; empty where every root >= 0 counts.
 Swallowed swallowed(properties::Trial& trial);
 
 struct CheckOptions {
@@ -67,7 +66,7 @@ struct Timing {
   std::optional<double> intersect;  ///< To intersect it with every sphere of the scene.
 };
 
-/// A law that had nothing to say, and why.
+/// A law that was not judged, and why.
 struct LeftOut {
   std::string law;
   std::string reason;

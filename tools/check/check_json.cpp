@@ -3,7 +3,6 @@
 #include "properties/laws/law.h"
 #include "scene/number.h"
 #include "tools/check/check_views.h"
-#include "tools/gates/ratchet_json.h"
 #include "tools/report/certificate.h"
 #include "tools/report/json.h"
 

@@ -74,14 +74,13 @@ std::vector<FindingView> findings_of(const CandidateReport& candidate, const sce
   if (!findings.empty()) return findings;
   for (const Quantity quantity :
        {Quantity::kParameter, Quantity::kHitPoint, Quantity::kDirection, Quantity::kPixelPoint}) {
-    const auto tally = candidate.verdict.tallies().find(quantity);
-    if (tally == candidate.verdict.tallies().end() || !tally->second.max()) continue;
-    const Selection selection = selection_of(tally->second.worst_place, scene);
+    const properties::Tally& tally = candidate.verdict.tally(quantity);
+    if (!tally.max()) continue;
+    const Selection selection = selection_of(tally.worst_place, scene);
     if (!is_of_ray(selection)) continue;
     findings.push_back(
-        {fmt::format("largest error of {}: {} {}, {}", info(quantity).name,
-                     error_text(tally->second.max()), unit_name(quantity, candidate.precision),
-                     place_text(tally->second.worst_place)),
+        {fmt::format("largest error of {}: {} {}, {}", info(quantity).name, error_text(tally.max()),
+                     unit_name(quantity, candidate.precision), place_text(tally.worst_place)),
          candidate.name, method_of(candidate, quantity), std::nullopt, scene_index, selection});
   }
   // Of a picture that is right no error is told.

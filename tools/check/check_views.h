@@ -19,7 +19,7 @@ namespace raycheck::tools {
 std::string check_text(const CheckReport& report, const ViewOptions& options);
 std::string check_json(const CheckReport& report, const ViewOptions& options);
 /// Where the scene shows discrepancies, as a PNG file: exact silhouettes, and on them the pixels of
-/// the discrepancies that are kept, by standing. Of a scene without a camera a picture of nothing.
+/// the discrepancies that are kept, by standing. An empty picture for a scene without a camera.
 std::string check_picture(const CheckReport& report, const ViewOptions& options);
 
 /// A check for each quantity of each candidate; the report outlives it.
@@ -39,7 +39,7 @@ using NamedPlace = std::function<std::string(const properties::Place&)>;
 /// What was compared of a candidate, a row a quantity; `named` says where it was worst.
 std::string quantities_table(const CandidateReport& candidate,
                              const NamedPlace& named = place_text);
-/// Why too little was judged to say anything; empty where it was not too little.
+/// Why too little was judged to say anything; empty if enough was.
 std::string too_few_text(const CandidateReport& candidate);
 Json candidate_json(const CandidateReport& candidate, std::size_t top);
 

@@ -30,8 +30,7 @@ struct ChunkVerdict {
   Swallowed swallowed;
 
   bool has_failed() const {
-    const auto found = verdict.tallies().find(properties::Quantity::kRefusal);
-    return found != verdict.tallies().end() && found->second.count(properties::Wrong::kFailed) > 0;
+    return verdict.tally(properties::Quantity::kRefusal).count(properties::Wrong::kFailed) > 0;
   }
 };
 

@@ -20,7 +20,7 @@ namespace fs = std::filesystem;
 using properties::CodeLine;
 
 constexpr double kSeconds = 30;
-/// A source that is longer is none that a person wrote.
+/// No person writes a longer source file.
 constexpr std::uintmax_t kMostSourceBytes = std::uintmax_t{16} << 20;
 /// What of a line is shown.
 constexpr std::size_t kMostShown = 200;

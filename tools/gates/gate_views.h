@@ -8,6 +8,7 @@
 #include <type_traits>
 
 #include "tools/gates/gate.h"
+#include "tools/report/json.h"
 #include "tools/report/view.h"
 
 namespace raycheck::tools {
@@ -38,6 +39,8 @@ std::string gate_view(const Report& report, const ViewOptions& options) {
 
 /// What a baseline says of a run, in lines, for people.
 std::string ratchet_text(const Ratchet& ratchet);
+/// The same as JSON; null where there is no baseline.
+Json ratchet_json(const std::optional<Ratchet>& ratchet);
 
 /// GitHub shows no more annotations of a step than these.
 inline constexpr std::size_t kMostAnnotations = 10;

@@ -219,7 +219,7 @@ class ClassRun {
   struct Graded {
     SubmissionGrade grade;
     bool reused = false;
-    std::string outside = {};  ///< The cause outside it for which its grade is none; empty: none.
+    std::string outside = {};  ///< The external cause why it has no grade; empty: none.
   };
 
   Graded graded(const Submission& submission, const RunControl& control, bool alone) {
@@ -253,7 +253,7 @@ class ClassRun {
     return dry->shows_a_sphere() ? FormKnown::kFound : FormKnown::kNot;
   }
 
-  /// Why the grade is none, for a cause outside the submission; empty: it is one.
+  /// The cause outside the submission why there is no grade; empty: there is one.
   std::string grade_one(const Submission& submission, const RunControl& given, bool alone,
                         SubmissionGrade& grade) {
     Stopwatch watch;

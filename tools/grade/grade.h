@@ -12,10 +12,12 @@
 #include <vector>
 
 #include "properties/run_control.h"
+#include "tools/external/sandbox/launch.h"
 #include "tools/grade/intake/submission.h"
 #include "tools/grade/pages/views.h"
 #include "tools/grade/results/redaction.h"
 #include "tools/grade/results/result.h"
+#include "tools/grade/rubric/rubric.h"
 #include "tools/run/in_order.h"
 
 namespace raycheck::tools {

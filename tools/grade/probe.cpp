@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "tools/grade/grade.h"
 #include "tools/grade/pages/wording.h"
 
 namespace raycheck::tools {

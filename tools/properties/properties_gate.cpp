@@ -17,7 +17,7 @@ using properties::Finding;
 using properties::Standing;
 using Parts = std::span<const CampaignPart>;
 
-/// Of a source of which more parts are broken only so many are told how to ask again.
+/// The most broken parts of a source for which the command to ask again is given.
 constexpr std::size_t kMostReplays = 3;
 
 std::string source_of(Parts parts) { return std::string(parts.front().source.source->name); }

@@ -1,6 +1,5 @@
 
 #include "properties/cases/case_text.h"
-#include "tools/gates/ratchet_json.h"
 #include "tools/properties/properties_views.h"
 #include "tools/report/json.h"
 

@@ -179,8 +179,7 @@ Json tally_json(properties::Quantity quantity, const Tally& tally, scene::Precis
   json["worst_at"] = has_worst ? place_json(tally.worst_place) : Json(nullptr);
   json["median_condition"] = error_json(tally.condition_quantile(0.5));
   json["max_over_growth"] = error_json(tally.max_over_growth);
-  json["max_ratio"] =
-      error_json(tally.worst_ratio < 0 ? std::nullopt : std::optional(tally.worst_ratio));
+  json["max_ratio"] = error_json(tally.worst_ratio);
   json["outcomes"] = nullptr;
   if (measured && !weighed) return json;
   for (std::size_t k = 0; k < properties::kOutcomeCount; ++k) {

@@ -55,7 +55,7 @@ class PictureFile {
   std::size_t width_ = 0;
 };
 
-/// The bytes of a PNG file, of lines from the top.
+/// The bytes of a PNG file; the first line of pixels is the top one.
 /// Domain: width x height pixels, at least one, no side above kMostPictureSide.
 /// Error: std::runtime_error with what libpng says.
 std::string png_bytes(std::int64_t width, std::int64_t height, std::span<const Colour> pixels);
@@ -73,15 +73,15 @@ struct ReadPicture {
   }
 };
 
-/// What was read is not a picture, or too large a one; what() says why.
+/// What was read is not a picture, or is too large; what() says why.
 class PictureError : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;
 };
 
 /// Reads a PPM (P3 or P6, with comments; channels of any maximum are brought to 255) or a PNG.
-/// Pictures of more than `most` pixels are errors. `wanted`: of a picture of another size no more
-/// is read than its header.
+/// Pictures of more than `most` pixels are errors. `wanted`: only the header is read of a
+/// picture of another size.
 ReadPicture parse_picture(std::string_view bytes, std::int64_t most,
                           const std::optional<PictureSize>& wanted = {});
 

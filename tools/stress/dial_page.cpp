@@ -26,18 +26,15 @@ constexpr int kCasesTried = 20;
 
 /// How bad an answer is: wrong decisions before errors.
 double badness(const StressResult& result, properties::Quantity quantity) {
-  const auto& tallies = result.inside.tallies();
-  const auto main = tallies.find(quantity);
-  const double error = main == tallies.end() ? -1 : main->second.max().value_or(-1);
-  return properties::defects(result.inside) > 0 ? HUGE_VAL : error;
+  return properties::defects(result.inside) > 0 ? HUGE_VAL
+                                                : result.inside.tally(quantity).max().value_or(-1);
 }
 
 /// Where the main quantity, or a decision, is worst.
 properties::Place worst_place(const StressResult& result, properties::Quantity quantity) {
   const auto worst = result.inside.worst(1);
   if (!worst.empty()) return worst.front().place;
-  const auto main = result.inside.tallies().find(quantity);
-  return main == result.inside.tallies().end() ? properties::Place{} : main->second.worst_place;
+  return result.inside.tally(quantity).worst_place;
 }
 
 struct ShownCase {

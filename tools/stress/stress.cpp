@@ -99,12 +99,6 @@ std::vector<StressCurve> run_stage(const CaseSource& family, Stage stage,
 
 }  // namespace
 
-const properties::Tally* StressCurve::tally(std::size_t k) const {
-  const auto& tallies = results[k].inside.tallies();
-  const auto found = tallies.find(quantity());
-  return found == tallies.end() ? nullptr : &found->second;
-}
-
 bool StressCurve::is_judged() const {
   return std::any_of(results.begin(), results.end(),
                      [](const StressResult& result) { return result.inside.compared() > 0; });
@@ -117,8 +111,8 @@ std::optional<int> StressCurve::first_failing() const {
   return std::nullopt;
 }
 
-double StressCurve::worst_ratio() const {
-  double worst = -1;
+std::optional<double> StressCurve::worst_ratio() const {
+  std::optional<double> worst;
   for (const StressResult& result : results) {
     worst = std::max(worst, properties::worst_ratio(result.inside));
   }

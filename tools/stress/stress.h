@@ -33,14 +33,15 @@ struct StressCurve {
   properties::Quantity quantity() const { return properties::main_quantity(method.stage); }
   /// Of that quantity's errors: "ulp", "u of float".
   std::string_view unit() const { return unit_name(quantity(), method.precision()); }
-  /// The tally of the main quantity within the stated domain at the k-th severity; null where
-  /// nothing was measured.
-  const properties::Tally* tally(std::size_t k) const;
+  /// The tally of the main quantity within the stated domain at the k-th severity.
+  const properties::Tally& tally(std::size_t k) const {
+    return results[k].inside.tally(quantity());
+  }
   /// The least severity at which the method is not stable within its stated domain.
   std::optional<int> first_failing() const;
   /// Empty while nothing was judged within the stated domain.
   bool is_judged() const;
-  double worst_ratio() const;
+  std::optional<double> worst_ratio() const;
   std::uint64_t left_out() const;
   std::optional<double> slope(int base) const;
 };

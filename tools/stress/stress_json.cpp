@@ -31,8 +31,7 @@ std::string stress_json(const StressReport& report, const ViewOptions& /*options
       method["judged"] = curve.is_judged();
       method["first_failing"] = or_null(curve.first_failing());
       method["slope"] = or_null(curve.slope(family.family->dial->base));
-      method["max_ratio"] =
-          error_json(curve.worst_ratio() < 0 ? std::nullopt : std::optional(curve.worst_ratio()));
+      method["max_ratio"] = error_json(curve.worst_ratio());
       for (std::size_t k = 0; k < curve.results.size(); ++k) {
         method["severities"].push_back(
             {{"severity", curve.severities[k]},

@@ -34,7 +34,7 @@ constexpr std::size_t kMostNamed = 3;
 /// The rays judged at a time.
 constexpr std::uint64_t kChunk = 512;
 
-/// A scene's rays so many at a time.
+/// How many of a scene's rays are judged at a time.
 class SceneChunks {
  public:
   explicit SceneChunks(const properties::SceneCases& cases) : cases_(cases) {}
@@ -209,8 +209,8 @@ std::optional<Rank> rank_of(const MethodCost& cost) {
 
 std::optional<std::pair<double, double>> badness_of(const properties::Verdict& verdict,
                                                     properties::Quantity quantity) {
-  const auto found = verdict.tallies().find(quantity);
-  if (found == verdict.tallies().end() || found->second.errors.empty()) return std::nullopt;
+  const properties::Tally& main = verdict.tally(quantity);
+  if (main.errors.empty()) return std::nullopt;
   std::uint64_t decisions = 0;
   for (const auto& [judged, tally] : verdict.tallies()) {
     if (tally.errors.empty()) decisions += tally.cases;
@@ -218,7 +218,7 @@ std::optional<std::pair<double, double>> badness_of(const properties::Verdict& v
   const double share = decisions == 0 ? 0
                                       : static_cast<double>(properties::defects(verdict)) /
                                             static_cast<double>(decisions);
-  return std::pair(share, *found->second.quantile(0.999));
+  return std::pair(share, *main.quantile(0.999));
 }
 
 /// End to end, the methods that are Pareto-optimal in their own stage, with the default ones.
@@ -370,12 +370,6 @@ const MethodCost* baseline(const std::vector<MethodCost>& costs) {
   const auto first = std::find_if(costs.begin(), costs.end(),
                                   [](const MethodCost& cost) { return cost.batch.has_value(); });
   return first == costs.end() ? nullptr : &*first;
-}
-
-const properties::Tally* MethodCost::main() const {
-  const auto& tallies = accuracy.inside.tallies();
-  const auto found = tallies.find(quantity());
-  return found == tallies.end() ? nullptr : &found->second;
 }
 
 std::optional<std::pair<double, double>> MethodCost::badness() const {

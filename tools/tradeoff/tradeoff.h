@@ -57,7 +57,6 @@ struct MethodCost {
 
   properties::Quantity quantity() const { return properties::main_quantity(method.stage); }
   std::string_view unit() const { return unit_name(quantity(), promises.precision); }
-  const properties::Tally* main() const;
   /// Errors by which methods are ranked: decisions wrong without an excuse per decision, then the
   /// 99.9% error, of whatever format in u or ulp of doubles. Empty where nothing was judged in the
   /// stated domain.

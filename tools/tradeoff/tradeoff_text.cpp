@@ -26,38 +26,29 @@ std::string spread_text(const std::optional<Duration>& duration) {
   return fmt::format("{:.1f} ({:.1f}..{:.1f})", duration->median, duration->low, duration->high);
 }
 
-const Tally* find(const Verdict& verdict, Quantity quantity) {
-  const auto found = verdict.tallies().find(quantity);
-  return found == verdict.tallies().end() ? nullptr : &found->second;
-}
-
 /// How often a class was wrong in this way, per million decisions.
 std::string per_million(const Verdict& verdict, Wrong wrong) {
-  const Tally* const tally = find(verdict, Quantity::kClass);
-  if (tally == nullptr || tally->cases == 0) return "-";
-  const auto count = static_cast<double>(tally->count(wrong));
-  return error_text(1e6 * count / static_cast<double>(tally->cases));
+  const Tally& tally = verdict.tally(Quantity::kClass);
+  if (tally.cases == 0) return "-";
+  return error_text(1e6 * static_cast<double>(tally.count(wrong)) /
+                    static_cast<double>(tally.cases));
 }
 
 std::string max_text(const Verdict& verdict, Quantity quantity) {
-  const Tally* const tally = find(verdict, quantity);
-  return error_text(tally == nullptr ? std::nullopt : tally->max());
+  return error_text(verdict.tally(quantity).max());
 }
 
 /// The largest error over what the bound grows by, as far as it was weighed.
 std::string audited_text(const Verdict& verdict, Quantity quantity) {
-  const Tally* const tally = find(verdict, quantity);
-  return error_text(tally == nullptr ? std::nullopt : tally->max_over_growth);
+  return error_text(verdict.tally(quantity).max_over_growth);
 }
 
 std::string quantile_text(const Verdict& verdict, Quantity quantity, double share) {
-  const Tally* const tally = find(verdict, quantity);
-  return error_text(tally == nullptr ? std::nullopt : tally->quantile(share));
+  return error_text(verdict.tally(quantity).quantile(share));
 }
 
 std::string ratio_text(const Verdict& verdict) {
-  const double ratio = properties::worst_ratio(verdict);
-  return error_text(ratio < 0 ? std::nullopt : std::optional(ratio));
+  return error_text(properties::worst_ratio(verdict));
 }
 
 /// What an error on given rays is held to.

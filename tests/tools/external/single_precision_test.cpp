@@ -316,7 +316,8 @@ TEST(OwnUnits, HaveAPlotOfTheirOwn) {
   // Ranked in one unit: an ulp of float is 2^29 of double.
   const auto& costs = report.intersections;
   ASSERT_EQ(costs.size(), 2u);
-  EXPECT_EQ(costs[1].badness()->second, *costs[1].main()->quantile(0.999) * 0x1p29);
+  EXPECT_EQ(costs[1].badness()->second,
+            *costs[1].accuracy.inside.tally(costs[1].quantity()).quantile(0.999) * 0x1p29);
 }
 
 }  // namespace

@@ -92,10 +92,10 @@ TEST(StressCommand, has_a_page_with_a_curve_of_every_method_on_every_family) {
   ASSERT_EQ(mine["points"].size(), 5u);
   for (std::size_t k = 0; k < 5; ++k) {
     const json& errors = mine["points"][k]["errors"][0];
-    EXPECT_EQ(errors["at"][0], *textbook.tally(k)->median());
-    EXPECT_EQ(errors["at"][3], *textbook.tally(k)->quantile(0.999));
+    EXPECT_EQ(errors["at"][0], *textbook.tally(k).median());
+    EXPECT_EQ(errors["at"][3], *textbook.tally(k).quantile(0.999));
     EXPECT_EQ(chart["facets"][0]["condition"][0][3][k],
-              *textbook.tally(k)->condition_quantile(0.999));
+              *textbook.tally(k).condition_quantile(0.999));
     EXPECT_EQ(mine["points"][k]["defects"], properties::defects(textbook.results[k].inside));
   }
   // Methods have their numbers among all, so that each looks the same in every picture.
@@ -169,8 +169,8 @@ void expect_what_the_report_tells(const json& all, const tools::TradeoffReport& 
     const double base = report.intersections[0].batch->median;
     EXPECT_EQ(mine["time"]["ratio"], cost.batch->median / base);
     const json& errors = mine["points"][0]["errors"][0];
-    EXPECT_EQ(errors["at"][3], *cost.main()->quantile(0.999));
-    EXPECT_EQ(errors["at"][4], *cost.main()->max());
+    EXPECT_EQ(errors["at"][3], *cost.accuracy.inside.tally(cost.quantity()).quantile(0.999));
+    EXPECT_EQ(errors["at"][4], *cost.accuracy.inside.tally(cost.quantity()).max());
     EXPECT_EQ(mine["points"][0]["defects"], properties::defects(cost.accuracy.inside));
   }
 }

@@ -266,7 +266,7 @@ class DryRunner {
     }
   }
 
-  /// After so many pictures that are not made in time, no further form is tried.
+  /// The number of pictures not made in time after which no further form is tried.
   static constexpr int kMostTimeouts = 3;
 
   Renderer renderer_;

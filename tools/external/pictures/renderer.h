@@ -14,7 +14,7 @@
 
 namespace raycheck::tools {
 
-/// After so many silences someone else's implementation is not asked any more.
+/// The number of silences after which an implementation is no longer asked.
 inline constexpr int kMostSilences = 3;
 
 /// Pixels that a picture has at most, whatever the size of the scene.
@@ -32,7 +32,7 @@ struct Renderer {
   ColourHabit colours = {};
   double excused_change = properties::kExcusedImageChange;
   double threshold = 0;  ///< Hits with an s of at most this are not judged.
-  /// After so many pictures that were not made in time it is not started any more.
+  /// The number of pictures not made in time after which it is no longer started.
   int most_silences = kMostSilences;
   std::shared_ptr<AnswerStore> answers = {};  ///< Null: it is started for every picture.
 };

@@ -14,14 +14,14 @@
 namespace raycheck::tools {
 
 inline constexpr std::string_view kFramesWord = "frames";
-/// Of a function that headers of others call, as a comparison that is sorted by, its own frame lies
-/// some further out; this many tell enough.
+/// Frames of library headers may lie inside those of the candidate, as in a comparison called by
+/// std::sort; this many frames reach its own code.
 inline constexpr std::size_t kMostFrames = 16;
 /// An offset is a space and at most 16 digits.
 inline constexpr std::size_t kMostFramesLine = kFramesWord.size() + 17 * kMostFrames + 1;
 
-/// The frames in the last such line of what a worker wrote; none where there is no such line, or
-/// one that is of another form: what it runs may write there, too.
+/// The frames in the last such line of what a worker wrote; empty without such a line, or if it is
+/// malformed, since the candidate may write there, too.
 std::vector<std::uint64_t> frames_in(std::string_view text);
 
 /// From now on what dies of SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGTRAP or SIGABRT first writes a line

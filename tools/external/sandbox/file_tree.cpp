@@ -31,7 +31,7 @@ constexpr int kMostDepth = 128;
 
 using Entries = std::unique_ptr<DIR, int (*)(DIR*)>;
 
-/// The entries of an open folder, which is closed with them; of none where it cannot be read.
+/// The entries of an open folder, which is closed with them; no entries if it cannot be read.
 Entries entries_of(int folder) {
   DIR* const entries = fdopendir(folder);
   if (entries == nullptr) close(folder);

@@ -7,7 +7,7 @@
 
 namespace raycheck::tools {
 
-/// Which processes a program can reach by their numbers.
+/// Which processes a program can reach by their ids.
 enum class Reach {
   kOwn,       ///< Its own alone: they have a namespace of their own, or another user.
   kSchedule,  ///< All of its user, but signals reach its own alone.
@@ -18,7 +18,7 @@ enum class Reach {
 /// namespaces, mounts and modules; what outlives it (System V memory, message queues, keys). Where
 /// it reaches more than its own: to change how others are scheduled and what they may use, and to
 /// send signals to others than itself and its group. The judge is one of these, and each of its
-/// threads has a number of its own, so that no list of numbers would do.
+/// threads has an id of its own, so that no list of ids would do.
 /// `judge`: raycheck itself, where it can be reached.
 /// Domain: no process may gain privileges any more.
 /// Errors: std::system_error.
@@ -26,9 +26,9 @@ void forbid_calls(Reach reach, pid_t judge);
 
 /// What a program may do with files: by their absolute paths, folders with all that lies in them.
 struct FileRights {
-  std::vector<std::filesystem::path> reads;   ///< Reads and runs; what is not there is passed over.
-  std::vector<std::filesystem::path> hidden;  ///< Of `reads`, what it may not.
-  std::vector<std::filesystem::path> writes;  ///< Does whatever it likes in; these must be there.
+  std::vector<std::filesystem::path> reads;   ///< Reads and runs; missing ones are ignored.
+  std::vector<std::filesystem::path> hidden;  ///< Parts of `reads` that it may not read.
+  std::vector<std::filesystem::path> writes;  ///< Full access; these must exist.
   bool empty() const { return reads.empty() && writes.empty(); }
 };
 

@@ -26,8 +26,8 @@ struct Layers {
   bool seccomp = false;     ///< No sockets, no looking into other processes.
   bool landlock = false;    ///< Of the file system what it needs; in place of bubblewrap.
   bool bubblewrap = false;  ///< Namespaces of its own; of the file system what it needs.
-  /// A control group of its own, in which all is counted and killed together, and where the kernel
-  /// limits what all use together.
+  /// A control group of its own, in which all processes are counted, killed and, where the kernel
+  /// can do so, limited together.
   bool control_group = false, group_memory = false, group_processes = false;
   /// "own user, seccomp, bubblewrap, control group (memory, processes)", or "limits only"
   std::string text() const;
@@ -43,8 +43,8 @@ struct MissingLayer {
 struct LayersHere {
   Layers layers;
   std::vector<MissingLayer> missing;
-  /// Why there is no control group, which most machines let nobody make; empty: there is, or none
-  /// was asked for.
+  /// Why there is no control group (most machines let nobody make one); empty: there is one, or
+  /// none was asked for.
   std::string no_control_group = {};
 };
 const LayersHere& layers_here();
@@ -71,8 +71,8 @@ class SpentTime {
   std::atomic<double> seconds_{0};
 };
 
-/// Whether an error of the system is the machine's, which has no room or no luck, and not of what
-/// was asked for: another time it may not be met.
+/// Whether an error comes from the state of the machine (no room, too many open files) and not from
+/// what was asked for, so that it may not occur another time.
 inline bool is_of_the_machine(const std::error_code& error) {
   for (const std::errc of_it :
        {std::errc::no_space_on_device, std::errc::not_enough_memory, std::errc::io_error,
@@ -84,8 +84,8 @@ inline bool is_of_the_machine(const std::error_code& error) {
   return error == std::error_code(EDQUOT, std::generic_category());
 }
 
-/// What the machine did to a candidate: where it failed for a cause outside it, its answers count
-/// for nothing. One for all its processes.
+/// Outside causes for which a candidate failed; if there is one, its answers do not count. Shared
+/// by all its processes.
 class Surroundings {
  public:
   /// `alone`: no other candidate runs beside it, so that what happens to it is its own doing, as
@@ -115,12 +115,12 @@ struct Refusal {
   std::string said;  ///< What a compiler said of it, or empty.
 };
 
-/// What those who set limits call them, to be said where one is met; empty: nothing is said.
+/// The names of limits for those who set them, named when one is met; empty: not named.
 struct LimitNames {
   std::string seconds = {}, file = {}, memory = {}, processes = {}, disk = {};
 };
 
-/// " (file_mib)": what those who set a limit call it, to be said behind it.
+/// The name of a limit in parentheses, to follow its mention: " (file_mib)".
 std::string called(const std::string& limit);
 
 /// What one process, or a process and all that it starts, may use.
@@ -160,7 +160,7 @@ enum class FailureKind {
   kEnded,     ///< It ended before it had done what it should.
   kTimeUp,    ///< No reply, or no end, in the time it has: to ask again costs as much.
   kSaidMore,  ///< More than it was asked, or may say.
-  kBadReply,  ///< Its reply, or its picture, is none.
+  kBadReply,  ///< What it sent is not a reply, or not a picture.
   kNotAsked   ///< It was silent too often to be asked again.
 };
 
@@ -184,15 +184,15 @@ std::filesystem::path helper(const std::string& name);
 
 /// The folder in which this program and its helpers (raycheck-jail, raycheck-worker) lie.
 std::filesystem::path program_folder();
-/// Of programs that are installed, which lie below libexec/raycheck, what that lies below.
+/// The prefix of an installed program, whose libexec/raycheck holds the programs.
 std::filesystem::path prefix();
 
 /// Where the adapters of other languages are: beside an installed program, or in the sources that
 /// it was built of.
 std::filesystem::path adapters();
 
-/// A user for each process, which no account has: of this process and a number where such large ids
-/// exist, else one of 16 bits.
+/// A user id for each process that belongs to no account: made of this process's id and a counter
+/// where such large ids exist, else of 16 bits.
 std::uint64_t next_user();
 /// Large ids do not work here.
 void use_small_users();
@@ -210,16 +210,16 @@ struct Streams {
 pid_t launch(const Confined& confined, const std::filesystem::path& folder, std::uint64_t user,
              const std::filesystem::path& group, const Streams& streams);
 
-/// Of the system what programs need: of /etc files of the loader, Java and OpenSSL, which Node.js
-/// does not start without where it is there and closed. Some may not be there.
+/// The parts of the system that programs need; of /etc only files of the loader, Java and OpenSSL
+/// (Node.js does not start where the last exists but is closed). Some may not exist.
 std::vector<std::filesystem::path> system_paths();
 
 /// What raycheck's helpers need besides the system: the adapters, and the libraries of a package
 /// where it brings some that they may read.
 std::vector<std::filesystem::path> own_paths();
 
-/// Of all these what gives away right answers, or what is asked: raycheck itself, wherever programs
-/// are looked for, and the rubrics that come with it.
+/// What in all these gives away right answers or questions: raycheck itself, wherever programs are
+/// looked for, and the rubrics that come with it.
 std::vector<std::filesystem::path> hidden_paths();
 
 }  // namespace raycheck::tools

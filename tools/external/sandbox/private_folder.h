@@ -24,21 +24,21 @@ class PrivateFolder {
 /// A text without the names of such folders, which differ from run to run.
 std::string without_private_folders(const std::string& text);
 
-/// Whether a user of its own may enter a folder, by all that lead to it.
+/// Whether a candidate's own user may enter a folder, and every folder on the way to it.
 bool others_may_enter(std::filesystem::path folder);
 
-/// Whether a user of its own may read a path.
+/// Whether a candidate's own user may read a path.
 bool others_may_read(const std::filesystem::path& path);
 
 /// Lets every user read a file, or a folder and all in it.
 void open_to_others(const std::filesystem::path& path);
 
-/// raycheck's own files as any user may read them: where they are closed to others, a copy. Of
-/// candidates' files tools/external/locate.cpp makes the copies.
+/// One of raycheck's own files, or a copy of it where other users may not read it. Candidates'
+/// files are copied by tools/external/locate.cpp.
 std::filesystem::path readable_copy(const std::filesystem::path& path);
 
-/// What lies in a program's folder whenever it starts, made anew each time: what it changes there
-/// is gone the next time. All by their paths in that folder.
+/// What lies in a program's folder whenever it starts. It is made anew for every start, so that
+/// changes do not last. All paths are relative to that folder.
 struct StartingFolder {
   struct File {
     std::string name;

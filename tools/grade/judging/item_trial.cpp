@@ -33,9 +33,8 @@ std::optional<properties::Quantity> never_right(const Verdict& verdict) {
 
 /// Whether no hit is found where there are some, as where whatever is asked is answered by a miss.
 bool never_hits(const Verdict& verdict) {
-  const auto found = verdict.tallies().find(properties::Quantity::kClass);
-  if (found == verdict.tallies().end()) return false;
-  const auto& hits = found->second.answered[static_cast<std::size_t>(properties::Question::kHit)];
+  const auto& hits = verdict.tally(properties::Quantity::kClass)
+                         .answered[static_cast<std::size_t>(properties::Question::kHit)];
   return hits.asked > 0 && hits.right == 0;
 }
 

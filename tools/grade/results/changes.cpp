@@ -22,7 +22,7 @@ std::optional<EarlierGrade> earlier_grade(const std::filesystem::path& folder) {
     }
     grade.seed = json.at("seed");
     grade.isolation = json.at("isolated_by");
-    if (json.contains("inputs")) grade.inputs = read_inputs(json.at("inputs"));
+    if (json.contains("inputs")) grade.inputs = inputs_of_record(json.at("inputs"));
     return grade;
   } catch (const std::exception&) {
     return {};  // no record, then

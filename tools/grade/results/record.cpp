@@ -287,7 +287,7 @@ SubmissionGrade read_record(std::string_view text) {
   return grade;
 }
 
-GradeInputs read_inputs(const Json& json) {
+GradeInputs inputs_of_record(const Json& json) {
   GradeInputs inputs;
   FieldReader::read(json, inputs);
   return inputs;

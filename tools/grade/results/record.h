@@ -23,7 +23,7 @@ Json driver_json(const DriverForm& form);
 /// Errors: std::exception where it is no such thing.
 SubmissionGrade read_record(std::string_view text);
 /// Of a record the inputs alone. Errors: std::exception.
-GradeInputs read_inputs(const Json& json);
+GradeInputs inputs_of_record(const Json& json);
 
 /// A picture as runs of equal pixels: "12x- 3x0 4x?" are twelve that show none, three of sphere 0,
 /// and four of some sphere.

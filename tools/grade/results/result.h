@@ -87,8 +87,8 @@ struct FirstWrongAnswer {
   WrongAnswer answer;
 };
 
-/// A mistake that makes right so many of an item's wrong answers, or pixels; of no answers, or no
-/// pictures of the right size, none are counted.
+/// A mistake, and how many of an item's wrong answers (or pixels) it makes right. Nothing is
+/// counted without answers, or without pictures of the right size.
 struct ExplainingMistake {
   std::string sentence;
   std::uint64_t wrong = 0, explained = 0;

@@ -59,9 +59,9 @@ struct RubricScene {
   scene::Scene scene;
 };
 
-/// Pictures have at most so many pixels.
+/// The most pixels of a picture.
 inline constexpr std::int64_t kMostGradedPixels = std::int64_t{1} << 16;
-/// Functions are asked about at most so many rays of a scene, spread evenly.
+/// The most rays of a scene that functions are asked about, spread evenly.
 inline constexpr std::uint64_t kMostGradedRays = 512;
 
 /// What an item asks: the laws, and the cases that each is tried on.

@@ -24,10 +24,10 @@ struct VerifyOptions {
   std::size_t top = 10;
 };
 
-/// No case has so many rays.
+/// More rays than any case has.
 inline constexpr std::size_t kMostRays = std::size_t{1} << 32;
 
-/// No answer is so long.
+/// Longer than any answer.
 inline constexpr std::size_t kMostLineBytes = std::size_t{1} << 16;
 
 struct VerifyReport {
@@ -52,7 +52,7 @@ struct VerifyReport {
 /// The next part of what is read; empty at the end.
 using ReadMore = std::function<std::string()>;
 
-/// Judges the answers to questions (tools/exchange/generate.h), in their order, by the laws of
+/// Judges the answers to questions (generate.h), in their order, by the laws of
 /// single values. A case is judged, and forgotten, once all its questions are answered. Errors:
 /// std::invalid_argument naming the line that is no answer to the next question.
 VerifyReport verify(const ReadMore& answers, const VerifyOptions& options,

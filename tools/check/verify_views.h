@@ -2,7 +2,7 @@
 
 // The views of `verify`, each in the file of its name.
 
-#include "tools/exchange/verify.h"
+#include "tools/check/verify.h"
 #include "tools/report/view.h"
 
 namespace raycheck::tools {

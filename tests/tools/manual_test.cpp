@@ -104,7 +104,7 @@ TEST(Completions, OfZshAreCommandsOptionsAndFiles) {
   if (!is_installed("zsh")) GTEST_SKIP() << "zsh is not installed";
   expect_all_are_offered([](const std::vector<std::string>& lines) {
     std::string arguments =
-        "tests/tools/manual/zsh_offers.py '" RAYCHECK_MANUAL "/zsh/vendor-completions'";
+        "tests/tools/zsh_offers.py '" RAYCHECK_MANUAL "/zsh/vendor-completions'";
     for (const std::string& line : lines) arguments += " '" + line + "'";
     return lines_of(run_python(arguments, 0).out);
   });

@@ -1,4 +1,4 @@
-#include "tools/try/try.h"
+#include "tools/grade/try.h"
 
 #include <fmt/core.h>
 

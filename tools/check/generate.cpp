@@ -1,4 +1,4 @@
-#include "tools/exchange/generate.h"
+#include "tools/check/generate.h"
 
 #include <fmt/core.h>
 

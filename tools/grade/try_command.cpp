@@ -3,8 +3,8 @@
 
 #include "tools/arguments.h"
 #include "tools/commands.h"
+#include "tools/grade/try.h"
 #include "tools/terminal.h"
-#include "tools/try/try.h"
 
 namespace raycheck::tools {
 namespace {

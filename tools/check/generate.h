@@ -19,7 +19,8 @@ std::string case_id(const properties::ChosenSource& source, std::uint64_t seed);
 std::string question_id(const std::string& the_case, std::size_t ray, std::size_t sphere);
 
 /// The source of that name, "FAMILY" or "FAMILY@SEVERITY".
-/// Errors: std::invalid_argument naming the family where there is none, or its cases have cameras.
+/// Errors: std::invalid_argument naming the family if there is no such family, or its cases have
+/// cameras.
 properties::ChosenSource source_of_questions(const std::string& family);
 
 /// The case of a seed in a format; empty where that cannot hold it.

@@ -2,15 +2,15 @@
 #include <string>
 
 #include "tools/arguments.h"
+#include "tools/check/generate.h"
+#include "tools/check/verify_views.h"
 #include "tools/commands.h"
-#include "tools/exchange/generate.h"
-#include "tools/exchange/verify_views.h"
 #include "tools/terminal.h"
 
 namespace raycheck::tools {
 namespace {
 
-/// Bytes of answers that are read together, where there are so many.
+/// Answers are read in pieces of at most this many bytes.
 constexpr std::size_t kReadAtATime = 1 << 16;
 
 struct VerifyArguments {

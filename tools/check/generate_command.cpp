@@ -2,14 +2,14 @@
 #include <string>
 
 #include "tools/arguments.h"
+#include "tools/check/generate.h"
 #include "tools/commands.h"
-#include "tools/exchange/generate.h"
 #include "tools/terminal.h"
 
 namespace raycheck::tools {
 namespace {
 
-/// Bytes of questions that are printed together, once there are so many.
+/// Questions are printed in pieces of at least this many bytes.
 constexpr std::size_t kPrintedAtATime = 1 << 16;
 
 struct GenerateArguments {

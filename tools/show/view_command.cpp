@@ -11,11 +11,11 @@
 #include "tools/check/check_views.h"
 #include "tools/commands.h"
 #include "tools/report/output_file.h"
+#include "tools/show/view_text.h"
 #include "tools/stress/stress.h"
 #include "tools/terminal.h"
 #include "tools/view/document_json.h"
 #include "tools/view/page/page.h"
-#include "tools/view/view_text.h"
 
 namespace raycheck::tools {
 namespace {

@@ -1,4 +1,4 @@
-#include "tools/exchange/verify.h"
+#include "tools/check/verify.h"
 
 #include <fmt/core.h>
 
@@ -10,7 +10,7 @@
 #include "scene/interruption.h"
 #include "scene/number.h"
 #include "scene/text.h"
-#include "tools/exchange/generate.h"
+#include "tools/check/generate.h"
 
 namespace raycheck::tools {
 namespace {

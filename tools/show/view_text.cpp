@@ -1,4 +1,4 @@
-#include "tools/view/view_text.h"
+#include "tools/show/view_text.h"
 
 #include <fmt/core.h>
 
