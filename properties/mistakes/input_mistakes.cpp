@@ -146,7 +146,7 @@ void stretch_rows(Camera& camera, const Conventions& conventions, double factor)
 }
 
 /// From i/(w-1), or from (i+1/2)/w, to i/w or, one pixel on, to (i+1)/w: where the first and the
-/// last of so many pixels between two bounds come to lie.
+/// last pixel between two bounds come to lie.
 void step_by_count(double& first, double& last, std::int64_t pixels, const Conventions& conventions,
                    bool is_next) {
   const double step = (last - first) / static_cast<double>(pixels);
