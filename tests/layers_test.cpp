@@ -54,22 +54,22 @@ const std::map<std::string, Rooms> kSees = {
      {"scene", "scene/files", "reference", "reference/account", "reference/visibility",
       "properties", "properties/laws", "properties/mistakes"}},
     {"tools/gates", {"scene", "properties", "tools/report"}},
-    {"tools/methods", {"fast", "properties/candidates", "properties/search", "tools/peers"}},
+    {"tools/implementations", {"scene/files", "fast", "properties", "properties/candidates"}},
     {"tools/external",
      {"scene", "scene/files", "properties", "properties/cases", "properties/mistakes",
-      "tools/methods", "tools/report"}},
+      "tools/implementations", "tools/report"}},
     {"tools/explain",
      {"scene", "reference", "reference/account", "fast", "properties", "properties/candidates",
-      "tools/methods", "tools/report"}},
+      "tools/implementations", "tools/report"}},
     {"tools/image",
      {"scene", "scene/files", "reference/visibility", "properties", "tools/run", "tools/report",
-      "tools/methods"}},
+      "tools/implementations"}},
     {"tools/view",
      {"scene", "scene/files", "reference", "reference/visibility", "properties", "properties/laws",
-      "tools/explain", "tools/image", "tools/methods", "tools/report", "tools/run"}},
+      "tools/explain", "tools/image", "tools/implementations", "tools/report", "tools/run"}},
     {"tools/peers", {"scene", "fast"}},
     {"tools/grade/rubric",
-     {"scene/files", "properties/laws", "properties/cases", "tools/report", "tools/methods",
+     {"scene/files", "properties/laws", "properties/cases", "tools/report", "tools/implementations",
       "tools/external"}},
     {"tools/grade/results",
      {"scene", "scene/files", "properties", "properties/laws", "tools/report", "tools/external",
@@ -80,10 +80,10 @@ const std::map<std::string, Rooms> kSees = {
       "tools/grade/store"}},
     {"tools/grade/judging",
      {"scene", "properties", "properties/laws", "properties/cases", "properties/mistakes",
-      "properties/search", "tools/methods", "tools/external", "tools/grade/rubric",
+      "properties/search", "tools/implementations", "tools/external", "tools/grade/rubric",
       "tools/grade/results"}},
     {"tools/grade/pages",
-     {"scene", "scene/files", "properties/laws", "properties/cases", "tools/methods",
+     {"scene", "scene/files", "properties/laws", "properties/cases", "tools/implementations",
       "tools/report", "tools/external", "tools/view", "tools/grade/rubric",
       "tools/grade/results"}}};
 
@@ -104,9 +104,9 @@ const std::map<std::string, std::string> kInside = {
     {"tools/view/pictures", "tools/view"}};
 
 /// What every program may link of tools/: what judges one scene.
-const Rooms kJudgesOneScene = {"tools/run",      "tools/report",  "tools/gates", "tools/methods",
-                               "tools/external", "tools/explain", "tools/image", "tools/view",
-                               "tools/check",    "tools/show"};
+const Rooms kJudgesOneScene = {
+    "tools/run",     "tools/report", "tools/gates", "tools/implementations", "tools/external",
+    "tools/explain", "tools/image",  "tools/view",  "tools/check",           "tools/show"};
 
 /// What else each program may, by the name that the table of commands has for it.
 const std::map<std::string, Rooms> kMayLink = {

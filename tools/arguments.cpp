@@ -19,7 +19,6 @@
 #include "scene/text.h"
 #include "tools/commands.h"
 #include "tools/external/pictures/dry_run.h"
-#include "tools/external/staged.h"
 #include "tools/report/words.h"
 #include "tools/view/chart/plot.h"
 
@@ -236,9 +235,9 @@ External as_it_reads(const External& external, const DriverRule& rule) {
 
 }  // namespace
 
-std::vector<Contestant> find_contestants(const ExternalArguments& arguments,
-                                         const std::optional<DriverRule>& driver) {
-  std::vector<Contestant> found;
+std::vector<Implementation> find_candidates(const ExternalArguments& arguments,
+                                            const std::optional<DriverRule>& driver) {
+  std::vector<Implementation> found;
   if (arguments.candidates.empty()) return found;
   RunOptions options;
   options.layers = chosen_layers(sandbox_of(arguments.sandbox)).layers;
@@ -253,18 +252,30 @@ std::vector<Contestant> find_contestants(const ExternalArguments& arguments,
     External external = find_external(parse_candidate(what), options);
     if (external.renderer && driver && driver->tries_others)
       external = as_it_reads(external, *driver);
-    found.emplace_back(std::move(external));
+    found.push_back(implementation_of(external));
+    found.back().number = all_intersect_methods().size() + found.size() - 1;
   }
   return found;
 }
 
-std::vector<StagedMethod> find_others(const ExternalArguments& arguments) {
-  std::vector<StagedMethod> methods;
-  for (const Contestant& contestant : find_contestants(arguments)) {
-    const auto one = staged(*external_of(contestant));
-    methods.insert(methods.end(), one.begin(), one.end());
+std::vector<Implementation> find_by_stages(const ExternalArguments& arguments) {
+  std::vector<Implementation> found = find_candidates(arguments);
+  for (const Implementation& one : found) {
+    if (!one.stages.empty()) continue;
+    throw CandidateError(one.draws() ? "it draws pictures; what is asked here is single answers"
+                                     : "it makes no rays and intersects nothing",
+                         {}, one.name);
   }
-  return methods;
+  return found;
+}
+
+std::vector<Implementation> find_by_stages(const std::vector<std::string>& methods,
+                                           const ExternalArguments& arguments) {
+  const std::vector<Implementation> candidates = find_by_stages(arguments);
+  std::vector<Implementation> found;
+  if (candidates.empty() || !methods.empty()) found = find_methods(methods);
+  found.insert(found.end(), candidates.begin(), candidates.end());
+  return found;
 }
 
 void add_format(CLI::App& command, std::string& format, const std::vector<std::string>& formats) {
@@ -283,7 +294,7 @@ void add_methods(CLI::App& command, std::vector<std::string>& methods) {
       .add_option(
           "--method,--methods", methods,
           "only these methods, of either kind, separated by commas, or all (default: those of "
-          "fast/, without the reference and peers)")
+          "fast/, without the reference)")
       ->delimiter(',');
 }
 

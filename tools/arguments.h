@@ -12,8 +12,9 @@
 #include <vector>
 
 #include "scene/files/scene_file.h"
-#include "tools/external/contestant.h"
+#include "tools/external/locate.h"
 #include "tools/external/pictures/driver_form.h"
+#include "tools/implementations/built_in.h"
 #include "tools/report/output_file.h"
 #include "tools/report/view.h"
 #include "tools/terminal.h"
@@ -94,11 +95,14 @@ void add_external(CLI::App& command, ExternalArguments& arguments);
 void add_renderer(CLI::App& command, ExternalArguments& arguments);
 /// Each once compiled, where it has to be, and introduced; `driver` is what renderers read, found
 /// out by a dry run where it tries several.
-std::vector<Contestant> find_contestants(const ExternalArguments& arguments,
-                                         const std::optional<DriverRule>& driver = {});
-
-/// The same as methods of the stages that they offer.
-std::vector<StagedMethod> find_others(const ExternalArguments& arguments);
+std::vector<Implementation> find_candidates(const ExternalArguments& arguments,
+                                            const std::optional<DriverRule>& driver = {});
+/// The same, to be judged by their stages, not by pictures. Errors: CandidateError of a renderer.
+std::vector<Implementation> find_by_stages(const ExternalArguments& arguments);
+/// The methods of those names, each alone, and the candidates behind them; where there are these
+/// and no name, these alone.
+std::vector<Implementation> find_by_stages(const std::vector<std::string>& methods,
+                                           const ExternalArguments& arguments);
 
 /// --format, one of those names; the first where it is not given.
 void add_format(CLI::App& command, std::string& format, const std::vector<std::string>& formats);

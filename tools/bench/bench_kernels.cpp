@@ -32,7 +32,7 @@
 #include "reference/visibility/visibility.h"
 #include "tools/bench/bench_scenes.h"
 #include "tools/check/check.h"
-#include "tools/methods/methods.h"
+#include "tools/implementations/built_in.h"
 
 namespace {
 
@@ -204,7 +204,7 @@ Kernel campaign(const char* subject, const char* law) {
 Kernel check_of_scene() {
   tools::CheckOptions options;
   options.path = RAYCHECK_EXAMPLES "/ten-spheres.toml";
-  options.contestants = {tools::kDefaultMethods};
+  options.implementations = {tools::built_in(tools::kDefaultMethods)};
   options.pixels = 200;
   const auto report = std::make_shared<tools::CheckReport>();
   return {"check/ten-spheres", static_cast<std::size_t>(*options.pixels),

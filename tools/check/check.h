@@ -13,8 +13,8 @@
 #include "properties/trial.h"
 #include "properties/verdict.h"
 #include "scene/files/scene_file.h"
-#include "tools/external/contestant.h"
 #include "tools/gates/baseline.h"
+#include "tools/implementations/implementation.h"
 
 namespace raycheck::tools {
 
@@ -49,11 +49,11 @@ Swallowed swallowed(properties::Trial& trial);
 
 struct CheckOptions {
   std::string path;
-  /// What a driver file has to be of, where there are no renderers; else they are given files of
-  /// this form instead. Empty: what the file shows, also to renderers (of a TOML scene B).
-  std::optional<DriverForm> driver;
-  bool keeps_forms = false;  ///< Renderers are given files of the forms that they already have.
-  std::vector<Contestant> contestants;
+  /// What a driver file has to be of, where there are no renderers; empty: what it shows.
+  std::optional<scene::Dialect> dialect;
+  /// Renderers are given files of the form that they have; else of the scene's own dialect.
+  bool keeps_forms = false;
+  std::vector<Implementation> implementations;
   std::optional<std::int64_t> pixels;  ///< How many, spread evenly; empty: all.
   std::size_t top = 10;                ///< How many of the worst discrepancies are shown.
   std::optional<double> max_error;     ///< A bound in place of the documented ones.
@@ -76,7 +76,7 @@ struct LeftOut {
 struct CandidateReport {
   std::string name;
   std::string lasting_name;  ///< By which a baseline knows it (lasting_names).
-  Contestant contestant;
+  Implementation implementation;
   scene::Conventions conventions;  ///< Under which it was judged.
   /// The format that it was asked and judged in.
   scene::Precision precision = scene::Precision::kDouble;

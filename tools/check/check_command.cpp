@@ -38,20 +38,20 @@ int run_check(const CheckArguments& arguments) {
   CheckOptions options;
   options.path = arguments.scene;
   const std::optional<DriverRule> rule = parse_driver(arguments.dialect);
-  options.keeps_forms = rule && rule->tries_others;
-  if (rule && !options.keeps_forms) options.driver = rule->form;
+  options.keeps_forms = rule.has_value();
+  if (rule && !rule->tries_others) options.dialect = rule->form.dialect;
   if (arguments.all && !(arguments.rays.empty() && arguments.intersect.empty() &&
                          arguments.external.candidates.empty())) {
     throw std::invalid_argument(
         "--all: judges every method; leave out --rays, --intersect and --candidate");
   }
   const bool methods_asked = !(arguments.rays.empty() && arguments.intersect.empty());
-  options.contestants = find_contestants(arguments.external, rule);
+  options.implementations = find_candidates(arguments.external, rule);
   if (arguments.all) {
-    options.contestants = contestants(all_pairs());
-  } else if (methods_asked || options.contestants.empty()) {
-    const auto pairs = contestants(chosen_methods(arguments.rays, arguments.intersect));
-    options.contestants.insert(options.contestants.begin(), pairs.begin(), pairs.end());
+    options.implementations = built_in(all_pairs());
+  } else if (methods_asked || options.implementations.empty()) {
+    const auto pairs = built_in(chosen_methods(arguments.rays, arguments.intersect));
+    options.implementations.insert(options.implementations.begin(), pairs.begin(), pairs.end());
   }
   if (arguments.pixels != "all") options.pixels = parse_index("--pixels", arguments.pixels, 1);
   options.top = arguments.top;

@@ -44,9 +44,8 @@ std::vector<Discrepancy> found_of(const CheckReport& report, const CandidateRepo
 
 std::string text_of(const CheckReport& report, const CandidateReport& candidate,
                     const std::vector<Discrepancy>& defects) {
-  const External* const external = external_of(candidate.contestant);
-  const bool renders = external != nullptr && external->renderer;
-  std::string text = explanations_text(candidate.explanations, renders ? "pixels" : "answers");
+  const bool draws = candidate.implementation.draws();
+  std::string text = explanations_text(candidate.explanations, draws ? "pixels" : "answers");
   for (std::size_t k = 0; k < std::min(defects.size(), report.top); ++k) {
     text += fmt::format("{}. {}", k + 1, discrepancy_text(defects[k], false));
   }
@@ -88,9 +87,8 @@ void add_check_of(Quantity quantity, const Tally& tally, Gate& gate, const Check
 }
 
 void add_checks(Gate& gate, const CheckReport& report, const CandidateReport& candidate) {
-  if (const External* const external = external_of(candidate.contestant);
-      external != nullptr && !external->source_file.empty()) {
-    gate.sources.push_back({candidate.name, external->source_file});
+  if (const std::string& file = candidate.implementation.source_file; !file.empty()) {
+    gate.sources.push_back({candidate.name, file});
   }
   for (const auto& [quantity, tally] : candidate.verdict.tallies()) {
     add_check_of(quantity, tally, gate, report, candidate);

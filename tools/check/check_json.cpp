@@ -31,13 +31,12 @@ Json swallowed_json(const CandidateReport& candidate) {
 Json candidate_json(const CandidateReport& candidate, std::size_t top) {
   Json json;
   json["name"] = candidate.name;
-  const MethodPair* const methods = methods_of(candidate.contestant);
-  json["rays"] = methods != nullptr ? Json(methods->rays->name) : Json(nullptr);
-  json["intersect"] = methods != nullptr ? Json(methods->intersect->name) : Json(nullptr);
-  const External* const external = external_of(candidate.contestant);
-  json["isolated_by"] = external != nullptr ? Json(external->program.layers.text()) : Json(nullptr);
-  json["bounds_of"] =
-      external != nullptr ? Json(candidate_of(external->bounds).name) : Json(nullptr);
+  const Implementation& implementation = candidate.implementation;
+  const auto& methods = implementation.methods;
+  json["rays"] = methods ? Json(methods->rays->name) : Json(nullptr);
+  json["intersect"] = methods ? Json(methods->intersect->name) : Json(nullptr);
+  json["isolated_by"] = null_if_empty(implementation.isolated_by);
+  json["bounds_of"] = null_if_empty(implementation.bounds_of);
   json["conventions"] = conventions_json(candidate.conventions);
   json["ns_per_ray"] = {{"make", error_json(candidate.timing.make)},
                         {"intersect", error_json(candidate.timing.intersect)}};
@@ -52,7 +51,7 @@ Json candidate_json(const CandidateReport& candidate, std::size_t top) {
   json["precision"] = name(candidate.precision);
   json["swallowed"] = swallowed_json(candidate);
   json["rounded_numbers"] = candidate.rounded_numbers;
-  json["not_asked"] = text_or_null(candidate.not_asked);
+  json["not_asked"] = null_if_empty(candidate.not_asked);
   json["discrepancies"] = candidate.verdict.discrepancies();
   json["discrepancies_by_standing"] = standings_json(candidate.verdict);
   json["inside_domain"] = candidate.inside_domain;

@@ -195,14 +195,14 @@ namespace {
 
 /// What was judged of a candidate, and how.
 std::string candidate_text(const CheckReport& report, const CandidateReport& candidate) {
-  const External* const external = external_of(candidate.contestant);
-  std::string text =
-      fmt::format("\n{}  {}\n", candidate.name,
-                  external == nullptr ? timing_text(candidate.timing, report.scene.spheres.size())
-                                      : "isolated by: " + external->program.layers.text());
-  if (external != nullptr && !external->renderer && !report.max_error) {
+  const Implementation& implementation = candidate.implementation;
+  std::string text = fmt::format("\n{}  {}\n", candidate.name,
+                                 implementation.isolated_by.empty()
+                                     ? timing_text(candidate.timing, report.scene.spheres.size())
+                                     : "isolated by: " + implementation.isolated_by);
+  if (!implementation.bounds_of.empty() && !report.max_error) {
     text += fmt::format("  documents no bounds: held to those of {} (--bounds)\n",
-                        candidate_of(external->bounds).name);
+                        implementation.bounds_of);
   }
   if (!(candidate.conventions == report.scene.conventions)) {
     text += fmt::format("  judged under its own conventions: {}\n",
@@ -212,8 +212,8 @@ std::string candidate_text(const CheckReport& report, const CandidateReport& can
     text += "  makes no rays from this origin: given raycheck's own, correctly rounded\n";
   }
   text += precision_text(candidate) + swallowed_text(candidate) + quantities_table(candidate);
-  const bool renders = external != nullptr && external->renderer;
-  text += indented(explanations_text(candidate.explanations, renders ? "pixels" : "answers"), "  ");
+  const char* const answers = implementation.draws() ? "pixels" : "answers";
+  text += indented(explanations_text(candidate.explanations, answers), "  ");
   return text + failures_text(candidate.search) + too_few_text(candidate);
 }
 

@@ -184,7 +184,6 @@ VerifyReport verify(const ReadMore& answers, const VerifyOptions& options,
   report.strict = options.strict;
   report.cases_asked = options.cases;
   report.candidate.name = "the answers";
-  report.candidate.contestant = External{};
   report.candidate.precision = options.precision;
   Lines lines(answers);
   try {

@@ -50,15 +50,15 @@ Json method_json(const MethodReport& method) {
   json["s"] = hexfloat_or_null(method.parameter);
   json["ulp_error"] = error_json(method.ulp_error);
   json["unit"] = unit_name(properties::Quantity::kParameter, method.precision);
-  json["excluded_by_own_interval"] = method.is_excluded;
-  json["class_error"] = method.class_error;
-  json["standing"] = method.goes_wrong_at.empty() ? Json(nullptr) : Json(name(method.standing));
+  json["excluded_by_own_interval"] = method.is_excluded();
+  json["class_error"] = method.wrong && method.wrong->quantity == properties::Quantity::kClass;
+  json["standing"] = method.wrong ? Json(name(method.wrong->excuse.standing())) : Json(nullptr);
   return json;
 }
 
 void add_steps(const MethodReport& method, Json& json) {
   json["goes_wrong_at"] = method.goes_wrong_at.empty() ? Json(nullptr) : Json(method.goes_wrong_at);
-  json["failed"] = method.failure.empty() ? Json(nullptr) : Json(method.failure);
+  json["failed"] = method.failure().empty() ? Json(nullptr) : Json(method.failure());
   json["steps"] = Json::array();
   for (const MethodStep& step : method.steps) {
     json["steps"].push_back({{"symbol", step.symbol},
@@ -108,7 +108,7 @@ std::string explain_json(const ExplainReport& report, const ViewOptions& /*optio
   Json json = json_header("explain");
   json["conventions"] = conventions_json(report.scene.conventions);
   json["isolated_by"] = report.other ? Json(report.other->isolated_by) : Json(nullptr);
-  json["bounds_of"] = report.other ? Json(report.other->bounds_of) : Json(nullptr);
+  json["bounds_of"] = report.other ? null_if_empty(report.other->bounds_of) : Json(nullptr);
   json["rounded_numbers"] = report.rounded_numbers;
   if (report.pixel) json["pixel"] = {report.pixel->i, report.pixel->j};
   json["sphere"] = report.sphere ? Json(*report.sphere) : Json(nullptr);

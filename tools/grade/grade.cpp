@@ -25,7 +25,7 @@
 #include "tools/grade/results/result.h"
 #include "tools/grade/rubric/rubric_files.h"
 #include "tools/grade/store/store.h"
-#include "tools/methods/methods.h"
+#include "tools/implementations/built_in.h"
 #include "tools/report/version.h"
 
 namespace raycheck::tools {

@@ -8,7 +8,6 @@
 #include <utility>
 #include <vector>
 
-#include "tools/grade/grade.h"
 #include "tools/grade/pages/wording.h"
 
 namespace raycheck::tools {

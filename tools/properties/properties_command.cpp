@@ -57,10 +57,10 @@ int run_properties_command(const PropertiesArguments& arguments) {
   options.frontier = arguments.frontier;
   options.strict = arguments.strict;
   const bool methods_asked = !(arguments.rays.empty() && arguments.intersect.empty());
-  options.contestants = find_contestants(arguments.external, parse_driver(arguments.dialect));
+  options.implementations = find_candidates(arguments.external, parse_driver(arguments.dialect));
   if (methods_asked) {
-    const auto pairs = contestants(chosen_methods(arguments.rays, arguments.intersect));
-    options.contestants.insert(options.contestants.begin(), pairs.begin(), pairs.end());
+    const auto pairs = built_in(chosen_methods(arguments.rays, arguments.intersect));
+    options.implementations.insert(options.implementations.begin(), pairs.begin(), pairs.end());
   }
   std::optional<OutputFile> view = opened("--view", arguments.view);
   GateFiles files(arguments.gate);

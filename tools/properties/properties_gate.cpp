@@ -137,9 +137,9 @@ Gate properties_gate(const PropertiesReport& report) {
   gate.ratchet = report.ratchet;
   std::set<std::string> named;
   for (const CampaignReport& campaign : report.campaigns) {
-    const bool has_file = campaign.external && !campaign.external->source_file.empty();
-    if (has_file && named.insert(campaign.candidate).second) {
-      gate.sources.push_back({campaign.candidate, campaign.external->source_file});
+    const std::string& file = campaign.implementation.source_file;
+    if (!file.empty() && named.insert(campaign.candidate).second) {
+      gate.sources.push_back({campaign.candidate, file});
     }
     if (auto whole = whole_of(campaign)) {
       gate.checks.push_back(std::move(*whole));

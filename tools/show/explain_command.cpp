@@ -71,8 +71,10 @@ int run_explain(const ExplainArguments& arguments) {
   if (arguments.external.candidates.size() > 1) {
     throw std::invalid_argument("--candidate: all is explained by its conventions; give it once");
   }
-  const std::vector<StagedMethod> others = find_others(arguments.external);
-  if (!others.empty()) options.other = others.front().other;
+  const std::vector<Implementation> candidates = find_by_stages(arguments.external);
+  if (!candidates.empty()) {
+    options.other = std::make_shared<const Implementation>(candidates.front());
+  }
   const ExplainReport report = explain(options);
   scene::poll();
   print_view(kExplainViews, arguments.format, report);

@@ -82,8 +82,9 @@ int run_image(const ImageArguments& arguments) {
   if (candidates.size() > 1) {
     throw std::invalid_argument("--candidate: a picture shows one; give it once");
   }
-  const std::vector<StagedMethod> others = find_others(arguments.external);
-  if (!others.empty()) options.other = others.front().other;
+  const std::vector<Implementation> candidates_found = find_by_stages(arguments.external);
+  options.implementation =
+      candidates_found.empty() ? built_in(options.methods) : candidates_found.front();
   PictureFile file("--out", arguments.out);
   const ImageReport report =
       make_image(options, file, run_control(options.path, arguments.threads));

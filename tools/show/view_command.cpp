@@ -81,17 +81,20 @@ std::vector<Selection> wanted(const ViewArguments& arguments, const scene::Scene
 CheckOptions check_options(const ViewArguments& arguments, const Size& size) {
   CheckOptions options;
   options.path = arguments.scene;
-  if (const auto dialect = parse_dialect(arguments.dialect)) options.driver = {.dialect = *dialect};
-  options.contestants = find_contestants(arguments.external);
+  options.dialect = parse_dialect(arguments.dialect);
+  std::optional<DriverRule> driver;
+  if (options.dialect) driver = DriverRule{{.dialect = *options.dialect}, false};
+  options.keeps_forms = driver.has_value();
+  options.implementations = find_candidates(arguments.external, driver);
   if (size.rays * size.spheres > kMostJudged) {
     options.pixels = static_cast<std::int64_t>(std::max(kMostJudged / size.spheres, 256.0));
   }
   const bool methods_asked = !arguments.methods.empty() || !arguments.rays.empty();
-  if (options.contestants.empty() || methods_asked) {
+  if (options.implementations.empty() || methods_asked) {
     const auto pairs =
-        contestants(methods_asked ? chosen_methods(arguments.rays, arguments.methods, "method")
-                                  : default_methods(size));
-    options.contestants.insert(options.contestants.begin(), pairs.begin(), pairs.end());
+        built_in(methods_asked ? chosen_methods(arguments.rays, arguments.methods, "method")
+                               : default_methods(size));
+    options.implementations.insert(options.implementations.begin(), pairs.begin(), pairs.end());
   }
   return options;
 }
@@ -108,11 +111,10 @@ ViewDocument of_scene(const ViewArguments& arguments, const properties::RunContr
 ViewDocument of_family(const ViewArguments& arguments, const properties::RunControl& control) {
   StressOptions options;
   options.families = {arguments.family};
-  options.methods = arguments.methods;
-  options.others = find_others(arguments.external);
+  options.implementations = find_by_stages(arguments.methods, arguments.external);
   options.cases = arguments.cases;
   options.seed = arguments.seed;
-  return dial_document(options, control);
+  return dial_document(options, !arguments.methods.empty(), control);
 }
 
 int run_view(const ViewArguments& arguments) {

@@ -8,7 +8,7 @@
 
 #include "properties/run_control.h"
 #include "properties/search/stress.h"
-#include "tools/methods/methods.h"
+#include "tools/implementations/implementation.h"
 #include "tools/report/view.h"
 #include "tools/view/document.h"
 
@@ -16,8 +16,7 @@ namespace raycheck::tools {
 
 struct StressOptions {
   std::vector<std::string> families;  ///< Empty: every source with a dial.
-  std::vector<std::string> methods;   ///< Empty: every method, or those of others alone.
-  std::vector<StagedMethod> others;
+  std::vector<Implementation> implementations;
   int cases = 200;  ///< At each severity.
   std::uint64_t seed = 1;
   /// Severities from..to; empty: the family's own range.
@@ -26,13 +25,14 @@ struct StressOptions {
 
 /// One method on one family.
 struct StressCurve {
-  StagedMethod method;
+  properties::Stage stage = properties::Stage::kRays;
+  Implementation method;
   std::vector<int> severities;
   std::vector<properties::StressResult> results;  ///< One a severity.
 
-  properties::Quantity quantity() const { return properties::main_quantity(method.stage); }
+  properties::Quantity quantity() const { return properties::main_quantity(stage); }
   /// Of that quantity's errors: "ulp", "u of float".
-  std::string_view unit() const { return unit_name(quantity(), method.precision()); }
+  std::string_view unit() const { return unit_name(quantity(), method.precision); }
   /// The tally of the main quantity within the stated domain at the k-th severity.
   const properties::Tally& tally(std::size_t k) const {
     return results[k].inside.tally(quantity());
@@ -93,7 +93,9 @@ ViewDocument stress_document(const StressReport& report);
 
 /// A family's dial as a page: the error of each method at every severity, and at some of them a
 /// case as a scene, of the first ones that on which the first method is worst.
+/// `is_of_methods`: panels show the steps of these methods alone.
 /// Domain: options with one family; otherwise throws std::invalid_argument naming the field.
-ViewDocument dial_document(const StressOptions& options, const properties::RunControl& control);
+ViewDocument dial_document(const StressOptions& options, bool is_of_methods,
+                           const properties::RunControl& control);
 
 }  // namespace raycheck::tools

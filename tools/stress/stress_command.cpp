@@ -8,6 +8,7 @@
 #include "tools/commands.h"
 #include "tools/stress/stress.h"
 #include "tools/terminal.h"
+#include "tools/view/chart/plot.h"
 #include "tools/view/page/page.h"
 
 namespace raycheck::tools {
@@ -15,6 +16,7 @@ namespace {
 
 struct StressArguments {
   StressOptions options;
+  std::vector<std::string> methods;
   std::string severity;
   std::string plot;
   std::optional<std::string> view;
@@ -40,7 +42,7 @@ std::pair<int, int> parse_range(const std::string& text) {
 int run_stress(StressArguments& arguments) {
   if (!arguments.severity.empty()) arguments.options.severities = parse_range(arguments.severity);
   if (!arguments.plot.empty()) require_plottable(arguments.plot);
-  arguments.options.others = find_others(arguments.external);
+  arguments.options.implementations = find_by_stages(arguments.methods, arguments.external);
   std::optional<OutputFile> certificates = opened("--certificates", arguments.certificates);
   std::optional<OutputFile> view = opened("--view", arguments.view);
   const StressReport report = run_stress(arguments.options, run_control("stress"));
@@ -59,7 +61,7 @@ CommandRun add_stress(CLI::App& command) {
   StressOptions& options = given->options;
   command.add_option("--family", options.families, "only these families, separated by commas")
       ->delimiter(',');
-  add_methods(command, options.methods);
+  add_methods(command, given->methods);
   command.add_option("--severity", given->severity,
                      "only these severities, A..B (default: the family's own range)");
   command.add_option("--cases", options.cases, "cases at each severity")

@@ -20,14 +20,12 @@ std::string stress_json(const StressReport& report, const ViewOptions& /*options
     entry["methods"] = Json::array();
     for (const StressCurve& curve : family.curves) {
       Json method;
-      const scene::Precision precision = curve.method.precision();
-      method["name"] = curve.method.name();
-      method["isolated_by"] =
-          curve.method.other ? Json(curve.method.other->isolated_by) : Json(nullptr);
-      method["bounds_of"] =
-          curve.method.other ? Json(curve.method.other->bounds_of) : Json(nullptr);
+      const scene::Precision precision = curve.method.precision;
+      method["name"] = curve.method.name;
+      method["isolated_by"] = null_if_empty(curve.method.isolated_by);
+      method["bounds_of"] = null_if_empty(curve.method.bounds_of);
       method["precision"] = name(precision);
-      method["stage"] = name(curve.method.stage);
+      method["stage"] = name(curve.stage);
       method["judged"] = curve.is_judged();
       method["first_failing"] = or_null(curve.first_failing());
       method["slope"] = or_null(curve.slope(family.family->dial->base));
@@ -50,12 +48,12 @@ std::string stress_certificates(const StressReport& report) {
   std::vector<Json> certificates;
   for (const FamilyReport& family : report.families) {
     for (const StressCurve& curve : family.curves) {
-      const properties::Candidate candidate = candidate_of(curve.method);
+      const properties::Candidate candidate = curve.method.make();
       for (const properties::StressResult& result : curve.results) {
         for (const properties::Example& found : result.found) {
           const scene::Scene& scene = found.the_case.scene;
           certificates.push_back(certificate(scene, candidate.declared.over(scene.conventions),
-                                             found.discrepancy, curve.method.name()));
+                                             found.discrepancy, curve.method.name));
         }
       }
     }

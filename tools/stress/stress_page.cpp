@@ -13,9 +13,9 @@ ChartFacet stress_facet(const FamilyReport& family, Stage stage, scene::Precisio
                    .quantities = chart_quantities(stage),
                    .precision = precision};
   for (const StressCurve& curve : family.curves) {
-    if (curve.method.stage != stage) continue;
-    ChartSeries series{.name = std::string(curve.method.name()), .number = curve.method.number};
-    if (curve.method.precision() != precision || !curve.is_judged()) continue;
+    if (curve.stage != stage) continue;
+    ChartSeries series{.name = curve.method.name, .number = curve.method.number};
+    if (curve.method.precision != precision || !curve.is_judged()) continue;
     if (facet.severities.empty()) {
       for (const int severity : curve.severities) {
         facet.severities.push_back(std::to_string(severity));

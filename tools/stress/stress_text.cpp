@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "tools/methods/others_text.h"
 #include "tools/report/table.h"
 #include "tools/report/words.h"
 #include "tools/stress/stress.h"
@@ -39,9 +38,9 @@ Table first_failing_table(const StressReport& report, Stage stage) {
                               : fmt::format("{}..{}", family.curves.front().severities.front(),
                                             family.curves.front().severities.back())};
     for (const StressCurve& curve : family.curves) {
-      if (curve.method.stage != stage) continue;
+      if (curve.stage != stage) continue;
       if (rows.empty()) {
-        columns.push_back({std::string(curve.method.name()), Table::Align::kRight});
+        columns.push_back({curve.method.name, Table::Align::kRight});
       }
       row.push_back(failing_text(curve));
     }
@@ -91,7 +90,7 @@ std::vector<std::string> detail_row(const FamilyReport& family, const StressCurv
     undecided += each.count(properties::Standing::kUndecided);
   }
   return {std::string(family.family->name),
-          std::string(curve.method.name()),
+          curve.method.name,
           std::to_string(curve.severities[k]),
           std::to_string(decisions),
           std::to_string(properties::defects(result.inside)),
@@ -145,9 +144,8 @@ Table summary_table(const StressReport& report) {
       const std::uint64_t other_defects =
           properties::defects(all) - classes.count(Outcome::kWrongDecision);
       const std::optional<double> slope = curve.slope(family.family->dial->base);
-      table.add({std::string(family.family->name), std::string(curve.method.name()),
-                 failing_text(curve), slope ? fmt::format("{:.2f}", *slope) : "-",
-                 error_text(curve.worst_ratio()),
+      table.add({std::string(family.family->name), curve.method.name, failing_text(curve),
+                 slope ? fmt::format("{:.2f}", *slope) : "-", error_text(curve.worst_ratio()),
                  std::to_string(classes.count(properties::Wrong::kMissed)),
                  std::to_string(classes.count(properties::Wrong::kFalseHit)),
                  std::to_string(other_defects), error_text(all.tally(curve.quantity()).max()),
@@ -179,11 +177,11 @@ std::string rendered(const StressReport& report, Render render, std::string_view
   if (report.interrupted) text += "INTERRUPTED: what follows covers only what was judged.\n\n";
   text += fmt::format("{} cases at each severity, seed {}.\n{}", report.cases, report.seed,
                       explanation());
-  std::vector<StagedMethod> methods;
+  std::vector<Implementation> methods;
   for (const FamilyReport& family : report.families) {
     for (const StressCurve& curve : family.curves) methods.push_back(curve.method);
   }
-  const std::string others = others_text(methods);
+  const std::string others = isolation_text(methods);
   if (!others.empty()) text += "\n" + others;
   for (const Stage stage : {Stage::kRays, Stage::kIntersection}) {
     const Table table = first_failing_table(report, stage);
@@ -203,8 +201,8 @@ std::string rendered(const StressReport& report, Render render, std::string_view
     for (const StressCurve& curve : family.curves) {
       if (curve.left_out() == 0) continue;
       text += fmt::format("{}{} on {} ({}): {} left out, whose numbers floats cannot hold\n",
-                          heading.empty() ? "" : "- ", curve.method.name(), family.family->name,
-                          name(curve.method.stage), count_text(curve.left_out(), "case"));
+                          heading.empty() ? "" : "- ", curve.method.name, family.family->name,
+                          name(curve.stage), count_text(curve.left_out(), "case"));
     }
   }
   for (const FamilyReport& family : report.families) {

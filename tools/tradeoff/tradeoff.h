@@ -13,7 +13,7 @@
 #include "properties/run_control.h"
 #include "properties/search/stress.h"
 #include "scene/files/scene_file.h"
-#include "tools/methods/methods.h"
+#include "tools/implementations/implementation.h"
 #include "tools/report/view.h"
 #include "tools/view/document.h"
 
@@ -24,8 +24,7 @@ struct TradeoffOptions {
   std::optional<scene::Dialect> dialect;
   std::vector<std::string> sources;  ///< Empty: ordinary cases.
   bool all_families = false;
-  std::vector<std::string> methods;  ///< Empty: every method, or those of others alone.
-  std::vector<StagedMethod> others;
+  std::vector<Implementation> implementations;
   int cases = 20000;
   std::uint64_t seed = 1;
 };
@@ -43,7 +42,8 @@ using Tallies = std::map<properties::Quantity, properties::Tally>;
 
 /// What one method costs and how far it is off.
 struct MethodCost {
-  StagedMethod method;
+  properties::Stage stage = properties::Stage::kRays;
+  Implementation method;
   properties::Promises promises;  ///< What its errors are held to.
   properties::StressResult accuracy;
   /// Its parts: of each source, of each of its severities.
@@ -55,7 +55,7 @@ struct MethodCost {
   bool pareto = false;                   ///< No other method is as fast and as accurate.
   bool is_called_here = false;  ///< Someone else's that was timed in raycheck's own process.
 
-  properties::Quantity quantity() const { return properties::main_quantity(method.stage); }
+  properties::Quantity quantity() const { return properties::main_quantity(stage); }
   std::string_view unit() const { return unit_name(quantity(), promises.precision); }
   /// Errors by which methods are ranked: decisions wrong without an excuse per decision, then the
   /// 99.9% error, of whatever format in u or ulp of doubles. Empty where nothing was judged in the

@@ -5,6 +5,7 @@
 #include "tools/commands.h"
 #include "tools/terminal.h"
 #include "tools/tradeoff/tradeoff.h"
+#include "tools/view/chart/plot.h"
 #include "tools/view/page/page.h"
 
 namespace raycheck::tools {
@@ -12,6 +13,7 @@ namespace {
 
 struct TradeoffArguments {
   TradeoffOptions options;
+  std::vector<std::string> methods;
   std::string dialect;
   std::string plot;
   std::optional<std::string> view;
@@ -29,7 +31,7 @@ int run_tradeoff(TradeoffArguments& arguments) {
   options.dialect = parse_dialect(arguments.dialect);
   if (!arguments.plot.empty()) require_plottable(arguments.plot);
   std::optional<OutputFile> view = opened("--view", arguments.view);
-  options.others = find_others(arguments.external);
+  options.implementations = find_by_stages(arguments.methods, arguments.external);
   const TradeoffReport report = run_tradeoff(options, run_control("tradeoff"));
   print_warnings(report.warnings);
   print_view(kTradeoffViews, arguments.format, report);
@@ -52,7 +54,7 @@ CommandRun add_tradeoff(CLI::App& command) {
                   "cases of these families or other sources, separated by commas")
       ->delimiter(',');
   command.add_flag("--all-families", options.all_families, "cases of every family");
-  add_methods(command, options.methods);
+  add_methods(command, given->methods);
   command.add_option("--cases", options.cases, "how many cases, or pixels of a scene")
       ->check(whole_number(1, kMostCases))
       ->capture_default_str();

@@ -81,10 +81,10 @@ struct Part {
 template <class Fill>
 void add_series(const Part& part, ChartFacet& facet, Fill fill) {
   const MethodCost* const base = baseline(part.costs);
-  if (base != nullptr) facet.baseline = base->method.name();
+  if (base != nullptr) facet.baseline = base->method.name;
   for (const MethodCost& cost : part.costs) {
     if (cost.promises.precision != part.precision) continue;
-    ChartSeries series{.name = std::string(cost.method.name()),
+    ChartSeries series{.name = cost.method.name,
                        .number = cost.method.number,
                        .time = chart_time(cost, base),
                        .note = cost.not_timed};

@@ -7,17 +7,15 @@
 
 #include "properties/run_control.h"
 #include "properties/search/worst_case.h"
-#include "tools/methods/methods.h"
+#include "tools/implementations/implementation.h"
 #include "tools/report/view.h"
 #include "tools/view/document.h"
 
 namespace raycheck::tools {
 
 struct WorstOptions {
-  std::string method;  ///< Of either kind; empty: someone else's.
-  /// Someone else's implementation by its stages: that of the quantity is searched, without one
-  /// the last.
-  std::vector<StagedMethod> others;
+  /// What is searched, in the stage of the quantity; without one in the last that it offers.
+  Implementation method;
   std::string family;    ///< "SOURCE" or "SOURCE@SEVERITY", where the search starts.
   std::string quantity;  ///< With hyphens for spaces; empty: the main one of the method's stage.
   properties::Climb climb = properties::Climb::kError;
@@ -27,7 +25,8 @@ struct WorstOptions {
 };
 
 struct WorstReport {
-  StagedMethod method;
+  properties::Stage stage = properties::Stage::kRays;
+  Implementation method;
   properties::SearchOptions search;
   std::optional<properties::WorstCase> worst;  ///< Empty: nothing was measured.
   bool interrupted = false;

@@ -1,3 +1,5 @@
+#include <fmt/core.h>
+
 #include <memory>
 #include <optional>
 #include <stdexcept>
@@ -13,20 +15,31 @@ namespace {
 
 struct WorstArguments {
   WorstOptions options;
+  std::string method;
   std::optional<std::string> save;
   std::optional<std::string> view;
   std::string format;
   ExternalArguments external;
 };
 
+Implementation chosen_method(const WorstArguments& arguments) {
+  if (arguments.method.empty()) return find_by_stages(arguments.external).front();
+  const std::vector<Implementation> methods = find_methods({arguments.method});
+  if (methods.size() > 1) {
+    throw std::invalid_argument(
+        fmt::format("method {0}: there are two; give rays/{0} or intersect/{0}", arguments.method));
+  }
+  return methods.front();
+}
+
 int run_worst(WorstArguments& arguments) {
-  if (arguments.options.method.empty() && arguments.external.candidates.empty()) {
+  if (arguments.method.empty() && arguments.external.candidates.empty()) {
     throw std::invalid_argument("worst: give --method or --candidate");
   }
   if (arguments.external.candidates.size() > 1) {
     throw std::invalid_argument("--candidate: one is searched; give it once");
   }
-  arguments.options.others = find_others(arguments.external);
+  arguments.options.method = chosen_method(arguments);
   std::optional<OutputFile> scene = opened("--save", arguments.save);
   std::optional<OutputFile> view = opened("--view", arguments.view);
   const WorstReport report = find_worst(arguments.options, run_control("worst"));
@@ -45,7 +58,7 @@ CommandRun add_worst(CLI::App& command) {
   const auto given = std::make_shared<WorstArguments>();
   WorstOptions& options = given->options;
   CLI::Option* const method =
-      command.add_option("--method", options.method, "the method, of either kind");
+      command.add_option("--method", given->method, "the method, of either kind");
   command
       .add_option("--family", options.family,
                   "the family or other source to start from, or FAMILY@SEVERITY")

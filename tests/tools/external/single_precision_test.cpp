@@ -287,28 +287,24 @@ TEST(OwnUnits, HaveAPlotOfTheirOwn) {
     expect_parts(gnuplot_script(facets, "a.svg"),
                  {"'99.9% parameter error, ulp'", "'99.9% parameter error, ulp of float'"});
   };
-  const auto in_floats = std::make_shared<const tools::OtherMethod>(tools::OtherMethod{
-      .name = "floats",
-      .isolated_by = "",
-      .bounds_of = "",
-      .candidate =
-          [] {
-            properties::Candidate mine = tools::candidate_of(tools::kDefaultMethods);
-            mine.name = "floats";
-            return judged_in(scene::Precision::kSingle, std::move(mine));
-          },
-      .precision = scene::Precision::kSingle});
   tools::StressOptions options;
   options.families = {"distance"};
-  options.methods = {"cross"};
-  options.others = {{.stage = properties::Stage::kIntersection, .other = in_floats}};
+  options.implementations = tools::find_methods({"cross"});
+  options.implementations.push_back({.name = "floats",
+                                     .stages = {properties::Stage::kIntersection},
+                                     .precision = scene::Precision::kSingle,
+                                     .make = [] {
+                                       properties::Candidate mine =
+                                           tools::candidate_of(tools::kDefaultMethods);
+                                       mine.name = "floats";
+                                       return judged_in(scene::Precision::kSingle, std::move(mine));
+                                     }});
   options.cases = 5;
   options.severities = {{0, 1}};
   expect_labels(stress_facets(run_stress(options)));
   tools::TradeoffOptions tradeoff;
   tradeoff.sources = {"distance"};
-  tradeoff.methods = options.methods;
-  tradeoff.others = options.others;
+  tradeoff.implementations = options.implementations;
   tradeoff.cases = 10;
   tools::TradeoffReport report = run_tradeoff(tradeoff);
   report.intersections[1].batch = report.intersections[0].batch;  // nobody's is timed from here

@@ -8,7 +8,6 @@
 #include "tools/grade/pages/wording.h"
 #include "tools/grade/results/result.h"
 #include "tools/report/words.h"
-#include "tools/view/view_words.h"
 
 namespace raycheck::tools {
 
@@ -73,7 +72,7 @@ std::vector<HomeCommand> commands_for_case(const StudentGrade& grade, std::size_
     commands.push_back({"Draw it", std::move(words)});
   }
   std::string check =
-      fmt::format("raycheck check {}.toml{}", name, candidate_words(program->text()));
+      fmt::format("raycheck check {}.toml --candidate {}", name, shell_word(program->text()));
   if (is_renderer && !(grade.submission.driver == DriverForm{})) {
     check += " --dialect " + shell_word(grade.submission.driver.name());
   }

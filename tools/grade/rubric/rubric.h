@@ -15,7 +15,7 @@
 #include "scene/files/scene_file.h"
 #include "tools/external/candidate_spec.h"
 #include "tools/external/pictures/driver_form.h"
-#include "tools/methods/methods.h"
+#include "tools/implementations/built_in.h"
 
 namespace raycheck::tools {
 
