@@ -8,8 +8,8 @@
                                         ./run) lists, and of docs/packages.md, of packages.txt; --check
                                         writes nothing and exits with 1 where a page is stale
     python3 docs/generate.py --performance
-                                        docs/performance.md and its plot, from a run of
-                                        bench_visibility with the peers built in
+                                        docs/performance.md and its plot, from a run of the
+                                        benchmarks
     python3 docs/generate.py --pages FOLDER [PROGRAM]
                                         the pages that README.md, docs/lecture.md and docs/gallery/
                                         show, into a folder, and their pictures, by a headless
@@ -156,9 +156,9 @@ def sessions(path):
 
 def benchmarks(program, *options):
     """Rays per second and counters of a program's benchmarks, by name."""
-    build = ["cmake", "--build", "--preset", "peers", "--target", program]
+    build = ["cmake", "--build", "--preset", "release", "--target", program]
     subprocess.run(build, cwd=ROOT, check=True, stdout=subprocess.DEVNULL)
-    command = [f"build/peers/tools/{program}", "--target=AVX2", "--benchmark_format=json",
+    command = [f"build/release/tools/bench/{program}", "--target=AVX2", "--benchmark_format=json",
                "--benchmark_min_time=0.2", *options]
     result = subprocess.run(command, cwd=ROOT, check=True, text=True, capture_output=True)
     rows = {}
@@ -175,45 +175,37 @@ def rate(row):
 
 
 def spheres_table(rows):
-    lines = ["| spheres | seen | certified, M/s | of uncertified | of Embree | two threads "
-             "| fallback pixels | wrong: ours, Embree's | plan + build, ms | Embree's build, ms |",
-             "|---|---|---|---|---|---|---|---|---|---|"]
+    lines = ["| spheres | seen | certified, M/s | of uncertified | two threads | fallback pixels | wrong "
+             "| plan + build, ms |", "|---|---|---|---|---|---|---|---|"]
     for name, ours in rows.items():
         if not (name.startswith("spheres:") and name.endswith("/certified")):
             continue
         scene = name.split("/")[0]
-        embree = rows.get(f"{scene}/embree")
         lines.append(
             f"| {scene[8:]} | {ours['seen']:.0%} | {rate(ours):.0f} "
             f"| {rate(ours) / rate(rows[f'{scene}/uncertified']):.2f} "
-            + (f"| {rate(ours) / rate(embree):.1f} " if embree else "| ") +
             f"| {rate(rows[f'{scene}/two-threads']) / rate(ours):.2f} | {ours['fallback']:.0f} "
-            f"| {ours['wrong']:.0f}" + (f", {embree['wrong']:.0f} " if embree else " ") +
-            f"| {ours['plan_ms']:.1f} + {ours['build_ms']:.1f} "
-            + (f"| {embree['build_ms']:.1f} |" if embree else "| |"))
+            f"| {ours['wrong']:.0f} | {ours['plan_ms']:.1f} + {ours['build_ms']:.1f} |")
     return "\n".join(lines)
 
 
 def shipped_table(rows):
-    lines = ["| scene | spheres | seen | certified, M/s | of uncertified | of Embree | fallback pixels "
-             "| wrong: ours, Embree's |", "|---|---|---|---|---|---|---|---|"]
+    lines = ["| scene | spheres | seen | certified, M/s | of uncertified | fallback pixels | wrong |",
+             "|---|---|---|---|---|---|---|"]
     for name, ours in rows.items():
         if not (name.startswith("shipped:") and name.endswith("/certified")):
             continue
         scene = name.split("/")[0]
-        embree = rows.get(f"{scene}/embree")
         lines.append(
             f"| {scene[8:]} | {ours['spheres']:.0f} | {ours['seen']:.0%} | {rate(ours):.3g} "
             f"| {rate(ours) / rate(rows[f'{scene}/uncertified']):.2g} "
-            + (f"| {rate(ours) / rate(embree):.2g} " if embree else "| ")
-            + f"| {ours['fallback']:.0f} | {ours['wrong']:.0f}"
-            + (f", {embree['wrong']:.0f} |" if embree else " |"))
+            f"| {ours['fallback']:.0f} | {ours['wrong']:.0f} |")
     return "\n".join(lines)
 
 
 def methods_table(rows):
     """The batches of one sphere, by their time over that of the textbook's formula."""
-    textbook = rate(rows["unrelated/quadratic"])
+    textbook = rate(rows["intersect/quadratic"])
     lines = ["| method | M/s | time over `quadratic` |", "|---|---|---|"]
     for name, row in sorted(rows.items(), key=lambda item: -rate(item[1])):
         lines.append(f"| {name.split('/')[1]} | {rate(row):.3g} | {textbook / rate(row):.3g} |")
@@ -253,32 +245,21 @@ def roofline_table(rows):
 
 
 def plot_spheres(rows, path):
-    """Every kind a curve of its own mark and colour (Okabe and Ito's), with its name at its end."""
-    curves = []
-    for kind, point, colour in (("certified", 7, "#0072b2"), ("uncertified", 5, "#d55e00"), ("embree", 9, "#009e73")):
+    """Certified and uncertified images, a curve each."""
+    kinds = {"certified": "pointtype 7 linecolor '#0072b2'", "uncertified": "pointtype 5 linecolor '#d55e00'"}
+    script = [f"set terminal svg size 720,440 font 'sans,13' background 'white'; set output '{path}'",
+              "set logscale xy; set xlabel 'spheres'; set ylabel 'M rays/s'; set grid"]
+    for kind in kinds:
         points = [(name.split("/")[0][8:], rate(row)) for name, row in rows.items()
                   if name.startswith("spheres:") and name.endswith("/" + kind)]
-        if points:
-            curves.append((kind, point, colour, points))
-    script = [f"set terminal svg size 720,440 font 'sans,13' background 'white'; set output '{path}'",
-              "set logscale xy; set xlabel 'spheres'; set ylabel 'M rays/s'; set grid; set key off",
-              "set xrange [*:1.2e7]"]
-    ends = sorted((float(points[-1][1]), kind) for kind, _, _, points in curves)
-    for place, (end, kind) in enumerate(ends):
-        x = next(points[-1][0] for name, _, _, points in curves if name == kind)
-        colour = next(colour for name, _, colour, _ in curves if name == kind)
-        # Names of curves that end together are set apart.
-        shift = (place - 0.5 * (len(ends) - 1)) * 0.9
-        script.append(f"set label '{kind}' at {x},{end} offset 1,{shift} textcolor '{colour}'")
-    script += [f"${kind} << EOD\n" + "\n".join(f"{x} {y}" for x, y in points) + "\nEOD" for kind, _, _, points in curves]
-    script.append("plot " + ", ".join(f"${kind} with linespoints pointtype {point} linecolor '{colour}'"
-                                      for kind, point, colour, _ in curves))
+        script += [f"${kind} << EOD"] + [f"{x} {y}" for x, y in points] + ["EOD"]
+    script.append("plot " + ", ".join(f"${kind} with linespoints {look} title '{kind}'" for kind, look in kinds.items()))
     subprocess.run(["gnuplot"], input="\n".join(script) + "\n", text=True, check=True)
 
 
 def performance():
     rows = benchmarks("bench_visibility")
-    methods = benchmarks("bench_fast", "--benchmark_filter=unrelated/", "--benchmark_repetitions=5",
+    methods = benchmarks("bench_kernels", "--benchmark_filter=intersect/", "--benchmark_repetitions=5",
                          "--benchmark_report_aggregates_only=true")
     plot_spheres(rows, ROOT / "docs/images/visibility.svg")
     parts = {"spheres": spheres_table(rows), "pixels": growth_table(rows, "pixels", "pixels across"),

@@ -17,7 +17,7 @@
 namespace raycheck {
 namespace {
 
-/// Takes bytes from the front; 0 where there are none left.
+/// Takes bytes from the front; 0 if none are left.
 class Bytes {
  public:
   Bytes(const std::uint8_t* bytes, std::size_t count) : at_(bytes), left_(count) {}

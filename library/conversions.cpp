@@ -11,7 +11,7 @@
 namespace raycheck::library {
 namespace {
 
-/// Which of so many enumerators it is. Errors: std::invalid_argument naming the field.
+/// Which of the enumerators it is. Errors: std::invalid_argument naming the field.
 template <class Seen>
 int place_of(Seen seen, std::size_t count, std::string_view field) {
   const int place = static_cast<int>(seen);

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <compare>
 #include <cstdint>
 #include <stdexcept>
 #include <string>
@@ -10,11 +9,9 @@ namespace raycheck::properties {
 
 /// A line of a candidate's own source.
 struct CodeLine {
-  std::string file;         ///< Relative to the working folder where it lies below that.
-  std::int64_t line = 1;    ///< From 1 on.
-  std::int64_t column = 1;  ///< Where the text begins, in characters, from 1 on.
-  std::string text;         ///< What stands there, without the space around it.
-  auto operator<=>(const CodeLine&) const = default;
+  std::string file;       ///< Relative to the working folder where it lies below that.
+  std::int64_t line = 1;  ///< From 1 on.
+  std::string text = {};  ///< What stands there, without the space around it.
 };
 
 /// What a candidate's function throws where it failed at a line that is known.

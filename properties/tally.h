@@ -107,7 +107,8 @@ struct Tally {
   // Only of trials that ask for the conditioning.
   QuantileSketch conditions;              ///< One for each error.
   std::optional<double> worst_condition;  ///< At worst_place.
-  double worst_ratio = -1;                ///< The largest stability ratio within the stated domain.
+  /// The largest stability ratio within the stated domain.
+  std::optional<double> worst_ratio;
   std::array<std::uint64_t, kOutcomeCount> outcomes = {};
   /// The largest error over what a documented bound grows by, which is what that bound holds for,
   /// infinite errors aside.

@@ -53,6 +53,12 @@ void Verdict::measured(Quantity quantity, const Place& place, double error, doub
   tally.note_worst(error, place);
 }
 
+const Tally& Verdict::tally(Quantity quantity) const {
+  static const Tally nothing;
+  const auto found = tallies_.find(quantity);
+  return found == tallies_.end() ? nothing : found->second;
+}
+
 void Verdict::weighed(Quantity quantity, const Place& place, double error,
                       const Stability& stability) {
   Tally& tally = tallies_[quantity];
@@ -60,7 +66,7 @@ void Verdict::weighed(Quantity quantity, const Place& place, double error,
   tally.note_worst(error, place, stability.condition);
   ++tally.outcomes[static_cast<std::size_t>(stability.outcome)];
   if (stability.outcome != Outcome::kOutsideDomain) {
-    tally.worst_ratio = std::max(tally.worst_ratio, stability.ratio);
+    tally.worst_ratio = std::max(tally.worst_ratio, std::optional(stability.ratio));
   }
   const double over_growth = std::isfinite(error) ? error / bound_growth(stability.condition) : 0;
   tally.max_over_growth = std::max(tally.max_over_growth.value_or(0), over_growth);
@@ -138,14 +144,11 @@ std::uint64_t Verdict::discrepancies() const {
   return std::accumulate(by_standing_.begin(), by_standing_.end(), std::uint64_t{0});
 }
 
-std::vector<Discrepancy> Verdict::failures(bool strictly) const {
-  std::set<std::optional<CodeLine>> lines;
-  std::vector<Discrepancy> found;
+std::optional<CodeLine> Verdict::failed_at(bool strictly) const {
   for (const Discrepancy& d : kept_) {
-    if (d.wrong != Wrong::kFailed || !is_held_against(d, strictly)) continue;
-    if (lines.insert(d.failed.line).second) found.push_back(d);
+    if (d.failed.line && is_held_against(d, strictly)) return d.failed.line;
   }
-  return found;
+  return std::nullopt;
 }
 
 std::vector<DefectKind> Verdict::defects(bool strictly) const {

@@ -123,6 +123,8 @@ class Verdict {
   void relocate(const std::function<Place(const Place&)>& new_place);
 
   const std::map<Quantity, Tally>& tallies() const { return tallies_; }
+  /// That of one quantity; an empty one where nothing was compared.
+  const Tally& tally(Quantity quantity) const;
   /// The worst ones kept, in the order of worst_first().
   std::vector<Discrepancy> worst(std::size_t count) const;
   std::uint64_t discrepancies() const;
@@ -142,9 +144,8 @@ class Verdict {
   std::vector<DefectKind> defects(bool strictly = false) const;
   /// The kinds of those kept that are left undecided.
   std::vector<DefectKind> undecided() const;
-  /// Of those kept that break the law, the failures, each line once: of the ones at no known line
-  /// the first.
-  std::vector<Discrepancy> failures(bool strictly = false) const;
+  /// Of those kept that break the law, the first known line at which the candidate failed.
+  std::optional<CodeLine> failed_at(bool strictly = false) const;
   const std::string& reason_left_out() const { return left_out_; }
 
  private:

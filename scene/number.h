@@ -14,7 +14,7 @@ std::optional<double> parse_number(std::string_view text);
 /// The shortest decimal that reads back as the same double.
 std::string shortest(double value);
 
-/// The double next to its decimal of so many significant digits. Domain: finite, digits >= 1.
+/// The double nearest to its decimal of that many significant digits. Domain: finite, digits >= 1.
 double to_digits(double value, int digits);
 
 /// A point's or a vector's coordinates as shortest decimals, a space between them.

@@ -54,14 +54,22 @@ const std::map<std::string, Rooms> kSees = {
      {"scene", "scene/files", "reference", "reference/account", "reference/visibility",
       "properties", "properties/laws", "properties/mistakes"}},
     {"tools/gates", {"scene", "properties", "tools/report"}},
-    {"tools/methods", {"fast", "properties/candidates", "properties/search", "tools/peers"}},
+    {"tools/implementations", {"scene/files", "fast", "properties", "properties/candidates"}},
     {"tools/external",
-     {"scene", "scene/files", "properties", "properties/mistakes", "tools/methods",
-      "tools/report"}},
-    {"tools/manual", {}},
+     {"scene", "scene/files", "properties", "properties/cases", "properties/mistakes",
+      "tools/implementations", "tools/report"}},
+    {"tools/explain",
+     {"scene", "reference", "reference/account", "fast", "properties", "properties/candidates",
+      "tools/implementations", "tools/report"}},
+    {"tools/image",
+     {"scene", "scene/files", "reference/visibility", "properties", "tools/run", "tools/report",
+      "tools/implementations"}},
+    {"tools/view",
+     {"scene", "scene/files", "reference", "reference/visibility", "properties", "properties/laws",
+      "tools/explain", "tools/image", "tools/implementations", "tools/report", "tools/run"}},
     {"tools/peers", {"scene", "fast"}},
     {"tools/grade/rubric",
-     {"scene/files", "properties/laws", "properties/cases", "tools/report", "tools/methods",
+     {"scene/files", "properties/laws", "properties/cases", "tools/report", "tools/implementations",
       "tools/external"}},
     {"tools/grade/results",
      {"scene", "scene/files", "properties", "properties/laws", "tools/report", "tools/external",
@@ -72,23 +80,12 @@ const std::map<std::string, Rooms> kSees = {
       "tools/grade/store"}},
     {"tools/grade/judging",
      {"scene", "properties", "properties/laws", "properties/cases", "properties/mistakes",
-      "properties/search", "tools/methods", "tools/external", "tools/grade/rubric",
+      "properties/search", "tools/implementations", "tools/external", "tools/grade/rubric",
       "tools/grade/results"}},
     {"tools/grade/pages",
-     {"scene", "scene/files", "properties", "properties/laws", "properties/cases", "tools/methods",
+     {"scene", "scene/files", "properties/laws", "properties/cases", "tools/implementations",
       "tools/report", "tools/external", "tools/view", "tools/grade/rubric",
       "tools/grade/results"}}};
-
-/// Rooms of commands that may see another command's.
-const std::map<std::string, Rooms> kCommandsThatSee = {
-    {"tools/check", {"tools/view"}},
-    {"tools/exchange", {"tools/check"}},
-    {"tools/properties", {"tools/view"}},
-    {"tools/stress", {"tools/view"}},
-    {"tools/tradeoff", {"tools/view"}},
-    {"tools/try", {"tools/grade"}},
-    {"tools/view", {"tools/explain", "tools/image"}},
-    {"tools/worst", {"tools/view"}}};
 
 /// Folders that are part of the room around them: `internal` ones are for that room's .cpp files
 /// and for each other; of `reference` one room more may look inside.
@@ -100,7 +97,6 @@ const std::map<std::string, std::string> kInside = {
     {"tools/external/sandbox", "tools/external"},
     {"tools/external/protocol", "tools/external"},
     {"tools/external/pictures", "tools/external"},
-    {"tools/report/plot", "tools/report"},
     {"tools/view/chart", "tools/view"},
     {"tools/view/figure", "tools/view"},
     {"tools/view/page", "tools/view"},
@@ -108,20 +104,19 @@ const std::map<std::string, std::string> kInside = {
     {"tools/view/pictures", "tools/view"}};
 
 /// What every program may link of tools/: what judges one scene.
-const Rooms kJudgesOneScene = {"tools/run",     "tools/report",   "tools/gates",
-                               "tools/methods", "tools/external", "tools/explain",
-                               "tools/image",   "tools/view",     "tools/check"};
+const Rooms kJudgesOneScene = {
+    "tools/run",     "tools/report", "tools/gates", "tools/implementations", "tools/external",
+    "tools/explain", "tools/image",  "tools/view",  "tools/check",           "tools/show"};
 
 /// What else each program may, by the name that the table of commands has for it.
 const std::map<std::string, Rooms> kMayLink = {
     {"check", {}},
     {"study",
      {"tools/properties", "tools/stress", "tools/tradeoff", "tools/worst", "tools/plan",
-      "tools/exchange", "tools/list"}},
+      "tools/list"}},
     {"grade",
      {"tools/grade", "tools/grade/rubric", "tools/grade/results", "tools/grade/store",
-      "tools/grade/intake", "tools/grade/judging", "tools/grade/pages", "tools/try",
-      "tools/rubric"}}};
+      "tools/grade/intake", "tools/grade/judging", "tools/grade/pages", "tools/rubric"}}};
 
 /// Programs of their own, which may see whatever they measure.
 const Rooms kPrograms = {"tools/bench"};
@@ -285,12 +280,9 @@ TEST(Rooms, OfCommandsSeeNoOtherCommand) {
   EXPECT_GT(commands().size(), 5u);
   for (const std::string& room : commands()) {
     EXPECT_TRUE(linked_rooms().contains(room)) << room << " has no CMakeLists.txt that says so";
-    Rooms others;
     for (const std::string& other : sees().at(room)) {
-      if (commands().contains(other)) others.insert(other);
+      EXPECT_FALSE(commands().contains(other)) << room << " sees " << other;
     }
-    const auto allowed = kCommandsThatSee.find(room);
-    EXPECT_EQ(others, allowed == kCommandsThatSee.end() ? Rooms() : allowed->second) << room;
   }
 }
 
@@ -346,8 +338,7 @@ TEST(Programs, NeedWhatTheyMayLinkAndNoMore) {
   for (auto& [program, of_program] : files) {
     std::set<std::string> edge;
     for (const std::string& file : sources()) {
-      const bool is_shared = folder_of(file) == kEdge && file != "tools/write_manual.cpp" &&
-                             file != "tools/all_commands.h";
+      const bool is_shared = folder_of(file) == kEdge;
       if (is_shared || of_program.contains(file.substr(file.rfind('/') + 1))) edge.insert(file);
     }
     ASSERT_TRUE(kMayLink.contains(program)) << program;

@@ -17,10 +17,10 @@
 
 #include "scene/number.h"
 #include "scene/text.h"
-#include "tools/exit_codes.h"
+#include "tools/commands.h"
 #include "tools/external/pictures/dry_run.h"
-#include "tools/external/staged.h"
 #include "tools/report/words.h"
+#include "tools/view/chart/plot.h"
 
 namespace raycheck::tools {
 
@@ -90,6 +90,10 @@ std::optional<DriverRule> parse_driver(const std::string& text) {
   } catch (const std::invalid_argument& error) {
     throw std::invalid_argument(fmt::format("--dialect {}: {}", text, error.what()));
   }
+}
+
+void add_dialect(CLI::App& command, std::string& dialect) {
+  command.add_option("--dialect", dialect, "of a driver file: A, B or C, or a year, 2017 to 2020");
 }
 
 void add_rubric_dialect(CLI::App& command, std::string& dialect) {
@@ -200,14 +204,10 @@ void add_external(CLI::App& command, ExternalArguments& arguments) {
 
 void add_renderer(CLI::App& command, ExternalArguments& arguments) {
   CLI::Option* const candidate = command.get_option("--candidate");
-  command
-      .add_option("--precision", arguments.precision,
-                  "of renderers: double, or single: it computes in float, and is given scenes of "
-                  "floats; other candidates say themselves which")
-      ->check(CLI::IsMember(
-          std::vector<std::string>(scene::kPrecisionNames.begin(), scene::kPrecisionNames.end())))
-      ->needs(candidate)
-      ->capture_default_str();
+  add_named(command, "--precision", arguments.precision, scene::kPrecisionNames,
+            "of renderers: double, or single: it computes in float, and is given scenes of floats; "
+            "other candidates say themselves which")
+      ->needs(candidate);
   command
       .add_option("--image-change", arguments.image_change,
                   "relative changes of the scene that a renderer's picture may not show (default: "
@@ -235,18 +235,16 @@ External as_it_reads(const External& external, const DriverRule& rule) {
 
 }  // namespace
 
-std::vector<Contestant> find_contestants(const ExternalArguments& arguments,
-                                         const std::optional<DriverRule>& driver) {
-  std::vector<Contestant> found;
+std::vector<Implementation> find_candidates(const ExternalArguments& arguments,
+                                            const std::optional<DriverRule>& driver) {
+  std::vector<Implementation> found;
   if (arguments.candidates.empty()) return found;
   RunOptions options;
   options.layers = chosen_layers(sandbox_of(arguments.sandbox)).layers;
   options.limits.seconds = arguments.seconds;
   if (!arguments.bounds.empty()) options.bounds = find_pair(arguments.bounds);
   if (driver) options.driver = driver->form;
-  if (arguments.precision == name(scene::Precision::kSingle)) {
-    options.precision = scene::Precision::kSingle;
-  }
+  options.precision = arguments.precision;
   options.excused_image_change =
       arguments.image_change.value_or(properties::excused_image_change(options.precision));
   options.image_threshold = arguments.threshold;
@@ -254,18 +252,30 @@ std::vector<Contestant> find_contestants(const ExternalArguments& arguments,
     External external = find_external(parse_candidate(what), options);
     if (external.renderer && driver && driver->tries_others)
       external = as_it_reads(external, *driver);
-    found.emplace_back(std::move(external));
+    found.push_back(implementation_of(external));
+    found.back().number = all_intersect_methods().size() + found.size() - 1;
   }
   return found;
 }
 
-std::vector<StagedMethod> find_others(const ExternalArguments& arguments) {
-  std::vector<StagedMethod> methods;
-  for (const Contestant& contestant : find_contestants(arguments)) {
-    const auto one = staged(*external_of(contestant));
-    methods.insert(methods.end(), one.begin(), one.end());
+std::vector<Implementation> find_by_stages(const ExternalArguments& arguments) {
+  std::vector<Implementation> found = find_candidates(arguments);
+  for (const Implementation& one : found) {
+    if (!one.stages.empty()) continue;
+    throw CandidateError(one.draws() ? "it draws pictures; what is asked here is single answers"
+                                     : "it makes no rays and intersects nothing",
+                         {}, one.name);
   }
-  return methods;
+  return found;
+}
+
+std::vector<Implementation> find_by_stages(const std::vector<std::string>& methods,
+                                           const ExternalArguments& arguments) {
+  const std::vector<Implementation> candidates = find_by_stages(arguments);
+  std::vector<Implementation> found;
+  if (candidates.empty() || !methods.empty()) found = find_methods(methods);
+  found.insert(found.end(), candidates.begin(), candidates.end());
+  return found;
 }
 
 void add_format(CLI::App& command, std::string& format, const std::vector<std::string>& formats) {
@@ -277,6 +287,21 @@ void add_format(CLI::App& command, std::string& format, const std::vector<std::s
   command.add_option("--format", format, meaning)
       ->check(CLI::IsMember(formats))
       ->capture_default_str();
+}
+
+void add_methods(CLI::App& command, std::vector<std::string>& methods) {
+  command
+      .add_option(
+          "--method,--methods", methods,
+          "only these methods, of either kind, separated by commas, or all (default: those of "
+          "fast/, without the reference)")
+      ->delimiter(',');
+}
+
+std::optional<OutputFile> opened(const std::string& option,
+                                 const std::optional<std::string>& path) {
+  if (!path) return std::nullopt;
+  return std::optional<OutputFile>(std::in_place, option, *path);
 }
 
 void add_view(CLI::App& command, std::optional<std::string>& path, std::string_view what) {
@@ -312,17 +337,8 @@ void add_exchanged(CLI::App& command, std::uint64_t& cases, std::uint64_t& seed,
       ->check(whole_number(1, kMostCases))
       ->capture_default_str();
   add_seed(command, seed);
-  command
-      .add_option_function<std::string>(
-          "--precision",
-          [&precision](const std::string& text) {
-            precision = text == name(scene::Precision::kSingle) ? scene::Precision::kSingle
-                                                                : scene::Precision::kDouble;
-          },
-          "double, or single: the numbers of questions are floats, answers are read as floats")
-      ->check(CLI::IsMember(
-          std::vector<std::string>(scene::kPrecisionNames.begin(), scene::kPrecisionNames.end())))
-      ->default_str(std::string(scene::kPrecisionNames[0]));
+  add_named(command, "--precision", precision, scene::kPrecisionNames,
+            "double, or single: the numbers of questions are floats, answers are read as floats");
 }
 
 void add_seed(CLI::App& command, std::uint64_t& seed) {
@@ -388,9 +404,9 @@ void print_report(const std::string& report, bool colours) {
 
 void print_commands(const std::string& commands) { write_out(scene::visible(commands)); }
 
-void draw_or_say(const std::vector<Plot>& plots, const std::string& path) {
+void draw_or_say(const std::vector<ChartFacet>& facets, const std::string& path) {
   try {
-    draw(plots, path);
+    draw(facets, path);
   } catch (const GnuplotMissing& error) {
     print_error(fmt::format("warning: {}\n", error.what()));
   }

@@ -3,6 +3,8 @@
 // What the commands share of reading arguments and writing reports. Internal to the commands.
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
+#include <array>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -10,18 +12,20 @@
 #include <vector>
 
 #include "scene/files/scene_file.h"
-#include "tools/external/contestant.h"
-#include "tools/external/pictures/driver_rule.h"
-#include "tools/report/plot/plot.h"
+#include "tools/external/locate.h"
+#include "tools/external/pictures/driver_form.h"
+#include "tools/implementations/built_in.h"
+#include "tools/report/output_file.h"
 #include "tools/report/view.h"
 #include "tools/terminal.h"
+#include "tools/view/chart/chart.h"
 
 namespace raycheck::tools {
 
 /// `count` numbers separated by commas; the error names the option and the text.
 std::vector<double> parse_list(const char* option, std::string_view text, std::size_t count,
                                const char* meaning);
-/// Up to here doubles tell all whole numbers apart.
+/// Doubles represent every whole number up to here.
 inline constexpr std::int64_t kMostIndex = 9'000'000'000'000'000;
 /// A whole number of these; the error names the option.
 std::int64_t parse_index(const char* option, std::string_view text, std::int64_t least,
@@ -31,10 +35,12 @@ scene::Pixel parse_pixel(const char* option, std::string_view text);
 /// The same, of a scene's camera; the error names its file, too.
 scene::Pixel parse_pixel(const char* option, std::string_view text, std::string_view path,
                          const scene::Scene& scene);
-/// What --dialect says of a driver file that is read; empty of an empty text.
+/// What --dialect says of a driver file that is read; empty if the text is.
 std::optional<scene::Dialect> parse_dialect(const std::string& text);
-/// The form of driver files for renderers that it says, or that each is tried; likewise.
+/// The form of driver files for renderers that it names, or that each form is tried; likewise.
 std::optional<DriverRule> parse_driver(const std::string& text);
+/// --dialect of a driver file that is read.
+void add_dialect(CLI::App& command, std::string& dialect);
 /// --dialect, in place of a rubric's [driver].
 void add_rubric_dialect(CLI::App& command, std::string& dialect);
 
@@ -44,8 +50,20 @@ CLI::Validator whole_number(std::uint64_t least, std::uint64_t most);
 CLI::Validator number_between(double least, double most);
 /// A bound on errors: a finite number >= 0.
 extern const CLI::Validator kBound;
-/// Any value but none at all: of every option.
+/// Rejects an empty value: used for every option.
 extern const CLI::Validator kGiven;
+/// An option that takes one of these names, those of an enumeration in its order.
+template <class Enum, std::size_t N>
+CLI::Option* add_named(CLI::App& command, const std::string& option, Enum& value,
+                       const std::array<std::string_view, N>& names, const std::string& meaning) {
+  const std::vector<std::string> all(names.begin(), names.end());
+  const auto take = [&value, all](const std::string& name) {
+    value = static_cast<Enum>(std::find(all.begin(), all.end(), name) - all.begin());
+  };
+  return command.add_option_function<std::string>(option, take, meaning)
+      ->check(CLI::IsMember(all))
+      ->default_str(all[static_cast<std::size_t>(value)]);
+}
 /// The most of --cases and --steps.
 inline constexpr std::uint64_t kMostCases = 1'000'000'000;
 
@@ -67,9 +85,9 @@ struct ExternalArguments {
   std::vector<std::string> candidates;
   SandboxArguments sandbox;
   double seconds = Limits{}.seconds;
-  std::string bounds;  ///< Whose; empty: kDefaultMethods'.
-  std::string precision = std::string(scene::kPrecisionNames[0]);  ///< Of renderers.
-  std::optional<double> image_change;  ///< Empty: what suits the precision.
+  std::string bounds;                                      ///< Whose; empty: kDefaultMethods'.
+  scene::Precision precision = scene::Precision::kDouble;  ///< Of renderers.
+  std::optional<double> image_change;                      ///< Empty: what suits the precision.
   double threshold = 0;
 };
 void add_external(CLI::App& command, ExternalArguments& arguments);
@@ -77,11 +95,14 @@ void add_external(CLI::App& command, ExternalArguments& arguments);
 void add_renderer(CLI::App& command, ExternalArguments& arguments);
 /// Each once compiled, where it has to be, and introduced; `driver` is what renderers read, found
 /// out by a dry run where it tries several.
-std::vector<Contestant> find_contestants(const ExternalArguments& arguments,
-                                         const std::optional<DriverRule>& driver = {});
-
-/// The same as methods of the stages that they offer.
-std::vector<StagedMethod> find_others(const ExternalArguments& arguments);
+std::vector<Implementation> find_candidates(const ExternalArguments& arguments,
+                                            const std::optional<DriverRule>& driver = {});
+/// The same, to be judged by their stages, not by pictures. Errors: CandidateError of a renderer.
+std::vector<Implementation> find_by_stages(const ExternalArguments& arguments);
+/// The methods of those names, each alone, and the candidates behind them; where there are these
+/// and no name, these alone.
+std::vector<Implementation> find_by_stages(const std::vector<std::string>& methods,
+                                           const ExternalArguments& arguments);
 
 /// --format, one of those names; the first where it is not given.
 void add_format(CLI::App& command, std::string& format, const std::vector<std::string>& formats);
@@ -94,6 +115,11 @@ void add_format(CLI::App& command, std::string& format, const View<Report> (&vie
   }
   add_format(command, format, names);
 }
+/// --method, of either kind; several.
+void add_methods(CLI::App& command, std::vector<std::string>& methods);
+/// The file that an option names, opened before the work that it is to take; empty where it is not
+/// given. Errors: std::invalid_argument as OutputFile.
+std::optional<OutputFile> opened(const std::string& option, const std::optional<std::string>& path);
 /// --view FILE: a page for a browser; `what` is what it shows.
 void add_view(CLI::App& command, std::optional<std::string>& path, std::string_view what);
 /// --certificates FILE
@@ -134,8 +160,8 @@ void print_view(const View<Report> (&views)[N], std::string_view format, const R
     }
   }
 }
-/// Draws the plots, unless there is no gnuplot: then it says so on standard error.
-void draw_or_say(const std::vector<Plot>& plots, const std::string& path);
+/// Draws the facets, unless there is no gnuplot: then it says so on standard error.
+void draw_or_say(const std::vector<ChartFacet>& facets, const std::string& path);
 
 /// `found`: a defect, or what else fails; `checked`: enough was judged to say that there is none.
 int exit_code(bool was_interrupted, bool found, bool checked);

@@ -56,7 +56,7 @@ inline constexpr CommandRow kCommands[] = {
 #undef RAYCHECK_ROW
 };
 
-/// The row of a command; null: there is none of that name.
+/// The row of a command; null if there is no such command.
 constexpr const CommandRow* find_command(std::string_view name) {
   for (const CommandRow& row : kCommands) {
     if (row.name == name) return &row;
@@ -64,8 +64,15 @@ constexpr const CommandRow* find_command(std::string_view name) {
   return nullptr;
 }
 
-/// Who asks the front for its own --help, --version or a command that there is not is answered by
-/// this program.
+/// The program that answers --help, --version and unknown commands.
 inline constexpr std::string_view kAnswersForAll = find_command("check")->program;
+
+// What the exit codes of every command mean.
+inline constexpr int kExitNothingFound = 0;
+inline constexpr int kExitDiscrepancy = 1;
+inline constexpr int kExitBadInput = 2;
+inline constexpr int kExitNothingChecked = 4;
+/// And the signal: of one that interrupted it, and of SIGPIPE where nobody reads what it prints.
+inline constexpr int kExitOfSignal = 128;
 
 }  // namespace raycheck::tools

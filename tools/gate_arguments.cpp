@@ -9,8 +9,6 @@
 #include <utility>
 
 #include "scene/files/file_text.h"
-#include "tools/external/candidate_spec.h"
-#include "tools/gates/gate_views.h"
 
 namespace raycheck::tools {
 namespace {
@@ -60,31 +58,6 @@ void add_gate(CLI::App& command, GateArguments& arguments, const std::vector<std
       .add_flag("--strict-baseline", arguments.strict,
                 "fail, too, where the baseline has what was mended")
       ->needs(baseline);
-}
-
-bool asks_for(const GateArguments& arguments, const std::string& format, std::string_view kind) {
-  return format == kind || std::any_of(arguments.reports.begin(), arguments.reports.end(),
-                                       [&](const std::string& report) {
-                                         return report.substr(0, report.find('=')) == kind;
-                                       });
-}
-
-void require_lines_for_sarif(const GateArguments& arguments, const std::string& format,
-                             const std::vector<std::string>& candidates, bool judges_methods) {
-  if (!asks_for(arguments, format, kSarif)) return;
-  const auto refuse = [&](const std::string& who) {
-    throw std::invalid_argument(fmt::format(
-        "--{}: its results lie at lines of a source, and {}; give source:PATH candidates alone, or "
-        "take junit, markdown, github or gitlab-codequality",
-        format == kSarif ? "format sarif" : "report sarif", who));
-  };
-  for (const std::string& candidate : candidates) {
-    if (parse_candidate(candidate).kind == CandidateKind::kSource) continue;
-    refuse(fmt::format("of {} none is known: raycheck did not compile it", candidate));
-  }
-  if (judges_methods || candidates.empty()) {
-    refuse("raycheck's own methods are not of a source of yours");
-  }
 }
 
 GateFiles::GateFiles(const GateArguments& arguments)

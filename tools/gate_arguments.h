@@ -6,7 +6,6 @@
 #include <memory>
 #include <optional>
 #include <string>
-#include <string_view>
 #include <vector>
 
 #include "scene/text.h"
@@ -32,15 +31,6 @@ void add_gate(CLI::App& command, GateArguments& arguments, const View<Report> (&
   for (const View<Report>& view : views) kinds.emplace_back(view.name);
   add_gate(command, arguments, kinds);
 }
-
-/// Whether a format, or a kind of report, is asked for.
-bool asks_for(const GateArguments& arguments, const std::string& format, std::string_view kind);
-
-/// SARIF is of lines of a source, and these are known of candidates that raycheck compiled alone.
-/// Errors: std::invalid_argument where it is asked for and others are judged, too, which says who,
-///         and what there is in its place.
-void require_lines_for_sarif(const GateArguments& arguments, const std::string& format,
-                             const std::vector<std::string>& candidates, bool judges_methods);
 
 /// The files of a gate: opened before the work, so that hours of it are not lost, and written
 /// after.

@@ -9,7 +9,6 @@
 #include <string>
 
 #include "tools/commands.h"
-#include "tools/exit_codes.h"
 
 namespace {
 

@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <atomic>
 #include <cerrno>
+#include <chrono>
 #include <climits>
 #include <csignal>
 #include <cstdio>
@@ -83,7 +84,7 @@ void write_out(std::string_view text) {
       if (waits > kMostWaits) throw scene::Interrupted{};
       continue;
     }
-    // A pipe that is ready takes so many bytes without a wait.
+    // A pipe that is ready takes this many bytes without blocking.
     const ssize_t count =
         write(STDOUT_FILENO, text.data(), std::min<std::size_t>(text.size(), PIPE_BUF));
     if (count >= 0) {
@@ -120,30 +121,43 @@ bool stdout_takes_colours() {
   return isatty(STDOUT_FILENO) != 0 && (no_color == nullptr || *no_color == '\0');
 }
 
-Progress::Progress(std::string what)
-    : what_(scene::visible_line(what)),
-      next_(std::chrono::steady_clock::now() + std::chrono::seconds(1)) {}
+namespace {
 
-Progress::~Progress() {
-  if (shown_) std::fputs("\r\033[K", stderr);
-}
+/// One line on standard error that says how far long work has come, after the first second. Where
+/// standard error is no terminal it has instead a line for each part that is done.
+class ProgressLine {
+ public:
+  explicit ProgressLine(std::string_view what)
+      : what_(scene::visible_line(what)),
+        next_(std::chrono::steady_clock::now() + std::chrono::seconds(1)) {}
+  ProgressLine(const ProgressLine&) = delete;
+  ProgressLine& operator=(const ProgressLine&) = delete;
+  ~ProgressLine() {
+    if (shown_) std::fputs("\r\033[K", stderr);
+  }
+  void show(std::string_view state) {
+    const auto now = std::chrono::steady_clock::now();
+    if (now < next_ || isatty(STDERR_FILENO) == 0) return;
+    std::fputs(fmt::format("\r\033[K{}: {}", what_, scene::visible_line(state)).c_str(), stderr);
+    std::fflush(stderr);
+    shown_ = true;
+    next_ = now + std::chrono::milliseconds(200);
+  }
+  void list(std::string_view done) const {
+    if (isatty(STDERR_FILENO) != 0) return;
+    std::fputs(fmt::format("{}: {}\n", what_, scene::visible_line(done)).c_str(), stderr);
+  }
 
-void Progress::show(std::string_view state) {
-  const auto now = std::chrono::steady_clock::now();
-  if (now < next_ || isatty(STDERR_FILENO) == 0) return;
-  std::fputs(fmt::format("\r\033[K{}: {}", what_, scene::visible_line(state)).c_str(), stderr);
-  std::fflush(stderr);
-  shown_ = true;
-  next_ = now + std::chrono::milliseconds(200);
-}
+ private:
+  std::string what_;
+  std::chrono::steady_clock::time_point next_;
+  bool shown_ = false;
+};
 
-void Progress::list(std::string_view done) const {
-  if (isatty(STDERR_FILENO) != 0) return;
-  std::fputs(fmt::format("{}: {}\n", what_, scene::visible_line(done)).c_str(), stderr);
-}
+}  // namespace
 
 properties::RunControl run_control(std::string what, int threads) {
-  const auto shown = std::make_shared<Progress>(std::move(what));
+  const auto shown = std::make_shared<ProgressLine>(std::move(what));
   return {interrupted, [shown](std::string_view state) { shown->show(state); },
           [shown](std::string_view done) { shown->list(done); }, threads};
 }

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <chrono>
 #include <cstddef>
 #include <string>
 #include <string_view>
@@ -9,8 +8,8 @@
 
 namespace raycheck::tools {
 
-/// Gives descriptors 0, 1 and 2 that are closed to what can be neither read nor written, so that no
-/// file takes the number of a standard stream: the first call of a program.
+/// Opens closed descriptors among 0, 1 and 2 on something that can be neither read nor written, so
+/// that no file takes the number of a standard stream. To be called first in a program.
 void hold_standard_streams();
 
 /// From now on SIGINT, SIGTERM and SIGHUP raise a flag instead of ending the program, and a pipe
@@ -23,33 +22,16 @@ int caught_signal();
 
 /// What write_out() throws when nobody reads standard output any more.
 struct ClosedPipe {};
-/// Writes to standard output. After an interrupt whoever does not read for a second is given up.
-/// Errors: ClosedPipe; std::runtime_error; scene::Interrupted, where it is given up.
+/// Writes to standard output. After an interrupt, gives up on a reader that does not read for a
+/// second. Errors: ClosedPipe; std::runtime_error; scene::Interrupted when it gives up.
 void write_out(std::string_view text);
 bool has_written_out();
-/// Reads what there is on standard input, at most so many bytes; nothing at its end.
+/// Reads what there is on standard input, at most `most` bytes; nothing at its end.
 /// Errors: std::runtime_error; scene::Interrupted.
 std::string read_in(std::size_t most);
 
 /// Whether standard output takes colours: a terminal, and NO_COLOR is not set.
 bool stdout_takes_colours();
-
-/// One line on standard error that says how far long work has come, after the first second. Where
-/// standard error is no terminal it has instead a line for each part that is done.
-class Progress {
- public:
-  explicit Progress(std::string what);
-  Progress(const Progress&) = delete;
-  Progress& operator=(const Progress&) = delete;
-  ~Progress();
-  void show(std::string_view state);
-  void list(std::string_view done) const;
-
- private:
-  std::string what_;
-  std::chrono::steady_clock::time_point next_;
-  bool shown_ = false;
-};
 
 /// Runs work from the terminal: the signals that are caught end it early, and `what` is said to
 /// have come so far on standard error until the control is gone.

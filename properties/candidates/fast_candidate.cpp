@@ -12,39 +12,9 @@
 namespace raycheck::properties {
 namespace {
 
-fast::Rays batch_of(Candidate::Rays rays) {
-  fast::Rays batch;
-  batch.resize(rays.size());
-  for (std::size_t k = 0; k < rays.size(); ++k) {
-    batch.origin.x[k] = rays[k].origin.x;
-    batch.origin.y[k] = rays[k].origin.y;
-    batch.origin.z[k] = rays[k].origin.z;
-    batch.direction.x[k] = rays[k].direction.x;
-    batch.direction.y[k] = rays[k].direction.y;
-    batch.direction.z[k] = rays[k].direction.z;
-  }
-  return batch;
-}
-
 template <class Triple>
 Triple triple_at(const fast::Vectors& vectors, std::size_t k) {
   return {vectors.x[k], vectors.y[k], vectors.z[k]};
-}
-
-/// Misses are passed over many at a time.
-SphereHits list_of(const fast::Hits& hits) {
-  SphereHits list;
-  const std::uint8_t* const begin = hits.hit.data();
-  const std::uint8_t* const end = begin + hits.size();
-  const auto next_from = [end](const std::uint8_t* from) {
-    const void* found = from == end ? nullptr : std::memchr(from, 1, std::size_t(end - from));
-    return static_cast<const std::uint8_t*>(found);
-  };
-  for (const std::uint8_t* at = next_from(begin); at != nullptr; at = next_from(at + 1)) {
-    const auto k = static_cast<std::size_t>(at - begin);
-    list.push_back({k, {hits.parameter[k], triple_at<scene::Point3>(hits.point, k)}});
-  }
-  return list;
 }
 
 auto make_rays(fast::PixelRayMethod::MakeRays make) {
@@ -52,12 +22,7 @@ auto make_rays(fast::PixelRayMethod::MakeRays make) {
                 Candidate::Pixels pixels) {
     fast::Rays batch;
     make(camera, conventions, pixels, batch);
-    std::vector<scene::Ray> rays(pixels.size());
-    for (std::size_t k = 0; k < rays.size(); ++k) {
-      rays[k] = {triple_at<scene::Point3>(batch.origin, k),
-                 triple_at<scene::Vector3>(batch.direction, k)};
-    }
-    return rays;
+    return rays_of(batch);
   };
 }
 
@@ -89,6 +54,45 @@ std::vector<std::optional<SeenAnswer>> seen_through(const scene::Scene& scene,
 }
 
 }  // namespace
+
+fast::Rays batch_of(std::span<const scene::Ray> rays) {
+  fast::Rays batch;
+  batch.resize(rays.size());
+  for (std::size_t k = 0; k < rays.size(); ++k) {
+    batch.origin.x[k] = rays[k].origin.x;
+    batch.origin.y[k] = rays[k].origin.y;
+    batch.origin.z[k] = rays[k].origin.z;
+    batch.direction.x[k] = rays[k].direction.x;
+    batch.direction.y[k] = rays[k].direction.y;
+    batch.direction.z[k] = rays[k].direction.z;
+  }
+  return batch;
+}
+
+std::vector<scene::Ray> rays_of(const fast::Rays& batch) {
+  std::vector<scene::Ray> rays(batch.size());
+  for (std::size_t k = 0; k < rays.size(); ++k) {
+    rays[k] = {triple_at<scene::Point3>(batch.origin, k),
+               triple_at<scene::Vector3>(batch.direction, k)};
+  }
+  return rays;
+}
+
+// Misses are passed over many at a time.
+SphereHits list_of(const fast::Hits& hits) {
+  SphereHits list;
+  const std::uint8_t* const begin = hits.hit.data();
+  const std::uint8_t* const end = begin + hits.size();
+  const auto next_from = [end](const std::uint8_t* from) {
+    const void* found = from == end ? nullptr : std::memchr(from, 1, std::size_t(end - from));
+    return static_cast<const std::uint8_t*>(found);
+  };
+  for (const std::uint8_t* at = next_from(begin); at != nullptr; at = next_from(at + 1)) {
+    const auto k = static_cast<std::size_t>(at - begin);
+    list.push_back({k, {hits.parameter[k], triple_at<scene::Point3>(hits.point, k)}});
+  }
+  return list;
+}
 
 double inherited_bound(const fast::PixelRayMethod& rays) {
   return kRayShare * std::max(rays.max_point_ulp, rays.max_direction_ulp);

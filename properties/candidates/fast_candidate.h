@@ -1,5 +1,8 @@
 #pragma once
 
+#include <span>
+#include <vector>
+
 #include "fast/intersect.h"
 #include "fast/pixel_ray.h"
 #include "properties/candidate.h"
@@ -23,5 +26,10 @@ inline constexpr double kRoundedPointResidual = kModerateCondition / 2;
 /// does what `items` say.
 Candidate fast_candidate(const fast::PixelRayMethod& rays, const fast::IntersectMethod& intersect,
                          const scene::PlanItems& items = {});
+
+/// Rays as fast/ takes them, and back; the hits of a batch as candidates answer.
+fast::Rays batch_of(std::span<const scene::Ray> rays);
+std::vector<scene::Ray> rays_of(const fast::Rays& batch);
+SphereHits list_of(const fast::Hits& hits);
 
 }  // namespace raycheck::properties

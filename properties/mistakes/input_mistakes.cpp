@@ -15,21 +15,31 @@ using scene::Conventions;
 using scene::Origin;
 using scene::Pixel;
 
-/// The k-th pixel of the picture is the k-th of as many lines as there are columns, of as many
-/// values as there are rows: image[line][value], whose lines are the image's rows from the top.
-Mistake lines_for_columns() {
-  Mistake mistake = pixel_mistake(
+/// Exchanged loops: the k-th pixel of the picture is the k-th of as many lines as there are
+/// columns, of as many values as there are rows.
+Mistake lines_for_columns(const std::string& outside, bool from_last) {
+  return pixel_mistake(
       "the loops that write the picture are exchanged: as many lines as there are columns, of as "
-      "many values as there are rows",
-      [](const Camera& its, const Conventions& conventions, const Pixel& p) {
+      "many values as there are rows" +
+          outside,
+      [from_last](const Camera& its, const Conventions& conventions, const Pixel& p) {
         const bool bottom_first = conventions.rows == scene::Rows::kBottomFirst;
         const std::int64_t row = bottom_first ? its.height - 1 - p.j : p.j;
         const std::int64_t k = row * its.width + p.i;
         const std::int64_t line = k / its.height;
-        return Pixel{k % its.height, bottom_first ? its.height - 1 - line : line};
+        const std::int64_t last = (from_last ? its.width : its.height) - 1;
+        return Pixel{k % its.height, bottom_first ? last - line : line};
       });
-  mistake.black_outside = true;
-  return mistake;
+}
+
+/// A program that keeps an image shows black where it has none; others trace rays there, too.
+std::vector<Mistake> exchanged_loops() {
+  std::vector<Mistake> all = {
+      lines_for_columns("", false),
+      lines_for_columns("; rays are traced beyond the image, too", false),
+      lines_for_columns("; rays are traced beyond the image, too, from the last row on", true)};
+  all.front().black_outside = true;
+  return all;
 }
 
 /// i/(w-1) and j/(h-1) as integers: of the pixels all but the last are the first.
@@ -80,7 +90,6 @@ std::vector<Mistake> pixel_mistakes() {
           pixel_mistake("the loops over rows and columns are exchanged: the pixels are written "
                         "column by column, each from its bottom",
                         by_columns(false)),
-          lines_for_columns(),
           integer_division(true),
           integer_division(false)};
 }
@@ -251,7 +260,7 @@ std::vector<Mistake> view_mistakes() {
 
 std::vector<Mistake> input_mistakes() {
   std::vector<Mistake> all = pixel_mistakes();
-  for (auto& more : {convention_mistakes(), view_mistakes(), step_mistakes()})
+  for (auto& more : {exchanged_loops(), convention_mistakes(), view_mistakes(), step_mistakes()})
     all.insert(all.end(), more.begin(), more.end());
   return all;
 }

@@ -63,6 +63,11 @@ std::vector<Mistake> root_mistakes() {
                if (!meets(roots, conventions) || !(roots.larger >= 0)) return {};
                return hit_at(ray, roots.larger);
              }),
+      choice("v < 0 counts as a miss, so that spheres around the origin are not seen where their "
+             "centres lie behind it",
+             [](const Ray& ray, const Roots& roots, const Conventions& conventions) -> Hit {
+               return roots.axial_distance < 0 ? Hit() : usual_choice(ray, roots, conventions);
+             }),
       value("Q = s D: the origin is not added",
             [](const Ray& ray, const HitAnswer& hit) {
               return HitAnswer{hit.parameter, hit_at({{}, ray.direction}, hit.parameter).point};
@@ -106,6 +111,12 @@ std::vector<Mistake> winner_mistakes() {
                return length(sphere.centre - ray.origin);
              }),
       winner("the smallest s wins, though it is negative", by_parameter(1), wherever_behind),
+      winner(
+          "s >= 0 is not tested, and the least |s| wins, though s is negative",
+          [](std::size_t, const Ray&, const Sphere&, const Roots&, double s) {
+            return std::abs(s);
+          },
+          wherever_behind),
       winner("the farthest sphere wins", by_parameter(-1)),
   };
 }

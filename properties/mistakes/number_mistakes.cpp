@@ -149,11 +149,17 @@ void truncate_bounds(Camera& camera) {
   keep_apart(camera);
 }
 
-void truncate_camera(Camera& camera, const scene::Conventions&) {
+void truncate_view(Camera& camera) {
   truncate(camera.eye);
   truncate(camera.look_at);
   truncate(camera.up);
-  camera.near = std::trunc(camera.near);
+}
+
+void truncate_near(Camera& camera) { camera.near = std::trunc(camera.near); }
+
+void truncate_camera(Camera& camera, const scene::Conventions&) {
+  truncate_view(camera);
+  truncate_near(camera);
   truncate_bounds(camera);
 }
 
@@ -167,6 +173,17 @@ std::vector<Mistake> integer_mistakes() {
                         truncate_camera, truncate_sphere),
           scene_mistake("the camera's numbers are read as integers: their fractions are dropped",
                         Step::kFrame, truncate_camera, {}),
+          scene_mistake("eye, look and up are read as integers: their fractions are dropped",
+                        Step::kFrame, [](Camera& its, auto&) { truncate_view(its); }, {}),
+          scene_mistake("eye, look, up and d are read as integers: their fractions are dropped",
+                        Step::kFrame,
+                        [](Camera& its, auto&) {
+                          truncate_view(its);
+                          truncate_near(its);
+                        },
+                        {}),
+          camera_mistake("d is read as an integer: its fraction is dropped",
+                         [](Camera& its, auto&) { truncate_near(its); }),
           camera_mistake("the bounds are read as integers: their fractions are dropped",
                          [](Camera& its, auto&) { truncate_bounds(its); }),
           scene_mistake("the spheres' numbers are read as integers: their fractions are dropped",

@@ -1,6 +1,8 @@
 #include "properties/mistakes/shape_cause.h"
 
 #include <algorithm>
+#include <cmath>
+#include <initializer_list>
 #include <vector>
 
 #include "fast/intersect.h"
@@ -33,6 +35,30 @@ bool has_ray_with_all_behind(const Scene& scene) {
   });
 }
 
+bool are_whole(std::initializer_list<double> numbers) {
+  return std::all_of(numbers.begin(), numbers.end(), [](double x) { return x == std::trunc(x); });
+}
+bool are_whole(const auto& triple) { return are_whole({triple.x, triple.y, triple.z}); }
+
+bool has_fractions_in_view(const Scene& s) {
+  const scene::Camera& its = *s.camera;
+  return !(are_whole(its.eye) && are_whole(its.look_at) && are_whole(its.up));
+}
+bool has_fraction_in_near(const Scene& s) { return !are_whole({s.camera->near}); }
+bool has_fractions_in_bounds(const Scene& s) {
+  const scene::Camera& its = *s.camera;
+  return !are_whole({its.left, its.right, its.bottom, its.top});
+}
+bool has_fractions_in_spheres(const Scene& s) {
+  return std::any_of(s.spheres.begin(), s.spheres.end(), [](const scene::Sphere& its) {
+    return !(are_whole(its.centre) && are_whole({its.radius}));
+  });
+}
+bool has_fractions(const Scene& s) {
+  return has_fractions_in_view(s) || has_fraction_in_near(s) || has_fractions_in_bounds(s) ||
+         has_fractions_in_spheres(s);
+}
+
 struct Shape {
   const char* where;
   bool (*is)(const Scene&);
@@ -61,6 +87,11 @@ constexpr Shape kShapes[] = {
     {"the eye is not at the origin",
      [](const Scene& s) { return !(s.camera->eye == scene::Point3{}); }},
     {"what a ray's line meets is all behind the ray's start", has_ray_with_all_behind},
+    {"some number has a fraction", has_fractions},
+    {"eye, look or up has a fraction", has_fractions_in_view, true},
+    {"d has a fraction", has_fraction_in_near, true},
+    {"a bound has a fraction", has_fractions_in_bounds, true},
+    {"a sphere has a fraction", has_fractions_in_spheres, true},
     {"there are several spheres", [](const Scene& s) { return s.spheres.size() > 1; }},
     {"there is one sphere", [](const Scene& s) { return s.spheres.size() == 1; }},
     {"there is no sphere", [](const Scene& s) { return s.spheres.empty(); }},

@@ -116,7 +116,7 @@ CampaignAnswer ask(const Law& law, const Candidate& candidate, const Asking& ask
     if (!answer.failure) {
       part.replay = replay_text(law, candidate, from);
       part.defects = verdict.defects(asking.strict);
-      part.failures = verdict.failures(asking.strict);
+      part.failed_at = verdict.failed_at(asking.strict);
     }
     answer.failure = Failure{the_case, std::move(verdict), part.replay};
     return true;

@@ -56,7 +56,7 @@ struct CampaignPart {
   /// SOURCE@SEVERITY. Empty where the law is not broken.
   std::string replay;
   std::vector<DefectKind> defects;    ///< What that case shows,
-  std::vector<Discrepancy> failures;  ///< and of that where it got no answer (Verdict::failures).
+  std::optional<CodeLine> failed_at;  ///< and the line at which the candidate died or threw there.
   std::vector<DefectKind> undecided;  ///< What is left undecided of all its cases.
 
   bool is_broken() const { return !replay.empty(); }

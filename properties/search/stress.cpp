@@ -133,8 +133,8 @@ std::uint64_t defects(const Verdict& verdict) {
   return sum;
 }
 
-double worst_ratio(const Verdict& verdict) {
-  double worst = -1;
+std::optional<double> worst_ratio(const Verdict& verdict) {
+  std::optional<double> worst;
   for (const auto& [quantity, tally] : verdict.tallies()) {
     if (quantity != Quantity::kBackwardError) worst = std::max(worst, tally.worst_ratio);
   }

@@ -58,8 +58,8 @@ void stress(const Case& the_case, Stage stage, std::span<const Candidate> candid
 
 /// Decisions that are wrong without an excuse.
 std::uint64_t defects(const Verdict& verdict);
-/// The largest stability ratio of a verdict; -1 where nothing was measured.
-double worst_ratio(const Verdict& verdict);
+/// The largest stability ratio of a verdict; empty where nothing was measured.
+std::optional<double> worst_ratio(const Verdict& verdict);
 /// No defect, and no stability ratio above kStableRatio.
 bool is_stable(const Verdict& verdict);
 

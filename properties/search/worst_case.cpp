@@ -32,15 +32,14 @@ class Climber {
     Trial trial(the_case, candidate_, {.max_error = 0, .conditioning = true});
     if (!trial.inside_domain()) return std::nullopt;
     const Verdict verdict = apply(law_, trial);
-    const auto found = verdict.tallies().find(options_.quantity);
-    if (found == verdict.tallies().end() || found->second.errors.empty()) return std::nullopt;
-    const Tally& tally = found->second;
+    const Tally& tally = verdict.tally(options_.quantity);
+    if (tally.errors.empty()) return std::nullopt;
     if (!std::isfinite(tally.worst)) return std::nullopt;
     WorstCase result;
     result.the_case = the_case;
     result.error = tally.worst;
     result.stability.condition = tally.worst_condition.value();
-    result.stability.ratio = tally.worst_ratio;
+    result.stability.ratio = tally.worst_ratio.value_or(-1);
     for (std::size_t k = 0; k < kOutcomeCount; ++k) {
       if (tally.outcomes[k] > 0) result.stability.outcome = static_cast<Outcome>(k);
     }

@@ -21,7 +21,7 @@ struct FirstMet {
 /// Whether a ray of the neighbourhood meets first what it is said to: no sphere; some sphere; or
 /// one sphere, and none of the others before it. The inputs of all spheres change independently.
 /// Shape:  a ray, all spheres of its scene, a claim -> a witness, a refutation, or neither.
-/// Domain: as ExactRay; an index that is none of a sphere throws std::invalid_argument.
+/// Domain: as ExactRay; an index of no sphere throws std::invalid_argument.
 /// Error:  as the other right_nearby. A witness ends with the last input that changes; inputs
 /// beyond
 ///         it are as they were. Under Tangent::kEither no ray that touches a sphere is a witness.

@@ -84,7 +84,8 @@ inline constexpr double kVisibleParameterError = 0x1p-20;
 
 /// So many columns, or rows, are the most: they are 100 MiB.
 inline constexpr std::int64_t kMostVisibleSide = std::int64_t{1} << 22;
-/// Spheres are listed in every band of kBandRows rows that they reach; so many places are the most.
+/// Spheres are listed in every band of kBandRows rows that they reach; this is the largest number
+/// of places.
 inline constexpr std::uint64_t kMostVisibleParts = std::uint64_t{1} << 27;
 
 /// Visibility::nearest by several threads. Bands are independent of each other, so that the answer

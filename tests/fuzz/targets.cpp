@@ -11,10 +11,10 @@
 #include "scene/files/scene_file.h"
 #include "scene/text.h"
 #include "scene/validate.h"
-#include "tools/exchange/verify.h"
+#include "tools/check/verify.h"
 #include "tools/external/protocol/protocol.h"
 #include "tools/grade/rubric/rubric.h"
-#include "tools/report/picture_reader.h"
+#include "tools/report/picture_file.h"
 
 namespace raycheck::tests {
 namespace {

@@ -66,9 +66,9 @@ class Package : public testing::Test {
                                    build / "tools/raycheck-study", build / "tools/raycheck-grade",
                                    build / "tools/raycheck-jail",  build / "tools/raycheck-worker",
                                    build / "CPackConfig.cmake"};
-    for (const fs::path& below : {source / "include", source / "examples", source / "packaging",
-                                  source / "library/cmake", source / "tools/grade/rubrics",
-                                  source / "tools/external/adapters", build / "tools/manual"}) {
+    for (const fs::path& below :
+         {source / "include", source / "examples", source / "packaging", source / "library/cmake",
+          source / "tools/external/adapters", build / "tools/manual"}) {
       for (const auto& entry : fs::recursive_directory_iterator(below)) paths.push_back(entry);
     }
     for (const auto& entry : fs::directory_iterator(build / "library")) {

@@ -33,7 +33,9 @@ namespace {
       axes_dropped, float_directions, near_root_only, far_root, upside_down, mirrored, cancelling, \
       left_and_right_negated, bottom_and_top_negated, symmetric_bounds, bottom_first,              \
       size_exchanged, aspect_twice, shares_of_the_count, plane_at_1, from_the_eye, epsilon,        \
-      whole_numbers, whole_bounds, one_radius, sorted_once, exits_where_all_is_behind
+      whole_numbers, whole_bounds, one_radius, sorted_once, exits_where_all_is_behind,             \
+      lines_for_columns, lines_from_the_last, whole_view, whole_d, least_size_wins,                \
+      largest_distance
 enum class Mistake { MISTAKES };
 
 #ifdef MISTAKE_BY_NAME
@@ -154,8 +156,11 @@ Scene read(const std::string& path) {
     std::string keyword;
     if (!(words >> keyword)) continue;
     std::vector<Number> n;
+    const bool is_view = keyword == "eye" || keyword == "look" || keyword == "up";
     const bool is_whole = (has(Mistake::whole_numbers) && keyword != "ambient") ||
-                          (has(Mistake::whole_bounds) && keyword == "bounds");
+                          (has(Mistake::whole_bounds) && keyword == "bounds") ||
+                          (has(Mistake::whole_view) && is_view) ||
+                          (has(Mistake::whole_d) && keyword == "d");
     for (Number x; words >> x;) n.push_back(is_whole && n.size() < 4 ? std::trunc(x) : x);
     if (keyword == "sphere") {
       scene.spheres.push_back({{n.at(0), n.at(1), n.at(2)}, n.at(3), {n.at(4), n.at(5), n.at(6)}});
@@ -219,7 +224,8 @@ std::optional<Roots> roots(const Ray& ray, const Sphere& sphere) {
 /// The parameter of the hit.
 std::optional<Number> intersect(const Roots& found) {
   Number s = found.smaller;
-  if (has(Mistake::no_test_for_t)) return s;
+  if (has(Mistake::no_test_for_t) || has(Mistake::least_size_wins)) return s;
+  if (has(Mistake::largest_distance) && s > 1e5) return {};
   if ((s < 0 && !has(Mistake::near_root_only)) || has(Mistake::far_root)) s = found.larger;
   if (s < (has(Mistake::epsilon) ? Number(0.001) : 0)) return {};
   return s;
@@ -235,7 +241,9 @@ Vector colour(const Scene& scene, const Ray& ray) {
     is_behind = is_behind || (found && found->larger < 0);
     const bool is_first = has(Mistake::first_sphere_wins) || has(Mistake::sorted_once);
     if (!s || (best != nullptr && is_first)) continue;
-    const Number key = has(Mistake::by_discriminant) ? -found->d_sq : *s;
+    const Number key = has(Mistake::by_discriminant)   ? -found->d_sq
+                       : has(Mistake::least_size_wins) ? std::abs(*s)
+                                                       : *s;
     if (best != nullptr && key >= least) continue;
     best = &sphere;
     least = key;
@@ -259,9 +267,13 @@ int main(int argc, char** argv) {
   const Camera& camera = scene.camera;
   std::ofstream image(argv[2]);
   image << "P3\n" << camera.width << " " << camera.height << "\n255\n";
-  for (int line = 0; line < camera.height; ++line) {
-    for (int i = 0; i < camera.width; ++i) {
-      const Vector c = colour(scene, camera.ray(i, camera.height - 1 - line));
+  const bool from_last = has(Mistake::lines_from_the_last);
+  const bool exchanged = from_last || has(Mistake::lines_for_columns);
+  const int lines = exchanged ? camera.width : camera.height;
+  const int values = exchanged ? camera.height : camera.width;
+  for (int line = 0; line < lines; ++line) {
+    for (int i = 0; i < values; ++i) {
+      const Vector c = colour(scene, camera.ray(i, (from_last ? lines : camera.height) - 1 - line));
       image << level(c.x) << " " << level(c.y) << " " << level(c.z) << "\n";
     }
   }

@@ -11,16 +11,23 @@
 #include <vector>
 
 #include "tests/tools/program.h"
-#include "tools/all_commands.h"
 #include "tools/command_line.h"
+#include "tools/commands.h"
 
 namespace raycheck::tests {
 namespace {
 
+/// Those of all programs.
+constexpr tools::LinkedCommand kAllCommands[] = {
+#define RAYCHECK_LINKED(name, program, sentence) {#name, tools::add_##name},
+    RAYCHECK_COMMANDS(RAYCHECK_LINKED)
+#undef RAYCHECK_LINKED
+};
+
 /// The program's commands, not run.
 struct Program {
   CLI::App app;
-  std::vector<tools::Command> commands = tools::make_program(app, tools::kAllCommands);
+  std::vector<tools::Command> commands = tools::make_program(app, kAllCommands);
 };
 
 bool takes_a_number(const CLI::Option& option) {

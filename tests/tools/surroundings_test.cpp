@@ -198,7 +198,7 @@ TEST(HostileInput, with_a_nul_is_shown_in_whole_sentences) {
         run("verify --family distance@3 --cases 2 <" + file("answers", line), 2);
     EXPECT_TRUE(has(outcome.err, why));
   }
-  const std::string rubric = contents(RAYCHECK_SOURCE_DIR "/tools/grade/rubrics/lecture7.toml");
+  const std::string rubric = contents(RAYCHECK_SOURCE_DIR "/examples/rubrics/lecture7.toml");
   expect_refused("grade " + file("nul.toml", "bounds = \"cross\\u0000x\"\n" + rubric),
                  "nul.toml:1: bounds = \"cross\\x00x\": must be without NUL\n");
   expect_refused("check scene/examples/driver-b.txt --baseline " +

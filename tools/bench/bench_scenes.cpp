@@ -1,6 +1,10 @@
 #include "tools/bench/bench_scenes.h"
 
+#include <hwy/highway.h>
+
+#include <algorithm>
 #include <cstddef>
+#include <iostream>
 #include <optional>
 
 #include "fast/camera_frame.h"
@@ -142,6 +146,29 @@ std::string wrong_answers(const fast::PixelRayMethod& rays, const fast::Intersec
     }
   }
   return {};
+}
+
+bool choose_target(int& argc, char** argv, std::string_view otherwise) {
+  constexpr std::string_view kOption = "--target=";
+  std::string_view name = otherwise;
+  char** const option = std::find_if(
+      argv, argv + argc, [&](std::string_view argument) { return argument.starts_with(kOption); });
+  if (option != argv + argc) {
+    name = std::string_view(*option).substr(kOption.size());
+    std::copy(option + 1, argv + argc + 1, option);
+    --argc;
+  }
+  if (name.empty()) return true;
+  const auto targets = hwy::SupportedAndGeneratedTargets();
+  for (const std::int64_t target : targets) {
+    if (name != hwy::TargetName(target)) continue;
+    hwy::SetSupportedTargetsForTest(target);
+    return true;
+  }
+  std::cerr << kOption << name << ": this machine has";
+  for (const std::int64_t target : targets) std::cerr << " " << hwy::TargetName(target);
+  std::cerr << "\n";
+  return false;
 }
 
 }  // namespace raycheck::tools

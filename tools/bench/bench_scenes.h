@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "fast/intersect.h"
@@ -42,5 +43,10 @@ std::vector<GivenCase> hitting_cases();
 /// Why the pair must be neither timed nor counted; empty when its answers are right.
 std::string wrong_answers(const fast::PixelRayMethod& rays, const fast::IntersectMethod& intersect,
                           const scene::Scene& scene);
+
+/// Takes --target=NAME (AVX2, SSE4, EMU128 and so on) out of a benchmark's arguments: Highway then
+/// runs that target, or else `otherwise`, and no better. False, once it has said so, where this
+/// machine has no such target.
+bool choose_target(int& argc, char** argv, std::string_view otherwise = "");
 
 }  // namespace raycheck::tools

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Counts the instructions of each kernel of count_kernels under callgrind, and compares them with a
+"""Counts the instructions of each kernel of bench_kernels under callgrind, and compares them with a
 committed baseline: counts repeat where times do not.
 
   counts.py PROGRAM BASELINE            fails beyond 5% more
@@ -35,9 +35,9 @@ def skip(reason):
 
 def checked(program):
     """Has the program check its answers; what it was built by."""
-    run = subprocess.run([program], env=ENVIRONMENT, text=True, capture_output=True)
+    run = subprocess.run([program, "--check"], env=ENVIRONMENT, text=True, capture_output=True)
     if run.returncode != 0:
-        sys.exit("count_kernels: " + run.stderr.strip())
+        sys.exit("bench_kernels: " + run.stderr.strip())
     return run.stdout.strip()
 
 

@@ -13,7 +13,7 @@
 #include "properties/mistakes/picture_causes.h"
 #include "scene/interruption.h"
 #include "tools/check/judgement.h"
-#include "tools/check/timing.h"
+#include "tools/implementations/built_in.h"
 
 namespace raycheck::tools {
 namespace {
@@ -24,8 +24,8 @@ using properties::Law;
 using properties::RunControl;
 using properties::SceneCases;
 
-Draft prepare(const Contestant& contestant, const ScenesOfFormats& scenes) {
-  const Candidate candidate = candidate_of(contestant);
+Draft prepare(const Implementation& implementation, const ScenesOfFormats& scenes) {
+  const Candidate candidate = implementation.make();
   Draft draft;
   draft.report.precision = candidate.precision;
   const bool is_single = candidate.precision == scene::Precision::kSingle;
@@ -36,7 +36,7 @@ Draft prepare(const Contestant& contestant, const ScenesOfFormats& scenes) {
   }
   const auto& cases = scenes.of(candidate.precision);
   const scene::Scene& scene = cases ? cases->scene() : given;
-  draft.report.contestant = contestant;
+  draft.report.implementation = implementation;
   draft.report.name = candidate.name;
   draft.report.conventions = candidate.declared.over(scene.conventions);
   draft.report.inside_domain = is_inside_domain(candidate, scene);
@@ -47,9 +47,9 @@ Draft prepare(const Contestant& contestant, const ScenesOfFormats& scenes) {
 /// and was kept, or of the answers about some rays.
 std::vector<properties::Explanation> explained(const CandidateReport& report,
                                                const scene::Scene& scene) {
-  if (external_of(report.contestant) == nullptr || report.verdict.holds()) return {};
+  if (report.implementation.methods || report.verdict.holds()) return {};
   if (!report.conventions.valid.is_usual()) return {};  // mistakes are those of who takes all roots
-  const Candidate candidate = candidate_of(report.contestant);
+  const Candidate candidate = report.implementation.make();
   try {
     if (candidate.image) {
       const auto shown = properties::shown_picture(scene, candidate);
@@ -156,47 +156,39 @@ bool CheckReport::is_enough_judged() const {
 
 namespace {
 
-bool is_renderer(const Contestant& contestant) {
-  const External* const external = external_of(contestant);
-  return external != nullptr && external->renderer;
-}
-
-/// The scene, and the contestants as they are to be given it: renderers in the form asked for, or
-/// in the file's own dialect.
-scene::LoadedScene load(const CheckOptions& options, std::vector<Contestant>& contestants) {
-  const bool renders = std::any_of(contestants.begin(), contestants.end(), is_renderer);
-  std::optional<scene::Dialect> dialect;
-  if (options.driver && !renders) dialect = options.driver->dialect;
-  scene::LoadedScene loaded = scene::load_scene(options.path, dialect);
-  std::optional<DriverForm> form = options.driver;
-  if (!form && loaded.dialect) form = form_of(*loaded.dialect);
-  if (!form || options.keeps_forms) return loaded;
-  for (Contestant& contestant : contestants) {
-    if (is_renderer(contestant)) contestant = reading(*external_of(contestant), *form);
+/// The scene, and the implementations as they are to be given it: renderers in the file's own
+/// dialect, where they do not keep their form.
+scene::LoadedScene load(const CheckOptions& options, std::vector<Implementation>& implementations) {
+  const bool draw = std::any_of(implementations.begin(), implementations.end(),
+                                [](const Implementation& one) { return one.draws(); });
+  scene::LoadedScene loaded =
+      scene::load_scene(options.path, draw ? std::nullopt : options.dialect);
+  if (!loaded.dialect || options.keeps_forms) return loaded;
+  for (Implementation& one : implementations) {
+    if (one.draws()) one = one.reading(*loaded.dialect);
   }
   return loaded;
 }
 
-/// The contestants without those that would do the same as an earlier one on this scene: pairs that
+/// Without pairs of methods that would do the same as an earlier one on this scene: those that
 /// differ in the ray method alone where it has no camera, in the intersection method alone where it
 /// has no spheres.
-std::vector<Contestant> without_equals(const std::vector<Contestant>& contestants,
-                                       const scene::Scene& scene) {
-  if (contestants.size() == 1) return contestants;
-  std::vector<Contestant> result;
+std::vector<Implementation> without_equals(const std::vector<Implementation>& implementations,
+                                           const scene::Scene& scene) {
+  if (implementations.size() == 1) return implementations;
+  std::vector<Implementation> result;
   std::vector<MethodPair> pairs;
-  for (const Contestant& contestant : contestants) {
-    const MethodPair* const methods = methods_of(contestant);
-    if (methods == nullptr) {
-      result.push_back(contestant);
+  for (const Implementation& one : implementations) {
+    if (!one.methods) {
+      result.push_back(one);
       continue;
     }
-    MethodPair pair = *methods;
+    MethodPair pair = *one.methods;
     if (!scene.camera) pair.rays = kDefaultMethods.rays;
     if (scene.spheres.empty()) pair.intersect = kDefaultMethods.intersect;
     if (std::find(pairs.begin(), pairs.end(), pair) != pairs.end()) continue;
     pairs.push_back(pair);
-    result.emplace_back(pair);
+    result.push_back(built_in(pair));
   }
   return result;
 }
@@ -205,8 +197,8 @@ std::vector<Contestant> without_equals(const std::vector<Contestant>& contestant
 void time_all(const SceneCases& cases, std::vector<Draft>& drafts) {
   const Case chunk = cases.from(0, std::min<std::uint64_t>(kChunk, cases.rays_judged()));
   for (Draft& draft : drafts) {
-    const MethodPair* const methods = methods_of(draft.report.contestant);
-    if (methods == nullptr) continue;
+    const auto& methods = draft.report.implementation.methods;
+    if (!methods) continue;
     draft.report.timing =
         time_methods(*methods, cases.scene(), draft.report.conventions, chunk.pixels);
   }
@@ -216,8 +208,8 @@ void time_all(const SceneCases& cases, std::vector<Draft>& drafts) {
 
 CheckReport check(const CheckOptions& options, const RunControl& control) {
   const scene::Interruptible interruptible(control.interrupted);
-  std::vector<Contestant> contestants = options.contestants;
-  scene::LoadedScene loaded = load(options, contestants);
+  std::vector<Implementation> implementations = options.implementations;
+  scene::LoadedScene loaded = load(options, implementations);
   CheckReport report;
   report.path = options.path;
   report.scene = std::move(loaded.scene);
@@ -236,7 +228,7 @@ CheckReport check(const CheckOptions& options, const RunControl& control) {
   report.rays_in_scene = cases.rays_in_scene();
   std::vector<Draft> drafts;
   try {
-    const auto judged = without_equals(contestants, report.scene);
+    const auto judged = without_equals(implementations, report.scene);
     const std::vector<std::string> names = lasting_names(judged);
     for (std::size_t k = 0; k < judged.size(); ++k) {
       scene::poll();

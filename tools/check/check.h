@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -8,22 +9,51 @@
 
 #include "properties/mistakes/explanation.h"
 #include "properties/run_control.h"
+#include "properties/tally.h"
 #include "properties/trial.h"
 #include "properties/verdict.h"
 #include "scene/files/scene_file.h"
-#include "tools/check/swallowed.h"
-#include "tools/external/contestant.h"
 #include "tools/gates/baseline.h"
+#include "tools/implementations/implementation.h"
 
 namespace raycheck::tools {
 
+/// A hit that an interval of parameters, or culling, leaves out.
+struct SwallowedHit {
+  properties::Place place;
+  double s = 0;         ///< Of the root that counts where every one >= 0 does; correctly rounded.
+  double in_radii = 0;  ///< s over the sphere's radius, about; infinite where that is 0.
+};
+
+/// What becomes of the hits of a sphere.
+struct SwallowedOfSphere {
+  std::uint64_t hits = 0;       ///< Where every root >= 0 counts.
+  std::uint64_t swallowed = 0;  ///< Of these, misses.
+  std::uint64_t moved = 0;      ///< Hits still, but at the other root.
+};
+
+/// What an interval or culling costs: the exact hits of a scene without it, and with it.
+struct Swallowed {
+  std::vector<SwallowedOfSphere> spheres;
+  std::vector<SwallowedHit> worst;  ///< Those farthest along their rays, in radii.
+
+  SwallowedOfSphere all() const;
+  void merge(const Swallowed& other);
+};
+
+/// How many of the worst are kept.
+inline constexpr std::size_t kKeptSwallowed = 10;
+
+/// For the rays and spheres of a trial, by the truth alone; empty where every root >= 0 counts.
+Swallowed swallowed(properties::Trial& trial);
+
 struct CheckOptions {
   std::string path;
-  /// What a driver file has to be of, where there are no renderers; else they are given files of
-  /// this form instead. Empty: what the file shows, also to renderers (of a TOML scene B).
-  std::optional<DriverForm> driver;
-  bool keeps_forms = false;  ///< Renderers are given files of the forms that they already have.
-  std::vector<Contestant> contestants;
+  /// What a driver file has to be of, where there are no renderers; empty: what it shows.
+  std::optional<scene::Dialect> dialect;
+  /// Renderers are given files of the form that they have; else of the scene's own dialect.
+  bool keeps_forms = false;
+  std::vector<Implementation> implementations;
   std::optional<std::int64_t> pixels;  ///< How many, spread evenly; empty: all.
   std::size_t top = 10;                ///< How many of the worst discrepancies are shown.
   std::optional<double> max_error;     ///< A bound in place of the documented ones.
@@ -36,7 +66,7 @@ struct Timing {
   std::optional<double> intersect;  ///< To intersect it with every sphere of the scene.
 };
 
-/// A law that had nothing to say, and why.
+/// A law that was not judged, and why.
 struct LeftOut {
   std::string law;
   std::string reason;
@@ -46,7 +76,7 @@ struct LeftOut {
 struct CandidateReport {
   std::string name;
   std::string lasting_name;  ///< By which a baseline knows it (lasting_names).
-  Contestant contestant;
+  Implementation implementation;
   scene::Conventions conventions;  ///< Under which it was judged.
   /// The format that it was asked and judged in.
   scene::Precision precision = scene::Precision::kDouble;

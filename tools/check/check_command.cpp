@@ -7,11 +7,9 @@
 #include <vector>
 
 #include "tools/arguments.h"
-#include "tools/check/check_page.h"
 #include "tools/check/check_views.h"
 #include "tools/commands.h"
 #include "tools/gate_arguments.h"
-#include "tools/report/output_file.h"
 #include "tools/terminal.h"
 #include "tools/view/page/page.h"
 
@@ -40,41 +38,34 @@ int run_check(const CheckArguments& arguments) {
   CheckOptions options;
   options.path = arguments.scene;
   const std::optional<DriverRule> rule = parse_driver(arguments.dialect);
-  options.keeps_forms = rule && rule->tries_others;
-  if (rule && !options.keeps_forms) options.driver = rule->form;
+  options.keeps_forms = rule.has_value();
+  if (rule && !rule->tries_others) options.dialect = rule->form.dialect;
   if (arguments.all && !(arguments.rays.empty() && arguments.intersect.empty() &&
                          arguments.external.candidates.empty())) {
     throw std::invalid_argument(
         "--all: judges every method; leave out --rays, --intersect and --candidate");
   }
   const bool methods_asked = !(arguments.rays.empty() && arguments.intersect.empty());
-  require_lines_for_sarif(arguments.gate, arguments.format, arguments.external.candidates,
-                          methods_asked);
-  options.contestants = find_contestants(arguments.external, rule);
+  options.implementations = find_candidates(arguments.external, rule);
   if (arguments.all) {
-    options.contestants = contestants(all_pairs());
-  } else if (methods_asked || options.contestants.empty()) {
-    const auto pairs = contestants(chosen_methods(arguments.rays, arguments.intersect));
-    options.contestants.insert(options.contestants.begin(), pairs.begin(), pairs.end());
+    options.implementations = built_in(all_pairs());
+  } else if (methods_asked || options.implementations.empty()) {
+    const auto pairs = built_in(chosen_methods(arguments.rays, arguments.intersect));
+    options.implementations.insert(options.implementations.begin(), pairs.begin(), pairs.end());
   }
   if (arguments.pixels != "all") options.pixels = parse_index("--pixels", arguments.pixels, 1);
   options.top = arguments.top;
   options.max_error = arguments.max_ulp;
   options.strict = arguments.strict;
-  std::optional<OutputFile> certificates;
-  if (arguments.certificates) certificates.emplace("--certificates", *arguments.certificates);
-  std::optional<OutputFile> view;
-  if (arguments.view) view.emplace("--view", *arguments.view);
+  std::optional<OutputFile> certificates = opened("--certificates", arguments.certificates);
+  std::optional<OutputFile> view = opened("--view", arguments.view);
   GateFiles files(arguments.gate);
   CheckReport report = check(options, run_control(options.path, arguments.threads));
-  report.ratchet = files.ratchet(findings_of(report), report.interrupted);
+  report.ratchet = files.ratchet(check_gate(report).findings, report.interrupted);
   print_warnings(report.warnings);
   files.write(kCheckViews, report);
   if (certificates) certificates->write(check_certificates(report));
   print_view(kCheckViews, arguments.format, report, arguments.gate.picture_link);
-  if (asks_for(arguments.gate, arguments.format, kSarif)) {
-    print_warnings(sarif_warnings(check_gate(report)));
-  }
   if (view) {
     view->write(
         page(check_document(report, {{}, methods_asked}, run_control("page", arguments.threads))));

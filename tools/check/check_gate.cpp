@@ -44,44 +44,38 @@ std::vector<Discrepancy> found_of(const CheckReport& report, const CandidateRepo
 
 std::string text_of(const CheckReport& report, const CandidateReport& candidate,
                     const std::vector<Discrepancy>& defects) {
-  const External* const external = external_of(candidate.contestant);
-  const bool renders = external != nullptr && external->renderer;
-  std::string text = explanations_text(candidate.explanations, renders ? "pixels" : "answers");
+  const bool draws = candidate.implementation.draws();
+  std::string text = explanations_text(candidate.explanations, draws ? "pixels" : "answers");
   for (std::size_t k = 0; k < std::min(defects.size(), report.top); ++k) {
     text += fmt::format("{}. {}", k + 1, discrepancy_text(defects[k], false));
   }
   return text;
 }
 
-GateCheck check_of(Quantity quantity, const Tally& tally, const CheckReport& report,
-                   const CandidateReport& candidate) {
+void add_check_of(Quantity quantity, const Tally& tally, Gate& gate, const CheckReport& report,
+                  const CandidateReport& candidate) {
   const auto of_quantity = [&](bool is_held) {
     std::vector<Discrepancy> found = found_of(report, candidate, is_held);
     std::erase_if(found, [&](const Discrepancy& one) { return one.quantity != quantity; });
     return found;
   };
+  const auto identities = [&](const std::vector<Discrepancy>& found) {
+    std::set<Identity> all;
+    for (const Discrepancy& one : found) all.insert(identity_of(one, report, candidate));
+    return std::vector<Identity>(all.begin(), all.end());
+  };
   const std::vector<Discrepancy> defects = of_quantity(true), undecided = of_quantity(false);
-  GateCheck check;
-  check.candidate = candidate.name;
-  check.name = fmt::format("{}/{}", info(quantity).name, report.path);
-  std::set<Identity> identities;
-  for (const Discrepancy& one : defects) identities.insert(identity_of(one, report, candidate));
-  check.defects = {identities.begin(), identities.end()};
+  const std::uint64_t answers = report.strict ? 0 : tally.count(Standing::kUndecided);
+  GateCheck& check = add_check(gate,
+                               {.candidate = candidate.name,
+                                .name = fmt::format("{}/{}", info(quantity).name, report.path),
+                                .defects = identities(defects)},
+                               {answers, identities(undecided), undecided.size() < answers});
   for (const Discrepancy& one : defects) {
-    if (one.wrong != properties::Wrong::kFailed) continue;
-    check.failed.push_back(
-        {identity_of(one, report, candidate), discrepancy_text(one, false), one.failed.line});
+    if (!check.line) check.line = one.failed.line;
   }
-  for (const Discrepancy& one : undecided) identities.insert(identity_of(one, report, candidate));
-  check.outcome = outcome_of({identities.begin(), identities.end()}, report.ratchet);
-  const std::uint64_t all_undecided = report.strict ? 0 : tally.count(Standing::kUndecided);
-  // What is not kept no baseline knows.
-  const bool is_cut = undecided.size() < all_undecided;
-  if (is_cut && check.outcome != GateOutcome::kFailed) check.outcome = GateOutcome::kInconclusive;
-  const bool is_about_undecided = check.outcome == GateOutcome::kInconclusive || defects.empty();
-  if (all_undecided > 0 && is_about_undecided) {
-    check.summary = count_text(all_undecided, "answer") + " undecided";
-  } else if (!defects.empty()) {
+  if (!check.summary.empty()) return;
+  if (!defects.empty()) {
     const auto& why = candidate.explanations;
     check.summary = fmt::format("{}{} at {}", why.empty() ? "" : why.front().sentence + ": ",
                                 check.defects.front().kind, place_text(defects.front().place));
@@ -90,16 +84,14 @@ GateCheck check_of(Quantity quantity, const Tally& tally, const CheckReport& rep
     check.outcome = GateOutcome::kLeftOut;
     check.summary = "nothing to compare";
   }
-  return check;
 }
 
 void add_checks(Gate& gate, const CheckReport& report, const CandidateReport& candidate) {
-  if (const External* const external = external_of(candidate.contestant);
-      external != nullptr && !external->source_file.empty()) {
-    gate.sources.push_back({candidate.name, external->source_file});
+  if (const std::string& file = candidate.implementation.source_file; !file.empty()) {
+    gate.sources.push_back({candidate.name, file});
   }
   for (const auto& [quantity, tally] : candidate.verdict.tallies()) {
-    gate.checks.push_back(check_of(quantity, tally, report, candidate));
+    add_check_of(quantity, tally, gate, report, candidate);
   }
   const std::string too_few = too_few_text(candidate);
   if (!too_few.empty()) {
@@ -113,6 +105,13 @@ void add_checks(Gate& gate, const CheckReport& report, const CandidateReport& ca
                            {},
                            {}});
   }
+  // Of more discrepancies than are kept, those that are not there may have been dropped.
+  const bool has_all = candidate.verdict.discrepancies() < properties::kKeptDiscrepancies;
+  if (report.interrupted || !has_all || !candidate.is_judged()) return;
+  for (const properties::Law& law : properties::laws()) {
+    gate.findings.asked.insert(
+        {std::string(law.name), lasting_path(report.path), candidate.lasting_name});
+  }
 }
 
 }  // namespace
@@ -123,53 +122,13 @@ Gate check_gate(const CheckReport& report) {
   gate.about = fmt::format("{}, {} of {} judged", report.path, report.rays_judged,
                            count_text(report.rays_in_scene, "ray"));
   gate.ratchet = report.ratchet;
+  if (report.scene.camera && !report.holds()) {
+    gate.picture = [&report] { return check_picture(report, {}); };
+  }
   for (const CandidateReport& candidate : report.candidates) add_checks(gate, report, candidate);
+  gate.findings.complete = gate.findings.asked;
   complete(gate, report.interrupted);
   return gate;
-}
-
-Findings findings_of(const CheckReport& report) {
-  Findings findings;
-  for (const CandidateReport& candidate : report.candidates) {
-    const auto defects = found_of(report, candidate, true),
-               undecided = found_of(report, candidate, false);
-    for (const auto* const found : {&defects, &undecided}) {
-      for (const Discrepancy& one : *found) {
-        findings.found.insert(identity_of(one, report, candidate));
-      }
-    }
-    const std::uint64_t all = candidate.verdict.count(Standing::kUndecided);
-    findings.is_cut = findings.is_cut || (!report.strict && undecided.size() < all);
-    // Of more discrepancies than are kept, those that are not there may have been dropped.
-    const bool has_all = candidate.verdict.discrepancies() < properties::kKeptDiscrepancies;
-    if (report.interrupted || !has_all || !candidate.is_judged()) continue;
-    for (const properties::Law& law : properties::laws()) {
-      findings.asked.insert(
-          {std::string(law.name), lasting_path(report.path), candidate.lasting_name});
-    }
-  }
-  findings.complete = findings.asked;
-  return findings;
-}
-
-std::string check_junit(const CheckReport& report, const ViewOptions& /*options*/) {
-  return junit(check_gate(report));
-}
-std::string check_markdown(const CheckReport& report, const ViewOptions& options) {
-  Gate gate = check_gate(report);
-  if (options.picture_link.empty() && report.scene.camera && !report.holds()) {
-    gate.picture = check_picture(report, options);
-  }
-  return markdown(gate, options.picture_link);
-}
-std::string check_github(const CheckReport& report, const ViewOptions& /*options*/) {
-  return github(check_gate(report));
-}
-std::string check_sarif(const CheckReport& report, const ViewOptions& /*options*/) {
-  return sarif(check_gate(report));
-}
-std::string check_gitlab_codequality(const CheckReport& report, const ViewOptions& /*options*/) {
-  return gitlab_codequality(check_gate(report));
 }
 
 }  // namespace raycheck::tools

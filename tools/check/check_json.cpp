@@ -1,8 +1,9 @@
-#include <nlohmann/json.hpp>
 
+#include "properties/given_rays.h"
+#include "properties/laws/law.h"
 #include "scene/number.h"
 #include "tools/check/check_views.h"
-#include "tools/gates/ratchet_json.h"
+#include "tools/report/certificate.h"
 #include "tools/report/json.h"
 
 namespace raycheck::tools {
@@ -16,16 +17,12 @@ Json swallowed_json(const CandidateReport& candidate) {
     return Json{{"hits", one.hits}, {"swallowed", one.swallowed}, {"moved", one.moved}};
   };
   Json json = counts(candidate.swallowed.all());
-  json["spheres"] = Json::array();
-  for (const SwallowedOfSphere& one : candidate.swallowed.spheres) {
-    json["spheres"].push_back(counts(one));
-  }
-  json["worst"] = Json::array();
-  for (const SwallowedHit& hit : candidate.swallowed.worst) {
+  json["spheres"] = list_json(candidate.swallowed.spheres, counts);
+  json["worst"] = list_json(candidate.swallowed.worst, [](const SwallowedHit& hit) {
     Json entry = place_json(hit.place);
     entry["s"] = scene::hexfloat(hit.s);
-    json["worst"].push_back(std::move(entry));
-  }
+    return entry;
+  });
   return json;
 }
 
@@ -34,13 +31,12 @@ Json swallowed_json(const CandidateReport& candidate) {
 Json candidate_json(const CandidateReport& candidate, std::size_t top) {
   Json json;
   json["name"] = candidate.name;
-  const MethodPair* const methods = methods_of(candidate.contestant);
-  json["rays"] = methods != nullptr ? Json(methods->rays->name) : Json(nullptr);
-  json["intersect"] = methods != nullptr ? Json(methods->intersect->name) : Json(nullptr);
-  const External* const external = external_of(candidate.contestant);
-  json["isolated_by"] = external != nullptr ? Json(external->program.layers.text()) : Json(nullptr);
-  json["bounds_of"] =
-      external != nullptr ? Json(candidate_of(external->bounds).name) : Json(nullptr);
+  const Implementation& implementation = candidate.implementation;
+  const auto& methods = implementation.methods;
+  json["rays"] = methods ? Json(methods->rays->name) : Json(nullptr);
+  json["intersect"] = methods ? Json(methods->intersect->name) : Json(nullptr);
+  json["isolated_by"] = null_if_empty(implementation.isolated_by);
+  json["bounds_of"] = null_if_empty(implementation.bounds_of);
   json["conventions"] = conventions_json(candidate.conventions);
   json["ns_per_ray"] = {{"make", error_json(candidate.timing.make)},
                         {"intersect", error_json(candidate.timing.intersect)}};
@@ -55,30 +51,21 @@ Json candidate_json(const CandidateReport& candidate, std::size_t top) {
   json["precision"] = name(candidate.precision);
   json["swallowed"] = swallowed_json(candidate);
   json["rounded_numbers"] = candidate.rounded_numbers;
-  json["not_asked"] = candidate.not_asked.empty() ? Json(nullptr) : Json(candidate.not_asked);
+  json["not_asked"] = null_if_empty(candidate.not_asked);
   json["discrepancies"] = candidate.verdict.discrepancies();
   json["discrepancies_by_standing"] = standings_json(candidate.verdict);
   json["inside_domain"] = candidate.inside_domain;
-  const auto too_few = candidate.too_few_judged();
-  json["too_few_judged"] =
-      too_few ? Json{{"quantity", info(too_few->first).name}, {"question", name(too_few->second)}}
-              : Json(nullptr);
-  json["worst"] = Json::array();
-  for (const auto& discrepancy : candidate.verdict.worst(top)) {
-    json["worst"].push_back(discrepancy_json(discrepancy));
-  }
-  json["left_out"] = Json::array();
-  for (const LeftOut& entry : candidate.left_out) {
-    json["left_out"].push_back({{"law", entry.law}, {"reason", entry.reason}});
-  }
+  json["too_few_judged"] = or_null(candidate.too_few_judged(), too_few_json);
+  json["worst"] = list_json(candidate.verdict.worst(top), discrepancy_json);
+  json["left_out"] = list_json(candidate.left_out, [](const LeftOut& entry) {
+    return Json{{"law", entry.law}, {"reason", entry.reason}};
+  });
   return json;
 }
 
 std::string check_json(const CheckReport& report, const ViewOptions& /*options*/) {
   Json json = json_header("check");
-  json["scene"] = report.path;
-  json["width"] = report.scene.camera ? Json(report.scene.camera->width) : Json(nullptr);
-  json["height"] = report.scene.camera ? Json(report.scene.camera->height) : Json(nullptr);
+  add_scene(json, report.path, report.scene);
   json["spheres"] = report.scene.spheres.size();
   json["conventions"] = conventions_json(report.scene.conventions);
   json["rays_in_scene"] = report.rays_in_scene;
@@ -87,10 +74,9 @@ std::string check_json(const CheckReport& report, const ViewOptions& /*options*/
   json["dialect"] = dialect_json(report.dialect);
   json["not_needed"] = report.not_needed;
   json["warnings"] = report.warnings;
-  json["candidates"] = Json::array();
-  for (const CandidateReport& candidate : report.candidates) {
-    json["candidates"].push_back(candidate_json(candidate, report.top));
-  }
+  json["candidates"] = list_json(report.candidates, [&](const CandidateReport& candidate) {
+    return candidate_json(candidate, report.top);
+  });
   json["discrepancies"] = report.discrepancies();
   json["max_ulp"] = error_json(report.max_error);
   json["strict"] = report.strict;
@@ -98,6 +84,48 @@ std::string check_json(const CheckReport& report, const ViewOptions& /*options*/
   json["left_out"] = report.left_out;
   json["held_against"] = ratchet_json(report.ratchet);
   return json_text(json);
+}
+
+namespace {
+
+using properties::Discrepancy;
+
+/// What was asked about: the scene, or the ray that was given in a pixel's place.
+struct Asked {
+  scene::Scene scene;
+  Discrepancy discrepancy;
+};
+
+Asked asked_of(const CheckReport& report, const CandidateReport& candidate,
+               const Discrepancy& discrepancy) {
+  const scene::Scene& scene = report.scene_of(candidate);
+  Asked asked{scene, discrepancy};
+  const properties::Law& law = *properties::find_law(discrepancy.law);
+  properties::Place& place = asked.discrepancy.place;
+  if (!candidate.given_rays || !place.pixel || !needs_any(law.needs, properties::Needs::kRays)) {
+    return asked;
+  }
+  asked.scene =
+      properties::given_rays({scene, {*place.pixel}}, candidate.conventions, candidate.precision)
+          .value()
+          .the_case.scene;
+  place.ray = 0;
+  place.pixel.reset();
+  return asked;
+}
+
+}  // namespace
+
+std::string check_certificates(const CheckReport& report) {
+  std::vector<Json> certificates;
+  for (const CandidateReport& candidate : report.candidates) {
+    for (const auto& discrepancy : candidate.verdict.worst(report.top)) {
+      const Asked asked = asked_of(report, candidate, discrepancy);
+      certificates.push_back(
+          certificate(asked.scene, candidate.conventions, asked.discrepancy, candidate.name));
+    }
+  }
+  return certificates_text(certificates);
 }
 
 }  // namespace raycheck::tools

@@ -1,5 +1,3 @@
-#include "tools/check/check_page.h"
-
 #include <fmt/core.h>
 
 #include <algorithm>
@@ -7,12 +5,10 @@
 
 #include "properties/search/worst_case.h"
 #include "properties/stage.h"
-#include "tools/external/external_candidate.h"
-#include "tools/external/staged.h"
+#include "tools/check/check_views.h"
 #include "tools/report/words.h"
 #include "tools/view/scene_view.h"
 #include "tools/view/selection.h"
-#include "tools/view/view_words.h"
 
 namespace raycheck::tools {
 namespace {
@@ -25,10 +21,9 @@ constexpr std::size_t kMostFindings = 8;
 constexpr std::size_t kMostDiscrepancies = 64;
 
 std::string method_of(const CandidateReport& candidate, Quantity quantity) {
-  const MethodPair* const pair = methods_of(candidate.contestant);
-  if (pair == nullptr) return candidate.name;
-  const bool is_of_rays = properties::law_of(properties::Stage::kRays, quantity) != nullptr;
-  return std::string(is_of_rays ? pair->rays->name : pair->intersect->name);
+  using properties::Stage;
+  const bool is_of_rays = properties::law_of(Stage::kRays, quantity) != nullptr;
+  return candidate.implementation.name_in(is_of_rays ? Stage::kRays : Stage::kIntersection);
 }
 
 /// What makes a candidate's wrong answers right, in a sentence; or nothing.
@@ -75,14 +70,13 @@ std::vector<FindingView> findings_of(const CandidateReport& candidate, const sce
   if (!findings.empty()) return findings;
   for (const Quantity quantity :
        {Quantity::kParameter, Quantity::kHitPoint, Quantity::kDirection, Quantity::kPixelPoint}) {
-    const auto tally = candidate.verdict.tallies().find(quantity);
-    if (tally == candidate.verdict.tallies().end() || !tally->second.max()) continue;
-    const Selection selection = selection_of(tally->second.worst_place, scene);
+    const properties::Tally& tally = candidate.verdict.tally(quantity);
+    if (!tally.max()) continue;
+    const Selection selection = selection_of(tally.worst_place, scene);
     if (!is_of_ray(selection)) continue;
     findings.push_back(
-        {fmt::format("largest error of {}: {} {}, {}", info(quantity).name,
-                     error_text(tally->second.max()), unit_name(quantity, candidate.precision),
-                     place_text(tally->second.worst_place)),
+        {fmt::format("largest error of {}: {} {}, {}", info(quantity).name, error_text(tally.max()),
+                     unit_name(quantity, candidate.precision), place_text(tally.worst_place)),
          candidate.name, method_of(candidate, quantity), std::nullopt, scene_index, selection});
   }
   // Of a picture that is right no error is told.
@@ -100,7 +94,7 @@ std::vector<Group> groups_of(const CheckReport& report) {
   std::vector<Group> groups;
   Group own;
   for (const CandidateReport& candidate : report.candidates) {
-    if (methods_of(candidate.contestant) != nullptr) {
+    if (candidate.implementation.methods) {
       own.push_back(&candidate);
     } else if (candidate.not_asked.empty()) {
       groups.push_back({&candidate});
@@ -110,18 +104,22 @@ std::vector<Group> groups_of(const CheckReport& report) {
   return groups;
 }
 
-/// Someone else's implementation as explain asks it; null where it cannot be asked that.
-std::shared_ptr<const OtherMethod> other_of(const CandidateReport& candidate) {
-  const External* const external = external_of(candidate.contestant);
-  if (external == nullptr || external->renderer) return nullptr;
-  return staged(*external).front().other;
+/// Of the first of those listed, behind its place, of all discrepancies.
+std::string worst_of(std::uint64_t listed, std::uint64_t all) {
+  if (all == 1) return ", the only discrepancy here";
+  return fmt::format(", the worst of {} discrepancies here; {} listed", all,
+                     listed == 1 ? "one place is" : fmt::format("{} places are", listed));
 }
 
-/// Someone else's renderer; empty where it is none.
-CandidateMaker renderer_of(const CandidateReport& candidate) {
-  const External* const external = external_of(candidate.contestant);
-  if (external == nullptr || !external->renderer) return nullptr;
-  return [external = *external] { return external_candidate(external); };
+/// How many places with discrepancies are listed, of how many discrepancies, and largest errors.
+std::string found_text(std::uint64_t listed, std::uint64_t all, std::uint64_t errors) {
+  std::string text;
+  if (all > 0) {
+    text = fmt::format("{}, of {} {}", count_text(listed, "place"), all,
+                       all == 1 ? "discrepancy" : "discrepancies");
+  }
+  if (errors > 0) text += (text.empty() ? "" : "; ") + count_text(errors, "largest error");
+  return text.empty() ? "none" : text;
 }
 
 }  // namespace
@@ -132,24 +130,18 @@ ViewDocument check_document(const CheckReport& report, const CheckPageOptions& o
   document.title = std::filesystem::path(report.path).filename();
   if (report.rays_judged < report.rays_in_scene) {
     document.left_out.push_back(
-        fewer_judged(document.title, {report.rays_judged, report.rays_in_scene}));
+        fmt::format("{}: findings are of {} of {} rays; `raycheck check --view` judges them all",
+                    document.title, report.rays_judged, report.rays_in_scene));
   }
   for (const Group& group : groups_of(report)) {
     SceneViewOptions view;
-    view.name = group.size() == 1 && methods_of(group.front()->contestant) == nullptr
-                    ? group.front()->name
-                    : document.title;
+    view.name = group.size() == 1 && !group.front()->implementation.methods ? group.front()->name
+                                                                            : document.title;
     view.file = shell_word(report.path);
     view.is_of_methods = options.is_of_methods;
     view.wanted = options.wanted;
     for (const CandidateReport* candidate : group) {
-      if (const MethodPair* const pair = methods_of(candidate->contestant)) {
-        view.methods.push_back(*pair);
-      } else {
-        view.other = other_of(*candidate);
-        view.more_arguments = candidate_words(candidate->name);
-        view.renderer = renderer_of(*candidate);
-      }
+      show(candidate->implementation, view);
       const auto found = findings_of(*candidate, report.scene, document.scenes.size());
       document.findings.insert(document.findings.end(), found.begin(), found.end());
     }
@@ -171,8 +163,8 @@ ViewDocument check_document(const CheckReport& report, const CheckPageOptions& o
   const std::vector<FindingView>& findings = document.findings;
   const auto listed = static_cast<std::uint64_t>(std::count_if(
       findings.begin(), findings.end(), [](const auto& one) { return one.standing.has_value(); }));
-  document.found = findings_found({listed, total}, findings.size() - listed);
-  if (listed > 0) document.worst = worst_of({listed, total});
+  document.found = found_text(listed, total, findings.size() - listed);
+  if (listed > 0) document.worst = worst_of(listed, total);
   return document;
 }
 

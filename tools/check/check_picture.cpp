@@ -6,7 +6,7 @@
 #include "reference/visibility/visibility.h"
 #include "scene/plan/plan.h"
 #include "tools/check/check_views.h"
-#include "tools/report/png.h"
+#include "tools/report/picture_file.h"
 
 namespace raycheck::tools {
 namespace {

@@ -191,57 +191,70 @@ std::string too_few_text(const CandidateReport& candidate) {
       info(too_few->first).name, name(too_few->second));
 }
 
-std::string check_text(const CheckReport& report, const ViewOptions& options) {
-  std::string text = scene_text(report);
-  if (report.interrupted) text += "INTERRUPTED: what follows covers only what was judged.\n";
-  text +=
-      fmt::format("{} of {} judged\n", report.rays_judged, count_text(report.rays_in_scene, "ray"));
-  struct RankedDiscrepancy {
-    const CandidateReport* candidate;
-    std::size_t rank;
-    properties::Discrepancy discrepancy;
-  };
+namespace {
+
+/// What was judged of a candidate, and how.
+std::string candidate_text(const CheckReport& report, const CandidateReport& candidate) {
+  const Implementation& implementation = candidate.implementation;
+  std::string text = fmt::format("\n{}  {}\n", candidate.name,
+                                 implementation.isolated_by.empty()
+                                     ? timing_text(candidate.timing, report.scene.spheres.size())
+                                     : "isolated by: " + implementation.isolated_by);
+  if (!implementation.bounds_of.empty() && !report.max_error) {
+    text += fmt::format("  documents no bounds: held to those of {} (--bounds)\n",
+                        implementation.bounds_of);
+  }
+  if (!(candidate.conventions == report.scene.conventions)) {
+    text += fmt::format("  judged under its own conventions: {}\n",
+                        conventions_text(candidate.conventions));
+  }
+  if (candidate.given_rays) {
+    text += "  makes no rays from this origin: given raycheck's own, correctly rounded\n";
+  }
+  text += precision_text(candidate) + swallowed_text(candidate) + quantities_table(candidate);
+  const char* const answers = implementation.draws() ? "pixels" : "answers";
+  text += indented(explanations_text(candidate.explanations, answers), "  ");
+  return text + failures_text(candidate.search) + too_few_text(candidate);
+}
+
+struct RankedDiscrepancy {
+  const CandidateReport* candidate;
+  std::size_t rank;
+  properties::Discrepancy discrepancy;
+};
+
+/// Defects first; the candidates' worst before their second worst.
+std::vector<RankedDiscrepancy> worst_of_all(const CheckReport& report) {
   std::vector<RankedDiscrepancy> ranked;
   for (const CandidateReport& candidate : report.candidates) {
-    const External* const external = external_of(candidate.contestant);
-    text +=
-        fmt::format("\n{}  {}\n", candidate.name,
-                    external == nullptr ? timing_text(candidate.timing, report.scene.spheres.size())
-                                        : "isolated by: " + external->program.layers.text());
-    if (external != nullptr && !external->renderer && !report.max_error) {
-      text += fmt::format("  documents no bounds: held to those of {} (--bounds)\n",
-                          candidate_of(external->bounds).name);
-    }
-    if (!(candidate.conventions == report.scene.conventions)) {
-      text += fmt::format("  judged under its own conventions: {}\n",
-                          conventions_text(candidate.conventions));
-    }
-    if (candidate.given_rays) {
-      text += "  makes no rays from this origin: given raycheck's own, correctly rounded\n";
-    }
-    text += precision_text(candidate);
-    text += swallowed_text(candidate);
-    text += quantities_table(candidate);
-    const bool renders = external != nullptr && external->renderer;
-    text +=
-        indented(explanations_text(candidate.explanations, renders ? "pixels" : "answers"), "  ");
-    text += failures_text(candidate.search);
-    text += too_few_text(candidate);
     std::size_t rank = 0;
     for (const auto& discrepancy : candidate.verdict.worst(report.top)) {
       ranked.push_back({&candidate, rank++, discrepancy});
     }
   }
+  std::stable_sort(ranked.begin(), ranked.end(), [](const auto& a, const auto& b) {
+    const auto key = [](const RankedDiscrepancy& one) {
+      return std::pair(one.discrepancy.excuse.standing(), one.rank);
+    };
+    return key(a) < key(b);
+  });
+  ranked.resize(std::min(ranked.size(), report.top));
+  return ranked;
+}
+
+}  // namespace
+
+std::string check_text(const CheckReport& report, const ViewOptions& options) {
+  std::string text = scene_text(report);
+  if (report.interrupted) text += "INTERRUPTED: what follows covers only what was judged.\n";
+  text +=
+      fmt::format("{} of {} judged\n", report.rays_judged, count_text(report.rays_in_scene, "ray"));
+  for (const CandidateReport& candidate : report.candidates) {
+    text += candidate_text(report, candidate);
+  }
   const std::uint64_t total = report.discrepancies();
   if (total > 0) {
-    // Defects first; the candidates' worst before their second worst.
-    std::stable_sort(ranked.begin(), ranked.end(), [](const auto& a, const auto& b) {
-      const auto key = [](const RankedDiscrepancy& one) {
-        return std::pair(one.discrepancy.excuse.standing(), one.rank);
-      };
-      return key(a) < key(b);
-    });
-    ranked.resize(std::min(ranked.size(), report.top));
+    const std::vector<RankedDiscrepancy> ranked = worst_of_all(report);
     text += fmt::format("\nworst discrepancies ({} of {}: {}):\n", ranked.size(), total,
                         standings_text([&](Standing one) { return report.count(one); }));
     for (std::size_t k = 0; k < ranked.size(); ++k) {
@@ -249,15 +262,12 @@ std::string check_text(const CheckReport& report, const ViewOptions& options) {
       text += indented(discrepancy_text(ranked[k].discrepancy, options.colours), "     ");
     }
     text += failed_question_text(report);
-  } else if (report.compared() > 0) {
-    text += "\nno discrepancy\n";
   } else {
-    text += "\nnothing was checked\n";
+    text += report.compared() > 0 ? "\nno discrepancy\n" : "\nnothing was checked\n";
   }
   if (!report.left_out.empty()) text += "\nleft out:\n";
   for (const std::string& line : report.left_out) text += "  " + line + "\n";
-  if (report.ratchet) text += "\n" + ratchet_text(*report.ratchet);
-  return text;
+  return report.ratchet ? text + "\n" + ratchet_text(*report.ratchet) : text;
 }
 
 }  // namespace raycheck::tools

@@ -6,7 +6,7 @@
 
 #include "properties/laws/law.h"
 #include "scene/interruption.h"
-#include "tools/check/swallowed.h"
+#include "tools/check/check.h"
 #include "tools/run/in_order.h"
 
 namespace raycheck::tools {
@@ -28,8 +28,7 @@ struct ChunkVerdict {
   Swallowed swallowed;
 
   bool has_failed() const {
-    const auto found = verdict.tallies().find(properties::Quantity::kRefusal);
-    return found != verdict.tallies().end() && found->second.count(properties::Wrong::kFailed) > 0;
+    return verdict.tally(properties::Quantity::kRefusal).count(properties::Wrong::kFailed) > 0;
   }
 };
 
@@ -114,7 +113,7 @@ void Judgement::seek_failures(std::size_t k, std::uint64_t first, ChunkVerdict& 
     return;
   }
   searchers_.resize(drafts_.size());
-  if (!searchers_[k]) searchers_[k] = candidate_of(report.contestant);
+  if (!searchers_[k]) searchers_[k] = report.implementation.make();
   const auto& cases = scenes_.of(report.precision);
   const Case chunk = cases->from(first, std::min(first + kChunk, cases->rays_judged()));
   properties::SharedTruths truths(chunk, plans_[static_cast<std::size_t>(report.precision)]);
@@ -128,7 +127,7 @@ std::vector<ChunkVerdict> Judgement::judge(std::uint64_t first) {
   std::vector<Candidate>& candidates = candidates_.local();
   if (candidates.empty()) {
     for (const Draft& draft : drafts_) {
-      candidates.push_back(candidate_of(draft.report.contestant));
+      candidates.push_back(draft.report.implementation.make());
     }
   }
   std::vector<ChunkVerdict> found(drafts_.size());

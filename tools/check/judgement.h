@@ -18,6 +18,7 @@
 #include "properties/run_control.h"
 #include "properties/trial.h"
 #include "scene/plan/plan.h"
+#include "scene/scene.h"
 #include "tools/check/check.h"
 
 namespace raycheck::tools {
@@ -78,5 +79,9 @@ class Judgement {
   tbb::enumerable_thread_specific<std::vector<properties::Candidate>> candidates_;
   std::vector<std::optional<properties::Candidate>> searchers_;  ///< Where they have failed.
 };
+
+/// Times a candidate's methods through fast/'s batch interface on the scene's own rays.
+Timing time_methods(const MethodPair& methods, const scene::Scene& scene,
+                    const scene::Conventions& conventions, const std::vector<scene::Pixel>& pixels);
 
 }  // namespace raycheck::tools

@@ -1,7 +1,7 @@
-#include "tools/check/swallowed.h"
-
 #include <algorithm>
 #include <limits>
+
+#include "tools/check/check.h"
 
 namespace raycheck::tools {
 namespace {

@@ -1,11 +1,10 @@
-#include "tools/check/timing.h"
-
 #include <algorithm>
 #include <chrono>
 #include <limits>
 
 #include "scene/interruption.h"
 #include "scene/validate.h"
+#include "tools/check/judgement.h"
 
 namespace raycheck::tools {
 namespace {

@@ -240,7 +240,7 @@ bool ExplainReport::has_discrepancy() const {
 ExplainReport explain(const ExplainOptions& options) {
   ExplainReport report;
   std::optional<Candidate> other;
-  if (options.other) other = options.other->candidate();
+  if (options.other) other = options.other->make();
   report.scene = asked_scene(options, other, report.rounded_numbers);
   report.other = options.other;
   report.pixel = options.pixel;

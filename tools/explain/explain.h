@@ -11,7 +11,7 @@
 #include "reference/account/closed_form.h"
 #include "reference/exact_ray.h"
 #include "scene/scene.h"
-#include "tools/methods/methods.h"
+#include "tools/implementations/built_in.h"
 
 namespace raycheck::tools {
 
@@ -22,7 +22,7 @@ struct ExplainOptions {
   std::optional<std::size_t> sphere;  ///< Empty: the one met first, or else the first.
   const fast::PixelRayMethod* rays = kDefaultMethods.rays;  ///< Whose rays the intersections get.
   /// Someone else's implementation, by whose conventions all is explained; null: there is none.
-  std::shared_ptr<const OtherMethod> other = nullptr;
+  std::shared_ptr<const Implementation> other = nullptr;
 };
 
 /// One step of the exact derivation: a scalar or three coordinates.
@@ -93,7 +93,7 @@ struct ExplainReport {
   std::string rays_method;
   std::vector<Step> steps;
   std::vector<MethodReport> methods;
-  std::shared_ptr<const OtherMethod> other;
+  std::shared_ptr<const Implementation> other;
   std::optional<std::size_t> sphere;  ///< The one derived and intersected by the methods.
   std::vector<SphereReport> spheres;
   /// Of that sphere, where the conventions say otherwise: raycheck's own methods count every root

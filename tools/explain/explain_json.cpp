@@ -108,7 +108,7 @@ std::string explain_json(const ExplainReport& report, const ViewOptions& /*optio
   Json json = json_header("explain");
   json["conventions"] = conventions_json(report.scene.conventions);
   json["isolated_by"] = report.other ? Json(report.other->isolated_by) : Json(nullptr);
-  json["bounds_of"] = report.other ? Json(report.other->bounds_of) : Json(nullptr);
+  json["bounds_of"] = report.other ? null_if_empty(report.other->bounds_of) : Json(nullptr);
   json["rounded_numbers"] = report.rounded_numbers;
   if (report.pixel) json["pixel"] = {report.pixel->i, report.pixel->j};
   json["sphere"] = report.sphere ? Json(*report.sphere) : Json(nullptr);

@@ -5,7 +5,7 @@
 
 #include "scene/number.h"
 #include "tools/explain/explain_views.h"
-#include "tools/methods/others_text.h"
+#include "tools/implementations/implementation.h"
 #include "tools/report/words.h"
 
 namespace raycheck::tools {
@@ -193,7 +193,7 @@ std::string explain_text(const ExplainReport& report, const ViewOptions& options
   }
   text += "\nmethods:\n";
   if (report.other) {
-    text += indented(others_text({{.other = report.other}}), "  ");
+    text += indented(isolation_text({*report.other}), "  ");
   }
   if (report.by_every_root) {
     text += fmt::format("  raycheck's own count every root >= 0, and are judged so: exact {}\n",

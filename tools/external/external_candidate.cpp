@@ -14,7 +14,7 @@
 #include "scene/text.h"
 #include "tools/external/candidate_spec.h"
 #include "tools/external/protocol/frames.h"
-#include "tools/methods/methods.h"
+#include "tools/implementations/built_in.h"
 
 namespace raycheck::tools {
 

@@ -11,7 +11,7 @@
 #include "tools/external/protocol/protocol.h"
 #include "tools/external/sandbox/process.h"
 #include "tools/external/source_lines.h"
-#include "tools/methods/methods.h"
+#include "tools/implementations/implementation.h"
 
 namespace raycheck::tools {
 
@@ -68,4 +68,8 @@ using LastFailure = std::shared_ptr<std::optional<FailureKind>>;
 /// they throw is properties::CandidateUnavailable. Every failure sets `last`.
 properties::Candidate external_candidate(const External& external,
                                          const LastFailure& last = nullptr);
+
+/// What commands judge of it.
+Implementation implementation_of(const External& external);
+
 }  // namespace raycheck::tools

@@ -1,23 +1,12 @@
 #pragma once
 
-#include <raycheck/candidate.h>
-
-#include <string>
-
-#include "scene/scene.h"
+#include "tools/external/external_candidate.h"
 
 namespace raycheck::tools {
 
-/// The functions of someone else's shared library, called in raycheck's own process: nothing keeps
-/// it there. It is loaded once and stays, since what it has started may still run.
-/// Errors: CandidateError where it is no such library.
-const raycheck_candidate& functions_in_process(const std::string& library);
-
-raycheck_vector to_c(const scene::Point3& point);
-raycheck_vector to_c(const scene::Vector3& vector);
-raycheck_ray to_c(const scene::Ray& ray);
-raycheck_sphere to_c(const scene::Sphere& sphere);
-raycheck_camera to_c(const scene::Camera& camera);
-raycheck_conventions to_c(const scene::Conventions& conventions);
+/// The functions of someone else's shared library, called in raycheck's own process, where nothing
+/// isolates it. It is loaded once and stays, since what it has started may still run.
+/// Errors: CandidateError where it is isolated, or no such library.
+InProcess calls_in_process(const External& external);
 
 }  // namespace raycheck::tools

@@ -20,7 +20,7 @@ namespace fs = std::filesystem;
 using properties::CodeLine;
 
 constexpr double kSeconds = 30;
-/// A source that is longer is none that a person wrote.
+/// No person writes a longer source file.
 constexpr std::uintmax_t kMostSourceBytes = std::uintmax_t{16} << 20;
 /// What of a line is shown.
 constexpr std::size_t kMostShown = 200;
@@ -43,8 +43,7 @@ std::optional<CodeLine> line_of(std::string_view text, std::int64_t number) {
     --end;
   }
   end = std::max(begin, end);
-  return CodeLine{"", number, static_cast<std::int64_t>(begin) + 1,
-                  std::string(text.substr(begin, end - begin))};
+  return CodeLine{"", number, std::string(text.substr(begin, end - begin))};
 }
 
 /// The path of a file in a folder, links followed; empty where it lies elsewhere, or is none.

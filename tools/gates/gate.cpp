@@ -6,6 +6,8 @@
 #include <set>
 #include <utility>
 
+#include "tools/report/words.h"
+
 namespace raycheck::tools {
 namespace {
 
@@ -32,14 +34,31 @@ bool is_known(const Identity& one, const std::optional<Ratchet>& ratchet) {
   return ratchet && std::binary_search(ratchet->known.begin(), ratchet->known.end(), one);
 }
 
-GateOutcome outcome_of(const std::vector<Identity>& found, const std::optional<Ratchet>& ratchet) {
-  GateOutcome outcome = found.empty() ? GateOutcome::kPassed : GateOutcome::kKnown;
-  for (const Identity& one : found) {
-    if (is_known(one, ratchet)) continue;
-    if (!one.is_undecided()) return GateOutcome::kFailed;
-    outcome = GateOutcome::kInconclusive;
+std::optional<properties::CodeLine> line_of(const Gate& gate, const GateCheck& check) {
+  if (check.line) return check.line;
+  for (const SourceFile& source : gate.sources) {
+    if (source.candidate == check.candidate) return properties::CodeLine{source.path};
   }
-  return outcome;
+  return std::nullopt;
+}
+
+GateCheck& add_check(Gate& gate, GateCheck check, const LeftUndecided& undecided) {
+  const bool has_found = !check.defects.empty() || !undecided.kept.empty();
+  check.outcome = has_found ? GateOutcome::kKnown : GateOutcome::kPassed;
+  const auto are_known = [&](const std::vector<Identity>& found) {
+    gate.findings.found.insert(found.begin(), found.end());
+    return std::all_of(found.begin(), found.end(),
+                       [&](const Identity& one) { return is_known(one, gate.ratchet); });
+  };
+  gate.findings.is_cut = gate.findings.is_cut || undecided.is_cut;
+  if (!are_known(undecided.kept) || undecided.is_cut) check.outcome = GateOutcome::kInconclusive;
+  if (!are_known(check.defects)) check.outcome = GateOutcome::kFailed;
+  const bool is_about_undecided =
+      check.outcome == GateOutcome::kInconclusive || check.defects.empty();
+  if (undecided.answers > 0 && is_about_undecided) {
+    check.summary = fmt::format("{} undecided", count_text(undecided.answers, "answer"));
+  }
+  return gate.checks.emplace_back(std::move(check));
 }
 
 void complete(Gate& gate, bool was_interrupted) {

@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -27,22 +28,15 @@ constexpr std::string_view name(GateOutcome outcome) {
   return kGateOutcomeNames[static_cast<std::size_t>(outcome)];
 }
 
-/// A question that got no answer.
-struct FailedAnswer {
-  Identity identity;
-  std::string words;                         ///< How it failed, in lines.
-  std::optional<properties::CodeLine> line;  ///< Of the candidate's source, where that is known.
-};
-
 /// One check of a gate: a law on the cases of a source, or a quantity of a scene.
 struct GateCheck {
   std::string candidate;
   std::string name;  ///< Unique among those of the candidate: "class/tangency".
   GateOutcome outcome = GateOutcome::kPassed;
-  std::string summary;  ///< Of what is not passed, why: one line.
-  std::string text;     ///< Of what failed, all there is to say, in lines.
+  std::string summary = {};  ///< Of what is not passed, why: one line.
+  std::string text = {};     ///< Of what failed, all there is to say, in lines.
   std::vector<Identity> defects = {};
-  std::vector<FailedAnswer> failed = {};  ///< Of the defects, where there was no answer.
+  std::optional<properties::CodeLine> line = {};  ///< At which the candidate first died or threw.
 };
 
 /// Where a candidate's own source lies.
@@ -58,13 +52,26 @@ struct Gate {
   std::vector<GateCheck> checks;
   std::vector<SourceFile> sources;  ///< Of the candidates that are files.
   std::optional<Ratchet> ratchet;   ///< Where a baseline was given.
-  std::string picture;              ///< Where the scene shows it, as a PNG file; or empty.
+  Findings findings;                ///< What a baseline holds of it.
+  /// Makes a PNG file of where the scene shows it; or empty.
+  std::function<std::string()> picture;
 
   std::uint64_t count(GateOutcome outcome) const;
 };
 
-/// Says what a check comes to by what was found: known where the baseline has all of it.
-GateOutcome outcome_of(const std::vector<Identity>& found, const std::optional<Ratchet>& ratchet);
+/// Where readers are to show a check: the line at which the candidate died, else line 1 of its
+/// source; empty where neither is known.
+std::optional<properties::CodeLine> line_of(const Gate& gate, const GateCheck& check);
+
+/// What a check leaves undecided.
+struct LeftUndecided {
+  std::uint64_t answers = 0;
+  std::vector<Identity> kept;
+  bool is_cut = false;  ///< Not all of it was kept, so that no baseline knows it.
+};
+/// Adds a check whose defects are known, with what it comes to: known where the baseline has all
+/// that was found. Says why it is inconclusive where it is.
+GateCheck& add_check(Gate& gate, GateCheck check, const LeftUndecided& undecided);
 
 /// Whether the baseline has a discrepancy.
 bool is_known(const Identity& one, const std::optional<Ratchet>& ratchet);

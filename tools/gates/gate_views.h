@@ -5,10 +5,11 @@
 
 #include <cstddef>
 #include <string>
-#include <string_view>
-#include <vector>
+#include <type_traits>
 
 #include "tools/gates/gate.h"
+#include "tools/report/json.h"
+#include "tools/report/view.h"
 
 namespace raycheck::tools {
 
@@ -25,26 +26,29 @@ inline constexpr std::size_t kMostMarkdownBytes = 1'000'000;
 /// within it; or linked, where an address is given.
 std::string markdown(const Gate& gate, const std::string& picture_link = {});
 
+/// A view of a report: what `kWrite` writes of the gate that `kGateOf` makes of it.
+template <auto kWrite, auto kGateOf, class Report>
+std::string gate_view(const Report& report, const ViewOptions& options) {
+  const Gate gate = kGateOf(report);
+  if constexpr (std::is_invocable_v<decltype(kWrite), const Gate&, const std::string&>) {
+    return kWrite(gate, options.picture_link);
+  } else {
+    return kWrite(gate);
+  }
+}
+
 /// What a baseline says of a run, in lines, for people.
 std::string ratchet_text(const Ratchet& ratchet);
+/// The same as JSON; null where there is no baseline.
+Json ratchet_json(const std::optional<Ratchet>& ratchet);
 
-/// GitHub shows at most so many annotations of a step.
+/// GitHub shows no more annotations of a step than these.
 inline constexpr std::size_t kMostAnnotations = 10;
-/// GitHub's workflow commands: an annotation for each failure, the last one for those left.
+/// GitHub's workflow commands: an annotation for each failure, at its line where that is known; the
+/// last one counts those left.
 std::string github(const Gate& gate);
 
-/// GitLab's code quality: a JSON list, an entry for each defect that is not known.
+/// GitLab's code quality: a JSON list, an entry for each defect that the baseline does not have.
 std::string gitlab_codequality(const Gate& gate);
-
-/// What --format and --report call it: who asks for it is asked for candidates with lines.
-inline constexpr std::string_view kSarif = "sarif";
-/// GitHub refuses a run of more results than 25,000; of these it keeps the first 5,000.
-inline constexpr std::size_t kMostSarifResults = 25'000;
-/// SARIF 2.1.0, as GitHub's code scanning reads it: a result for each line of a candidate's source
-/// at which it failed, where the baseline has not all that failed there.
-std::string sarif(const Gate& gate);
-/// What is not in it, a sentence each: how many of the defects that are not known lie at no line,
-/// and why; how many lines are too many.
-std::vector<std::string> sarif_warnings(const Gate& gate);
 
 }  // namespace raycheck::tools

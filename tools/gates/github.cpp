@@ -19,18 +19,11 @@ std::string spelled(std::string_view text, bool is_property) {
   return shown;
 }
 
-const SourceFile* source_of(const Gate& gate, const GateCheck& check) {
-  for (const SourceFile& source : gate.sources) {
-    if (source.candidate == check.candidate) return &source;
-  }
-  return nullptr;
-}
-
 std::string annotation(const Gate& gate, const GateCheck& check) {
-  const SourceFile* const source = source_of(gate, check);
+  const auto at = line_of(gate, check);
   return fmt::format(
       "::error {}title={}::{}\n",
-      source == nullptr ? "" : fmt::format("file={},", spelled(source->path, true)),
+      at ? fmt::format("file={},line={},", spelled(at->file, true), at->line) : "",
       spelled(fmt::format("raycheck: {}", check.name), true),
       spelled(fmt::format("{}: {}\n{}", check.candidate, check.summary, check.text), false));
 }

@@ -7,7 +7,7 @@
 
 #include "scene/text.h"
 #include "tools/gates/gate_views.h"
-#include "tools/report/data_address.h"
+#include "tools/report/spelling.h"
 
 namespace raycheck::tools {
 namespace {
@@ -97,9 +97,9 @@ std::string markdown(const Gate& gate, const std::string& picture_link) {
   if (gate.ratchet) text += ratchet_part(*gate.ratchet);
   if (!picture_link.empty()) {
     text += fmt::format("\n[where]({})\n", link_address(picture_link));
-  } else if (!gate.picture.empty()) {
+  } else if (gate.picture) {
     const std::string picture =
-        fmt::format("\n![where]({})\n", data_address("image/png", gate.picture));
+        fmt::format("\n![where]({})\n", data_address("image/png", gate.picture()));
     if (text.size() + picture.size() < kMostMarkdownBytes) text += picture;
   }
   std::size_t left_out = 0;

@@ -1,20 +1,16 @@
-#include "tools/gates/ratchet_json.h"
-
-#include <nlohmann/json.hpp>
+#include "tools/gates/gate_views.h"
 
 namespace raycheck::tools {
 namespace {
 
 Json identities_json(const std::vector<Identity>& identities) {
-  Json list = Json::array();
-  for (const Identity& one : identities) {
-    list.push_back({{"law", one.law},
-                    {"source", one.source},
-                    {"kind", one.kind},
-                    {"place", one.place},
-                    {"candidate", one.candidate}});
-  }
-  return list;
+  return list_json(identities, [](const Identity& one) {
+    return Json{{"law", one.law},
+                {"source", one.source},
+                {"kind", one.kind},
+                {"place", one.place},
+                {"candidate", one.candidate}};
+  });
 }
 
 }  // namespace

@@ -15,21 +15,18 @@
 
 #include "properties/mistakes/picture_causes.h"
 #include "scene/interruption.h"
-#include "tools/grade/intake/apart.h"
-#include "tools/grade/intake/submission.h"
+#include "tools/grade/intake/prepare.h"
 #include "tools/grade/judging/judge.h"
 #include "tools/grade/pages/wording.h"
-#include "tools/grade/results/earlier.h"
+#include "tools/grade/results/changes.h"
 #include "tools/grade/results/own_files.h"
-#include "tools/grade/results/plain_text.h"
 #include "tools/grade/results/record.h"
 #include "tools/grade/results/redaction.h"
-#include "tools/grade/rubric/digest.h"
-#include "tools/grade/self_test.h"
+#include "tools/grade/results/result.h"
+#include "tools/grade/rubric/rubric_files.h"
 #include "tools/grade/store/store.h"
-#include "tools/methods/methods.h"
+#include "tools/implementations/built_in.h"
 #include "tools/report/version.h"
-#include "tools/run/in_order.h"
 
 namespace raycheck::tools {
 namespace {
@@ -58,8 +55,8 @@ void judge_all(const Rubric& rubric, JudgedSubmission judged, const RunControl& 
                SubmissionGrade& grade) {
   grade.items = judge(rubric, std::move(judged), grade.seed, control);
   for (const ItemGrade& item : grade.items) {
-    if (!item.bonus) grade.points += item.points;
     grade.score += item.score;
+    (item.bonus ? grade.bonus : grade.points) += item.bonus ? item.score : item.points;
   }
   grade.finished = !control.interrupted();
 }
@@ -130,28 +127,12 @@ class ClassRun {
     test_environment(rubric_, layers_, writes() ? fs::path(options_.out) / kStoreFolder : "");
   }
 
-  /// What fails for a cause outside it is graded again at the end, when nothing runs beside it.
   ClassGrade grade(const RunControl& control) {
     ClassGrade result;
     if (!options_.against.empty()) result.changes.emplace().against = options_.against;
-    std::vector<Graded> all;
-    in_order<Graded>(
-        static_cast<std::int64_t>(submissions_.size()), control,
-        [&](std::int64_t k) {
-          return graded(submissions_[static_cast<std::size_t>(k)], control, false);
-        },
-        [&](Graded& one) {
-          all.push_back(std::move(one));
-          const std::string state = fmt::format("{} of {} graded", all.size(), submissions_.size());
-          control.progress(state);
-          control.done(fmt::format("{}: {}", state, all.back().grade.name));
-        });
-    for (std::size_t k = 0; k < all.size(); ++k) {
-      if (all[k].outside.empty() || control.interrupted()) continue;
-      control.progress(fmt::format("{} again, alone", all[k].grade.name));
-      all[k] = graded(submissions_[k], control, true);
-      control.done(fmt::format("graded again, alone: {}", all[k].grade.name));
-    }
+    std::vector<Graded> all = done_for_each<Graded>(
+        submissions_, control, "graded",
+        [&](const Submission& one, bool alone) { return graded(one, control, alone); });
     for (Graded& one : all) {
       one.reused ? void(++result.reused) : add_times(one.grade, result.times);
       if (!one.outside.empty()) ++result.not_graded;
@@ -238,7 +219,7 @@ class ClassRun {
   struct Graded {
     SubmissionGrade grade;
     bool reused = false;
-    std::string outside = {};  ///< The cause outside it for which its grade is none; empty: none.
+    std::string outside = {};  ///< The external cause why it has no grade; empty: none.
   };
 
   Graded graded(const Submission& submission, const RunControl& control, bool alone) {
@@ -267,12 +248,12 @@ class ClassRun {
   /// What a dry run, if there was one, tells of the form that a renderer reads.
   static FormKnown form_known(const DriverRule& rule, const std::optional<DryRun>& dry) {
     const bool is_given = !dry || !rule.tries_others ||
-                          (rule.is_asked_for && dry->shows_a_sphere && dry->driver == rule.form);
+                          (rule.is_asked_for && dry->shows_a_sphere() && dry->driver == rule.form);
     if (is_given) return FormKnown::kGiven;
-    return dry->shows_a_sphere ? FormKnown::kFound : FormKnown::kNot;
+    return dry->shows_a_sphere() ? FormKnown::kFound : FormKnown::kNot;
   }
 
-  /// Why the grade is none, for a cause outside the submission; empty: it is one.
+  /// The cause outside the submission why there is no grade; empty: there is one.
   std::string grade_one(const Submission& submission, const RunControl& given, bool alone,
                         SubmissionGrade& grade) {
     Stopwatch watch;
@@ -341,7 +322,7 @@ class ClassRun {
     if (const ResultsFormat* results = options_.results) {
       files[kResultsFile] = results->render(student_grade(rubric_, grade, results->hidden_by));
     }
-    files[kRecordFile] = record_text(grade);
+    files[kRecordFile] = json_text(record_json(grade));
     own_->replace(submission.name, files);
   }
 

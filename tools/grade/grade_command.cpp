@@ -11,12 +11,10 @@
 #include "scene/files/file_text.h"
 #include "tools/arguments.h"
 #include "tools/commands.h"
-#include "tools/exit_codes.h"
 #include "tools/grade/grade.h"
-#include "tools/grade/package.h"
 #include "tools/grade/pages/views.h"
 #include "tools/grade/pages/wording.h"
-#include "tools/grade/probe_views.h"
+#include "tools/grade/probe.h"
 #include "tools/terminal.h"
 
 namespace raycheck::tools {

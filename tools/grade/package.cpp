@@ -1,5 +1,3 @@
-#include "tools/grade/package.h"
-
 #include <archive.h>
 #include <archive_entry.h>
 #include <fmt/core.h>
@@ -17,6 +15,7 @@
 
 #include "tools/external/compile.h"
 #include "tools/external/sandbox/process.h"
+#include "tools/grade/grade.h"
 #include "tools/report/output_file.h"
 
 namespace raycheck::tools {

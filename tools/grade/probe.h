@@ -7,8 +7,9 @@
 
 #include "properties/run_control.h"
 #include "tools/grade/grade.h"
-#include "tools/grade/intake/submission.h"
+#include "tools/grade/intake/prepare.h"
 #include "tools/grade/results/result.h"
+#include "tools/report/view.h"
 
 namespace raycheck::tools {
 
@@ -34,5 +35,16 @@ struct ProbeReport {
 /// nothing.
 /// Errors: what grade() throws.
 ProbeReport probe(const GradeOptions& options, const properties::RunControl& control = {});
+
+/// A part of a rubric, in TOML, under which the submissions run as the dry run made them run: the
+/// table [driver] with the form that most read, and of those that are built automatically each
+/// [[form]] that says so in words of its own and fits no others, then the form that fits the rest.
+/// Empty: nothing runs that it could be made of.
+std::string suggestion(const ProbeReport& report);
+
+std::string probe_text(const ProbeReport& report, const ViewOptions& options);
+std::string probe_json(const ProbeReport& report, const ViewOptions& options);
+
+inline constexpr View<ProbeReport> kProbeViews[] = {{"text", probe_text}, {"json", probe_json}};
 
 }  // namespace raycheck::tools

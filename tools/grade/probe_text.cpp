@@ -4,9 +4,8 @@
 #include <sstream>
 
 #include "tools/grade/pages/wording.h"
-#include "tools/grade/probe_views.h"
-#include "tools/grade/results/plain_text.h"
-#include "tools/grade/suggestion.h"
+#include "tools/grade/probe.h"
+#include "tools/grade/results/result.h"
 #include "tools/report/table.h"
 #include "tools/report/words.h"
 
@@ -16,7 +15,7 @@ namespace {
 constexpr std::string_view kNone = "-";
 
 std::string shown_text(const DryRun& dry) {
-  if (!dry.shows_a_sphere) return "not the scene";
+  if (!dry.shows_a_sphere()) return "not the scene";
   std::string text = "spheres";
   if (!dry.colours.tells_spheres) {
     text += ", not which";
@@ -41,7 +40,7 @@ std::vector<std::string> row(const SubmissionProbe& probe) {
   } else {
     cells.push_back(draws ? fmt::format("{:6.2f} s", dry->seconds) : std::string(kNone));
   }
-  cells.push_back(draws && dry->shows_a_sphere ? dry->driver.name() : std::string(kNone));
+  cells.push_back(draws && dry->shows_a_sphere() ? dry->driver.name() : std::string(kNone));
   cells.push_back(!draws                      ? std::string(kNone)
                   : dry->picture_name.empty() ? "as told"
                                               : line_text(dry->picture_name));

@@ -1,5 +1,3 @@
-#include "tools/grade/self_test.h"
-
 #include <fmt/core.h>
 #include <unistd.h>
 
@@ -11,9 +9,10 @@
 #include <vector>
 
 #include "tools/external/locate.h"
-#include "tools/grade/intake/submission.h"
-#include "tools/grade/rubric/digest.h"
-#include "tools/grade/store/toolchain.h"
+#include "tools/grade/grade.h"
+#include "tools/grade/intake/prepare.h"
+#include "tools/grade/rubric/rubric_files.h"
+#include "tools/grade/store/store.h"
 
 namespace raycheck::tools {
 namespace {

@@ -174,12 +174,11 @@ MakeRays rounded(const MakeRays& make, scene::Precision precision) {
   };
 }
 
-/// Someone else's, and what it does not offer: rays are made by raycheck's method, and the nearest
-/// sphere is that of its own hits.
-properties::Candidate completed(const OtherMethod& other, const MethodPair& methods) {
-  properties::Candidate candidate = other.candidate();
+properties::Candidate completed(const Implementation& implementation, const MethodPair& methods) {
+  properties::Candidate candidate = implementation.make();
   if (!candidate.intersect) {
-    throw std::invalid_argument(other.name + ": intersects nothing, so it has no error of s");
+    throw std::invalid_argument(implementation.name +
+                                ": intersects nothing, so it has no error of s");
   }
   const properties::Candidate own = candidate_of(methods);
   if (!candidate.pixel_rays && !candidate.focal_rays) {
@@ -199,10 +198,6 @@ properties::Candidate completed(const OtherMethod& other, const MethodPair& meth
   return candidate;
 }
 
-std::function<properties::Candidate()> shown_candidate(const ImageOptions& options) {
-  return answering_candidate(options.other, options.methods);
-}
-
 std::unique_ptr<Painter> painter_for(const ImageOptions& options, const scene::Scene& scene,
                                      const std::optional<DepthRange>& range) {
   switch (options.what) {
@@ -213,7 +208,7 @@ std::unique_ptr<Painter> painter_for(const ImageOptions& options, const scene::S
     case Picture::kDepth:
       return depth_painter(range.value_or(DepthRange{}));
     case Picture::kError:
-      return error_painter(scene, shown_candidate(options));
+      return error_painter(scene, answering_candidate(options.implementation, options.methods));
   }
   throw std::logic_error("a picture of nothing that there is");
 }
@@ -231,8 +226,9 @@ void resize(const scene::Pixel& size, scene::Scene& scene) {
 
 /// The scene in the format of whose error is shown; returns how many numbers that changed.
 std::size_t round_for(const ImageOptions& options, scene::Scene& scene) {
-  if (options.what != Picture::kError || !options.other) return 0;
-  auto [rounded, reason, changed] = properties::rounded_case({scene, {}}, options.other->precision);
+  if (options.what != Picture::kError) return 0;
+  auto [rounded, reason, changed] =
+      properties::rounded_case({scene, {}}, options.implementation.precision);
   if (!rounded) throw std::invalid_argument(options.path + ": " + reason);
   scene = std::move(rounded->scene);
   return changed;
@@ -269,11 +265,12 @@ ImageReport report_on(const ImageOptions& options, const scene::LoadedScene& loa
   report.height = scene.camera->height;
   report.spheres = scene.spheres.size();
   if (options.what == Picture::kError) {
-    const properties::Candidate candidate = shown_candidate(options)();
+    const properties::Candidate candidate =
+        answering_candidate(options.implementation, options.methods)();
     report.conventions = candidate.declared.over(scene.conventions);
     report.error.emplace();
     report.error->candidate = candidate.name;
-    report.error->other = options.other;
+    report.error->implementation = options.implementation;
     report.error->precision = candidate.precision;
     report.error->pixels.resize(kErrorSteps.size());
   }
@@ -282,10 +279,9 @@ ImageReport report_on(const ImageOptions& options, const scene::LoadedScene& loa
 
 }  // namespace
 
-std::function<properties::Candidate()> answering_candidate(
-    const std::shared_ptr<const OtherMethod>& other, const MethodPair& methods) {
-  if (!other) return [methods] { return candidate_of(methods); };
-  return [other, methods] { return completed(*other, methods); };
+std::function<properties::Candidate()> answering_candidate(const Implementation& implementation,
+                                                           const MethodPair& methods) {
+  return [implementation, methods] { return completed(implementation, methods); };
 }
 
 ImageReport make_image(const ImageOptions& options, PictureFile& file,

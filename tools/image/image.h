@@ -12,8 +12,9 @@
 #include "properties/run_control.h"
 #include "reference/visibility/visibility.h"
 #include "scene/files/scene_file.h"
-#include "tools/methods/methods.h"
+#include "tools/implementations/built_in.h"
 #include "tools/report/picture_file.h"
+#include "tools/report/view.h"
 
 namespace raycheck::tools {
 
@@ -29,9 +30,9 @@ struct ImageOptions {
   std::string path;
   std::optional<scene::Dialect> dialect;
   Picture what = Picture::kSphere;
-  MethodPair methods = kDefaultMethods;                ///< Whose error is shown.
-  std::shared_ptr<const OtherMethod> other = nullptr;  ///< Someone else's instead; null: none.
-  std::optional<scene::Pixel> size;  ///< Pixels across and down in place of the scene's.
+  Implementation implementation = {};    ///< Whose error is shown.
+  MethodPair methods = kDefaultMethods;  ///< What makes rays where it makes none.
+  std::optional<scene::Pixel> size;      ///< Pixels across and down in place of the scene's.
 };
 
 /// The smallest and the largest s that pixels see.
@@ -42,7 +43,7 @@ struct DepthRange {
 /// A picture of errors in numbers: pixels by how far s is off.
 struct ErrorCounts {
   std::string candidate;
-  std::shared_ptr<const OtherMethod> other;                ///< Null: it is raycheck's.
+  Implementation implementation;
   scene::Precision precision = scene::Precision::kDouble;  ///< What errors count ulp of.
   std::size_t rounded_numbers = 0;  ///< Of the scene, that were none of that format.
   /// Pixels without an answer, which are defects; of each 512 that were asked at once, at most
@@ -86,5 +87,13 @@ struct ImageReport {
 ///         what the reader and the file throw.
 ImageReport make_image(const ImageOptions& options, PictureFile& file,
                        const properties::RunControl& control = {});
+
+std::string image_text(const ImageReport& report, const ViewOptions& options);
+std::string image_json(const ImageReport& report, const ViewOptions& options);
+
+inline constexpr View<ImageReport> kImageViews[] = {
+    {"text", image_text},
+    {"json", image_json},
+};
 
 }  // namespace raycheck::tools

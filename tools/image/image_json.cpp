@@ -1,7 +1,6 @@
-#include <nlohmann/json.hpp>
 
+#include "tools/image/image.h"
 #include "tools/image/image_paint.h"
-#include "tools/image/image_views.h"
 #include "tools/report/json.h"
 
 namespace raycheck::tools {
@@ -10,8 +9,8 @@ namespace {
 Json error_counts_json(const ErrorCounts& error) {
   Json json;
   json["candidate"] = error.candidate;
-  json["isolated_by"] = error.other ? Json(error.other->isolated_by) : Json(nullptr);
-  json["bounds_of"] = error.other ? Json(error.other->bounds_of) : Json(nullptr);
+  json["isolated_by"] = null_if_empty(error.implementation.isolated_by);
+  json["bounds_of"] = null_if_empty(error.implementation.bounds_of);
   json["failed"] = {{"pixels", error.failed}, {"first", error.first_failure}};
   json["precision"] = name(error.precision);
   json["rounded_numbers"] = error.rounded_numbers;
@@ -43,10 +42,11 @@ std::string image_json(const ImageReport& report, const ViewOptions& /*options*/
   json["spheres_seen"] = report.spheres_seen;
   json["pixels_that_see"] = report.pixels_that_see;
   json["decided_by"] = decided_by_json(report.decided_by);
-  json["depth"] = report.depth ? Json{{"nearest", hexfloat_or_null(report.depth->nearest)},
-                                      {"farthest", hexfloat_or_null(report.depth->farthest)}}
-                               : Json(nullptr);
-  json["error"] = report.error ? error_counts_json(*report.error) : Json(nullptr);
+  json["depth"] = or_null(report.depth, [](const auto& depth) {
+    return Json{{"nearest", hexfloat_or_null(depth.nearest)},
+                {"farthest", hexfloat_or_null(depth.farthest)}};
+  });
+  json["error"] = or_null(report.error, error_counts_json);
   json["threads"] = report.threads;
   json["seconds"] = report.seconds;
   json["interrupted"] = report.interrupted;

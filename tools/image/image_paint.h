@@ -76,9 +76,9 @@ std::unique_ptr<Painter> depth_painter(const DepthRange& range);
 std::unique_ptr<Painter> error_painter(const scene::Scene& scene,
                                        std::function<properties::Candidate()> candidate);
 
-/// A maker of candidates that answer whole pixels: raycheck's methods, or someone else's, which
-/// these complete where it makes no rays.
-std::function<properties::Candidate()> answering_candidate(
-    const std::shared_ptr<const OtherMethod>& other, const MethodPair& methods);
+/// A maker of candidates that answer whole pixels: where the implementation makes no rays, these
+/// methods do, and where it does not say which sphere is the nearest, its own hits tell.
+std::function<properties::Candidate()> answering_candidate(const Implementation& implementation,
+                                                           const MethodPair& methods);
 
 }  // namespace raycheck::tools

@@ -1,8 +1,8 @@
 #include <fmt/core.h>
 
+#include "tools/image/image.h"
 #include "tools/image/image_paint.h"
-#include "tools/image/image_views.h"
-#include "tools/methods/others_text.h"
+#include "tools/implementations/implementation.h"
 #include "tools/report/table.h"
 #include "tools/report/words.h"
 
@@ -25,7 +25,7 @@ std::string error_table(const ErrorCounts& error) {
   }
   std::string text = fmt::format("\n{} against the exact s of each pixel's nearest sphere\n{}",
                                  error.candidate, table.text());
-  if (error.other) text += others_text({{.other = error.other}});
+  text += isolation_text({error.implementation});
   if (error.rounded_numbers > 0) text += rounded_numbers_text(error.rounded_numbers) + "\n";
   if (error.failed > 0) {
     text += fmt::format("failed on {}, first: {}\n", count_text(error.failed, "pixel"),

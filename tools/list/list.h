@@ -6,6 +6,7 @@
 #include "fast/pixel_ray.h"
 #include "properties/cases/case_source.h"
 #include "properties/laws/law.h"
+#include "tools/report/view.h"
 
 namespace raycheck::tools {
 
@@ -27,5 +28,13 @@ constexpr scene::Precision precision_of(double roundoff) {
 constexpr double in_own_unit(double bound, scene::Precision precision) {
   return bound * (properties::kDoubleRoundoff / scene::unit_roundoff(precision));
 }
+
+std::string list_text(const Catalogue& catalogue, const ViewOptions& options);
+std::string list_json(const Catalogue& catalogue, const ViewOptions& options);
+
+inline constexpr View<Catalogue> kListViews[] = {
+    {"text", list_text},
+    {"json", list_json},
+};
 
 }  // namespace raycheck::tools

@@ -2,8 +2,7 @@
 
 #include "tools/arguments.h"
 #include "tools/commands.h"
-#include "tools/exit_codes.h"
-#include "tools/list/list_views.h"
+#include "tools/list/list.h"
 
 namespace raycheck::tools {
 

@@ -1,9 +1,10 @@
 #include <fmt/core.h>
 
 #include "scene/conventions.h"
-#include "tools/list/list_views.h"
+#include "tools/list/list.h"
 
 namespace raycheck::tools {
+
 namespace {
 
 using properties::Quantity;
@@ -98,6 +99,11 @@ std::string list_text(const Catalogue& catalogue, const ViewOptions& /*options*/
   text += fmt::format("  t_unit            {}\n", joined(scene::kTUnitNames));
   text += fmt::format("  culling           {}\n", joined(scene::kCullingNames));
   return text;
+}
+
+Catalogue catalogue() {
+  return {fast::pixel_ray_methods(), fast::intersect_methods(), properties::laws(),
+          properties::case_sources()};
 }
 
 }  // namespace raycheck::tools

@@ -8,7 +8,6 @@
 #include <stdexcept>
 
 #include "scene/interruption.h"
-#include "tools/plan/plan_timing.h"
 
 namespace raycheck::tools {
 namespace {

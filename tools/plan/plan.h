@@ -11,6 +11,7 @@
 #include "reference/visibility/visibility.h"
 #include "scene/files/scene_file.h"
 #include "scene/plan/plan.h"
+#include "tools/report/view.h"
 
 namespace raycheck::tools {
 
@@ -81,5 +82,19 @@ struct PlanReport {
 /// (reference::kMostVisibleSide) a warning says that nothing was timed. Throws what the reader
 /// throws.
 PlanReport make_plan(const PlanOptions& options, const properties::RunControl& control = {});
+
+/// Fills in the times of a report whose scene and plan are there, and what decided the pixels
+/// timed: the whole image where that is quick, otherwise bands (or rows) spread over it.
+/// Errors: std::invalid_argument where the image is too large to be seen
+/// (reference::kMostVisibleSide); scene::Interrupted, with what was timed until then.
+void time_plan(PlanReport& report);
+
+std::string plan_text(const PlanReport& report, const ViewOptions& options);
+std::string plan_json(const PlanReport& report, const ViewOptions& options);
+
+inline constexpr View<PlanReport> kPlanViews[] = {
+    {"text", plan_text},
+    {"json", plan_json},
+};
 
 }  // namespace raycheck::tools

@@ -1,6 +1,5 @@
-#include <nlohmann/json.hpp>
 
-#include "tools/plan/plan_views.h"
+#include "tools/plan/plan.h"
 #include "tools/report/json.h"
 
 namespace raycheck::tools {
@@ -14,19 +13,22 @@ Json item_json(const PlanItem& item, const ItemReport& report) {
   json["of"] = report.of;
   json["noun"] = report.noun;
   json["why"] = report.why;
-  json["with_plan_ms"] = report.time ? Json(report.time->with_plan_ms) : Json(nullptr);
-  json["without_ms"] = report.time ? Json(report.time->without_ms) : Json(nullptr);
-  json["pixels_timed"] = report.time ? Json(report.time->pixels) : Json(nullptr);
+  const auto timed = [&](auto PlanTime::*member) {
+    return or_null(report.time, [&](const PlanTime& time) { return time.*member; });
+  };
+  json["with_plan_ms"] = timed(&PlanTime::with_plan_ms);
+  json["without_ms"] = timed(&PlanTime::without_ms);
+  json["pixels_timed"] = timed(&PlanTime::pixels);
   return json;
 }
 
 Json sphere_json(const scene::SpherePlan& sphere) {
   const scene::PixelRectangle& pixels = sphere.pixels;
   Json json;
-  json["left_out"] = sphere.left_out
-                         ? Json(scene::kLeftOutNames[static_cast<std::size_t>(*sphere.left_out)])
-                         : Json(nullptr);
-  json["hidden_by"] = sphere.hidden_by ? Json(*sphere.hidden_by) : Json(nullptr);
+  json["left_out"] = or_null(sphere.left_out, [](auto why) {
+    return scene::kLeftOutNames[static_cast<std::size_t>(why)];
+  });
+  json["hidden_by"] = or_null(sphere.hidden_by);
   json["columns"] = Json{pixels.i_begin, pixels.i_end};
   json["rows"] = Json{pixels.j_begin, pixels.j_end};
   json["pixels"] = pixels.count();
@@ -39,9 +41,7 @@ Json sphere_json(const scene::SpherePlan& sphere) {
 
 std::string plan_json(const PlanReport& report, const ViewOptions& /*options*/) {
   Json json = json_header("plan");
-  json["scene"] = report.path;
-  json["width"] = report.scene.camera ? Json(report.scene.camera->width) : Json(nullptr);
-  json["height"] = report.scene.camera ? Json(report.scene.camera->height) : Json(nullptr);
+  add_scene(json, report.path, report.scene);
   json["conventions"] = conventions_json(report.scene.conventions);
   json["dialect"] = dialect_json(report.dialect);
   json["not_needed"] = report.not_needed;
@@ -63,9 +63,7 @@ std::string plan_json(const PlanReport& report, const ViewOptions& /*options*/) 
   for (std::size_t k = 0; k < kPlanItems.size(); ++k) {
     json["items"].push_back(item_json(kPlanItems[k], report.items[k]));
   }
-  for (const scene::SpherePlan& sphere : report.plan->spheres) {
-    json["spheres"].push_back(sphere_json(sphere));
-  }
+  json["spheres"] = list_json(report.plan->spheres, sphere_json);
   return json_text(json);
 }
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "tools/plan/plan_views.h"
+#include "tools/plan/plan.h"
 #include "tools/report/table.h"
 #include "tools/report/words.h"
 

@@ -1,11 +1,10 @@
-#include "tools/plan/plan_timing.h"
-
 #include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <utility>
 
 #include "scene/interruption.h"
+#include "tools/plan/plan.h"
 
 namespace raycheck::tools {
 namespace {

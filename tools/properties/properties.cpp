@@ -8,6 +8,7 @@
 
 #include "properties/mistakes/causes.h"
 #include "scene/interruption.h"
+#include "tools/implementations/built_in.h"
 
 namespace raycheck::tools {
 namespace {
@@ -44,10 +45,9 @@ std::vector<ChosenSource> chosen_sources(const std::vector<std::string>& names) 
 
 /// Whether a law can tell this pair from one that is already asked: laws of the camera alone do not
 /// see the intersection, those of the intersection alone hardly see the ray method.
-bool is_worth_asking(const Law& law, const Contestant& contestant, bool chosen_by_user) {
-  const MethodPair* const methods = methods_of(contestant);
-  if (chosen_by_user || methods == nullptr) return true;
-  const MethodPair& pair = *methods;
+bool is_worth_asking(const Law& law, const Implementation& implementation, bool chosen_by_user) {
+  if (chosen_by_user || !implementation.methods) return true;
+  const MethodPair& pair = *implementation.methods;
   if (speaks_of_cameras(law) == speaks_of_intersections(law)) return true;
   return speaks_of_cameras(law) ? pair.intersect == kDefaultMethods.intersect
                                 : pair.rays == kDefaultMethods.rays;
@@ -55,8 +55,8 @@ bool is_worth_asking(const Law& law, const Contestant& contestant, bool chosen_b
 
 /// A renderer is not told the conventions of a random case: it is judged by the default ones, and
 /// not at tangents.
-Candidate campaigner(const Contestant& contestant) {
-  Candidate candidate = candidate_of(contestant);
+Candidate campaigner(const Implementation& implementation) {
+  Candidate candidate = implementation.make();
   if (candidate.image) {
     candidate.declared = {scene::Rows{}, scene::Samples{},        scene::Origin{},
                           scene::Root{}, scene::Tangent::kEither, scene::ValidRoots{}};
@@ -64,17 +64,16 @@ Candidate campaigner(const Contestant& contestant) {
   return candidate;
 }
 
-/// A law's campaign on a contestant: what it came to, and why.
-CampaignReport report_of(const Law& law, const Contestant& contestant, const Candidate& candidate,
-                         const std::string& lasting_name, properties::CampaignResult result) {
+/// A law's campaign: what it came to, and why.
+CampaignReport report_of(const Law& law, const Implementation& implementation,
+                         const Candidate& candidate, const std::string& lasting_name,
+                         properties::CampaignResult result) {
   CampaignReport report = {&law, candidate.name, lasting_name, std::move(result),
                            properties::Finding::kHolds};
   report.finding = report.result.finding();
   report.precision = candidate.precision;
-  const External* const external = external_of(contestant);
-  if (external == nullptr) return report;
-  report.external = *external;
-  if (report.finding == properties::Finding::kBroken) {
+  report.implementation = implementation;
+  if (!implementation.methods && report.finding == properties::Finding::kBroken) {
     report.explanations =
         properties::causes(telling_cases(report.result, properties::kCasesOfACause), candidate);
   }
@@ -91,18 +90,17 @@ properties::Replay parsed_replay(const std::string& text) {
 
 PropertiesReport replay(const PropertiesOptions& options) {
   const properties::Replay parsed = parsed_replay(options.replay);
-  std::vector<Contestant> known = options.contestants;
-  for (const MethodPair& pair : all_pairs()) known.emplace_back(pair);
+  std::vector<Implementation> known = options.implementations;
+  for (const MethodPair& pair : all_pairs()) known.push_back(built_in(pair));
   const std::vector<std::string> names = lasting_names(known);
   for (std::size_t k = 0; k < known.size(); ++k) {
-    const Contestant& contestant = known[k];
-    const Candidate candidate = campaigner(contestant);
+    const Candidate candidate = campaigner(known[k]);
     if (candidate.name != parsed.candidate) continue;
     PropertiesReport report;
     report.cases = 1;
     report.strict = options.strict;
     report.campaigns.push_back(
-        report_of(*parsed.law, contestant, candidate, names[k],
+        report_of(*parsed.law, known[k], candidate, names[k],
                   run_replay(parsed, candidate, options.max_error, options.strict)));
     return report;
   }
@@ -154,12 +152,11 @@ PropertiesReport run_properties(const PropertiesOptions& options,
   campaign.max_error = options.max_error;
   campaign.strict = options.strict;
   campaign.sources = chosen_sources(options.sources);
-  const bool chosen = !options.contestants.empty();
-  const auto judged = chosen ? options.contestants : contestants(each_method_once());
-  for (const Contestant& contestant : judged) {
-    const External* const external = external_of(contestant);
-    if (external == nullptr || external->renderer || options.max_error) continue;
-    report.borrowed.push_back({external->name, candidate_of(external->bounds).name});
+  const bool chosen = !options.implementations.empty();
+  const auto judged = chosen ? options.implementations : built_in(each_method_once());
+  for (const Implementation& one : judged) {
+    if (one.bounds_of.empty() || options.max_error) continue;
+    report.borrowed.push_back({one.name, one.bounds_of});
   }
   const Candidate baseline = candidate_of(kDefaultMethods);
   if (options.frontier) report.baseline = baseline.name;
@@ -167,12 +164,11 @@ PropertiesReport run_properties(const PropertiesOptions& options,
   const std::vector<std::string> names = lasting_names(judged);
   for (const Law* law : laws) {
     for (std::size_t k = 0; k < judged.size(); ++k) {
-      const Contestant& contestant = judged[k];
-      if (control.interrupted() || !is_worth_asking(*law, contestant, chosen)) continue;
-      const Candidate candidate = campaigner(contestant);
+      if (control.interrupted() || !is_worth_asking(*law, judged[k], chosen)) continue;
+      const Candidate candidate = campaigner(judged[k]);
       control.progress(fmt::format("{} on {}", law->name, candidate.name));
       campaign.level = options.level.value_or(candidate.level);
-      CampaignReport one = report_of(*law, contestant, candidate, names[k],
+      CampaignReport one = report_of(*law, judged[k], candidate, names[k],
                                      run_campaign(*law, candidate, campaign, control));
       if (options.frontier) {
         one.frontier = beside(reaches(*law, candidate, campaign, control),

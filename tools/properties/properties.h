@@ -8,8 +8,8 @@
 #include "properties/mistakes/explanation.h"
 #include "properties/run_control.h"
 #include "properties/search/campaign.h"
-#include "tools/external/contestant.h"
 #include "tools/gates/baseline.h"
+#include "tools/implementations/implementation.h"
 
 namespace raycheck::tools {
 
@@ -17,10 +17,10 @@ struct PropertiesOptions {
   std::string filter;  ///< Laws whose name contains it; empty: all.
   int cases = properties::kCampaignCases;
   std::uint64_t seed = 1;
-  std::string replay;                      ///< Empty: a campaign.
-  std::vector<Contestant> contestants;     ///< Empty: each method once.
-  std::vector<std::string> sources;        ///< Empty: every source that suits the law.
-  std::optional<properties::Level> level;  ///< Empty: each candidate's own.
+  std::string replay;                           ///< Empty: a campaign.
+  std::vector<Implementation> implementations;  ///< Empty: each method once.
+  std::vector<std::string> sources;             ///< Empty: every source that suits the law.
+  std::optional<properties::Level> level;       ///< Empty: each candidate's own.
   std::optional<double> max_error;
   bool frontier = false;  ///< Follow the dials beyond the level.
   bool strict = false;    ///< What is excused or undecided breaks a law, too.
@@ -42,7 +42,7 @@ struct CampaignReport {
   std::vector<Frontier> frontier = {};  ///< Empty where it was not asked for.
   /// The mistakes that explain what someone else's has wrong where it breaks the law.
   std::vector<properties::Explanation> explanations = {};
-  std::optional<External> external = {};  ///< Whose it is, where it is someone else's.
+  Implementation implementation = {};
   scene::Precision precision = scene::Precision::kDouble;  ///< That it was asked and judged in.
 };
 

@@ -5,9 +5,7 @@
 #include "tools/arguments.h"
 #include "tools/commands.h"
 #include "tools/gate_arguments.h"
-#include "tools/properties/properties_page.h"
 #include "tools/properties/properties_views.h"
-#include "tools/report/output_file.h"
 #include "tools/terminal.h"
 #include "tools/view/page/page.h"
 
@@ -59,23 +57,17 @@ int run_properties_command(const PropertiesArguments& arguments) {
   options.frontier = arguments.frontier;
   options.strict = arguments.strict;
   const bool methods_asked = !(arguments.rays.empty() && arguments.intersect.empty());
-  require_lines_for_sarif(arguments.gate, arguments.format, arguments.external.candidates,
-                          methods_asked);
-  options.contestants = find_contestants(arguments.external, parse_driver(arguments.dialect));
+  options.implementations = find_candidates(arguments.external, parse_driver(arguments.dialect));
   if (methods_asked) {
-    const auto pairs = contestants(chosen_methods(arguments.rays, arguments.intersect));
-    options.contestants.insert(options.contestants.begin(), pairs.begin(), pairs.end());
+    const auto pairs = built_in(chosen_methods(arguments.rays, arguments.intersect));
+    options.implementations.insert(options.implementations.begin(), pairs.begin(), pairs.end());
   }
-  std::optional<OutputFile> view;
-  if (arguments.view) view.emplace("--view", *arguments.view);
+  std::optional<OutputFile> view = opened("--view", arguments.view);
   GateFiles files(arguments.gate);
   PropertiesReport report = run_properties(options, run_control("laws"));
-  report.ratchet = files.ratchet(findings_of(report), report.interrupted);
+  report.ratchet = files.ratchet(properties_gate(report).findings, report.interrupted);
   files.write(kPropertiesViews, report);
   print_view(kPropertiesViews, arguments.format, report);
-  if (asks_for(arguments.gate, arguments.format, kSarif)) {
-    print_warnings(sarif_warnings(properties_gate(report)));
-  }
   if (view) {
     view->write(page(properties_document(report, run_control("page"))));
   }

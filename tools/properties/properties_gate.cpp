@@ -17,7 +17,7 @@ using properties::Finding;
 using properties::Standing;
 using Parts = std::span<const CampaignPart>;
 
-/// Of a source of which more parts are broken only so many are told how to ask again.
+/// The most broken parts of a source for which the command to ask again is given.
 constexpr std::size_t kMostReplays = 3;
 
 std::string source_of(Parts parts) { return std::string(parts.front().source.source->name); }
@@ -39,39 +39,15 @@ Identity identity_of(const CampaignReport& campaign, const CampaignPart& part, s
           std::string(name(part.source.level())), campaign.lasting_name};
 }
 
-std::vector<Identity> defects_of(const CampaignReport& campaign, Parts parts) {
+/// What is held against a candidate, or what is left undecided beside.
+std::vector<Identity> found_of(const CampaignReport& campaign, Parts parts, bool is_held) {
   std::set<Identity> found;
   for (const CampaignPart& part : parts) {
-    for (const properties::DefectKind& kind : part.defects) {
-      found.insert(identity_of(campaign, part, kind_text(kind)));
+    for (const properties::DefectKind& kind : is_held ? part.defects : part.undecided) {
+      found.insert(identity_of(campaign, part, is_held ? kind_text(kind) : undecided_text(kind)));
     }
   }
   return {found.begin(), found.end()};
-}
-
-/// What is left undecided beside.
-std::vector<Identity> undecided_of(const CampaignReport& campaign, Parts parts) {
-  std::set<Identity> found;
-  for (const CampaignPart& part : parts) {
-    for (const properties::DefectKind& kind : part.undecided) {
-      found.insert(identity_of(campaign, part, undecided_text(kind)));
-    }
-  }
-  return {found.begin(), found.end()};
-}
-
-/// Where parts got no answer.
-std::vector<FailedAnswer> failed_of(const CampaignReport& campaign, Parts parts) {
-  std::vector<FailedAnswer> failed;
-  for (const CampaignPart& part : parts) {
-    for (const properties::Discrepancy& one : part.failures) {
-      failed.push_back({identity_of(campaign, part, kind_text({one.quantity, one.wrong})),
-                        fmt::format("{}replay: {}\n", discrepancy_text(one, false),
-                                    replay_text(campaign, part.replay)),
-                        one.failed.line});
-    }
-  }
-  return failed;
 }
 
 /// "the far root is taken (root: wrong root; ordinary)"
@@ -106,20 +82,18 @@ std::string text_of(const CampaignReport& campaign, Parts parts) {
   return text + fmt::format("broken on {}\n", severities);
 }
 
-GateCheck check_of(const CampaignReport& campaign, Parts parts,
-                   const std::optional<Ratchet>& ratchet) {
-  GateCheck check;
-  check.candidate = campaign.candidate;
-  check.name = fmt::format("{}/{}", campaign.law->name, source_of(parts));
-  check.defects = defects_of(campaign, parts);
-  std::vector<Identity> found = undecided_of(campaign, parts);
-  found.insert(found.end(), check.defects.begin(), check.defects.end());
-  check.outcome = outcome_of(found, ratchet);
-  check.failed = failed_of(campaign, parts);
-  const std::uint64_t undecided = count(parts, Standing::kUndecided);
-  if (undecided > 0 && (check.outcome == GateOutcome::kInconclusive || check.defects.empty())) {
-    check.summary = fmt::format("{} undecided", count_text(undecided, "answer"));
-  } else if (!check.defects.empty()) {
+void add_check_of(const CampaignReport& campaign, Parts parts, Gate& gate) {
+  GateCheck& check =
+      add_check(gate,
+                {.candidate = campaign.candidate,
+                 .name = fmt::format("{}/{}", campaign.law->name, source_of(parts)),
+                 .defects = found_of(campaign, parts, true)},
+                {count(parts, Standing::kUndecided), found_of(campaign, parts, false)});
+  for (const CampaignPart& part : parts) {
+    if (!check.line) check.line = part.failed_at;
+  }
+  if (!check.summary.empty()) return;
+  if (!check.defects.empty()) {
     check.summary = summary_of(campaign, check.defects);
     check.text = text_of(campaign, parts);
   } else if (compared(parts) == 0) {
@@ -127,7 +101,6 @@ GateCheck check_of(const CampaignReport& campaign, Parts parts,
     const std::string& reason = parts.back().counts.reason;
     check.summary = reason.empty() ? "outside the domain that is judged" : reason;
   }
-  return check;
 }
 
 /// What is said of a law as a whole, beside its sources.
@@ -164,56 +137,26 @@ Gate properties_gate(const PropertiesReport& report) {
   gate.ratchet = report.ratchet;
   std::set<std::string> named;
   for (const CampaignReport& campaign : report.campaigns) {
-    const bool has_file = campaign.external && !campaign.external->source_file.empty();
-    if (has_file && named.insert(campaign.candidate).second) {
-      gate.sources.push_back({campaign.candidate, campaign.external->source_file});
+    const std::string& file = campaign.implementation.source_file;
+    if (!file.empty() && named.insert(campaign.candidate).second) {
+      gate.sources.push_back({campaign.candidate, file});
     }
     if (auto whole = whole_of(campaign)) {
       gate.checks.push_back(std::move(*whole));
       if (campaign.finding != Finding::kTooFewJudged) continue;
     }
     for (const Parts parts : by_source(campaign.result)) {
-      gate.checks.push_back(check_of(campaign, parts, report.ratchet));
+      add_check_of(campaign, parts, gate);
+      if (compared(parts) == 0 || report.interrupted) continue;
+      const Scope scope = {std::string(campaign.law->name), source_of(parts),
+                           campaign.lasting_name};
+      gate.findings.asked.insert(scope);
+      // The first break ends a part: what else is wrong there is not known.
+      if (gate.checks.back().defects.empty()) gate.findings.complete.insert(scope);
     }
   }
   complete(gate, report.interrupted);
   return gate;
-}
-
-Findings findings_of(const PropertiesReport& report) {
-  Findings findings;
-  for (const CampaignReport& campaign : report.campaigns) {
-    for (const Parts parts : by_source(campaign.result)) {
-      const std::vector<Identity> defects = defects_of(campaign, parts),
-                                  undecided = undecided_of(campaign, parts);
-      findings.found.insert(defects.begin(), defects.end());
-      findings.found.insert(undecided.begin(), undecided.end());
-      if (compared(parts) == 0 || report.interrupted) continue;
-      const Scope scope = {std::string(campaign.law->name), source_of(parts),
-                           campaign.lasting_name};
-      findings.asked.insert(scope);
-      // The first break ends a part: what else is wrong there is not known.
-      if (defects.empty()) findings.complete.insert(scope);
-    }
-  }
-  return findings;
-}
-
-std::string properties_junit(const PropertiesReport& report, const ViewOptions& /*options*/) {
-  return junit(properties_gate(report));
-}
-std::string properties_markdown(const PropertiesReport& report, const ViewOptions& options) {
-  return markdown(properties_gate(report), options.picture_link);
-}
-std::string properties_github(const PropertiesReport& report, const ViewOptions& /*options*/) {
-  return github(properties_gate(report));
-}
-std::string properties_sarif(const PropertiesReport& report, const ViewOptions& /*options*/) {
-  return sarif(properties_gate(report));
-}
-std::string properties_gitlab_codequality(const PropertiesReport& report,
-                                          const ViewOptions& /*options*/) {
-  return gitlab_codequality(properties_gate(report));
 }
 
 }  // namespace raycheck::tools

@@ -1,7 +1,5 @@
-#include <nlohmann/json.hpp>
 
 #include "properties/cases/case_text.h"
-#include "tools/gates/ratchet_json.h"
 #include "tools/properties/properties_views.h"
 #include "tools/report/json.h"
 
@@ -18,34 +16,23 @@ Json counts_json(const properties::CaseCounts& counts, const properties::Verdict
           {"left_out", counts.left_out},
           {"not_judged", counts.not_judged},
           {"given_rays", counts.given_rays},
-          {"reason_left_out", counts.reason.empty() ? Json(nullptr) : Json(counts.reason)}};
-}
-
-Json severity_json(const std::optional<int>& severity) {
-  return severity ? Json(*severity) : Json(nullptr);
-}
-
-Json replay_json(const std::string& replay) {
-  return replay.empty() ? Json(nullptr) : Json(replay);
+          {"reason_left_out", null_if_empty(counts.reason)}};
 }
 
 Json part_json(const properties::CampaignPart& part) {
   Json json = counts_json(part.counts, part.verdict);
   json["source"] = part.source.source->name;
-  json["severity"] = severity_json(part.source.severity);
+  json["severity"] = or_null(part.source.severity);
   json["level"] = name(part.source.level());
-  json["replay"] = replay_json(part.replay);
-  json["defects"] = Json::array();
-  for (const properties::DefectKind& kind : part.defects) {
-    json["defects"].push_back(kind_text(kind));
-  }
+  json["replay"] = null_if_empty(part.replay);
+  json["defects"] = list_json(part.defects, kind_text);
   return json;
 }
 
 Json reach_json(const properties::Reach& reach) {
-  return {{"holds_to", severity_json(reach.holds_to)},
-          {"broken_at", severity_json(reach.broken_at)},
-          {"replay", replay_json(reach.replay)}};
+  return {{"holds_to", or_null(reach.holds_to)},
+          {"broken_at", or_null(reach.broken_at)},
+          {"replay", null_if_empty(reach.replay)}};
 }
 
 Json campaign_json(const CampaignReport& campaign) {
@@ -58,29 +45,22 @@ Json campaign_json(const CampaignReport& campaign) {
   json["precision"] = name(campaign.precision);
   json["finding"] = name(campaign.finding);
   json["holds"] = campaign.finding == Finding::kHolds;
-  const auto too_few = result.too_few_right();
-  json["too_few_judged"] =
-      campaign.finding == Finding::kTooFewJudged
-          ? Json{{"quantity", info(too_few->first).name}, {"question", name(too_few->second)}}
-          : Json(nullptr);
+  json["too_few_judged"] = campaign.finding == Finding::kTooFewJudged
+                               ? or_null(result.too_few_right(), too_few_json)
+                               : Json(nullptr);
   json["explanations"] = explanations_json(campaign.explanations);
   json["quantities"] = tallies_json(result.verdict, campaign.precision);
-  json["parts"] = Json::array();
-  for (const auto& part : result.parts) json["parts"].push_back(part_json(part));
-  json["frontier"] = Json::array();
-  for (const Frontier& frontier : campaign.frontier) {
+  json["parts"] = list_json(result.parts, part_json);
+  json["frontier"] = list_json(campaign.frontier, [](const Frontier& frontier) {
     Json entry = reach_json(frontier.candidate);
     entry["source"] = frontier.candidate.family->name;
     entry["baseline"] = reach_json(frontier.baseline);
-    json["frontier"].push_back(std::move(entry));
-  }
+    return entry;
+  });
   if (result.failure) {
     json["replay"] = result.failure->replay;
     json["scene"] = properties::scene_text(result.failure->shrunk);
-    json["discrepancies"] = Json::array();
-    for (const auto& discrepancy : result.failure->verdict.worst(10)) {
-      json["discrepancies"].push_back(discrepancy_json(discrepancy));
-    }
+    json["discrepancies"] = list_json(result.failure->verdict.worst(10), discrepancy_json);
   }
   return json;
 }
@@ -89,19 +69,14 @@ Json campaign_json(const CampaignReport& campaign) {
 
 std::string properties_json(const PropertiesReport& report, const ViewOptions& /*options*/) {
   Json json = json_header("properties");
-  json["seed"] = report.seed ? Json(*report.seed) : Json(nullptr);
+  json["seed"] = or_null(report.seed);
   json["cases"] = report.cases;
   json["interrupted"] = report.interrupted;
-  json["baseline"] = report.baseline.empty() ? Json(nullptr) : Json(report.baseline);
-  json["borrowed_bounds"] = Json::array();
-  for (const BorrowedBounds& bounds : report.borrowed) {
-    json["borrowed_bounds"].push_back(
-        {{"candidate", bounds.candidate}, {"methods", bounds.methods}});
-  }
-  json["campaigns"] = Json::array();
-  for (const CampaignReport& campaign : report.campaigns) {
-    json["campaigns"].push_back(campaign_json(campaign));
-  }
+  json["baseline"] = null_if_empty(report.baseline);
+  json["borrowed_bounds"] = list_json(report.borrowed, [](const BorrowedBounds& bounds) {
+    return Json{{"candidate", bounds.candidate}, {"methods", bounds.methods}};
+  });
+  json["campaigns"] = list_json(report.campaigns, campaign_json);
   json["strict"] = report.strict;
   json["fewest_right"] = properties::kFewestRight;
   json["failures"] = report.failures();

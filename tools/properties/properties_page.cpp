@@ -1,39 +1,18 @@
-#include "tools/properties/properties_page.h"
-
 #include <fmt/core.h>
 
 #include <algorithm>
 #include <stdexcept>
 
-#include "tools/external/staged.h"
-#include "tools/methods/methods.h"
+#include "tools/properties/properties_views.h"
 #include "tools/report/words.h"
 #include "tools/view/scene_view.h"
 #include "tools/view/selection.h"
-#include "tools/view/view_words.h"
 
 namespace raycheck::tools {
 namespace {
 
 /// Cases that a page has room for, one a law and candidate.
 constexpr std::size_t kMostCasesShown = 40;
-
-void add_candidate(const CampaignReport& campaign, SceneViewOptions& view) {
-  if (!campaign.external) {
-    view.methods = {find_pair(campaign.candidate)};
-  } else if (!campaign.external->renderer) {
-    view.other = staged(*campaign.external).front().other;
-    view.more_arguments = candidate_words(campaign.candidate);
-  }
-}
-
-/// The method by whose name panels show a candidate.
-std::string method_of(const CampaignReport& campaign, const SceneViewOptions& view) {
-  if (view.methods.empty()) return campaign.candidate;
-  const bool is_of_rays = campaign.law->stage == properties::Stage::kRays;
-  const MethodPair& pair = view.methods.front();
-  return std::string(is_of_rays ? pair.rays->name : pair.intersect->name);
-}
 
 }  // namespace
 
@@ -48,7 +27,9 @@ ViewDocument properties_document(const PropertiesReport& report,
       std::count_if(report.campaigns.begin(), report.campaigns.end(), is_shown));
   const std::size_t shown = std::min(broken, kMostCasesShown);
   if (shown < broken) {
-    document.left_out.push_back(fewer_laws({shown, broken}));
+    document.left_out.push_back(fmt::format(
+        "cases of {} of {} broken laws; `raycheck properties --filter LAW --view` shows others",
+        shown, broken));
   }
   for (const CampaignReport& campaign : report.campaigns) {
     if (control.interrupted() || document.scenes.size() == shown) break;
@@ -59,14 +40,16 @@ ViewDocument properties_document(const PropertiesReport& report,
     view.name = fmt::format("{}.toml", campaign.law->name);
     view.file = view.name;
     view.limits.panel_bytes = kPanelBytes / shown;
-    add_candidate(campaign, view);
+    if (!campaign.implementation.draws()) show(campaign.implementation, view);
     const properties::Place place = worst.empty() ? properties::Place{} : worst.front().place;
     view.wanted = selections_of(failure.shrunk, place);
     document.findings.push_back(
         {fmt::format(
              "{}: {}", campaign.law->name,
              worst.empty() ? std::string(campaign.law->sentence) : discrepancy_head(worst.front())),
-         campaign.candidate, method_of(campaign, view),
+         campaign.candidate,
+         campaign.implementation.name_in(
+             campaign.law->stage.value_or(properties::Stage::kIntersection)),
          worst.empty() ? properties::Standing::kDefect : worst.front().excuse.standing(),
          document.scenes.size(), selection_of(place, failure.shrunk.scene)});
     document.scenes.push_back(view_of(failure.shrunk.scene, view, document.left_out, control));

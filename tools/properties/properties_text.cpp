@@ -140,29 +140,11 @@ std::vector<std::span<const CampaignPart>> by_source(const CampaignResult& resul
 
 std::string replay_text(const CampaignReport& campaign, const std::string& replay) {
   // Someone else's has to be named again to be asked again, and so has how a renderer is judged.
-  if (!campaign.external) return fmt::format("raycheck properties --replay {}", replay);
-  std::string words =
-      fmt::format("raycheck properties --candidate {}", single_quoted(campaign.candidate));
-  if (const auto& renderer = campaign.external->renderer) {
-    const Renderer usual{};
-    if (!(renderer->driver == usual.driver)) {
-      const std::string form = renderer->driver.name();
-      const char* const quote =
-          form.find_first_of(" ()<>|&;*?[#~{") == std::string::npos ? "" : "'";
-      words += fmt::format(" --dialect {1}{0}{1}", form, quote);
-    }
-    const scene::Precision precision = campaign.external->precision;
-    if (precision != scene::Precision::kDouble) {
-      words += fmt::format(" --precision {}", name(precision));
-    }
-    if (renderer->excused_change != properties::excused_image_change(precision)) {
-      words += fmt::format(" --image-change {}", renderer->excused_change);
-    }
-    if (renderer->threshold != usual.threshold) {
-      words += fmt::format(" --t-threshold {}", renderer->threshold);
-    }
-  }
-  return fmt::format("{} --replay {}", words, single_quoted(replay));
+  if (campaign.implementation.methods)
+    return fmt::format("raycheck properties --replay {}", replay);
+  return fmt::format("raycheck properties --candidate {}{} --replay {}",
+                     single_quoted(campaign.candidate), campaign.implementation.arguments,
+                     single_quoted(replay));
 }
 
 std::string failure_text(const CampaignReport& campaign, bool colours) {
@@ -178,11 +160,11 @@ std::string failure_text(const CampaignReport& campaign, bool colours) {
   for (const auto& discrepancy : failure.verdict.worst(1)) {
     discrepancies += discrepancy_text(discrepancy, colours);
   }
-  const bool renders = campaign.external && campaign.external->renderer;
+  const bool draws = campaign.implementation.draws();
   const std::string reason =
       fmt::format("breaks the law {} with {}", campaign.law->name, campaign.candidate);
   text += broken_law_text(campaign.law->sentence, discrepancies,
-                          explanations_text(campaign.explanations, renders ? "pixels" : "answers"),
+                          explanations_text(campaign.explanations, draws ? "pixels" : "answers"),
                           replay_text(campaign, failure.replay),
                           properties::scene_text(failure.shrunk, reason));
   return text;

@@ -3,38 +3,31 @@
 // The views of `properties`, each in the file of its name.
 
 #include <span>
+#include <string>
 #include <vector>
 
 #include "tools/gates/gate.h"
 #include "tools/gates/gate_views.h"
 #include "tools/properties/properties.h"
 #include "tools/report/view.h"
+#include "tools/view/document.h"
 
 namespace raycheck::tools {
 
 std::string properties_text(const PropertiesReport& report, const ViewOptions& options);
 std::string properties_json(const PropertiesReport& report, const ViewOptions& options);
-std::string properties_junit(const PropertiesReport& report, const ViewOptions& options);
-std::string properties_markdown(const PropertiesReport& report, const ViewOptions& options);
-std::string properties_github(const PropertiesReport& report, const ViewOptions& options);
-std::string properties_sarif(const PropertiesReport& report, const ViewOptions& options);
-std::string properties_gitlab_codequality(const PropertiesReport& report,
-                                          const ViewOptions& options);
+
+/// A check for each law on each source.
+Gate properties_gate(const PropertiesReport& report);
 
 inline constexpr View<PropertiesReport> kPropertiesViews[] = {
     {"text", properties_text},
     {"json", properties_json},
-    {"junit", properties_junit},
-    {"markdown", properties_markdown},
-    {"github", properties_github, ViewKind::kCommands},
-    {"gitlab-codequality", properties_gitlab_codequality},
-    {kSarif, properties_sarif},
+    {"junit", gate_view<junit, properties_gate>},
+    {"markdown", gate_view<markdown, properties_gate>},
+    {"github", gate_view<github, properties_gate>, ViewKind::kCommands},
+    {"gitlab-codequality", gate_view<gitlab_codequality, properties_gate>},
 };
-
-/// A check for each law on each source.
-Gate properties_gate(const PropertiesReport& report);
-/// What a baseline holds of it.
-Findings findings_of(const PropertiesReport& report);
 
 /// The parts of each source, in the order of sources.
 std::vector<std::span<const properties::CampaignPart>> by_source(
@@ -47,5 +40,9 @@ std::string replay_text(const CampaignReport& campaign, const std::string& repla
 /// Why a law is broken, in lines, with the shrunk case.
 /// Domain: a campaign with a failure.
 std::string failure_text(const CampaignReport& campaign, bool colours);
+
+/// The shrunk case of every broken law, as a page: a scene each.
+ViewDocument properties_document(const PropertiesReport& report,
+                                 const properties::RunControl& control);
 
 }  // namespace raycheck::tools

@@ -1,7 +1,6 @@
 #include "tools/report/json.h"
 
 #include <cmath>
-#include <nlohmann/json.hpp>
 
 #include "scene/files/scene_file.h"
 #include "scene/number.h"
@@ -54,15 +53,9 @@ Json error_json(std::optional<double> error) {
   return *error;
 }
 
-Json hexfloats(const std::vector<double>& numbers) {
-  Json list = Json::array();
-  for (const double x : numbers) list.push_back(scene::hexfloat(x));
-  return list;
-}
+Json hexfloats(const std::vector<double>& numbers) { return list_json(numbers, scene::hexfloat); }
 
-Json hexfloat_or_null(std::optional<double> number) {
-  return number ? Json(scene::hexfloat(*number)) : Json(nullptr);
-}
+Json hexfloat_or_null(std::optional<double> number) { return or_null(number, scene::hexfloat); }
 
 Json conventions_json(const scene::Conventions& conventions) {
   return {{"rows", name(conventions.rows)},
@@ -78,22 +71,30 @@ Json conventions_json(const scene::Conventions& conventions) {
 }
 
 Json dialect_json(std::optional<scene::Dialect> dialect) {
-  return dialect ? Json(name(*dialect)) : Json(nullptr);
+  return or_null(dialect, [](scene::Dialect one) { return name(one); });
 }
 
 Json explanations_json(const std::vector<properties::Explanation>& explanations) {
-  Json json = Json::array();
-  for (const properties::Explanation& one : explanations) {
-    json.push_back(
-        {{"sentence", one.sentence}, {"wrong", one.errors}, {"explained", one.explained}});
-  }
-  return json;
+  return list_json(explanations, [](const properties::Explanation& one) -> Json {
+    return {{"sentence", one.sentence}, {"wrong", one.errors}, {"explained", one.explained}};
+  });
 }
 
 Json place_json(const properties::Place& place) {
-  return {{"pixel", place.pixel ? Json{place.pixel->i, place.pixel->j} : Json(nullptr)},
+  const auto pixel_json = [](const scene::Pixel& pixel) { return Json{pixel.i, pixel.j}; };
+  return {{"pixel", or_null(place.pixel, pixel_json)},
           {"ray", place.ray},
-          {"sphere", place.sphere ? Json(*place.sphere) : Json(nullptr)}};
+          {"sphere", or_null(place.sphere)}};
+}
+
+void add_scene(Json& json, const std::string& path, const scene::Scene& scene) {
+  json["scene"] = path;
+  json["width"] = or_null(scene.camera, [](const scene::Camera& camera) { return camera.width; });
+  json["height"] = or_null(scene.camera, [](const scene::Camera& camera) { return camera.height; });
+}
+
+Json too_few_json(const std::pair<properties::Quantity, properties::Question>& too_few) {
+  return {{"quantity", info(too_few.first).name}, {"question", name(too_few.second)}};
 }
 
 Json excuse_json(const Discrepancy& d) {
@@ -135,11 +136,11 @@ Json discrepancy_json(const Discrepancy& d) {
     json["failed"] = {
         {"blame", name(d.failed.blame)},
         {"questions", d.failed.count},
-        {"scene", d.failed.scene ? Json(scene::write_toml(*d.failed.scene)) : Json(nullptr)},
-        {"at", nullptr}};
-    if (const auto& at = d.failed.line) {
-      json["failed"]["at"] = {{"file", at->file}, {"line", at->line}, {"text", at->text}};
-    }
+        {"scene", or_null(d.failed.scene,
+                          [](const scene::Scene& scene) { return scene::write_toml(scene); })},
+        {"at", or_null(d.failed.line, [](const properties::CodeLine& at) {
+           return Json{{"file", at.file}, {"line", at.line}, {"text", at.text}};
+         })}};
   }
   return json;
 }
@@ -178,8 +179,7 @@ Json tally_json(properties::Quantity quantity, const Tally& tally, scene::Precis
   json["worst_at"] = has_worst ? place_json(tally.worst_place) : Json(nullptr);
   json["median_condition"] = error_json(tally.condition_quantile(0.5));
   json["max_over_growth"] = error_json(tally.max_over_growth);
-  json["max_ratio"] =
-      error_json(tally.worst_ratio < 0 ? std::nullopt : std::optional(tally.worst_ratio));
+  json["max_ratio"] = error_json(tally.worst_ratio);
   json["outcomes"] = nullptr;
   if (measured && !weighed) return json;
   for (std::size_t k = 0; k < properties::kOutcomeCount; ++k) {
@@ -189,11 +189,8 @@ Json tally_json(properties::Quantity quantity, const Tally& tally, scene::Precis
 }
 
 Json tallies_json(const properties::Verdict& verdict, scene::Precision precision) {
-  Json list = Json::array();
-  for (const auto& [quantity, tally] : verdict.tallies()) {
-    list.push_back(tally_json(quantity, tally, precision));
-  }
-  return list;
+  return list_json(verdict.tallies(),
+                   [&](const auto& of) { return tally_json(of.first, of.second, precision); });
 }
 
 Json standings_json(const properties::Verdict& verdict) {

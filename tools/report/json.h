@@ -1,6 +1,7 @@
 #pragma once
 
-#include <nlohmann/json_fwd.hpp>
+#include <functional>
+#include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -14,15 +15,14 @@
 
 namespace raycheck::tools {
 
-/// Complete in <nlohmann/json.hpp>, which only those include who make or read one.
 using Json = nlohmann::ordered_json;
 
-/// Of the reports that docs/json.md describes: one more with every change that can break a reader
-/// (a key or value that goes, or means something else), not with what is added.
-inline constexpr int kSchemaVersion = 5;
+/// The version of the reports in docs/json.md. It grows with every change that can break a reader
+/// (a key or value that goes, or changes its meaning), not with additions.
+inline constexpr int kSchemaVersion = 6;
 
-/// A report as text, as every view writes it. Texts that are no UTF-8 have U+FFFD where they are
-/// none, and no byte of it acts on a terminal.
+/// A report as text, as every view writes it. Bytes that are not UTF-8 become U+FFFD, and nothing
+/// in it acts on a terminal.
 std::string json_text(const Json& json);
 /// The same on one line.
 std::string json_line(const Json& json);
@@ -32,18 +32,40 @@ Json json_header(std::string_view command);
 /// The report of a command that was interrupted before it had anything to say.
 std::string interrupted_json_text(std::string_view command);
 
-/// An error: a number, null where there is none, the string "infinity".
+/// An error: a number, null, or the string "infinity".
 Json error_json(std::optional<double> error);
+
+/// What `write` makes of a value; null if there is no value.
+template <class Value, class Write = std::identity>
+Json or_null(const std::optional<Value>& value, const Write& write = {}) {
+  return value ? Json(write(*value)) : Json(nullptr);
+}
+/// A text; null if it is empty.
+inline Json null_if_empty(const std::string& text) {
+  return text.empty() ? Json(nullptr) : Json(text);
+}
+
+/// A list of what `write` makes of each value.
+template <class Values, class Write>
+Json list_json(const Values& values, const Write& write) {
+  Json list = Json::array();
+  for (const auto& value : values) list.push_back(write(value));
+  return list;
+}
 
 /// Doubles as hexfloat strings, so that no reader rounds them.
 Json hexfloats(const std::vector<double>& numbers);
 Json hexfloat_or_null(std::optional<double> number);
 
 Json conventions_json(const scene::Conventions& conventions);
-/// "A", "B" or "C"; null of what is no driver file.
+/// "A", "B" or "C"; null if the file is not a driver file.
 Json dialect_json(std::optional<scene::Dialect> dialect);
 Json place_json(const properties::Place& place);
-/// Null of a defect.
+/// The file of a scene, and the size of its image, null where it has none.
+void add_scene(Json& json, const std::string& path, const scene::Scene& scene);
+/// What was asked, of which too little was judged.
+Json too_few_json(const std::pair<properties::Quantity, properties::Question>& too_few);
+/// Null for a defect.
 Json excuse_json(const properties::Discrepancy& discrepancy);
 Json discrepancy_json(const properties::Discrepancy& discrepancy);
 

@@ -42,7 +42,7 @@ class OutputFile {
 };
 
 /// Throws std::invalid_argument where an output file is one of those that the same command reads,
-/// whatever links lead there. An input that is not there is none.
+/// whatever links lead there. An input that does not exist does not count.
 void require_no_input(const std::string& named_by, const std::string& path,
                       const std::vector<std::string>& inputs);
 

@@ -2,8 +2,12 @@
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <span>
+#include <stdexcept>
 #include <string>
+#include <string_view>
+#include <vector>
 
 #include "tools/report/output_file.h"
 
@@ -50,5 +54,35 @@ class PictureFile {
   std::unique_ptr<PictureEncoder> encoder_;
   std::size_t width_ = 0;
 };
+
+/// The bytes of a PNG file; the first line of pixels is the top one.
+/// Domain: width x height pixels, at least one, no side above kMostPictureSide.
+/// Error: std::runtime_error with what libpng says.
+std::string png_bytes(std::int64_t width, std::int64_t height, std::span<const Colour> pixels);
+
+struct PictureSize {
+  std::int64_t width = 0, height = 0;
+};
+
+/// A picture in memory, the top line first.
+struct ReadPicture {
+  std::int64_t width = 0, height = 0;
+  std::vector<Colour> pixels;  ///< Empty where the picture was not to be read further.
+  bool has_size(const PictureSize& size) const {
+    return width == size.width && height == size.height;
+  }
+};
+
+/// What was read is not a picture, or is too large; what() says why.
+class PictureError : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
+/// Reads a PPM (P3 or P6, with comments; channels of any maximum are brought to 255) or a PNG.
+/// Pictures of more than `most` pixels are errors. `wanted`: only the header is read of a
+/// picture of another size.
+ReadPicture parse_picture(std::string_view bytes, std::int64_t most,
+                          const std::optional<PictureSize>& wanted = {});
 
 }  // namespace raycheck::tools

@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "tools/report/csv.h"
+#include "tools/report/spelling.h"
 
 namespace raycheck::tools {
 namespace {

@@ -5,17 +5,17 @@
 
 namespace raycheck::tools {
 
-/// What a view is told of the place that it is shown in.
+/// Where a view is shown.
 struct ViewOptions {
   bool colours = false;      ///< Of a terminal.
-  std::string picture_link;  ///< Where its picture is to be found; empty: it has it itself.
+  std::string picture_link;  ///< Where its picture is; empty: embedded.
 };
 
-/// What acts on who reads a view.
+/// What in a view acts on its reader.
 enum class ViewKind {
   kText,      ///< Nothing.
   kCommands,  ///< Lines that the log of GitHub's workflows obeys.
-  kBytes,     ///< It is no text, and goes to files alone.
+  kBytes,     ///< Binary: written to files only.
 };
 
 /// A format of a command's report: what --format calls it, and what writes it. The views of a room

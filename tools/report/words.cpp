@@ -21,10 +21,10 @@ using properties::Standing;
 /// Errors are upper bounds: one below this says no more than that, and the true error may be 0.
 constexpr double kSmallestShown = 1e-9;
 
-/// Changes of the inputs are counted in u up to so many.
+/// Changes of the inputs are counted in u up to this many.
 constexpr double kMostRoundoffs = 1e6;
 
-/// Of a witness so many changed inputs are named, the most changed first.
+/// The most changed inputs of a witness that are named, the most changed first.
 constexpr std::size_t kMostNamed = 3;
 
 std::string witness_text(const Discrepancy& d) {

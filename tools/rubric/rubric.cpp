@@ -9,7 +9,7 @@
 #include <stdexcept>
 
 #include "tools/grade/rubric/rubric.h"
-#include "tools/grade/rubric/shipped.h"
+#include "tools/grade/rubric/rubric_files.h"
 #include "tools/report/output_file.h"
 
 namespace raycheck::tools {

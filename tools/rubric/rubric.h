@@ -27,4 +27,7 @@ struct CopiedRubric {
 /// written.
 CopiedRubric copy_rubric(const std::string& name, const std::string& out);
 
+std::string rubrics_text(const std::vector<ShippedRubric>& rubrics);
+std::string copied_text(const CopiedRubric& copied);
+
 }  // namespace raycheck::tools

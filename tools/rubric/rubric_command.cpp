@@ -4,8 +4,7 @@
 
 #include "tools/arguments.h"
 #include "tools/commands.h"
-#include "tools/exit_codes.h"
-#include "tools/rubric/rubric_views.h"
+#include "tools/rubric/rubric.h"
 
 namespace raycheck::tools {
 namespace {

@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "tools/report/words.h"
-#include "tools/rubric/rubric_views.h"
+#include "tools/rubric/rubric.h"
 
 namespace raycheck::tools {
 

@@ -1,4 +1,3 @@
-#include "tools/stress/dial_page.h"
 
 #include <fmt/core.h>
 
@@ -11,7 +10,7 @@
 #include "properties/cases/random.h"
 #include "scene/interruption.h"
 #include "tools/report/words.h"
-#include "tools/stress/stress_page.h"
+#include "tools/stress/stress.h"
 #include "tools/view/scene_view.h"
 #include "tools/view/selection.h"
 
@@ -27,18 +26,15 @@ constexpr int kCasesTried = 20;
 
 /// How bad an answer is: wrong decisions before errors.
 double badness(const StressResult& result, properties::Quantity quantity) {
-  const auto& tallies = result.inside.tallies();
-  const auto main = tallies.find(quantity);
-  const double error = main == tallies.end() ? -1 : main->second.max().value_or(-1);
-  return properties::defects(result.inside) > 0 ? HUGE_VAL : error;
+  return properties::defects(result.inside) > 0 ? HUGE_VAL
+                                                : result.inside.tally(quantity).max().value_or(-1);
 }
 
 /// Where the main quantity, or a decision, is worst.
 properties::Place worst_place(const StressResult& result, properties::Quantity quantity) {
   const auto worst = result.inside.worst(1);
   if (!worst.empty()) return worst.front().place;
-  const auto main = result.inside.tallies().find(quantity);
-  return main == result.inside.tallies().end() ? properties::Place{} : main->second.worst_place;
+  return result.inside.tally(quantity).worst_place;
 }
 
 struct ShownCase {
@@ -50,16 +46,16 @@ struct ShownCase {
 /// Of the first cases at a severity, in the order in which they are judged, that on which a method
 /// is worst. Empty where nothing was judged.
 ShownCase worst_of_first(const properties::CaseSource& family, int severity,
-                         const StagedMethod& method, std::uint64_t seed) {
-  const std::vector<properties::Candidate> candidate = {candidate_of(method)};
-  const properties::Quantity quantity = properties::main_quantity(method.stage);
+                         const StressCurve& curve, std::uint64_t seed) {
+  const std::vector<properties::Candidate> candidate = {curve.method.make()};
+  const properties::Quantity quantity = properties::main_quantity(curve.stage);
   properties::Random seeds(seed + static_cast<std::uint64_t>(severity));
   ShownCase shown;
   double worst = -2;
   for (int k = 0; k < kCasesTried; ++k) {
     properties::Case the_case = family.make(severity, seeds.bits());
     std::vector<StressResult> results(1);
-    properties::stress(the_case, method.stage, candidate, results);
+    properties::stress(the_case, curve.stage, candidate, results);
     const double bad = badness(results.front(), quantity);
     if (bad <= worst) continue;
     worst = bad;
@@ -77,6 +73,15 @@ ShownCase worst_of_first(const properties::CaseSource& family, int severity,
   return shown;
 }
 
+/// Of a case that shows something wrong.
+FindingView finding_of(const ShownCase& shown, int severity, const std::string& method) {
+  return {.sentence = fmt::format("severity {}: {} {}", severity, info(shown.wrong->quantity).name,
+                                  wrongness_text(*shown.wrong)),
+          .candidate = method,
+          .method = method,
+          .selection = selection_of(shown.place, shown.the_case.scene)};
+}
+
 /// A facet of those of its severities.
 ChartFacet of_severities(ChartFacet facet, const std::vector<int>& chosen) {
   const auto keep = [&](auto& list) {
@@ -91,7 +96,8 @@ ChartFacet of_severities(ChartFacet facet, const std::vector<int>& chosen) {
 
 }  // namespace
 
-ViewDocument dial_document(const StressOptions& options, const properties::RunControl& control) {
+ViewDocument dial_document(const StressOptions& options, bool is_of_methods,
+                           const properties::RunControl& control) {
   if (options.families.size() != 1) {
     throw std::invalid_argument("family: a dial is one family's; name one");
   }
@@ -102,30 +108,26 @@ ViewDocument dial_document(const StressOptions& options, const properties::RunCo
     throw std::invalid_argument("method: asks nothing of this family");
   }
   // Of both stages the one that the family is about: intersections where they are asked.
-  const properties::Stage stage = family.curves.back().method.stage;
+  const properties::Stage stage = family.curves.back().stage;
   ViewDocument document;
   document.title = std::string(family.family->name);
   DialView dial;
   dial.sentence =
       fmt::format("{}; severity is {}", family.family->sentence, family.family->dial->meaning);
   SceneViewOptions view;
-  view.is_of_methods = !options.methods.empty();
-  const StagedMethod* first = nullptr;
+  view.is_of_methods = is_of_methods;
+  const StressCurve* first = nullptr;
   for (const StressCurve& curve : family.curves) {
-    if (curve.method.stage != stage) continue;
-    if (first == nullptr) first = &curve.method;
-    if (curve.method.other) {
-      view.other = curve.method.other;
-    } else {
-      view.methods.push_back({curve.method.rays, curve.method.intersect});
-    }
+    if (curve.stage != stage) continue;
+    if (first == nullptr) first = &curve;
+    show(curve.method, view);
   }
   dial.sentence += fmt::format("; what is shown is, of the first {} cases at each, the worst of {}",
-                               kCasesTried, first->name());
+                               kCasesTried, first->method.name);
   const std::vector<int>& severities = family.curves.back().severities;
   const auto chosen =
       properties::some_severities(0, static_cast<int>(severities.size()) - 1, kMostScenes);
-  ChartFacet facet = stress_facet(family, stage, first->precision());
+  ChartFacet facet = stress_facet(family, stage, first->method.precision);
   document.chart = ChartView{{of_severities(std::move(facet), chosen)}, kChartShares.size() - 1};
   view.limits.panel_bytes = kPanelBytes / chosen.size();
   for (const int k : chosen) {
@@ -136,11 +138,8 @@ ViewDocument dial_document(const StressOptions& options, const properties::RunCo
     view.file = view.name + ".toml";
     view.wanted = selections_of(shown.the_case, shown.place);
     if (shown.wrong) {
-      document.findings.push_back(
-          {fmt::format("severity {}: {} {}", severity, info(shown.wrong->quantity).name,
-                       wrongness_text(*shown.wrong)),
-           std::string(first->name()), std::string(first->name()), properties::Standing::kDefect,
-           document.scenes.size(), selection_of(shown.place, shown.the_case.scene)});
+      document.findings.push_back(finding_of(shown, severity, first->method.name));
+      document.findings.back().scene = document.scenes.size();
     }
     dial.scenes.push_back(document.scenes.size());
     document.scenes.push_back(view_of(shown.the_case.scene, view, document.left_out, control));

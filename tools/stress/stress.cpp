@@ -70,16 +70,15 @@ std::vector<Stage> stages_of(const CaseSource& family) {
 }
 
 std::vector<StressCurve> run_stage(const CaseSource& family, Stage stage,
-                                   const std::vector<StagedMethod>& methods,
                                    const StressOptions& options,
                                    const properties::RunControl& control) {
   std::vector<StressCurve> curves;
   std::vector<properties::Candidate> candidates;
   const std::vector<int> severities = severities_of(family, options);
-  for (const StagedMethod& method : methods) {
-    if (method.stage != stage) continue;
-    curves.push_back({method, severities, {}});
-    candidates.push_back(candidate_of(method));
+  for (const Implementation& method : options.implementations) {
+    if (!method.offers(stage)) continue;
+    curves.push_back({stage, method, severities, {}});
+    candidates.push_back(method.make());
   }
   if (curves.empty()) return curves;
   properties::StressOptions each;
@@ -99,12 +98,6 @@ std::vector<StressCurve> run_stage(const CaseSource& family, Stage stage,
 
 }  // namespace
 
-const properties::Tally* StressCurve::tally(std::size_t k) const {
-  const auto& tallies = results[k].inside.tallies();
-  const auto found = tallies.find(quantity());
-  return found == tallies.end() ? nullptr : &found->second;
-}
-
 bool StressCurve::is_judged() const {
   return std::any_of(results.begin(), results.end(),
                      [](const StressResult& result) { return result.inside.compared() > 0; });
@@ -117,8 +110,8 @@ std::optional<int> StressCurve::first_failing() const {
   return std::nullopt;
 }
 
-double StressCurve::worst_ratio() const {
-  double worst = -1;
+std::optional<double> StressCurve::worst_ratio() const {
+  std::optional<double> worst;
   for (const StressResult& result : results) {
     worst = std::max(worst, properties::worst_ratio(result.inside));
   }
@@ -134,8 +127,7 @@ std::uint64_t StressCurve::left_out() const {
 std::optional<double> StressCurve::slope(int base) const {
   std::vector<double> errors;
   for (std::size_t k = 0; k < results.size(); ++k) {
-    const properties::Tally* const at = tally(k);
-    errors.push_back(at == nullptr ? 0 : at->quantile(0.999).value_or(0));
+    errors.push_back(tally(k).quantile(0.999).value_or(0));
   }
   return properties::error_slope(base, severities, errors);
 }
@@ -166,12 +158,11 @@ StressReport run_stress(const StressOptions& options, const properties::RunContr
   report.cases = options.cases;
   report.seed = options.seed;
   const std::vector<const CaseSource*> families = chosen_families(options.families);
-  const std::vector<StagedMethod> methods = find_methods(options.methods, options.others);
   require_severities(families, options);
   for (const CaseSource* family : families) {
     FamilyReport one{family, {}};
     for (const Stage stage : stages_of(*family)) {
-      auto curves = run_stage(*family, stage, methods, options, control);
+      auto curves = run_stage(*family, stage, options, control);
       std::move(curves.begin(), curves.end(), std::back_inserter(one.curves));
     }
     report.families.push_back(std::move(one));

@@ -8,14 +8,15 @@
 
 #include "properties/run_control.h"
 #include "properties/search/stress.h"
-#include "tools/methods/methods.h"
+#include "tools/implementations/implementation.h"
+#include "tools/report/view.h"
+#include "tools/view/document.h"
 
 namespace raycheck::tools {
 
 struct StressOptions {
   std::vector<std::string> families;  ///< Empty: every source with a dial.
-  std::vector<std::string> methods;   ///< Empty: every method, or those of others alone.
-  std::vector<StagedMethod> others;
+  std::vector<Implementation> implementations;
   int cases = 200;  ///< At each severity.
   std::uint64_t seed = 1;
   /// Severities from..to; empty: the family's own range.
@@ -24,21 +25,23 @@ struct StressOptions {
 
 /// One method on one family.
 struct StressCurve {
-  StagedMethod method;
+  properties::Stage stage = properties::Stage::kRays;
+  Implementation method;
   std::vector<int> severities;
   std::vector<properties::StressResult> results;  ///< One a severity.
 
-  properties::Quantity quantity() const { return properties::main_quantity(method.stage); }
+  properties::Quantity quantity() const { return properties::main_quantity(stage); }
   /// Of that quantity's errors: "ulp", "u of float".
-  std::string_view unit() const { return unit_name(quantity(), method.precision()); }
-  /// The tally of the main quantity within the stated domain at the k-th severity; null where
-  /// nothing was measured.
-  const properties::Tally* tally(std::size_t k) const;
+  std::string_view unit() const { return unit_name(quantity(), method.precision); }
+  /// The tally of the main quantity within the stated domain at the k-th severity.
+  const properties::Tally& tally(std::size_t k) const {
+    return results[k].inside.tally(quantity());
+  }
   /// The least severity at which the method is not stable within its stated domain.
   std::optional<int> first_failing() const;
   /// Empty while nothing was judged within the stated domain.
   bool is_judged() const;
-  double worst_ratio() const;
+  std::optional<double> worst_ratio() const;
   std::uint64_t left_out() const;
   std::optional<double> slope(int base) const;
 };
@@ -62,5 +65,37 @@ struct StressReport {
 /// properties::kMostSeverities at some of them.
 /// Throws std::invalid_argument naming the field.
 StressReport run_stress(const StressOptions& options, const properties::RunControl& control = {});
+
+std::string stress_text(const StressReport& report, const ViewOptions& options);
+std::string stress_json(const StressReport& report, const ViewOptions& options);
+std::string stress_csv(const StressReport& report, const ViewOptions& options);
+std::string stress_markdown(const StressReport& report, const ViewOptions& options);
+
+inline constexpr View<StressReport> kStressViews[] = {
+    {"text", stress_text},
+    {"json", stress_json},
+    {"csv", stress_csv},
+    {"markdown", stress_markdown},
+};
+
+/// Certificates of the first discrepancy of each kind at each severity: a line each.
+std::string stress_certificates(const StressReport& report);
+
+/// The methods of one stage that are judged in one format, on a family.
+ChartFacet stress_facet(const FamilyReport& family, properties::Stage stage,
+                        scene::Precision precision);
+
+/// All that a report has.
+std::vector<ChartFacet> stress_facets(const StressReport& report);
+
+/// A report as a page: error against severity, on each of its families.
+ViewDocument stress_document(const StressReport& report);
+
+/// A family's dial as a page: the error of each method at every severity, and at some of them a
+/// case as a scene, of the first ones that on which the first method is worst.
+/// `is_of_methods`: panels show the steps of these methods alone.
+/// Domain: options with one family; otherwise throws std::invalid_argument naming the field.
+ViewDocument dial_document(const StressOptions& options, bool is_of_methods,
+                           const properties::RunControl& control);
 
 }  // namespace raycheck::tools

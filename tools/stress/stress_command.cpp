@@ -6,10 +6,9 @@
 
 #include "tools/arguments.h"
 #include "tools/commands.h"
-#include "tools/report/output_file.h"
-#include "tools/stress/stress_page.h"
-#include "tools/stress/stress_views.h"
+#include "tools/stress/stress.h"
 #include "tools/terminal.h"
+#include "tools/view/chart/plot.h"
 #include "tools/view/page/page.h"
 
 namespace raycheck::tools {
@@ -17,6 +16,7 @@ namespace {
 
 struct StressArguments {
   StressOptions options;
+  std::vector<std::string> methods;
   std::string severity;
   std::string plot;
   std::optional<std::string> view;
@@ -42,16 +42,14 @@ std::pair<int, int> parse_range(const std::string& text) {
 int run_stress(StressArguments& arguments) {
   if (!arguments.severity.empty()) arguments.options.severities = parse_range(arguments.severity);
   if (!arguments.plot.empty()) require_plottable(arguments.plot);
-  arguments.options.others = find_others(arguments.external);
-  std::optional<OutputFile> certificates;
-  if (arguments.certificates) certificates.emplace("--certificates", *arguments.certificates);
-  std::optional<OutputFile> view;
-  if (arguments.view) view.emplace("--view", *arguments.view);
+  arguments.options.implementations = find_by_stages(arguments.methods, arguments.external);
+  std::optional<OutputFile> certificates = opened("--certificates", arguments.certificates);
+  std::optional<OutputFile> view = opened("--view", arguments.view);
   const StressReport report = run_stress(arguments.options, run_control("stress"));
   if (certificates) certificates->write(stress_certificates(report));
   print_view(kStressViews, arguments.format, report);
   if (!arguments.plot.empty() && !report.interrupted)
-    draw_or_say(stress_plots(report), arguments.plot);
+    draw_or_say(stress_facets(report), arguments.plot);
   if (view) view->write(page(stress_document(report)));
   return exit_code(report.interrupted, !report.all_stable(), report.compared() > 0);
 }
@@ -63,12 +61,7 @@ CommandRun add_stress(CLI::App& command) {
   StressOptions& options = given->options;
   command.add_option("--family", options.families, "only these families, separated by commas")
       ->delimiter(',');
-  command
-      .add_option(
-          "--method,--methods", options.methods,
-          "only these methods, of either kind, separated by commas, or all (default: those of "
-          "fast/, without the reference and peers)")
-      ->delimiter(',');
+  add_methods(command, given->methods);
   command.add_option("--severity", given->severity,
                      "only these severities, A..B (default: the family's own range)");
   command.add_option("--cases", options.cases, "cases at each severity")

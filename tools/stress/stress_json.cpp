@@ -1,9 +1,10 @@
-#include <nlohmann/json.hpp>
 
+#include "tools/report/certificate.h"
 #include "tools/report/json.h"
-#include "tools/stress/stress_views.h"
+#include "tools/stress/stress.h"
 
 namespace raycheck::tools {
+
 std::string stress_json(const StressReport& report, const ViewOptions& /*options*/) {
   Json json = json_header("stress");
   json["interrupted"] = report.interrupted;
@@ -19,21 +20,16 @@ std::string stress_json(const StressReport& report, const ViewOptions& /*options
     entry["methods"] = Json::array();
     for (const StressCurve& curve : family.curves) {
       Json method;
-      const scene::Precision precision = curve.method.precision();
-      method["name"] = curve.method.name();
-      method["isolated_by"] =
-          curve.method.other ? Json(curve.method.other->isolated_by) : Json(nullptr);
-      method["bounds_of"] =
-          curve.method.other ? Json(curve.method.other->bounds_of) : Json(nullptr);
+      const scene::Precision precision = curve.method.precision;
+      method["name"] = curve.method.name;
+      method["isolated_by"] = null_if_empty(curve.method.isolated_by);
+      method["bounds_of"] = null_if_empty(curve.method.bounds_of);
       method["precision"] = name(precision);
-      method["stage"] = name(curve.method.stage);
+      method["stage"] = name(curve.stage);
       method["judged"] = curve.is_judged();
-      const std::optional<int> failing = curve.first_failing();
-      method["first_failing"] = failing ? Json(*failing) : Json(nullptr);
-      const std::optional<double> slope = curve.slope(family.family->dial->base);
-      method["slope"] = slope ? Json(*slope) : Json(nullptr);
-      method["max_ratio"] =
-          error_json(curve.worst_ratio() < 0 ? std::nullopt : std::optional(curve.worst_ratio()));
+      method["first_failing"] = or_null(curve.first_failing());
+      method["slope"] = or_null(curve.slope(family.family->dial->base));
+      method["max_ratio"] = error_json(curve.worst_ratio());
       for (std::size_t k = 0; k < curve.results.size(); ++k) {
         method["severities"].push_back(
             {{"severity", curve.severities[k]},
@@ -46,6 +42,23 @@ std::string stress_json(const StressReport& report, const ViewOptions& /*options
     json["families"].push_back(std::move(entry));
   }
   return json_text(json);
+}
+
+std::string stress_certificates(const StressReport& report) {
+  std::vector<Json> certificates;
+  for (const FamilyReport& family : report.families) {
+    for (const StressCurve& curve : family.curves) {
+      const properties::Candidate candidate = curve.method.make();
+      for (const properties::StressResult& result : curve.results) {
+        for (const properties::Example& found : result.found) {
+          const scene::Scene& scene = found.the_case.scene;
+          certificates.push_back(certificate(scene, candidate.declared.over(scene.conventions),
+                                             found.discrepancy, curve.method.name));
+        }
+      }
+    }
+  }
+  return certificates_text(certificates);
 }
 
 }  // namespace raycheck::tools

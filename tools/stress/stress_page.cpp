@@ -1,6 +1,6 @@
-#include "tools/stress/stress_page.h"
-
 #include <fmt/core.h>
+
+#include "tools/stress/stress.h"
 
 namespace raycheck::tools {
 
@@ -13,9 +13,9 @@ ChartFacet stress_facet(const FamilyReport& family, Stage stage, scene::Precisio
                    .quantities = chart_quantities(stage),
                    .precision = precision};
   for (const StressCurve& curve : family.curves) {
-    if (curve.method.stage != stage) continue;
-    ChartSeries series{.name = std::string(curve.method.name()), .number = curve.method.number};
-    if (curve.method.precision() != precision || !curve.is_judged()) continue;
+    if (curve.stage != stage) continue;
+    ChartSeries series{.name = curve.method.name, .number = curve.method.number};
+    if (curve.method.precision != precision || !curve.is_judged()) continue;
     if (facet.severities.empty()) {
       for (const int severity : curve.severities) {
         facet.severities.push_back(std::to_string(severity));
@@ -30,21 +30,25 @@ ChartFacet stress_facet(const FamilyReport& family, Stage stage, scene::Precisio
   return facet;
 }
 
-ViewDocument stress_document(const StressReport& report) {
-  ChartView chart;
+std::vector<ChartFacet> stress_facets(const StressReport& report) {
+  std::vector<ChartFacet> facets;
   for (const Stage stage : {Stage::kIntersection, Stage::kRays}) {
     for (const auto precision : {scene::Precision::kDouble, scene::Precision::kSingle}) {
       for (const FamilyReport& family : report.families) {
         ChartFacet facet = stress_facet(family, stage, precision);
-        if (!facet.series.empty()) chart.facets.push_back(std::move(facet));
+        if (!facet.series.empty()) facets.push_back(std::move(facet));
       }
     }
   }
+  return facets;
+}
+
+ViewDocument stress_document(const StressReport& report) {
   ViewDocument document;
   document.title = report.families.size() == 1
                        ? fmt::format("Error against severity: {}", report.families[0].family->name)
                        : fmt::format("Error against severity: {} families", report.families.size());
-  document.chart = std::move(chart);
+  document.chart = ChartView{stress_facets(report)};
   return document;
 }
 

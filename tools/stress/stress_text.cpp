@@ -3,10 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "tools/methods/others_text.h"
 #include "tools/report/table.h"
 #include "tools/report/words.h"
-#include "tools/stress/stress_views.h"
+#include "tools/stress/stress.h"
 
 namespace raycheck::tools {
 namespace {
@@ -39,9 +38,9 @@ Table first_failing_table(const StressReport& report, Stage stage) {
                               : fmt::format("{}..{}", family.curves.front().severities.front(),
                                             family.curves.front().severities.back())};
     for (const StressCurve& curve : family.curves) {
-      if (curve.method.stage != stage) continue;
+      if (curve.stage != stage) continue;
       if (rows.empty()) {
-        columns.push_back({std::string(curve.method.name()), Table::Align::kRight});
+        columns.push_back({curve.method.name, Table::Align::kRight});
       }
       row.push_back(failing_text(curve));
     }
@@ -50,11 +49,6 @@ Table first_failing_table(const StressReport& report, Stage stage) {
   Table table(std::move(columns));
   for (auto& row : rows) table.add(std::move(row));
   return table;
-}
-
-std::optional<double> largest(const Verdict& verdict, Quantity quantity) {
-  const auto found = verdict.tallies().find(quantity);
-  return found == verdict.tallies().end() ? std::nullopt : found->second.max();
 }
 
 /// The numbers of one method on one family at one severity.
@@ -85,9 +79,7 @@ std::vector<Table::Column> detail_columns() {
 std::vector<std::string> detail_row(const FamilyReport& family, const StressCurve& curve,
                                     std::size_t k) {
   const StressResult& result = curve.results[k];
-  const Tally* const tally = curve.tally(k);
-  const Tally none;
-  const Tally& main = tally == nullptr ? none : *tally;
+  const Tally& main = curve.tally(k);
   std::uint64_t decisions = 0;
   std::uint64_t excused = 0;
   std::uint64_t undecided = 0;
@@ -97,9 +89,8 @@ std::vector<std::string> detail_row(const FamilyReport& family, const StressCurv
     excused += each.count(properties::Standing::kExcused);
     undecided += each.count(properties::Standing::kUndecided);
   }
-  const double ratio = properties::worst_ratio(result.inside);
   return {std::string(family.family->name),
-          std::string(curve.method.name()),
+          curve.method.name,
           std::to_string(curve.severities[k]),
           std::to_string(decisions),
           std::to_string(properties::defects(result.inside)),
@@ -110,8 +101,8 @@ std::vector<std::string> detail_row(const FamilyReport& family, const StressCurv
           error_text(main.median()),
           error_text(main.quantile(0.999)),
           error_text(main.max()),
-          error_text(largest(result.inside, Quantity::kBackwardError)),
-          error_text(ratio < 0 ? std::nullopt : std::optional(ratio)),
+          error_text(result.inside.tally(Quantity::kBackwardError).max()),
+          error_text(properties::worst_ratio(result.inside)),
           error_text(main.condition_quantile(0.5)),
           std::to_string(main.count(Outcome::kExact)),
           std::to_string(main.count(Outcome::kAccurate)),
@@ -149,25 +140,16 @@ Table summary_table(const StressReport& report) {
     for (const StressCurve& curve : family.curves) {
       Verdict all;
       for (const StressResult& result : curve.results) all.merge(result.inside);
-      std::uint64_t missed = 0;
-      std::uint64_t false_hits = 0;
-      for (const auto& [quantity, tally] : all.tallies()) {
-        if (quantity != Quantity::kClass) continue;
-        missed = tally.count(properties::Wrong::kMissed);
-        false_hits = tally.count(properties::Wrong::kFalseHit);
-      }
-      const std::uint64_t defects = properties::defects(all);
-      const auto classes = all.tallies().find(Quantity::kClass);
-      const std::uint64_t class_defects =
-          classes == all.tallies().end() ? 0 : classes->second.count(Outcome::kWrongDecision);
-      const double ratio = curve.worst_ratio();
+      const Tally& classes = all.tally(Quantity::kClass);
+      const std::uint64_t other_defects =
+          properties::defects(all) - classes.count(Outcome::kWrongDecision);
       const std::optional<double> slope = curve.slope(family.family->dial->base);
-      table.add({std::string(family.family->name), std::string(curve.method.name()),
-                 failing_text(curve), slope ? fmt::format("{:.2f}", *slope) : "-",
-                 error_text(ratio < 0 ? std::nullopt : std::optional(ratio)),
-                 std::to_string(missed), std::to_string(false_hits),
-                 std::to_string(defects - class_defects),
-                 error_text(largest(all, curve.quantity())), std::string(curve.unit())});
+      table.add({std::string(family.family->name), curve.method.name, failing_text(curve),
+                 slope ? fmt::format("{:.2f}", *slope) : "-", error_text(curve.worst_ratio()),
+                 std::to_string(classes.count(properties::Wrong::kMissed)),
+                 std::to_string(classes.count(properties::Wrong::kFalseHit)),
+                 std::to_string(other_defects), error_text(all.tally(curve.quantity()).max()),
+                 std::string(curve.unit())});
     }
   }
   return table;
@@ -195,11 +177,11 @@ std::string rendered(const StressReport& report, Render render, std::string_view
   if (report.interrupted) text += "INTERRUPTED: what follows covers only what was judged.\n\n";
   text += fmt::format("{} cases at each severity, seed {}.\n{}", report.cases, report.seed,
                       explanation());
-  std::vector<StagedMethod> methods;
+  std::vector<Implementation> methods;
   for (const FamilyReport& family : report.families) {
     for (const StressCurve& curve : family.curves) methods.push_back(curve.method);
   }
-  const std::string others = others_text(methods);
+  const std::string others = isolation_text(methods);
   if (!others.empty()) text += "\n" + others;
   for (const Stage stage : {Stage::kRays, Stage::kIntersection}) {
     const Table table = first_failing_table(report, stage);
@@ -219,8 +201,8 @@ std::string rendered(const StressReport& report, Render render, std::string_view
     for (const StressCurve& curve : family.curves) {
       if (curve.left_out() == 0) continue;
       text += fmt::format("{}{} on {} ({}): {} left out, whose numbers floats cannot hold\n",
-                          heading.empty() ? "" : "- ", curve.method.name(), family.family->name,
-                          name(curve.method.stage), count_text(curve.left_out(), "case"));
+                          heading.empty() ? "" : "- ", curve.method.name, family.family->name,
+                          name(curve.stage), count_text(curve.left_out(), "case"));
     }
   }
   for (const FamilyReport& family : report.families) {

@@ -9,6 +9,7 @@
 #include "properties/cases/random.h"
 #include "properties/cases/scene_cases.h"
 #include "scene/interruption.h"
+#include "tools/implementations/built_in.h"
 #include "tools/tradeoff/tradeoff_timing.h"
 
 namespace raycheck::tools {
@@ -34,7 +35,7 @@ constexpr std::size_t kMostNamed = 3;
 /// The rays judged at a time.
 constexpr std::uint64_t kChunk = 512;
 
-/// A scene's rays so many at a time.
+/// How many of a scene's rays are judged at a time.
 class SceneChunks {
  public:
   explicit SceneChunks(const properties::SceneCases& cases) : cases_(cases) {}
@@ -104,13 +105,10 @@ class TimedCases {
   std::vector<Case> cases_;
 };
 
-std::vector<MethodCost> costs_of(const std::vector<StagedMethod>& methods, Stage stage) {
+std::vector<MethodCost> costs_of(const std::vector<Implementation>& methods, Stage stage) {
   std::vector<MethodCost> costs;
-  for (const StagedMethod& method : methods) {
-    if (method.stage != stage) continue;
-    costs.emplace_back();
-    costs.back().method = method;
-    costs.back().promises = candidate_of(method);
+  for (const Implementation& method : methods) {
+    if (method.offers(stage)) costs.push_back({stage, method, method.make()});
   }
   return costs;
 }
@@ -121,7 +119,7 @@ class StageJudge {
   StageJudge(Stage stage, const JudgedSource& source, std::vector<MethodCost>& costs)
       : stage_(stage), source_(source), costs_(costs), results_(costs.size()) {
     for (MethodCost& cost : costs) {
-      candidates_.push_back(candidate_of(cost.method));
+      candidates_.push_back(cost.method.make());
       cost.by_severity.emplace_back(source.severities.size());
     }
   }
@@ -209,8 +207,8 @@ std::optional<Rank> rank_of(const MethodCost& cost) {
 
 std::optional<std::pair<double, double>> badness_of(const properties::Verdict& verdict,
                                                     properties::Quantity quantity) {
-  const auto found = verdict.tallies().find(quantity);
-  if (found == verdict.tallies().end() || found->second.errors.empty()) return std::nullopt;
+  const properties::Tally& main = verdict.tally(quantity);
+  if (main.errors.empty()) return std::nullopt;
   std::uint64_t decisions = 0;
   for (const auto& [judged, tally] : verdict.tallies()) {
     if (tally.errors.empty()) decisions += tally.cases;
@@ -218,19 +216,20 @@ std::optional<std::pair<double, double>> badness_of(const properties::Verdict& v
   const double share = decisions == 0 ? 0
                                       : static_cast<double>(properties::defects(verdict)) /
                                             static_cast<double>(decisions);
-  return std::pair(share, *found->second.quantile(0.999));
+  return std::pair(share, *main.quantile(0.999));
 }
 
 /// End to end, the methods that are Pareto-optimal in their own stage, with the default ones.
 std::vector<MethodPair> pairs_worth_timing(const TradeoffReport& report) {
   std::vector<MethodPair> pairs;
   for (const MethodCost& rays : report.rays) {
-    if (rays.method.other) continue;
-    if (!rays.pareto && rays.method.rays != kDefaultMethods.rays) continue;
+    if (!rays.method.methods) continue;
+    const fast::PixelRayMethod* const make = rays.method.methods->rays;
+    if (!rays.pareto && make != kDefaultMethods.rays) continue;
     for (const MethodCost& cost : report.intersections) {
-      if (cost.method.other) continue;
-      if (!cost.pareto && cost.method.intersect != kDefaultMethods.intersect) continue;
-      pairs.push_back({rays.method.rays, cost.method.intersect});
+      if (!cost.method.methods) continue;
+      const fast::IntersectMethod* const intersect = cost.method.methods->intersect;
+      if (cost.pareto || intersect == kDefaultMethods.intersect) pairs.push_back({make, intersect});
     }
   }
   return pairs;
@@ -372,12 +371,6 @@ const MethodCost* baseline(const std::vector<MethodCost>& costs) {
   return first == costs.end() ? nullptr : &*first;
 }
 
-const properties::Tally* MethodCost::main() const {
-  const auto& tallies = accuracy.inside.tallies();
-  const auto found = tallies.find(quantity());
-  return found == tallies.end() ? nullptr : &found->second;
-}
-
 std::optional<std::pair<double, double>> MethodCost::badness() const {
   auto badness = badness_of(accuracy.inside, quantity());
   if (badness) {
@@ -399,9 +392,8 @@ std::uint64_t TradeoffReport::compared() const {
 TradeoffReport run_tradeoff(const TradeoffOptions& options, const properties::RunControl& control) {
   TradeoffReport report;
   report.seed = options.seed;
-  const std::vector<StagedMethod> methods = find_methods(options.methods, options.others);
-  report.rays = costs_of(methods, Stage::kRays);
-  report.intersections = costs_of(methods, Stage::kIntersection);
+  report.rays = costs_of(options.implementations, Stage::kRays);
+  report.intersections = costs_of(options.implementations, Stage::kIntersection);
   const scene::Interruptible interruptible(control.interrupted);
   try {
     if (options.scene.empty()) {

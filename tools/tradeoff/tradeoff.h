@@ -1,17 +1,21 @@
 #pragma once
 
 #include <algorithm>
+#include <cstddef>
 #include <cstdint>
 #include <map>
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "properties/run_control.h"
 #include "properties/search/stress.h"
 #include "scene/files/scene_file.h"
-#include "tools/methods/methods.h"
+#include "tools/implementations/implementation.h"
+#include "tools/report/view.h"
+#include "tools/view/document.h"
 
 namespace raycheck::tools {
 
@@ -20,8 +24,7 @@ struct TradeoffOptions {
   std::optional<scene::Dialect> dialect;
   std::vector<std::string> sources;  ///< Empty: ordinary cases.
   bool all_families = false;
-  std::vector<std::string> methods;  ///< Empty: every method, or those of others alone.
-  std::vector<StagedMethod> others;
+  std::vector<Implementation> implementations;
   int cases = 20000;
   std::uint64_t seed = 1;
 };
@@ -39,7 +42,8 @@ using Tallies = std::map<properties::Quantity, properties::Tally>;
 
 /// What one method costs and how far it is off.
 struct MethodCost {
-  StagedMethod method;
+  properties::Stage stage = properties::Stage::kRays;
+  Implementation method;
   properties::Promises promises;  ///< What its errors are held to.
   properties::StressResult accuracy;
   /// Its parts: of each source, of each of its severities.
@@ -51,9 +55,8 @@ struct MethodCost {
   bool pareto = false;                   ///< No other method is as fast and as accurate.
   bool is_called_here = false;  ///< Someone else's that was timed in raycheck's own process.
 
-  properties::Quantity quantity() const { return properties::main_quantity(method.stage); }
+  properties::Quantity quantity() const { return properties::main_quantity(stage); }
   std::string_view unit() const { return unit_name(quantity(), promises.precision); }
-  const properties::Tally* main() const;
   /// Errors by which methods are ranked: decisions wrong without an excuse per decision, then the
   /// 99.9% error, of whatever format in u or ulp of doubles. Empty where nothing was judged in the
   /// stated domain.
@@ -111,5 +114,27 @@ std::string subject_text(const TradeoffReport& report);
 /// what the reader of scenes throws.
 TradeoffReport run_tradeoff(const TradeoffOptions& options,
                             const properties::RunControl& control = {});
+
+std::string tradeoff_text(const TradeoffReport& report, const ViewOptions& options);
+std::string tradeoff_json(const TradeoffReport& report, const ViewOptions& options);
+std::string tradeoff_csv(const TradeoffReport& report, const ViewOptions& options);
+std::string tradeoff_markdown(const TradeoffReport& report, const ViewOptions& options);
+
+inline constexpr View<TradeoffReport> kTradeoffViews[] = {
+    {"text", tradeoff_text},
+    {"json", tradeoff_json},
+    {"csv", tradeoff_csv},
+    {"markdown", tradeoff_markdown},
+};
+
+/// What a report has of all of its sources together, and of each.
+std::vector<ChartFacet> tradeoff_facets(const TradeoffReport& report, bool with_each);
+
+/// A report as a page: error against run time, on all of its sources together and on each.
+ViewDocument tradeoff_document(const TradeoffReport& report);
+
+/// The Pareto front of points (time, error): the indices of those whose error is below that of all
+/// that are as fast, the fastest first. Of points that are the same, the first.
+std::vector<std::size_t> pareto_front(const std::vector<std::pair<double, double>>& points);
 
 }  // namespace raycheck::tools

@@ -3,10 +3,9 @@
 
 #include "tools/arguments.h"
 #include "tools/commands.h"
-#include "tools/report/output_file.h"
 #include "tools/terminal.h"
-#include "tools/tradeoff/tradeoff_page.h"
-#include "tools/tradeoff/tradeoff_views.h"
+#include "tools/tradeoff/tradeoff.h"
+#include "tools/view/chart/plot.h"
 #include "tools/view/page/page.h"
 
 namespace raycheck::tools {
@@ -14,6 +13,7 @@ namespace {
 
 struct TradeoffArguments {
   TradeoffOptions options;
+  std::vector<std::string> methods;
   std::string dialect;
   std::string plot;
   std::optional<std::string> view;
@@ -30,14 +30,13 @@ int run_tradeoff(TradeoffArguments& arguments) {
   }
   options.dialect = parse_dialect(arguments.dialect);
   if (!arguments.plot.empty()) require_plottable(arguments.plot);
-  std::optional<OutputFile> view;
-  if (arguments.view) view.emplace("--view", *arguments.view);
-  options.others = find_others(arguments.external);
+  std::optional<OutputFile> view = opened("--view", arguments.view);
+  options.implementations = find_by_stages(arguments.methods, arguments.external);
   const TradeoffReport report = run_tradeoff(options, run_control("tradeoff"));
   print_warnings(report.warnings);
   print_view(kTradeoffViews, arguments.format, report);
   if (!arguments.plot.empty() && !report.interrupted)
-    draw_or_say(tradeoff_plots(report), arguments.plot);
+    draw_or_say(tradeoff_facets(report, false), arguments.plot);
   if (view) view->write(page(tradeoff_document(report)));
   return exit_code(report.interrupted, false, report.compared() > 0);
 }
@@ -49,19 +48,13 @@ CommandRun add_tradeoff(CLI::App& command) {
   TradeoffOptions& options = given->options;
   command.add_option("SCENE", options.scene,
                      "a scene: only what it needs is compared (default: ordinary cases)");
-  command.add_option("--dialect", given->dialect,
-                     "of a driver file: A, B or C, or a year, 2017 to 2020");
+  add_dialect(command, given->dialect);
   command
       .add_option("--family", options.sources,
                   "cases of these families or other sources, separated by commas")
       ->delimiter(',');
   command.add_flag("--all-families", options.all_families, "cases of every family");
-  command
-      .add_option(
-          "--method,--methods", options.methods,
-          "only these methods, of either kind, separated by commas, or all (default: those of "
-          "fast/, without the reference and peers)")
-      ->delimiter(',');
+  add_methods(command, given->methods);
   command.add_option("--cases", options.cases, "how many cases, or pixels of a scene")
       ->check(whole_number(1, kMostCases))
       ->capture_default_str();

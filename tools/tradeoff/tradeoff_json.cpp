@@ -1,28 +1,25 @@
-#include <nlohmann/json.hpp>
 
 #include "tools/report/json.h"
-#include "tools/tradeoff/tradeoff_views.h"
+#include "tools/tradeoff/tradeoff.h"
 
 namespace raycheck::tools {
 namespace {
 
-Json duration_json(const std::optional<Duration>& duration) {
-  if (!duration) return nullptr;
-  return {{"median_ns", duration->median},
-          {"quartile_ns", duration->low},
-          {"upper_quartile_ns", duration->high}};
+Json duration_json(const Duration& duration) {
+  return {{"median_ns", duration.median},
+          {"quartile_ns", duration.low},
+          {"upper_quartile_ns", duration.high}};
 }
 
 Json cost_json(const MethodCost& cost) {
   Json json;
-  json["name"] = cost.method.name();
-  const auto& other = cost.method.other;
-  json["isolated_by"] = other ? Json(other->isolated_by) : Json(nullptr);
-  json["bounds_of"] = other ? Json(other->bounds_of) : Json(nullptr);
+  json["name"] = cost.method.name;
+  json["isolated_by"] = null_if_empty(cost.method.isolated_by);
+  json["bounds_of"] = null_if_empty(cost.method.bounds_of);
   json["called_in_process"] = cost.is_called_here;
   json["pareto"] = cost.pareto;
-  json["call"] = duration_json(cost.scalar);
-  json["batch"] = duration_json(cost.batch);
+  json["call"] = or_null(cost.scalar, duration_json);
+  json["batch"] = or_null(cost.batch, duration_json);
   json["note"] = cost.not_timed;
   json["unstable_on"] = cost.unstable_on;
   const scene::Precision precision = cost.promises.precision;
@@ -42,19 +39,14 @@ std::string tradeoff_json(const TradeoffReport& report, const ViewOptions& /*opt
   json["cases"] = report.cases;
   json["seed"] = report.seed;
   json["stable_ratio"] = properties::kStableRatio;
-  json["rays"] = Json::array();
-  for (const MethodCost& cost : report.rays) json["rays"].push_back(cost_json(cost));
-  json["intersections"] = Json::array();
-  for (const MethodCost& cost : report.intersections) {
-    json["intersections"].push_back(cost_json(cost));
-  }
-  json["pixels"] = Json::array();
-  for (const PixelCost& cost : report.pixels) {
-    json["pixels"].push_back({{"name", cost.name},
-                              {"pareto", cost.pareto},
-                              {"pixel", duration_json(cost.per_pixel)},
-                              {"quantities", tallies_json(cost.verdict)}});
-  }
+  json["rays"] = list_json(report.rays, cost_json);
+  json["intersections"] = list_json(report.intersections, cost_json);
+  json["pixels"] = list_json(report.pixels, [](const PixelCost& cost) {
+    return Json{{"name", cost.name},
+                {"pareto", cost.pareto},
+                {"pixel", duration_json(cost.per_pixel)},
+                {"quantities", tallies_json(cost.verdict)}};
+  });
   json["left_out"] = report.left_out;
   return json_text(json);
 }

@@ -1,12 +1,24 @@
-#include "tools/tradeoff/tradeoff_page.h"
-
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <numeric>
 
-#include "tools/tradeoff/tradeoff_front.h"
+#include "tools/tradeoff/tradeoff.h"
 
 namespace raycheck::tools {
+
+std::vector<std::size_t> pareto_front(const std::vector<std::pair<double, double>>& points) {
+  std::vector<std::size_t> order(points.size());
+  std::iota(order.begin(), order.end(), 0);
+  std::stable_sort(order.begin(), order.end(),
+                   [&](std::size_t a, std::size_t b) { return points[a] < points[b]; });
+  std::vector<std::size_t> front;
+  for (const std::size_t k : order) {
+    if (front.empty() || points[k].second < points[front.back()].second) front.push_back(k);
+  }
+  return front;
+}
+
 namespace {
 
 using properties::Stage;
@@ -69,10 +81,10 @@ struct Part {
 template <class Fill>
 void add_series(const Part& part, ChartFacet& facet, Fill fill) {
   const MethodCost* const base = baseline(part.costs);
-  if (base != nullptr) facet.baseline = base->method.name();
+  if (base != nullptr) facet.baseline = base->method.name;
   for (const MethodCost& cost : part.costs) {
     if (cost.promises.precision != part.precision) continue;
-    ChartSeries series{.name = std::string(cost.method.name()),
+    ChartSeries series{.name = cost.method.name,
                        .number = cost.method.number,
                        .time = chart_time(cost, base),
                        .note = cost.not_timed};
@@ -118,24 +130,30 @@ ChartFacet facet_of_source(const Part& part, std::size_t index) {
 
 }  // namespace
 
-ViewDocument tradeoff_document(const TradeoffReport& report) {
-  ChartView chart;
+std::vector<ChartFacet> tradeoff_facets(const TradeoffReport& report, bool with_each) {
+  std::vector<ChartFacet> facets;
   const auto add = [&](ChartFacet facet) {
-    if (!facet.series.empty()) chart.facets.push_back(std::move(facet));
+    if (!facet.series.empty()) facets.push_back(std::move(facet));
   };
   for (const auto& [stage, costs] : {std::pair(Stage::kIntersection, &report.intersections),
                                      std::pair(Stage::kRays, &report.rays)}) {
     for (const auto precision : {scene::Precision::kDouble, scene::Precision::kSingle}) {
       if (!has_any(*costs, precision)) continue;
       const Part part{report, *costs, stage, precision};
-      if (report.sources.size() > 1) add(facet_of_all(part));
+      const bool has_several = report.sources.size() > 1;
+      if (has_several) add(facet_of_all(part));
+      if (has_several && !with_each) continue;
       for (std::size_t k = 0; k < report.sources.size(); ++k) add(facet_of_source(part, k));
     }
   }
+  return facets;
+}
+
+ViewDocument tradeoff_document(const TradeoffReport& report) {
   ViewDocument document;
   document.title = fmt::format("Error against run time: {}", subject_text(report));
   document.left_out = report.left_out;
-  document.chart = std::move(chart);
+  document.chart = ChartView{tradeoff_facets(report, true)};
   return document;
 }
 

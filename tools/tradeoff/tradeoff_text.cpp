@@ -1,9 +1,8 @@
 #include <fmt/core.h>
 
-#include "tools/methods/others_text.h"
 #include "tools/report/table.h"
 #include "tools/report/words.h"
-#include "tools/tradeoff/tradeoff_views.h"
+#include "tools/tradeoff/tradeoff.h"
 
 namespace raycheck::tools {
 namespace {
@@ -26,42 +25,34 @@ std::string spread_text(const std::optional<Duration>& duration) {
   return fmt::format("{:.1f} ({:.1f}..{:.1f})", duration->median, duration->low, duration->high);
 }
 
-const Tally* find(const Verdict& verdict, Quantity quantity) {
-  const auto found = verdict.tallies().find(quantity);
-  return found == verdict.tallies().end() ? nullptr : &found->second;
-}
-
 /// How often a class was wrong in this way, per million decisions.
 std::string per_million(const Verdict& verdict, Wrong wrong) {
-  const Tally* const tally = find(verdict, Quantity::kClass);
-  if (tally == nullptr || tally->cases == 0) return "-";
-  const auto count = static_cast<double>(tally->count(wrong));
-  return error_text(1e6 * count / static_cast<double>(tally->cases));
+  const Tally& tally = verdict.tally(Quantity::kClass);
+  if (tally.cases == 0) return "-";
+  return error_text(1e6 * static_cast<double>(tally.count(wrong)) /
+                    static_cast<double>(tally.cases));
 }
 
 std::string max_text(const Verdict& verdict, Quantity quantity) {
-  const Tally* const tally = find(verdict, quantity);
-  return error_text(tally == nullptr ? std::nullopt : tally->max());
+  return error_text(verdict.tally(quantity).max());
 }
 
 /// The largest error over what the bound grows by, as far as it was weighed.
 std::string audited_text(const Verdict& verdict, Quantity quantity) {
-  const Tally* const tally = find(verdict, quantity);
-  return error_text(tally == nullptr ? std::nullopt : tally->max_over_growth);
+  return error_text(verdict.tally(quantity).max_over_growth);
 }
 
 std::string quantile_text(const Verdict& verdict, Quantity quantity, double share) {
-  const Tally* const tally = find(verdict, quantity);
-  return error_text(tally == nullptr ? std::nullopt : tally->quantile(share));
+  return error_text(verdict.tally(quantity).quantile(share));
 }
 
 std::string ratio_text(const Verdict& verdict) {
-  const double ratio = properties::worst_ratio(verdict);
-  return error_text(ratio < 0 ? std::nullopt : std::optional(ratio));
+  return error_text(properties::worst_ratio(verdict));
 }
 
-/// What an error on given rays is held to.
+/// What an error on given rays is held to, where one was measured.
 std::string bound_text(const MethodCost& cost, Quantity quantity) {
+  if (cost.accuracy.inside.tally(quantity).cases == 0) return "-";
   return error_text(documented_bound(cost.promises, quantity, false));
 }
 
@@ -73,7 +64,7 @@ std::string stability_text(const MethodCost& cost) {
 }
 
 std::string name_text(const MethodCost& cost) {
-  return (cost.pareto ? "* " : "  ") + std::string(cost.method.name());
+  return (cost.pareto ? "* " : "  ") + cost.method.name;
 }
 
 /// Of a batch, to the baseline's.
@@ -139,14 +130,12 @@ Table ray_table(const std::vector<MethodCost>& costs, scene::Precision precision
   for (const MethodCost& cost : costs) {
     if (cost.promises.precision != precision) continue;
     const Verdict& inside = cost.accuracy.inside;
-    const fast::PixelRayMethod& method = *cost.method.rays;
     table.add({name_text(cost), duration_text(cost.scalar), spread_text(cost.batch),
                time_ratio_text(cost, base), quantile_text(inside, Quantity::kDirection, 0.5),
                quantile_text(inside, Quantity::kDirection, 0.999),
                max_text(inside, Quantity::kDirection), audited_text(inside, Quantity::kDirection),
                bound_text(cost, Quantity::kDirection), audited_text(inside, Quantity::kPixelPoint),
-               method.pixel_points ? bound_text(cost, Quantity::kPixelPoint) : "-",
-               ratio_text(inside), stability_text(cost)});
+               bound_text(cost, Quantity::kPixelPoint), ratio_text(inside), stability_text(cost)});
   }
   return table;
 }
@@ -226,7 +215,7 @@ std::string rendered(const TradeoffReport& report, Render render, std::string_vi
         "* compares them\n",
         item);
   }
-  std::vector<StagedMethod> methods;
+  std::vector<Implementation> methods;
   std::string called_here;
   for (const auto* costs : {&report.rays, &report.intersections}) {
     for (const MethodCost& cost : *costs) {
@@ -235,23 +224,22 @@ std::string rendered(const TradeoffReport& report, Render render, std::string_vi
       called_here += fmt::format(
           "{}{} ({}) was timed in raycheck's own process (--sandbox none), by the same loops, once "
           "its answers there were those that were judged\n",
-          item, cost.method.name(), name(cost.method.stage));
+          item, cost.method.name, name(cost.stage));
     }
   }
-  const std::string others = others_text(methods);
+  const std::string others = isolation_text(methods);
   if (!others.empty()) text += "\n" + indented(others, item) + called_here;
   std::vector<std::string> notes = report.left_out;
   for (const auto* costs : {&report.rays, &report.intersections}) {
     for (const MethodCost& cost : *costs) {
       if (cost.accuracy.left_out > 0) {
         notes.push_back(fmt::format("{} ({}): {}, whose numbers floats cannot hold",
-                                    cost.method.name(), name(cost.method.stage),
+                                    cost.method.name, name(cost.stage),
                                     count_text(cost.accuracy.left_out, "case")));
       }
       if (!cost.not_timed.empty()) {
-        const std::string stage =
-            cost.method.other ? fmt::format(" ({})", name(cost.method.stage)) : "";
-        notes.push_back(fmt::format("{}{}: {}", cost.method.name(), stage, cost.not_timed));
+        const std::string stage = cost.method.methods ? "" : fmt::format(" ({})", name(cost.stage));
+        notes.push_back(fmt::format("{}{}: {}", cost.method.name, stage, cost.not_timed));
       }
     }
   }
@@ -300,8 +288,8 @@ std::string tradeoff_csv(const TradeoffReport& report, const ViewOptions& /*opti
       for (const std::string& name : cost.unstable_on) {
         unstable += (unstable.empty() ? "" : " ") + name;
       }
-      table.add({std::string(name(cost.method.stage)), std::string(cost.method.name()),
-                 cost.pareto ? "yes" : "no", cost.scalar ? number(cost.scalar->median) : "",
+      table.add({std::string(name(cost.stage)), cost.method.name, cost.pareto ? "yes" : "no",
+                 cost.scalar ? number(cost.scalar->median) : "",
                  cost.batch ? number(cost.batch->median) : "",
                  cost.batch ? number(cost.batch->low) : "",
                  cost.batch ? number(cost.batch->high) : "", std::string(cost.unit()),

@@ -4,21 +4,41 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <chrono>
 #include <cstdint>
+#include <functional>
 #include <limits>
+#include <stdexcept>
+#include <utility>
 
 #include "fast/batch.h"
 #include "properties/cases/random.h"
 #include "properties/rounded_case.h"
 #include "scene/interruption.h"
-#include "tools/tradeoff/tradeoff_items.h"
-#include "tools/tradeoff/tradeoff_others.h"
 
 namespace raycheck::tools {
 namespace {
 
 using properties::Case;
+
+bool same_bits(double a, double b) {
+  return std::bit_cast<std::uint64_t>(a) == std::bit_cast<std::uint64_t>(b);
+}
+/// A point or a vector, to the bit.
+template <class Triple>
+bool same_bits(const Triple& a, const Triple& b) {
+  return same_bits(a.x, b.x) && same_bits(a.y, b.y) && same_bits(a.z, b.z);
+}
+
+constexpr const char* kDiffers =
+    "it answers otherwise in raycheck's own process than in one of its own";
+
+/// Calls that a stopwatch runs.
+struct Timed {
+  std::function<void(std::size_t count)> work;
+  std::size_t items = 0;
+};
 
 /// Enough inputs that no branch predictor learns them, few enough to stay in the cache.
 constexpr std::size_t kItems = 4096;
@@ -78,10 +98,10 @@ std::vector<Duration> time_interleaved(const std::vector<Timed>& all) {
   return durations;
 }
 
-bool is_inside(const Pair& pair, const properties::Candidate& candidate) {
+bool is_inside(const IntersectCall& call, const properties::Candidate& candidate) {
   scene::Scene scene;
-  scene.rays = {pair.ray};
-  scene.spheres = {pair.sphere};
+  scene.rays = call.rays;
+  scene.spheres = {call.sphere};
   return properties::is_inside_domain(candidate, scene);
 }
 
@@ -97,88 +117,58 @@ std::vector<Case> in_format_of(const properties::Candidate& candidate,
   return rounded;
 }
 
-std::vector<Pair> pairs_of(const std::vector<Case>& cases) {
-  std::vector<Pair> pairs;
+/// Each ray of a case with each of its spheres.
+std::vector<IntersectCall> pairs_of(const std::vector<Case>& cases) {
+  std::vector<IntersectCall> pairs;
   for (const Case& one : cases) {
+    scene::Conventions conventions;
+    conventions.root = one.scene.conventions.root;
+    conventions.tangent = one.scene.conventions.tangent;
     for (const scene::Sphere& sphere : one.scene.spheres) {
       for (const scene::Ray& ray : one.scene.rays) {
         if (pairs.size() == kItems) return pairs;
-        pairs.push_back({ray, sphere, one.scene.conventions.root, one.scene.conventions.tangent});
+        pairs.push_back({{ray}, sphere, conventions});
       }
     }
   }
   return pairs;
 }
 
-void append(fast::Rays& rays, const scene::Ray& ray) {
-  rays.origin.x.push_back(ray.origin.x);
-  rays.origin.y.push_back(ray.origin.y);
-  rays.origin.z.push_back(ray.origin.z);
-  rays.direction.x.push_back(ray.direction.x);
-  rays.direction.y.push_back(ray.direction.y);
-  rays.direction.z.push_back(ray.direction.z);
-}
-
 /// The ray of one pair, placed to another's sphere as it was to its own.
-scene::Ray placed_at(const Pair& pair, const scene::Sphere& sphere) {
+scene::Ray placed_at(const IntersectCall& pair, const scene::Sphere& sphere) {
   const double scale = pair.sphere.radius > 0 ? sphere.radius / pair.sphere.radius : 1;
-  const scene::Vector3 from_centre = pair.ray.origin - pair.sphere.centre;
+  const scene::Ray& ray = pair.rays.front();
+  const scene::Vector3 from_centre = ray.origin - pair.sphere.centre;
   return {{sphere.centre.x + scale * from_centre.x, sphere.centre.y + scale * from_centre.y,
            sphere.centre.z + scale * from_centre.z},
-          pair.ray.direction};
+          ray.direction};
 }
 
 /// The pairs in batches of one sphere each: the spheres of the first pairs, met by the rays of all,
 /// whose numbers are of a format.
-std::vector<Batch> batches_of(const std::vector<Pair>& pairs, scene::Precision precision) {
-  std::vector<Batch> batches;
+std::vector<IntersectCall> batches_of(const std::vector<IntersectCall>& pairs,
+                                      scene::Precision precision) {
+  std::vector<IntersectCall> batches;
   for (std::size_t k = 0; k < std::min(kBatches, pairs.size()); ++k) {
-    batches.push_back({{}, pairs[k].sphere, pairs[k].root, pairs[k].tangent});
+    batches.push_back({{}, pairs[k].sphere, pairs[k].conventions});
   }
   for (std::size_t k = 0; k < pairs.size(); ++k) {
-    Batch& batch = batches[k % batches.size()];
-    append(batch.rays, properties::rounded_ray(placed_at(pairs[k], batch.sphere), precision));
+    IntersectCall& batch = batches[k % batches.size()];
+    batch.rays.push_back(properties::rounded_ray(placed_at(pairs[k], batch.sphere), precision));
   }
   return batches;
 }
 
-bool batch_is_single_calls(const fast::IntersectMethod& method, const Batch& batch) {
-  fast::Hits hits;
-  method.intersect(batch.rays, batch.sphere, batch.root, batch.tangent, hits);
-  for (std::size_t k = 0; k < hits.size(); ++k) {
-    const auto one =
-        method.intersect_one(ray_at(batch.rays, k), batch.sphere, batch.root, batch.tangent);
-    if (one.has_value() != (hits.hit[k] != 0)) return false;
-    if (one &&
-        !(same_bits(one->parameter, hits.parameter[k]) &&
-          same_bits(one->point.x, hits.point.x[k]) && same_bits(one->point.y, hits.point.y[k]) &&
-          same_bits(one->point.z, hits.point.z[k]))) {
-      return false;
-    }
-  }
-  return true;
+bool is_same(const properties::SphereHits& a, const properties::SphereHits& b) {
+  return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](const auto& one, const auto& other) {
+    return one.ray == other.ray && same_bits(one.hit.parameter, other.hit.parameter) &&
+           same_bits(one.hit.point, other.hit.point);
+  });
 }
-
-Timed single_calls(const fast::IntersectMethod& method, const std::vector<Pair>& pairs) {
-  return {[&method, &pairs](std::size_t count) {
-            for (std::size_t k = 0; k < count; ++k) {
-              const Pair& pair = pairs[k];
-              keep(method.intersect_one(pair.ray, pair.sphere, pair.root, pair.tangent));
-            }
-          },
-          pairs.size()};
-}
-
-/// Items are whole batches here, the rays of all of them taken together.
-Timed batch_calls(const fast::IntersectMethod& method, const std::vector<Batch>& batches) {
-  return {[&method, &batches, hits = fast::Hits{}](std::size_t count) mutable {
-            for (std::size_t k = 0; k < count; ++k) {
-              const Batch& batch = batches[k];
-              method.intersect(batch.rays, batch.sphere, batch.root, batch.tangent, hits);
-              keep(hits);
-            }
-          },
-          batches.size()};
+bool is_same(const std::vector<scene::Ray>& a, const std::vector<scene::Ray>& b) {
+  return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](const auto& one, const auto& other) {
+    return same_bits(one.origin, other.origin) && same_bits(one.direction, other.direction);
+  });
 }
 
 Duration per_item(const Duration& per_batch, std::size_t items, std::size_t batches) {
@@ -186,12 +176,12 @@ Duration per_item(const Duration& per_batch, std::size_t items, std::size_t batc
   return {per_batch.median * share, per_batch.low * share, per_batch.high * share};
 }
 
-std::vector<PixelBatch> pixel_batches_of(const std::vector<Case>& cases) {
+std::vector<RaysCall> pixel_batches_of(const std::vector<Case>& cases) {
   properties::Random random(1);
-  std::vector<PixelBatch> batches;
+  std::vector<RaysCall> batches;
   for (const Case& one : cases) {
     if (batches.size() == kBatches) break;
-    PixelBatch batch{*one.scene.camera, one.scene.conventions, {}};
+    RaysCall batch{*one.scene.camera, one.scene.conventions, {}};
     for (std::size_t k = 0; k < kItems / kBatches; ++k) {
       const std::int64_t i = random.integer(0, batch.camera.width - 1);
       const std::int64_t j = random.integer(0, batch.camera.height - 1);
@@ -202,144 +192,133 @@ std::vector<PixelBatch> pixel_batches_of(const std::vector<Case>& cases) {
   return batches;
 }
 
-fast::PixelRayMethod::MakeRays maker(const fast::PixelRayMethod& method,
-                                     const scene::Conventions& conventions) {
-  return conventions.origin == scene::Origin::kPixel && method.pixel_rays != nullptr
-             ? method.pixel_rays
-             : method.focal_rays;
-}
-
-bool batch_is_single_calls(const fast::PixelRayMethod& method, const PixelBatch& batch) {
-  const auto make = maker(method, batch.conventions);
-  fast::Rays all;
-  fast::Rays one;
-  make(batch.camera, batch.conventions, batch.pixels, all);
-  for (std::size_t k = 0; k < batch.pixels.size(); ++k) {
-    make(batch.camera, batch.conventions, {&batch.pixels[k], 1}, one);
-    const scene::Ray a = ray_at(all, k);
-    const scene::Ray b = ray_at(one, 0);
-    const auto same = [](const auto& v, const auto& w) {
-      return same_bits(v.x, w.x) && same_bits(v.y, w.y) && same_bits(v.z, w.z);
-    };
-    if (!same(a.origin, b.origin) || !same(a.direction, b.direction)) return false;
-  }
-  return true;
-}
-
 std::string only_part(std::size_t part, std::size_t whole) {
   return part == whole ? ""
                        : fmt::format("timed on the {} of {} inputs in its domain", part, whole);
 }
 
-/// Runs the stopwatch over every cost's two ways of being called; where one has no items, it stays
-/// empty.
-template <class Items>
-void fill_in(const std::vector<Items>& items, const std::vector<Timed>& scalars,
-             const std::vector<Timed>& batches, std::vector<MethodCost>& costs) {
+/// What the stopwatch runs of a method, in calls about one item each and in batches.
+struct Clocked {
+  Timed scalar, batch;
+  std::size_t items = 0;  ///< Of all batches.
+};
+
+/// Makes the calls ready where their answers in this process are, to the bit, those that are
+/// judged. Throws what says why not.
+template <class Prepare, class Calls, class Judged>
+Timed timed_calls(const Prepare& prepare, const Calls& calls, const Judged& judged) {
+  auto ready = prepare(calls);
+  for (std::size_t k = 0; k < calls.size(); ++k) {
+    scene::poll();
+    // Who is judged in a process of its own ends that process where it fails, not this one.
+    const auto expected = judged(calls[k]);
+    if (!is_same(ready.answer(k), expected)) throw std::invalid_argument(kDiffers);
+  }
+  return {std::move(ready.run), calls.size()};
+}
+
+/// The same of both ways of calling; of who is not called here says why.
+template <class Find, class Calls, class Judged>
+Clocked clocked(MethodCost& cost, const Find& find, const Calls& singles, const Calls& batches,
+                const Judged& judged) {
+  try {
+    const auto prepare = find(cost.method.in_process());
+    if (!prepare) throw std::invalid_argument("it makes no rays");
+    Clocked found;
+    // Batches first, which find most of what fails.
+    found.batch = timed_calls(prepare, batches, judged);
+    found.scalar = timed_calls(prepare, singles, judged);
+    cost.is_called_here = !cost.method.methods;
+    return found;
+  } catch (const std::runtime_error& error) {
+    cost.not_timed = fmt::format("not timed: {}", error.what());
+  } catch (const std::invalid_argument& error) {
+    cost.not_timed = fmt::format("not timed: {}", error.what());
+  }
+  return {};
+}
+
+/// Runs the stopwatch over every method's two ways of being called; where one has no items, it
+/// stays empty.
+void time_all(const std::vector<Clocked>& clocked, std::vector<MethodCost>& costs) {
   std::vector<Timed> all;
-  for (const auto* list : {&scalars, &batches}) {
-    for (const Timed& timed : *list) {
-      if (timed.items > 0) all.push_back(timed);
+  for (Timed Clocked::*way : {&Clocked::scalar, &Clocked::batch}) {
+    for (const Clocked& one : clocked) {
+      if ((one.*way).items > 0) all.push_back(one.*way);
     }
   }
   const std::vector<Duration> durations = time_interleaved(all);
   std::size_t next = 0;
   for (std::size_t k = 0; k < costs.size(); ++k) {
-    if (scalars[k].items > 0) costs[k].scalar = durations[next++];
+    if (clocked[k].scalar.items > 0) costs[k].scalar = durations[next++];
   }
   for (std::size_t k = 0; k < costs.size(); ++k) {
-    if (batches[k].items == 0) continue;
-    costs[k].batch = per_item(durations[next++], items[k].size(), batches[k].items);
+    if (clocked[k].batch.items == 0) continue;
+    costs[k].batch = per_item(durations[next++], clocked[k].items, clocked[k].batch.items);
   }
-}
-
-void add_others(OthersTimed timed, std::vector<Timed>& scalars, std::vector<Timed>& whole,
-                MethodCost& cost) {
-  cost.is_called_here = timed.not_timed.empty();
-  if (!timed.not_timed.empty()) cost.not_timed = std::move(timed.not_timed);
-  scalars.push_back(std::move(timed.single));
-  whole.push_back(std::move(timed.batch));
 }
 
 }  // namespace
 
 void time_intersections(const std::vector<Case>& cases, std::vector<MethodCost>& costs) {
-  std::array<std::vector<Pair>, scene::kFormats.size()> by_format = {pairs_of(cases), {}};
-  std::vector<std::vector<Pair>> pairs(costs.size());
-  std::vector<std::vector<Batch>> batches(costs.size());
-  std::vector<Timed> scalars;
-  std::vector<Timed> whole;
-  for (std::size_t k = 0; k < costs.size(); ++k) {
-    const fast::IntersectMethod& method = *costs[k].method.intersect;
-    const properties::Candidate candidate = candidate_of(costs[k].method);
-    std::vector<Pair>& all = by_format[static_cast<std::size_t>(candidate.precision)];
-    if (all.empty()) all = pairs_of(in_format_of(candidate, cases));
-    for (const Pair& pair : all) {
-      if (is_inside(pair, candidate)) pairs[k].push_back(pair);
+  std::array<std::vector<IntersectCall>, scene::kFormats.size()> by_format = {pairs_of(cases), {}};
+  std::vector<Clocked> all;
+  for (MethodCost& cost : costs) {
+    const properties::Candidate candidate = cost.method.make();
+    std::vector<IntersectCall>& pairs = by_format[static_cast<std::size_t>(candidate.precision)];
+    if (pairs.empty()) pairs = pairs_of(in_format_of(candidate, cases));
+    std::vector<IntersectCall> inside;
+    for (const IntersectCall& pair : pairs) {
+      if (!is_inside(pair, candidate)) continue;
+      inside.push_back(pair);
+      inside.back().conventions = candidate.declared.over(pair.conventions);
     }
-    costs[k].not_timed = only_part(pairs[k].size(), all.size());
-    batches[k] = batches_of(pairs[k], candidate.precision);
-    if (costs[k].method.other) {
-      add_others(others_intersections(*costs[k].method.other, candidate, pairs[k], batches[k]),
-                 scalars, whole, costs[k]);
-      continue;
-    }
-    scalars.push_back(single_calls(method, pairs[k]));
-    const bool same = std::all_of(batches[k].begin(), batches[k].end(), [&](const Batch& batch) {
-      return batch_is_single_calls(method, batch);
-    });
-    if (!same) costs[k].not_timed = "batches answer differently from single calls";
-    whole.push_back(same ? batch_calls(method, batches[k]) : Timed{});
+    cost.not_timed = only_part(inside.size(), pairs.size());
+    const auto judged = [&](const IntersectCall& call) {
+      return candidate.intersect(call.rays, {&call.sphere, 1}, call.conventions).at(0);
+    };
+    all.push_back(clocked(
+        cost, [](const InProcess& here) { return here.intersect; }, inside,
+        batches_of(inside, candidate.precision), judged));
+    all.back().items = inside.size();
   }
-  fill_in(pairs, scalars, whole, costs);
+  time_all(all, costs);
 }
 
 void time_rays(const std::vector<Case>& cases, std::vector<MethodCost>& costs) {
-  std::vector<std::vector<PixelBatch>> singles(costs.size());
-  std::vector<std::vector<PixelBatch>> batches(costs.size());
-  std::vector<std::vector<scene::Pixel>> items(costs.size());
-  std::vector<Timed> scalars;
-  std::vector<Timed> whole;
-  for (std::size_t k = 0; k < costs.size(); ++k) {
-    const fast::PixelRayMethod& method = *costs[k].method.rays;
-    const properties::Candidate candidate = candidate_of(costs[k].method);
+  std::vector<Clocked> all;
+  for (MethodCost& cost : costs) {
+    const properties::Candidate candidate = cost.method.make();
     std::vector<Case> inside;
     for (const Case& one : in_format_of(candidate, cases)) {
       if (properties::is_inside_domain(candidate, one.scene)) inside.push_back(one);
       if (inside.size() == kItems) break;
     }
-    costs[k].not_timed = only_part(inside.size(), std::min(cases.size(), kItems));
+    cost.not_timed = only_part(inside.size(), std::min(cases.size(), kItems));
+    std::vector<RaysCall> singles;
     for (const Case& one : inside) {
-      singles[k].push_back({*one.scene.camera, one.scene.conventions, {one.pixels.front()}});
+      singles.push_back({*one.scene.camera,
+                         candidate.declared.over(one.scene.conventions),
+                         {one.pixels.front()}});
     }
-    batches[k] = pixel_batches_of(inside);
-    for (const PixelBatch& batch : batches[k]) {
-      items[k].insert(items[k].end(), batch.pixels.begin(), batch.pixels.end());
+    std::vector<RaysCall> batches = pixel_batches_of(inside);
+    std::size_t items = 0;
+    for (RaysCall& batch : batches) {
+      batch.conventions = candidate.declared.over(batch.conventions);
+      items += batch.pixels.size();
     }
-    if (costs[k].method.other) {
-      add_others(others_rays(*costs[k].method.other, candidate, singles[k], batches[k]), scalars,
-                 whole, costs[k]);
-      continue;
-    }
-    const auto work = [&method](const std::vector<PixelBatch>& list) {
-      return Timed{[&method, &list, rays = fast::Rays{}](std::size_t count) mutable {
-                     for (std::size_t at = 0; at < count; ++at) {
-                       const PixelBatch& batch = list[at];
-                       maker(method, batch.conventions)(batch.camera, batch.conventions,
-                                                        batch.pixels, rays);
-                       keep(rays);
-                     }
-                   },
-                   list.size()};
+    const auto judged = [&](const RaysCall& call) {
+      const bool from_pixel =
+          !candidate.focal_rays ||
+          (call.conventions.origin == scene::Origin::kPixel && candidate.pixel_rays);
+      return (from_pixel ? candidate.pixel_rays : candidate.focal_rays)(
+          call.camera, call.conventions, call.pixels);
     };
-    scalars.push_back(work(singles[k]));
-    const bool same =
-        std::all_of(batches[k].begin(), batches[k].end(),
-                    [&](const PixelBatch& batch) { return batch_is_single_calls(method, batch); });
-    if (!same) costs[k].not_timed = "batches answer differently from single calls";
-    whole.push_back(same ? work(batches[k]) : Timed{});
+    all.push_back(clocked(
+        cost, [](const InProcess& here) { return here.make_rays; }, singles, batches, judged));
+    all.back().items = items;
   }
-  fill_in(items, scalars, whole, costs);
+  time_all(all, costs);
 }
 
 std::vector<Duration> time_pixels(const Case& the_case, const std::vector<MethodPair>& pairs) {
@@ -348,15 +327,18 @@ std::vector<Duration> time_pixels(const Case& the_case, const std::vector<Method
   pixels.resize(std::min(pixels.size(), kItems));
   std::vector<Timed> all;
   for (const MethodPair& pair : pairs) {
-    all.push_back(
-        {[&, pair, rays = fast::Rays{}, hits = fast::Hits{}](std::size_t) mutable {
-           maker(*pair.rays, conventions)(*the_case.scene.camera, conventions, pixels, rays);
-           for (const scene::Sphere& sphere : the_case.scene.spheres) {
-             pair.intersect->intersect(rays, sphere, conventions.root, conventions.tangent, hits);
-             keep(hits);
-           }
-         },
-         1});
+    all.push_back({[&, pair, rays = fast::Rays{}, hits = fast::Hits{}](std::size_t) mutable {
+                     const bool from_pixel = conventions.origin == scene::Origin::kPixel &&
+                                             pair.rays->pixel_rays != nullptr;
+                     (from_pixel ? pair.rays->pixel_rays : pair.rays->focal_rays)(
+                         *the_case.scene.camera, conventions, pixels, rays);
+                     for (const scene::Sphere& sphere : the_case.scene.spheres) {
+                       pair.intersect->intersect(rays, sphere, conventions.root,
+                                                 conventions.tangent, hits);
+                       keep(hits);
+                     }
+                   },
+                   1});
   }
   std::vector<Duration> durations = time_interleaved(all);
   for (Duration& duration : durations) duration = per_item(duration, pixels.size(), 1);

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "properties/run_control.h"
-#include "tools/methods/methods.h"
+#include "tools/implementations/built_in.h"
 #include "tools/view/document.h"
 #include "tools/view/pictures/pictures.h"
 
@@ -26,7 +26,7 @@ struct SceneViewOptions {
   std::vector<MethodPair> methods;  ///< Whose pictures are shown; the rays are the first's.
   bool is_of_methods = false;       ///< Panels show the steps of those alone.
   /// Someone else's, by whose conventions all is shown; null: there is none.
-  std::shared_ptr<const OtherMethod> other = nullptr;
+  std::shared_ptr<const Implementation> other = nullptr;
   bool others_picture = true;  ///< Whether `other` is asked about every pixel.
   /// Someone else's renderer, whose picture is shown; empty: there is none.
   CandidateMaker renderer = {};
@@ -34,6 +34,9 @@ struct SceneViewOptions {
   std::vector<Selection> wanted;
   PageLimits limits;
 };
+
+/// Has a view show an implementation, too: any number of methods, or one that is someone else's.
+void show(const Implementation& implementation, SceneViewOptions& options);
 
 /// A scene as a page shows it, and what was left out of it.
 /// Throws std::invalid_argument naming the field where the scene is not valid or a selection is not

@@ -26,24 +26,11 @@ std::optional<Quantity> quantity_of(Stage stage, const std::string& chosen) {
   return std::nullopt;
 }
 
-StagedMethod chosen_method(const WorstOptions& options) {
-  if (options.method.empty() == options.others.empty()) {
-    throw std::invalid_argument("method: give one, of raycheck's or of someone else's");
+Stage chosen_stage(const WorstOptions& options) {
+  for (const Stage stage : options.method.stages) {
+    if (quantity_of(stage, options.quantity)) return stage;
   }
-  if (!options.others.empty()) {
-    for (const StagedMethod& other : options.others) {
-      if (quantity_of(other.stage, options.quantity)) return other;
-    }
-    return options.others.back();
-  }
-  const std::string& name = options.method;
-
-  const std::vector<StagedMethod> methods = find_methods({name});
-  if (methods.size() > 1) {
-    throw std::invalid_argument(
-        fmt::format("method {0}: there are two; give rays/{0} or intersect/{0}", name));
-  }
-  return methods.front();
+  return options.method.stages.back();
 }
 
 properties::ChosenSource chosen_family(const std::string& name) {
@@ -68,15 +55,6 @@ Quantity chosen_quantity(const std::string& chosen, Stage stage) {
   }
   throw std::invalid_argument(
       fmt::format("quantity {}: no such quantity of {}; there are {}", chosen, name(stage), known));
-}
-
-properties::Climb chosen_climb(const std::string& name) {
-  const auto* const found =
-      std::find(properties::kClimbNames.begin(), properties::kClimbNames.end(), name);
-  if (found == properties::kClimbNames.end()) {
-    throw std::invalid_argument("climb " + name + ": no such height to climb on");
-  }
-  return static_cast<properties::Climb>(found - properties::kClimbNames.begin());
 }
 
 /// Counts how often a function fails.
@@ -110,20 +88,21 @@ bool WorstReport::is_unstable() const {
 
 WorstReport find_worst(const WorstOptions& options, const properties::RunControl& control) {
   WorstReport report;
-  report.method = chosen_method(options);
+  report.method = options.method;
+  report.stage = chosen_stage(options);
   properties::SearchOptions& search = report.search;
   search.source = chosen_family(options.family);
-  if (report.method.stage == Stage::kRays && !search.source.source->has_camera) {
+  if (report.stage == Stage::kRays && !search.source.source->has_camera) {
     throw std::invalid_argument(fmt::format("family {}: has no camera, and {} makes rays",
-                                            options.family, report.method.name()));
+                                            options.family, report.method.name));
   }
-  search.quantity = chosen_quantity(options.quantity, report.method.stage);
-  search.climb = chosen_climb(options.climb);
+  search.quantity = chosen_quantity(options.quantity, report.stage);
+  search.climb = options.climb;
   search.cases = options.cases;
   search.steps = options.steps;
   search.seed = options.seed;
-  report.worst = properties::find_worst_case(counted(candidate_of(report.method), report),
-                                             report.method.stage, search, control);
+  report.worst = properties::find_worst_case(counted(report.method.make(), report), report.stage,
+                                             search, control);
   report.interrupted = control.interrupted();
   return report;
 }

@@ -7,25 +7,26 @@
 
 #include "properties/run_control.h"
 #include "properties/search/worst_case.h"
-#include "tools/methods/methods.h"
+#include "tools/implementations/implementation.h"
+#include "tools/report/view.h"
+#include "tools/view/document.h"
 
 namespace raycheck::tools {
 
 struct WorstOptions {
-  std::string method;  ///< Of either kind; empty: someone else's.
-  /// Someone else's implementation by its stages: that of the quantity is searched, without one
-  /// the last.
-  std::vector<StagedMethod> others;
+  /// What is searched, in the stage of the quantity; without one in the last that it offers.
+  Implementation method;
   std::string family;    ///< "SOURCE" or "SOURCE@SEVERITY", where the search starts.
   std::string quantity;  ///< With hyphens for spaces; empty: the main one of the method's stage.
-  std::string climb = "error";  ///< One of properties::kClimbNames.
+  properties::Climb climb = properties::Climb::kError;
   int cases = properties::SearchOptions{}.cases;
   int steps = properties::SearchOptions{}.steps;
   std::uint64_t seed = properties::SearchOptions{}.seed;
 };
 
 struct WorstReport {
-  StagedMethod method;
+  properties::Stage stage = properties::Stage::kRays;
+  Implementation method;
   properties::SearchOptions search;
   std::optional<properties::WorstCase> worst;  ///< Empty: nothing was measured.
   bool interrupted = false;
@@ -38,5 +39,21 @@ struct WorstReport {
 /// Searches for the input on which a method's certified error is worst.
 /// Throws std::invalid_argument naming the field.
 WorstReport find_worst(const WorstOptions& options, const properties::RunControl& control = {});
+
+std::string worst_text(const WorstReport& report, const ViewOptions& options);
+std::string worst_json(const WorstReport& report, const ViewOptions& options);
+
+inline constexpr View<WorstReport> kWorstViews[] = {
+    {"text", worst_text},
+    {"json", worst_json},
+};
+
+/// The input found as a TOML scene that says what is wrong on it.
+/// Domain: something was measured.
+std::string worst_scene(const WorstReport& report);
+
+/// The input found, as a page.
+/// Domain: something was measured.
+ViewDocument worst_document(const WorstReport& report, const properties::RunControl& control);
 
 }  // namespace raycheck::tools

@@ -1,38 +1,47 @@
+#include <fmt/core.h>
+
 #include <memory>
 #include <optional>
 #include <stdexcept>
 
 #include "tools/arguments.h"
 #include "tools/commands.h"
-#include "tools/report/output_file.h"
 #include "tools/terminal.h"
 #include "tools/view/page/page.h"
-#include "tools/worst/worst_page.h"
-#include "tools/worst/worst_views.h"
+#include "tools/worst/worst.h"
 
 namespace raycheck::tools {
 namespace {
 
 struct WorstArguments {
   WorstOptions options;
+  std::string method;
   std::optional<std::string> save;
   std::optional<std::string> view;
   std::string format;
   ExternalArguments external;
 };
 
+Implementation chosen_method(const WorstArguments& arguments) {
+  if (arguments.method.empty()) return find_by_stages(arguments.external).front();
+  const std::vector<Implementation> methods = find_methods({arguments.method});
+  if (methods.size() > 1) {
+    throw std::invalid_argument(
+        fmt::format("method {0}: there are two; give rays/{0} or intersect/{0}", arguments.method));
+  }
+  return methods.front();
+}
+
 int run_worst(WorstArguments& arguments) {
-  if (arguments.options.method.empty() && arguments.external.candidates.empty()) {
+  if (arguments.method.empty() && arguments.external.candidates.empty()) {
     throw std::invalid_argument("worst: give --method or --candidate");
   }
   if (arguments.external.candidates.size() > 1) {
     throw std::invalid_argument("--candidate: one is searched; give it once");
   }
-  arguments.options.others = find_others(arguments.external);
-  std::optional<OutputFile> scene;
-  if (arguments.save) scene.emplace("--save", *arguments.save);
-  std::optional<OutputFile> view;
-  if (arguments.view) view.emplace("--view", *arguments.view);
+  arguments.options.method = chosen_method(arguments);
+  std::optional<OutputFile> scene = opened("--save", arguments.save);
+  std::optional<OutputFile> view = opened("--view", arguments.view);
   const WorstReport report = find_worst(arguments.options, run_control("worst"));
   if (scene && report.worst) scene->write(worst_scene(report));
   print_view(kWorstViews, arguments.format, report);
@@ -49,7 +58,7 @@ CommandRun add_worst(CLI::App& command) {
   const auto given = std::make_shared<WorstArguments>();
   WorstOptions& options = given->options;
   CLI::Option* const method =
-      command.add_option("--method", options.method, "the method, of either kind");
+      command.add_option("--method", given->method, "the method, of either kind");
   command
       .add_option("--family", options.family,
                   "the family or other source to start from, or FAMILY@SEVERITY")
@@ -57,13 +66,10 @@ CommandRun add_worst(CLI::App& command) {
   command.add_option("--quantity", options.quantity,
                      "direction or pixel-point; parameter, backward-error or hit-point (default: "
                      "direction or parameter)");
-  command
-      .add_option("--by", options.climb,
-                  "what to climb on: the error, the error over what the documented bound grows by, "
-                  "or the stability ratio rho")
-      ->check(CLI::IsMember(
-          std::vector<std::string>(properties::kClimbNames.begin(), properties::kClimbNames.end())))
-      ->capture_default_str();
+  add_named(
+      command, "--by", options.climb, properties::kClimbNames,
+      "what to climb on: the error, the error over what the documented bound grows by, or the "
+      "stability ratio rho");
   command.add_option("--cases", options.cases, "random cases")
       ->check(whole_number(1, kMostCases))
       ->capture_default_str();

@@ -1,8 +1,7 @@
-#include <nlohmann/json.hpp>
 
 #include "properties/cases/case_text.h"
 #include "tools/report/json.h"
-#include "tools/worst/worst_views.h"
+#include "tools/worst/worst.h"
 
 namespace raycheck::tools {
 namespace {
@@ -24,15 +23,14 @@ void add(Json& json, const properties::WorstCase& worst) {
 std::string worst_json(const WorstReport& report, const ViewOptions& /*options*/) {
   const properties::SearchOptions& search = report.search;
   Json json = json_header("worst");
-  json["method"] = report.method.name();
-  const auto& other = report.method.other;
-  json["isolated_by"] = other ? Json(other->isolated_by) : Json(nullptr);
-  json["bounds_of"] = other ? Json(other->bounds_of) : Json(nullptr);
+  json["method"] = report.method.name;
+  json["isolated_by"] = null_if_empty(report.method.isolated_by);
+  json["bounds_of"] = null_if_empty(report.method.bounds_of);
   json["family"] = search.source.name();
   json["seed"] = search.seed;
   json["climbed_on"] = properties::kClimbNames[static_cast<std::size_t>(search.climb)];
-  json["precision"] = name(report.method.precision());
-  json["unit"] = unit_name(search.quantity, report.method.precision());
+  json["precision"] = name(report.method.precision);
+  json["unit"] = unit_name(search.quantity, report.method.precision);
   json["measured"] = report.worst.has_value();
   json["failures"] = {{"count", report.failures}, {"first", report.first_failure}};
   json["interrupted"] = report.interrupted;

@@ -1,11 +1,9 @@
-#include "tools/worst/worst_page.h"
-
 #include <fmt/core.h>
 
 #include "tools/report/words.h"
 #include "tools/view/scene_view.h"
 #include "tools/view/selection.h"
-#include "tools/view/view_words.h"
+#include "tools/worst/worst.h"
 
 namespace raycheck::tools {
 
@@ -13,20 +11,15 @@ ViewDocument worst_document(const WorstReport& report, const properties::RunCont
   const properties::WorstCase& worst = *report.worst;
   ViewDocument document;
   document.title =
-      fmt::format("the worst of {} on {}", report.method.name(), report.search.source.name());
+      fmt::format("the worst of {} on {}", report.method.name, report.search.source.name());
   SceneViewOptions view;
   view.name = "worst.toml";
   view.file = view.name;
-  view.other = report.method.other;
-  if (view.other) {
-    view.more_arguments = candidate_words(view.other->name);
-  } else {
-    view.methods = {{report.method.rays, report.method.intersect}};
-  }
+  show(report.method, view);
   view.wanted = selections_of(worst.the_case, worst.shown.place);
   document.scenes.push_back(view_of(worst.the_case.scene, view, document.left_out, control));
-  document.findings.push_back({discrepancy_head(worst.shown), std::string(report.method.name()),
-                               std::string(report.method.name()), worst.shown.excuse.standing(), 0,
+  document.findings.push_back({discrepancy_head(worst.shown), report.method.name,
+                               report.method.name, worst.shown.excuse.standing(), 0,
                                selection_of(worst.shown.place, worst.the_case.scene)});
   document.found = "1";
   return document;

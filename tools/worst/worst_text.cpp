@@ -2,9 +2,8 @@
 
 #include "properties/cases/case_text.h"
 #include "scene/number.h"
-#include "tools/methods/others_text.h"
 #include "tools/report/words.h"
-#include "tools/worst/worst_views.h"
+#include "tools/worst/worst.h"
 
 namespace raycheck::tools {
 namespace {
@@ -13,9 +12,9 @@ namespace {
 std::string headline(const WorstReport& report) {
   const properties::WorstCase& worst = *report.worst;
   return fmt::format("{} {} on {}: off by {} {}, condition number {}, rho {}: {}",
-                     report.method.name(), info(report.search.quantity).name,
+                     report.method.name, info(report.search.quantity).name,
                      report.search.source.name(), error_text(worst.error),
-                     unit_name(report.search.quantity, report.method.precision()),
+                     unit_name(report.search.quantity, report.method.precision),
                      error_text(worst.stability.condition), error_text(worst.stability.ratio),
                      name(worst.stability.outcome));
 }
@@ -57,10 +56,10 @@ std::string in_hexfloat(const scene::Scene& scene) {
 }  // namespace
 
 std::string worst_text(const WorstReport& report, const ViewOptions& /*options*/) {
-  const std::string others = others_text({report.method}) + failures_text(report);
+  const std::string others = isolation_text({report.method}) + failures_text(report);
   if (!report.worst) {
     return others + fmt::format("{} on {}: nothing was measured in its stated domain\n",
-                                report.method.name(), report.search.source.name());
+                                report.method.name, report.search.source.name());
   }
   const properties::WorstCase& worst = *report.worst;
   std::string text = others + headline(report) + "\n";

@@ -29,7 +29,7 @@ Fate fate_of(const LineAndSphere<IntervalKernel>& pair, scene::Root root) {
                   (!(c.sup() < 0) && !(b.inf() > 0));
   const auto may_be_at = [&](const Interval& s) {
     fate.may_hit = true;
-    // A bound that is no number, where intervals overflow, is none.
+    // Where intervals overflow, a bound that is not a number bounds nothing.
     fate.earliest = std::min(fate.earliest, s.inf() >= 0 ? s.inf() : 0);
     fate.latest = s.sup() >= fate.latest   ? s.sup()
                   : s.sup() <= fate.latest ? fate.latest

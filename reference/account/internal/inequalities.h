@@ -13,7 +13,7 @@ namespace raycheck::reference {
 inline constexpr int kPrograms = 8;
 
 /// Where all of the variations, those that are known to first order, are least negative: a point of
-/// the box of so many dimensions.
+/// the box of that many dimensions.
 LeastOptimum best_place(const std::vector<Variation>& all, std::size_t dimension);
 
 /// Whether a sum of them, each times its multiplier, is negative everywhere, so that they are

@@ -32,7 +32,7 @@ const Scene& probe() {
 }
 
 Scene rubric_scene(const std::string& name) {
-  return scene::load_scene(RAYCHECK_SOURCE_DIR "/tools/grade/rubrics/lecture7/" + name + ".toml")
+  return scene::load_scene(RAYCHECK_SOURCE_DIR "/examples/rubrics/lecture7/" + name + ".toml")
       .scene;
 }
 

@@ -6,7 +6,7 @@
 #include <limits>
 
 #include "tools/external/pictures/renderer.h"
-#include "tools/report/picture_reader.h"
+#include "tools/report/picture_file.h"
 
 namespace raycheck::tools {
 namespace {

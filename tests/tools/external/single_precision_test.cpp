@@ -10,8 +10,9 @@
 #include "properties/rounded_case.h"
 #include "scene/files/scene_file.h"
 #include "tests/tools/external/judged.h"
-#include "tools/stress/stress_views.h"
-#include "tools/tradeoff/tradeoff_views.h"
+#include "tools/stress/stress.h"
+#include "tools/tradeoff/tradeoff.h"
+#include "tools/view/chart/plot.h"
 
 namespace raycheck::tests {
 namespace {
@@ -282,41 +283,37 @@ TEST(OwnUnits, AreThoseOfPicturesOfErrors) {
 
 /// A plot has one unit: floats have one of their own.
 TEST(OwnUnits, HaveAPlotOfTheirOwn) {
-  const auto expect_labels = [](const std::vector<tools::Plot>& plots) {
-    std::string text;
-    for (const tools::Plot& plot : plots) text += plot.y_label + "\n";
-    expect_parts(text, {"99.9% error of s, in ulp\n", "99.9% error of s, in ulp of float\n"});
+  const auto expect_labels = [](const std::vector<tools::ChartFacet>& facets) {
+    expect_parts(gnuplot_script(facets, "a.svg"),
+                 {"'99.9% parameter error, ulp'", "'99.9% parameter error, ulp of float'"});
   };
-  const auto in_floats = std::make_shared<const tools::OtherMethod>(tools::OtherMethod{
-      .name = "floats",
-      .isolated_by = "",
-      .bounds_of = "",
-      .candidate =
-          [] {
-            properties::Candidate mine = tools::candidate_of(tools::kDefaultMethods);
-            mine.name = "floats";
-            return judged_in(scene::Precision::kSingle, std::move(mine));
-          },
-      .precision = scene::Precision::kSingle});
   tools::StressOptions options;
   options.families = {"distance"};
-  options.methods = {"cross"};
-  options.others = {{.stage = properties::Stage::kIntersection, .other = in_floats}};
+  options.implementations = tools::find_methods({"cross"});
+  options.implementations.push_back({.name = "floats",
+                                     .stages = {properties::Stage::kIntersection},
+                                     .precision = scene::Precision::kSingle,
+                                     .make = [] {
+                                       properties::Candidate mine =
+                                           tools::candidate_of(tools::kDefaultMethods);
+                                       mine.name = "floats";
+                                       return judged_in(scene::Precision::kSingle, std::move(mine));
+                                     }});
   options.cases = 5;
   options.severities = {{0, 1}};
-  expect_labels(stress_plots(run_stress(options)));
+  expect_labels(stress_facets(run_stress(options)));
   tools::TradeoffOptions tradeoff;
   tradeoff.sources = {"distance"};
-  tradeoff.methods = options.methods;
-  tradeoff.others = options.others;
+  tradeoff.implementations = options.implementations;
   tradeoff.cases = 10;
   tools::TradeoffReport report = run_tradeoff(tradeoff);
   report.intersections[1].batch = report.intersections[0].batch;  // nobody's is timed from here
-  expect_labels(tradeoff_plots(report));
+  expect_labels(tradeoff_facets(report, false));
   // Ranked in one unit: an ulp of float is 2^29 of double.
   const auto& costs = report.intersections;
   ASSERT_EQ(costs.size(), 2u);
-  EXPECT_EQ(costs[1].badness()->second, *costs[1].main()->quantile(0.999) * 0x1p29);
+  EXPECT_EQ(costs[1].badness()->second,
+            *costs[1].accuracy.inside.tally(costs[1].quantity()).quantile(0.999) * 0x1p29);
 }
 
 }  // namespace

@@ -141,6 +141,18 @@ TEST(GitlabCodequality, HasWhatGitLabAsksForOfEachNewDefect) {
   EXPECT_EQ(fingerprints.size(), 2u);
 }
 
+TEST(Annotations, AreAtTheLineAtWhichTheCandidateDiedOrElseAtItsSource) {
+  Gate gate = gate_of(2, "why", "mine");
+  EXPECT_TRUE(has(github(gate), "::error title="));
+  gate.sources = {{"mine", "src/tracer.cpp"}};
+  gate.checks[1].line = {"src/sphere.h", 42};
+  const std::string text = github(gate);
+  EXPECT_TRUE(has(text, "::error file=src/tracer.cpp,line=1,title=raycheck%3A class/0::"));
+  EXPECT_TRUE(has(text, "::error file=src/sphere.h,line=42,title=raycheck%3A class/1::"));
+  const json location = json::parse(gitlab_codequality(gate))[1]["location"];
+  EXPECT_EQ(location, (json{{"path", "src/sphere.h"}, {"lines", {{"begin", 42}}}}));
+}
+
 /// A candidate that answers far roots, in the files of a run.
 class GateOfARun : public testing::Test {
  protected:

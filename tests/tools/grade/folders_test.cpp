@@ -130,9 +130,8 @@ TEST_F(HostileOut, ThatIsAFileWhichIsReadIsRefused) {
   const std::string toml = contents(root + "/scene/examples/far-sphere.toml");
   const std::string scene = grading_.write("scene.ppm", toml),
                     plot = grading_.write("scene.svg", toml);
-  const std::string beside =
-      grading_.write("lecture7/orientation.toml",
-                     contents(root + "/tools/grade/rubrics/lecture7/orientation.toml"));
+  const std::string beside = grading_.write(
+      "lecture7/orientation.toml", contents(root + "/examples/rubrics/lecture7/orientation.toml"));
   fs::create_symlink(rubric_, grading_.path("link.zip"));
   const std::string source = grading_.submit("source", "rays.py") + "/rays.py";
   const std::string known = grading_.write("known.baseline", "");

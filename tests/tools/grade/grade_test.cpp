@@ -114,6 +114,22 @@ TEST(DullSubmission, that_states_a_domain_without_any_case_has_no_points) {
   }
 }
 
+/// Of a bonus, that is: a case in which nothing is met is no more than the rest of an ordinary
+/// item.
+TEST(DullSubmission, that_always_misses_has_no_bonus) {
+  const Grading grading;
+  const std::string rubric = grading.write(
+      "bonus.toml", kFormOfPython + item_of("rays", "points = 10\nbonus = true\ncredit = \"share\"",
+                                            functions("class", "rays", 60, kGivenRays)));
+  grading.write("misses/rays.py",
+                "import raycheck_candidate as rc\n"
+                "rc.run('dull', intersect=lambda ray, sphere, asked: None)\n");
+  grading.grade(rubric, {grading.path("misses")});
+  const json result = grading.result("misses");
+  EXPECT_EQ(result["score"], 0) << result.dump(2);
+  EXPECT_GT(result["items"][0]["cases"], 0);
+}
+
 TEST(RightSubmission, may_lie_in_the_only_folder_of_its_folder_or_be_a_file) {
   const Grading grading;
   const std::string deep = grading.submit("deep/unpacked/src", "rays.py");

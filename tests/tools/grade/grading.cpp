@@ -80,7 +80,7 @@ std::string Grading::lecture7_with(
   EXPECT_NE(last_form, std::string::npos);
   text.insert(std::min(last_form, text.size()), kFormsOfBuilt);
   const std::string rubric = write("rubrics/lecture7.toml", text);
-  fs::copy(root + "/tools/grade/rubrics/lecture7", path("rubrics/lecture7"),
+  fs::copy(root + "/examples/rubrics/lecture7", path("rubrics/lecture7"),
            fs::copy_options::recursive | fs::copy_options::overwrite_existing);
   return rubric;
 }

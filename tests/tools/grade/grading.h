@@ -11,7 +11,7 @@
 namespace raycheck::tests {
 
 /// The rubric of the seventh lecture, as the program finds it.
-inline constexpr const char* kLecture7 = "tools/grade/rubrics/lecture7.toml";
+inline constexpr const char* kLecture7 = "examples/rubrics/lecture7.toml";
 
 /// A folder of one test for submissions, rubrics and results, which goes when the test does.
 class Grading {

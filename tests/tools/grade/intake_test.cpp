@@ -247,6 +247,27 @@ TEST_F(Intake, finds_headers_by_names_of_other_systems) {
   EXPECT_FALSE(result["notes"].empty());
 }
 
+TEST_F(Intake, adds_headers_that_gcc_says_are_missing) {
+  std::string use = "std::tuple<int, std::optional<int>> unused() { return {1, 2}; }\n";
+  const auto result =
+      expect_full("headers", with(kSources, {{"one.cpp", "#include \"white.h\"\n" + use}}));
+  EXPECT_EQ(result["notes"].size(), 2u) << result["notes"];
+  expect_parts(result["notes"].dump(),
+               {"#include <tuple> is added to one.cpp, where it is missing"});
+}
+
+/// A folder that a form means is not unwrapped.
+TEST_F(Intake, leaves_a_folder_that_a_form_names) {
+  submit("named", {{"source/rt.c", kC}, {"source/Makefile", "rt: rt.c\n\tcc -o rt rt.c -lm\n"}});
+  std::string rubric = full_rubric(1);
+  rubric = rubric.substr(0, rubric.find("[[form]]")) +
+           "[[form]]\nhas = \"*\"\nbuild = \"cd source && make\"\n"
+           "candidate = \"renderer:./source/rt {scene} {image}\"\n" +
+           rubric.substr(rubric.find("[[item]]"));
+  grading_.grade(grading_.write("named.toml", rubric), {grading_.path("class/named")});
+  EXPECT_EQ(grading_.result("named")["score"], 10);
+}
+
 TEST_F(LongIntake, builds_java_with_packages_and_jars) {
   if (!is_installed("javac")) GTEST_SKIP() << "Java is not installed";
   const std::string folder =
@@ -258,7 +279,33 @@ TEST_F(LongIntake, builds_java_with_packages_and_jars) {
   const auto result = graded("java");
   EXPECT_EQ(result["score"], 10) << result.dump(2);
   EXPECT_EQ(result["program"],
-            "renderer:java -cp raycheck-classes:lib/white.jar de.uni.Main {scene} {image}");
+            "renderer:java -cp raycheck-classes:.:lib/white.jar de.uni.Main {scene} {image}");
+}
+
+TEST_F(LongIntake, finds_classes_that_lie_unpacked_beside_the_sources) {
+  if (!is_installed("javac")) GTEST_SKIP() << "Java is not installed";
+  const std::string folder =
+      submit("unpacked", {{"src/Main.java", kJava}, {"White.java", kJavaWhite}});
+  const std::string words = "cd '" + folder + "' && javac -d . White.java && rm White.java\n";
+  ASSERT_EQ(run_bash(temporary_file("javac.sh", words)).exit_code, 0);
+  EXPECT_EQ(graded("unpacked")["score"], 10);
+}
+
+TEST_F(LongIntake, runs_classes_that_a_makefile_makes) {
+  if (!is_installed("javac")) GTEST_SKIP() << "Java is not installed";
+  const auto result =
+      expect_full("javac", {{"Main.java", kJava},
+                            {"White.java", kJavaWhite},
+                            {"Makefile", "all:\n\tjavac -d bin Main.java White.java\n"}});
+  EXPECT_EQ(result["program"], "renderer:java -cp ./bin:. de.uni.Main {scene} {image}");
+  EXPECT_TRUE(result["notes"].empty()) << result["notes"];
+}
+
+TEST_F(LongIntake, names_the_package_whose_jar_is_missing) {
+  if (!is_installed("javac")) GTEST_SKIP() << "Java is not installed";
+  expect_refused("jar",
+                 {{"Main.java", "import org.ejml.simple.SimpleMatrix;\n" + kJava.substr(16)}},
+                 {"there is no package org.ejml.simple in it, so put the jar that has it beside"});
 }
 
 /// A module, of which package.json says that it is the program's, by a name without its ending.
@@ -307,6 +354,26 @@ TEST_F(LongIntake, shows_what_a_program_says_that_makes_no_picture) {
                  {"it made no picture {image}; it said: usage: rt WIDTH HEIGHT"});
   expect_refused("fails", {{"rt.py", "raise ValueError('no such key: res')\n"}},
                  {"it exited with 1\nTraceback", "ValueError: no such key: res"});
+}
+
+/// In the form that it reads it waits; the others it does not read.
+TEST_F(LongIntake, shows_what_a_program_says_where_it_comes_farthest) {
+  expect_refused("far",
+                 {{"rt.py",
+                   "import sys, time\nfor line in open(sys.argv[1]):\n"
+                   "    words = line.split()\n"
+                   "    if words[0] == 'sphere': last = words[17]\n"
+                   "time.sleep(60)\n"}},
+                 {"it did not end, and computed next to nothing for 1 s (reply_seconds)"},
+                 "[limits]\nreply_seconds = 1\n");
+}
+
+TEST_F(LongIntake, says_that_a_program_reads_whole_numbers_alone) {
+  expect_refused("whole",
+                 {{"rt.py", white_renderer("for line in open(sys.argv[1]):\n"
+                                           "    [int(word) for word in line.split()[1:]]\n")}},
+                 {"it reads numbers as integers, and fails where one has a fraction",
+                  "ValueError: invalid literal for int()"});
 }
 
 TEST_F(LongIntake, finds_the_picture_under_another_name) {

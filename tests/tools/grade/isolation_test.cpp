@@ -103,7 +103,7 @@ TEST_P(HostileOnMachine, RaycheckAndItsRubricsAreHiddenWhereTheyAreInstalled) {
       "/usr/local/libexec/raycheck /usr/local/share/raycheck /usr/local/include\ncp '" +
           build + "'/raycheck /usr/local/bin/\ncp '" + build +
           "'/raycheck-* /usr/local/libexec/raycheck/\ncd '" + RAYCHECK_SOURCE_DIR +
-          "'\ncp -r tools/grade/rubrics tools/external/adapters/* "
+          "'\ncp -r examples/rubrics tools/external/adapters/* "
           "/usr/local/share/raycheck/\ncp -r include/raycheck "
           "/usr/local/include/\nexec \"$@\"\n");
   const std::string before = "unshare -m sh '" + install + "' ";

@@ -24,7 +24,7 @@ for one in (archive := zipfile.ZipFile(sys.argv[1])).infolist():
 )py";
 
 /// With a seed, so that no second file is needed to see that it is in it.
-constexpr const char* kPackage = "grade tools/grade/rubrics/lecture7.toml --seed 77 --package ";
+constexpr const char* kPackage = "grade examples/rubrics/lecture7.toml --seed 77 --package ";
 
 /// A machine as Gradescope's: /autograder is the folder `root`.
 class Package : public testing::Test {
@@ -127,7 +127,7 @@ TEST_F(Package, has_scripts_that_run_and_the_scenes_of_the_rubric) {
     EXPECT_EQ(said_by("bash -n '" + path + "'"), "");
   }
   EXPECT_EQ(contents(grading.path("root/source/rubric/lecture7/frame.toml")),
-            contents(RAYCHECK_SOURCE_DIR "/tools/grade/rubrics/lecture7/frame.toml"));
+            contents(RAYCHECK_SOURCE_DIR "/examples/rubrics/lecture7/frame.toml"));
 }
 
 TEST_F(Package, is_the_same_bytes_each_time_and_holds_the_seed) {

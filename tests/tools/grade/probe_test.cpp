@@ -248,6 +248,18 @@ TEST_F(Probe, says_of_colours_what_they_tell_and_nothing_where_spheres_are_not_s
   expect_parts(notes_of("red", "SHOWN = lambda c: [c[0], 0, 0]\nSEEN = lambda v: v > 0\n"), {note});
 }
 
+TEST_F(Probe, leaves_out_a_light_by_which_alone_a_renderer_fails) {
+  // The light of the dry run's scene is at whole numbers.
+  const json lit = probed(hand_in(
+      "lit", "rt.py",
+      drawing_renderer("SHOWN = lambda c: c\nSEEN = lambda v: v > 0\n"
+                       "for line in open(sys.argv[1]):\n"
+                       "    if line.startswith('light'): [int(x) for x in line.split()[1:]]\n")));
+  EXPECT_EQ(lit["dry_run"]["driver"]["light"], "none") << lit;
+  expect_parts(lit["notes"].dump(),
+               {"it fails where there is a light, so its driver files have none"});
+}
+
 /// Of renderers in Python that are tried in many forms.
 class LongProbe : public Probe {};
 

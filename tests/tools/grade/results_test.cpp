@@ -128,7 +128,7 @@ TEST(ClassResults, say_what_the_rubric_gives_for_what_could_not_be_judged) {
       grading.submit("broken", "hostile.cpp", "#define ATTACK compile_error");
   const std::string right = grading.submit("right", "rays.py");
   expect_parts(grading.grade(rubric, {broken, right}, "out", "--format gradescope").out,
-               {"broken      25 of 100  could not be judged: ", "right      110 of 100\n",
+               {"broken      25 of 100  could not be judged: ", "right      100 of 100, bonus 10\n",
                 "2 submissions graded, 1 could not be judged"});
   EXPECT_EQ(results(grading, "broken")["score"], 25);
   expect_parts(results(grading, "broken")["output"], {"could not be judged"});

@@ -213,7 +213,7 @@ TEST(RubricCommand, copies_one_with_its_scenes_and_writes_over_nothing) {
   const Grading grading;
   const std::string out = grading.path("copy/of/it");
   const Outcome copied = run("rubric lecture7 --out '" + out + "'", 0);
-  const fs::path folder = std::string(RAYCHECK_SOURCE_DIR) + "/tools/grade/rubrics";
+  const fs::path folder = std::string(RAYCHECK_SOURCE_DIR) + "/examples/rubrics";
   std::size_t scenes = 0;
   for (const auto& entry : fs::recursive_directory_iterator(out)) {
     if (!entry.is_regular_file()) continue;
@@ -250,7 +250,7 @@ TEST(RubricScenes, lie_beside_the_rubric_before_they_are_those_that_come_with_ra
   const auto shipped = keys();
   EXPECT_EQ(shipped.second, 4);
   const std::string scene =
-      contents(std::string(RAYCHECK_SOURCE_DIR) + "/tools/grade/rubrics/lecture7/frame.toml");
+      contents(std::string(RAYCHECK_SOURCE_DIR) + "/examples/rubrics/lecture7/frame.toml");
   grading.write("lecture7/frame.toml", scene);
   EXPECT_EQ(keys(), shipped) << "the same scene";
   grading.write("lecture7/frame.toml", scene + "\n# changed\n");

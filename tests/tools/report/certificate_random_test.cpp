@@ -19,7 +19,7 @@
 #include "tests/mutants/mutants.h"
 #include "tests/names.h"
 #include "tests/tools/report/certificates.h"
-#include "tools/methods/methods.h"
+#include "tools/implementations/built_in.h"
 #include "tools/report/certificate.h"
 
 namespace raycheck::tools {

@@ -20,7 +20,7 @@
 
 #include "properties/quantile_sketch.h"
 #include "tests/tools/program.h"
-#include "tools/report/csv.h"
+#include "tools/report/spelling.h"
 #include "tools/report/table.h"
 
 namespace raycheck::tests {

@@ -1,3 +1,5 @@
+#include "tools/stress/stress.h"
+
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -6,9 +8,7 @@
 #include <string>
 
 #include "tests/tools/external/judged.h"
-#include "tools/stress/stress_page.h"
-#include "tools/tradeoff/tradeoff_front.h"
-#include "tools/tradeoff/tradeoff_page.h"
+#include "tools/tradeoff/tradeoff.h"
 #include "tools/view/document_json.h"
 #include "tools/view/page/page.h"
 
@@ -70,14 +70,13 @@ TEST(StressCommand, proves_what_it_found) {
 TEST(StressCommand, has_a_page_with_a_curve_of_every_method_on_every_family) {
   tools::StressOptions options;
   options.families = {"distance", "up"};
-  options.methods = {"quadratic", "robust", "rays/direct"};
+  options.implementations = tools::find_methods({"quadratic", "robust", "rays/direct"});
   options.cases = 20;
   options.severities = {{0, 4}};
-  const auto other = std::make_shared<const tools::OtherMethod>(tools::OtherMethod{
-      .name = "</script><b>", .isolated_by = "", .bounds_of = "", .candidate = [] {
-        return tools::candidate_of(tools::kDefaultMethods);
-      }});
-  options.others = {{.stage = properties::Stage::kIntersection, .other = other}};
+  options.implementations.push_back(
+      {.name = "</script><b>", .stages = {properties::Stage::kIntersection}, .make = [] {
+         return tools::candidate_of(tools::kDefaultMethods);
+       }});
   const tools::StressReport report = run_stress(options);
   const tools::ViewDocument document = stress_document(report);
   EXPECT_FALSE(has(page(document), "</script><b>"));
@@ -92,10 +91,10 @@ TEST(StressCommand, has_a_page_with_a_curve_of_every_method_on_every_family) {
   ASSERT_EQ(mine["points"].size(), 5u);
   for (std::size_t k = 0; k < 5; ++k) {
     const json& errors = mine["points"][k]["errors"][0];
-    EXPECT_EQ(errors["at"][0], *textbook.tally(k)->median());
-    EXPECT_EQ(errors["at"][3], *textbook.tally(k)->quantile(0.999));
+    EXPECT_EQ(errors["at"][0], *textbook.tally(k).median());
+    EXPECT_EQ(errors["at"][3], *textbook.tally(k).quantile(0.999));
     EXPECT_EQ(chart["facets"][0]["condition"][0][3][k],
-              *textbook.tally(k)->condition_quantile(0.999));
+              *textbook.tally(k).condition_quantile(0.999));
     EXPECT_EQ(mine["points"][k]["defects"], properties::defects(textbook.results[k].inside));
   }
   // Methods have their numbers among all, so that each looks the same in every picture.
@@ -103,7 +102,6 @@ TEST(StressCommand, has_a_page_with_a_curve_of_every_method_on_every_family) {
   ASSERT_EQ(series.size(), 3u);
   EXPECT_EQ(series[0].number, 0u);
   EXPECT_EQ(series[1].number, 12u);
-  EXPECT_EQ(series[2].number, tools::all_intersect_methods().size());
 }
 
 TEST(StressCommand, and_tradeoff_write_their_pages) {
@@ -140,7 +138,7 @@ TEST(ParetoFront, IsWhatNothingBeats) {
 tools::TradeoffReport small_report() {
   tools::TradeoffOptions options;
   options.sources = {"distance", "rays"};
-  options.methods = {"quadratic", "cross", "robust"};
+  options.implementations = tools::find_methods({"quadratic", "cross", "robust"});
   options.cases = 200;
   return run_tradeoff(options);
 }
@@ -165,12 +163,12 @@ void expect_what_the_report_tells(const json& all, const tools::TradeoffReport& 
   for (std::size_t k = 0; k < report.intersections.size(); ++k) {
     const tools::MethodCost& cost = report.intersections[k];
     const json& mine = all["series"][k];
-    EXPECT_EQ(mine["name"], cost.method.name());
+    EXPECT_EQ(mine["name"], cost.method.name);
     const double base = report.intersections[0].batch->median;
     EXPECT_EQ(mine["time"]["ratio"], cost.batch->median / base);
     const json& errors = mine["points"][0]["errors"][0];
-    EXPECT_EQ(errors["at"][3], *cost.main()->quantile(0.999));
-    EXPECT_EQ(errors["at"][4], *cost.main()->max());
+    EXPECT_EQ(errors["at"][3], *cost.accuracy.inside.tally(cost.quantity()).quantile(0.999));
+    EXPECT_EQ(errors["at"][4], *cost.accuracy.inside.tally(cost.quantity()).max());
     EXPECT_EQ(mine["points"][0]["defects"], properties::defects(cost.accuracy.inside));
   }
 }

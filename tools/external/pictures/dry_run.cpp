@@ -4,19 +4,14 @@
 
 #include <algorithm>
 #include <chrono>
-#include <cmath>
-#include <map>
 #include <stdexcept>
-#include <tuple>
 #include <utility>
 
 #include "properties/mistakes/shown_picture.h"
-#include "tools/external/pictures/dry_scenes.h"
+#include "tools/external/pictures/dry_pictures.h"
 
 namespace raycheck::tools {
 namespace {
-
-using Mask = std::vector<bool>;
 
 /// How much more time a picture is given that is not made in the rubric's.
 constexpr double kMoreTime = 4;
@@ -24,94 +19,18 @@ constexpr double kMoreTime = 4;
 /// A picture so much like the truth is made by who reads the form.
 constexpr double kSurelyAlike = 0.95;
 
-/// A frame of one colour is a background.
-constexpr double kBackgroundShare = 0.9;
-
-/// A frame of so many colours, none of them more than a share of it, is a sky.
-constexpr std::size_t kShadedColours = 12;
-constexpr double kShadedShare = 0.3;
-
 /// A channel of a pure colour is all, or at most this part of that.
 constexpr double kNoChannel = 0.4;
-
-/// The colours of the frame around a picture.
-struct Frame {
-  std::size_t colours = 0, pixels = 0;
-  Colour most;  ///< The most frequent one, of so many pixels.
-  std::size_t of_most = 0;
-
-  explicit Frame(const ReadPicture& picture) {
-    const auto less = [](const Colour& a, const Colour& b) {
-      return std::tie(a.red, a.green, a.blue) < std::tie(b.red, b.green, b.blue);
-    };
-    std::map<Colour, std::size_t, decltype(less)> counts(less);
-    for (std::int64_t y = 0; y < picture.height; ++y) {
-      for (std::int64_t x = 0; x < picture.width; ++x) {
-        if (x != 0 && y != 0 && x + 1 != picture.width && y + 1 != picture.height) continue;
-        ++counts[picture.pixels[static_cast<std::size_t>(y * picture.width + x)]];
-        ++pixels;
-      }
-    }
-    for (const auto& [colour, count] : counts) {
-      if (count > of_most) most = colour, of_most = count;
-    }
-    colours = counts.size();
-  }
-  double share_of_most() const {
-    return static_cast<double>(of_most) / static_cast<double>(pixels);
-  }
-};
-
-/// What a frame around a picture is nearly everywhere; black where it is not of one colour, or the
-/// picture shows nothing else.
-Colour background_of(const ReadPicture& picture) {
-  const Frame frame(picture);
-  if (frame.share_of_most() < kBackgroundShare) return {};
-  const bool shows_more = std::any_of(picture.pixels.begin(), picture.pixels.end(),
-                                      [&](const Colour& c) { return !(c == frame.most); });
-  return shows_more ? frame.most : Colour{};
-}
-
-/// Whether what lies around the spheres changes from pixel to pixel, as a sky does: nothing tells
-/// it from a sphere.
-bool is_shaded_around(const ReadPicture& picture) {
-  const Frame frame(picture);
-  return frame.colours >= kShadedColours && frame.share_of_most() < kShadedShare;
-}
-
-Mask mask_of(const ReadPicture& picture, const Colour& background) {
-  Mask mask;
-  for (const Colour& colour : picture.pixels) mask.push_back(!(colour == background));
-  return mask;
-}
-
-Mask true_mask(const scene::Scene& scene) {
-  Mask mask;
-  for (const auto& sphere : properties::exact_image(scene, scene.conventions)) {
-    mask.push_back(sphere.has_value());
-  }
-  return mask;
-}
-
-/// The share of what either shows that both show.
-double likeness(const Mask& a, const Mask& b) {
-  double both = 0, either = 0;
-  for (std::size_t k = 0; k < a.size(); ++k) {
-    both += a[k] && b[k] ? 1 : 0;
-    either += a[k] || b[k] ? 1 : 0;
-  }
-  return either == 0 ? 0 : both / either;
-}
 
 /// What became of the symmetric scene in one form.
 struct Attempt {
   DriverForm form;
   std::optional<MadePicture> made;
   Refusal failure;  ///< Where there is no picture.
-  bool timed_out = false;
+  Progress progress = Progress::kPicture;
   double like = 0;
   double seconds = 0;
-  bool reads() const { return like >= kShownAlike; }
+  bool reads() const { return progress == Progress::kSpheres; }
   bool is_sure() const { return like >= kSurelyAlike; }
 };
 
@@ -123,17 +42,19 @@ class DryRunner {
   DryRun run() {
     Attempt chosen = find_form();
     DryRun found;
-    found.driver = chosen.form;
+    found.driver = chosen.made ? chosen.form : rule_.form;
     found.seconds = chosen.seconds;
-    found.shows_a_sphere = chosen.reads();
+    found.progress = chosen.progress;
     const std::optional<DriverForm> other = form_read_instead(chosen);
     if (other) found.notes.push_back(unread_note(*other));
     if (!chosen.made) {
-      found.refusal = chosen.timed_out ? with_more_time(chosen, found) : chosen.failure;
+      found.refusal = chosen.progress == Progress::kTimeUp ? with_more_time(chosen, found)
+                      : fails_by_fractions()               ? by_fractions(chosen)
+                                                           : chosen.failure;
       return found;
     }
     found.picture_name = chosen.made->other_name;
-    if (!found.shows_a_sphere) found.said = chosen.made->said;
+    if (!chosen.reads()) found.said = chosen.made->said;
     if (rule_.is_asked_for && !(chosen.form == rule_.form)) {
       found.notes.push_back(unread_note(chosen.form));
     }
@@ -167,6 +88,7 @@ class DryRunner {
           fmt::format("its background is not black but ({}, {}, {})", red, green, blue));
     }
     find_colours(found);
+    leave_out_light(found);
     return found;
   }
 
@@ -183,21 +105,26 @@ class DryRunner {
   /// The symmetric scene in a form.
   Attempt attempt(const DriverForm& form) {
     ++tried_;
+    return attempt_of(scene_, form);
+  }
+  /// A scene that looks the same.
+  Attempt attempt_of(const scene::Scene& scene, const DriverForm& form) {
     Attempt made;
     made.form = form;
     const double before = spent();
+    const std::vector<Colour> white(scene.spheres.size(), {255, 255, 255});
     try {
-      made.made = rendered(renderer_, driver_text(scene_, form, white_), size_);
-      const ReadPicture& picture = made.made->picture;
-      if (!picture.pixels.empty()) {
-        made.like = likeness(mask_of(picture, background_of(picture)), truth_);
-      }
+      made.made = rendered(renderer_, driver_text(scene, form, white), size_);
+      made.like = likeness(made.made->picture, truth_);
+      if (made.like >= kShownAlike) made.progress = Progress::kSpheres;
     } catch (const ProcessFailure& failure) {
+      const bool is_late = failure.kind() == FailureKind::kTimeUp;
       made.failure = {failure.what(), {}};
-      made.timed_out = failure.kind() == FailureKind::kTimeUp;
-      timed_out_ += made.timed_out ? 1 : 0;
+      made.progress = is_late ? Progress::kTimeUp : Progress::kFailed;
+      timed_out_ += is_late ? 1 : 0;
     } catch (const std::runtime_error& error) {
       made.failure = {error.what(), {}};
+      made.progress = Progress::kNoPicture;
     }
     made.seconds = spent() - before;
     return made;
@@ -209,14 +136,14 @@ class DryRunner {
   }
 
   /// The first form that is surely read; else the one in which the picture is most alike; where
-  /// that is nowhere, the rule's if it gives a picture, else the first that does.
+  /// that is nowhere, the one in which it comes farthest, the rule's before others.
   Attempt best_of_all(Attempt best) {
     for (const DriverForm& form : known_forms(rule_.form)) {
       if (form == rule_.form) continue;
       if (control_.interrupted() || timed_out_ >= kMostTimeouts) break;
       Attempt next = attempt(form);
       if (next.is_sure()) return next;
-      const bool is_better = next.reads() ? next.like > best.like : !best.made && next.made;
+      const bool is_better = next.reads() ? next.like > best.like : next.progress > best.progress;
       if (is_better) best = std::move(next);
     }
     return best;
@@ -224,7 +151,9 @@ class DryRunner {
 
   /// Where the rule's form alone counts and is not read.
   std::optional<DriverForm> form_read_instead(const Attempt& chosen) {
-    if (rule_.tries_others || chosen.reads() || chosen.timed_out) return {};
+    if (rule_.tries_others || chosen.reads() || chosen.progress == Progress::kTimeUp) {
+      return {};
+    }
     const Attempt other = best_of_all(chosen);
     if (!other.reads()) return {};
     return other.form;
@@ -239,7 +168,7 @@ class DryRunner {
     const double seconds = renderer_.program.limits.seconds;
     renderer_.program.limits.seconds = kMoreTime * seconds;
     const auto began = std::chrono::steady_clock::now();
-    const Attempt again = attempt(rule_.form);
+    const Attempt again = attempt(slow.form);
     if (!again.made) return slow.failure;
     // Who computed less than it was allowed was stopped for waiting: then what passed is what it
     // needs.
@@ -298,7 +227,46 @@ class DryRunner {
     }
   }
 
-  /// After so many pictures that are not made in time, no further form is tried.
+  /// Whether a program that makes no picture makes one where no number has a fraction.
+  bool fails_by_fractions() {
+    constexpr std::size_t kMostForms = 30;
+    const scene::Scene whole = whole_scene();
+    std::vector<DriverForm> forms = known_forms(rule_.form);
+    forms.resize(std::min(forms.size(), rule_.tries_others ? kMostForms : 1));
+    return std::any_of(forms.begin(), forms.end(), [&](const DriverForm& form) {
+      return !control_.interrupted() && timed_out_ < kMostTimeouts &&
+             attempt_of(whole, form).made.has_value();
+    });
+  }
+  static Refusal by_fractions(const Attempt& failed) {
+    return {"it reads numbers as integers, and fails where one has a fraction", failed.failure.why};
+  }
+
+  bool fails_on(const scene::Scene& scene, const DriverForm& form) const {
+    try {
+      rendered(renderer_, driver_text(scene, form), {scene.camera->width, scene.camera->height});
+      return false;
+    } catch (const std::runtime_error&) {
+      return true;
+    }
+  }
+
+  /// Nothing is asked about the light, so what fails by it alone is no fault.
+  void leave_out_light(DryRun& found) {
+    if (!rule_.tries_others || found.driver.light == DriverLight::kNone) return;
+    DriverForm unlit = found.driver;
+    unlit.light = DriverLight::kNone;
+    for (const scene::Scene& scene : ordinary_scenes()) {
+      if (control_.interrupted()) return;
+      if (!fails_on(scene, found.driver)) continue;
+      if (fails_on(scene, unlit) || !attempt(unlit).reads()) return;
+      found.driver = unlit;
+      found.notes.emplace_back("it fails where there is a light, so its driver files have none");
+      return;
+    }
+  }
+
+  /// The number of pictures not made in time after which no further form is tried.
   static constexpr int kMostTimeouts = 3;
 
   Renderer renderer_;
@@ -306,9 +274,7 @@ class DryRunner {
   const properties::RunControl& control_;
   const scene::Scene scene_ = symmetric_scene();
   const PictureSize size_ = {scene_.camera->width, scene_.camera->height};
-  const std::vector<Colour> white_ =
-      std::vector<Colour>(scene_.spheres.size(), Colour{255, 255, 255});
-  const Mask truth_ = true_mask(scene_);
+  const properties::ImageAnswer truth_ = properties::exact_image(scene_, scene_.conventions);
   int tried_ = 0, timed_out_ = 0;
 };
 

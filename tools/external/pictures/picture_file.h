@@ -3,6 +3,9 @@
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <string_view>
+
+#include "tools/external/pictures/renderer.h"
 
 namespace raycheck::tools {
 
@@ -18,5 +21,9 @@ struct FoundPicture {
 /// where there is none.
 std::optional<FoundPicture> found_picture(const std::filesystem::path& folder,
                                           const std::string& named, const std::string& scene);
+
+/// A picture as it is kept between runs, and read again; empty where a text is none.
+std::string stored_text(const MadePicture& made);
+std::optional<MadePicture> stored_picture(std::string_view text);
 
 }  // namespace raycheck::tools

@@ -3,6 +3,7 @@
 #include <fmt/core.h>
 #include <sys/stat.h>
 
+#include <boost/algorithm/string/replace.hpp>
 #include <ctime>
 #include <stdexcept>
 #include <system_error>
@@ -10,16 +11,12 @@
 
 #include "properties/other_size.h"
 #include "tools/external/pictures/picture_file.h"
-#include "tools/external/pictures/stored_picture.h"
 #include "tools/external/sandbox/file_tree.h"
 
 namespace raycheck::tools {
 namespace {
 
 namespace fs = std::filesystem;
-
-/// What a picture may have at most, whatever the scene's size.
-constexpr std::int64_t kMostPicturePixels = std::int64_t{1} << 26;
 
 /// Of a program that has ended. `most`: as large as its files may be.
 std::string read_made(const fs::path& path, std::uint64_t most) {
@@ -56,11 +53,8 @@ MadePicture drawn(const Renderer& renderer, const std::string& driver, PictureSi
   Confined program = renderer.program;
   program.files = {{kSceneFile, driver}};
   for (std::string& word : program.arguments) {
-    for (const auto& [mark, file] : {std::pair("{scene}", kSceneFile), {"{image}", kImageFile}}) {
-      for (std::size_t at; (at = word.find(mark)) != std::string::npos;) {
-        word.replace(at, std::string_view(mark).size(), file);
-      }
-    }
+    boost::replace_all(word, "{scene}", kSceneFile);
+    boost::replace_all(word, "{image}", kImageFile);
   }
   Process process(program);
   std::optional<ProcessFailure> failure;

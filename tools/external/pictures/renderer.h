@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <memory>
 #include <string>
 #include <vector>
@@ -9,12 +10,15 @@
 #include "tools/external/pictures/driver_form.h"
 #include "tools/external/pictures/sphere_colours.h"
 #include "tools/external/sandbox/process.h"
-#include "tools/report/picture_reader.h"
+#include "tools/report/picture_file.h"
 
 namespace raycheck::tools {
 
-/// After so many silences someone else's implementation is not asked any more.
+/// The number of silences after which an implementation is no longer asked.
 inline constexpr int kMostSilences = 3;
+
+/// Pixels that a picture has at most, whatever the size of the scene.
+inline constexpr std::int64_t kMostPicturePixels = std::int64_t{1} << 26;
 
 /// What the driver file and the picture are called in the folder of a run.
 inline constexpr const char* kSceneFile = "scene.txt";
@@ -28,7 +32,7 @@ struct Renderer {
   ColourHabit colours = {};
   double excused_change = properties::kExcusedImageChange;
   double threshold = 0;  ///< Hits with an s of at most this are not judged.
-  /// After so many pictures that were not made in time it is not started any more.
+  /// The number of pictures not made in time after which it is no longer started.
   int most_silences = kMostSilences;
   std::shared_ptr<AnswerStore> answers = {};  ///< Null: it is started for every picture.
 };

@@ -5,7 +5,7 @@
 namespace raycheck::tools {
 namespace {
 
-/// The last line that is whole and begins with the word; empty where there is none.
+/// The last complete line that begins with the word; empty if there is no such line.
 std::string_view frames_line(std::string_view text) {
   std::string_view found;
   for (std::size_t end = text.find('\n'); end != std::string_view::npos; end = text.find('\n')) {

@@ -1,4 +1,3 @@
-#include "tools/external/protocol/last_frames.h"
 
 #include <dlfcn.h>
 #include <link.h>

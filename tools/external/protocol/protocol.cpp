@@ -86,33 +86,76 @@ class Words {
   std::size_t number_;
 };
 
+/// The next word, one of these names in the order of an enumeration.
 template <class Enum, std::size_t kCount>
-void declare(std::string_view value, const std::array<std::string_view, kCount>& names,
-             std::optional<Enum>& declared, const Words& words) {
-  const auto found = std::find(names.begin(), names.end(), value);
-  if (found == names.end()) words.fail("declares no such convention");
-  declared = static_cast<Enum>(found - names.begin());
+Enum choose(Words& words, const std::array<std::string_view, kCount>& names,
+            const char* otherwise) {
+  const auto found = std::find(names.begin(), names.end(), words.word());
+  if (found == names.end()) words.fail(otherwise);
+  return static_cast<Enum>(found - names.begin());
 }
 
-/// The ends in one word, in the order of scene::Ends.
-constexpr std::array<std::string_view, 4> kEndsWords = {"[]", "[)", "(]", "()"};
+/// The ends in one word, in the order of scene::Ends; or that every interval is taken.
+constexpr std::array<std::string_view, 5> kEndsWords = {"[]", "[)", "(]", "()", "as-asked"};
 
-scene::ValidRoots read_roots(std::string_view ends, Words& words) {
-  const auto choose = [&words]<class Choice>(std::string_view word, const auto& names,
-                                             Choice& choice) {
-    const auto found = std::find(names.begin(), names.end(), word);
-    if (found == names.end()) words.fail("declares no such roots");
-    choice = static_cast<Choice>(found - names.begin());
-  };
+std::optional<scene::ValidRoots> read_roots(Words& words) {
+  constexpr const char* kOtherwise = "declares no such roots";
   scene::Conventions conventions;
   scene::ValidRoots& valid = conventions.valid;
-  choose(ends, kEndsWords, valid.ends);
+  const auto ends = choose<std::size_t>(words, kEndsWords, kOtherwise);
+  if (ends + 1 == kEndsWords.size()) return {};
+  valid.ends = static_cast<scene::Ends>(ends);
   valid.t_min = words.number();
   valid.t_max = words.number();
-  choose(words.word(), scene::kTUnitNames, valid.unit);
-  choose(words.word(), scene::kCullingNames, valid.culling);
+  valid.unit = choose<scene::TUnit>(words, scene::kTUnitNames, kOtherwise);
+  valid.culling = choose<scene::Culling>(words, scene::kCullingNames, kOtherwise);
   if (!scene::defects(conventions).empty()) words.fail("declares no interval");
   return valid;
+}
+
+void read_convention(Words& words, properties::DeclaredConventions& declared) {
+  constexpr const char* kOtherwise = "declares no such convention";
+  const std::string_view which = words.word();
+  if (which == "rows") {
+    declared.rows = choose<scene::Rows>(words, scene::kRowsNames, kOtherwise);
+  } else if (which == "samples") {
+    declared.samples = choose<scene::Samples>(words, scene::kSamplesNames, kOtherwise);
+  } else if (which == "origin") {
+    declared.origin = choose<scene::Origin>(words, scene::kOriginNames, kOtherwise);
+  } else if (which == "root") {
+    declared.root = choose<scene::Root>(words, scene::kRootNames, kOtherwise);
+  } else if (which == "tangent") {
+    declared.tangent = choose<scene::Tangent>(words, scene::kTangentNames, kOtherwise);
+  } else {
+    words.fail(kOtherwise);
+  }
+}
+
+/// What a line of that kind states.
+void read_statement(std::string_view kind, Words& words, Introduction& introduction) {
+  if (kind == "function") {
+    const auto function = choose<std::size_t>(words, kFunctions, "offers no such function");
+    introduction.functions.emplace(kFunctions[function]);
+  } else if (kind == "convention") {
+    read_convention(words, introduction.declared);
+  } else if (kind == "precision") {
+    introduction.precision =
+        choose<scene::Precision>(words, scene::kPrecisionNames, "states no such precision");
+  } else if (kind == "roots") {
+    introduction.declared.valid = read_roots(words);
+  } else if (kind == "level") {
+    introduction.level =
+        choose<properties::Level>(words, properties::kLevelNames, "states no such level");
+  } else if (kind == "lengths") {
+    introduction.smallest_length = words.number();
+    introduction.largest_length = words.number();
+    if (!(introduction.smallest_length >= 0 &&
+          introduction.smallest_length < introduction.largest_length)) {
+      words.fail("states no range of lengths");
+    }
+  } else {
+    words.fail("is no part of an introduction");
+  }
 }
 
 }  // namespace
@@ -133,57 +176,8 @@ Introduction parse_introduction(std::string_view text) {
       if (kind != "raycheck") words.fail("does not begin with 'raycheck 1'");
       if (words.word() != std::to_string(kProtocolVersion)) words.fail("is of another version");
       introduction.name = words.word();
-    } else if (kind == "function") {
-      const std::string_view function = words.word();
-      if (std::find(kFunctions.begin(), kFunctions.end(), function) == kFunctions.end()) {
-        words.fail("offers no such function");
-      }
-      introduction.functions.emplace(function);
-    } else if (kind == "convention") {
-      auto& declared = introduction.declared;
-      const std::string_view which = words.word();
-      const std::string_view value = words.word();
-      if (which == "rows") {
-        declare(value, scene::kRowsNames, declared.rows, words);
-      } else if (which == "samples") {
-        declare(value, scene::kSamplesNames, declared.samples, words);
-      } else if (which == "origin") {
-        declare(value, scene::kOriginNames, declared.origin, words);
-      } else if (which == "root") {
-        declare(value, scene::kRootNames, declared.root, words);
-      } else if (which == "tangent") {
-        declare(value, scene::kTangentNames, declared.tangent, words);
-      } else {
-        words.fail("declares no such convention");
-      }
-    } else if (kind == "precision") {
-      const std::string_view precision = words.word();
-      const auto& names = scene::kPrecisionNames;
-      const auto found = std::find(names.begin(), names.end(), precision);
-      if (found == names.end()) words.fail("states no such precision");
-      introduction.precision = static_cast<scene::Precision>(found - names.begin());
-    } else if (kind == "roots") {
-      const std::string_view ends = words.word();
-      if (ends == "as-asked") {
-        introduction.declared.valid.reset();
-      } else {
-        introduction.declared.valid = read_roots(ends, words);
-      }
-    } else if (kind == "level") {
-      const std::string_view level = words.word();
-      const auto& names = properties::kLevelNames;
-      const auto found = std::find(names.begin(), names.end(), level);
-      if (found == names.end()) words.fail("states no such level");
-      introduction.level = static_cast<properties::Level>(found - names.begin());
-    } else if (kind == "lengths") {
-      introduction.smallest_length = words.number();
-      introduction.largest_length = words.number();
-      if (!(introduction.smallest_length >= 0 &&
-            introduction.smallest_length < introduction.largest_length)) {
-        words.fail("states no range of lengths");
-      }
     } else {
-      words.fail("is no part of an introduction");
+      read_statement(kind, words, introduction);
     }
     words.end();
   }

@@ -17,7 +17,7 @@
 
 namespace raycheck::tools {
 
-/// A reply that is not one: what() says which line is wrong and how.
+/// A malformed reply: what() says which line is wrong and how.
 class ProtocolError : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;
@@ -29,7 +29,7 @@ inline constexpr int kProtocolVersion = 1;
 struct Introduction {
   std::string name;  ///< "-": none
   std::set<std::string> functions;
-  /// Every root >= 0 counts for who says nothing of them.
+  /// Every root >= 0 counts unless it says otherwise.
   properties::DeclaredConventions declared = {.rows = {},
                                               .samples = {},
                                               .origin = {},
@@ -93,7 +93,7 @@ class Reply {
   std::vector<std::string_view> lines_;
 };
 
-/// More bytes than an honest reply of so many lines has, and no more than are held at a time.
+/// An upper bound on the bytes of an honest reply of `lines` lines, at most kMostBytes.
 inline constexpr std::size_t kMostBytes = std::size_t{1} << 28;
 constexpr std::size_t most_bytes(std::size_t lines) {
   return lines < kMostBytes / 320 ? 4096 + 320 * lines : kMostBytes;

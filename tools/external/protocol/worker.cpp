@@ -4,7 +4,7 @@
 // come on the standard input, replies go where the standard output was. What the library itself
 // prints goes to the standard error. Where it dies, or throws what becomes an error, a line before
 // that says where in its code that was (frames.h). Exits with 2, after a line about it, on a
-// library that is none.
+// file that is no library.
 
 #include <dlfcn.h>
 #include <raycheck/candidate.h>
@@ -24,7 +24,7 @@
 #include <string_view>
 #include <vector>
 
-#include "tools/external/protocol/last_frames.h"
+#include "tools/external/protocol/frames.h"
 
 namespace {
 

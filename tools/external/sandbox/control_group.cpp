@@ -28,7 +28,7 @@ namespace fs = std::filesystem;
 constexpr std::string_view kGroupPrefix = "raycheck-", kLeafPrefix = "judge-";
 /// What bubblewrap adds to a program's processes: one waits outside, one inside takes orphans.
 constexpr std::uint64_t kOfBubblewrap = 2;
-/// A group goes when all in it have died, which is looked at so often, after so many microseconds.
+/// How often, and after how many microseconds, it is checked that all in a group have died.
 constexpr int kMostLooks = 10000;
 constexpr useconds_t kLookPause = 500;
 

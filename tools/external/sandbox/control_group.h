@@ -22,15 +22,15 @@ struct GroupLimits {
 /// kernel wants that, and removes what dead runs left there.
 /// Errors: std::runtime_error with why there is none; then all is as it was.
 GroupLimits begin_control_groups();
-/// All is as it was before they began; so it is at the end of raycheck, too.
+/// Undoes begin_control_groups(), as does the end of raycheck.
 void end_control_groups();
 
 /// Whether something was killed since the group met its own limit on memory, by the text of its
 /// memory.events; not where the machine had too little, or a group above.
 bool has_met_memory_limit(const std::string& events);
 
-/// The control group of a program and all that it starts, with their limits together: gone with the
-/// object, and they with it. Domain: the groups have begun.
+/// The control group of a program and all that it starts, with their limits together: it ends
+/// with the object, and kills them. Domain: the groups have begun.
 class ControlGroup {
  public:
   /// Errors: std::system_error where it cannot be made with all limits that `layers` names.
@@ -40,7 +40,7 @@ class ControlGroup {
   ControlGroup& operator=(const ControlGroup&) = delete;
 
   const std::filesystem::path& path() const { return path_; }
-  /// Of all that ever ran in it.
+  /// The CPU time of everything that ever ran in it.
   double cpu_seconds() const;
   /// Whether has_met_memory_limit() of its memory.events.
   bool has_met_memory_limit() const;

@@ -4,10 +4,22 @@
 #include <filesystem>
 #include <limits>
 #include <string>
+#include <vector>
+
+#include "tools/external/sandbox/process_tree.h"
 
 namespace raycheck::tools {
 
-/// The bytes of a file, or so many of the first. Errors: std::system_error; nothing is missed.
+/// Bytes of files that are in no folder: removed files, memfd_create(), shared memory.
+struct NamelessFiles {
+  std::uint64_t in_memory = 0, on_disk = 0;
+};
+
+/// Counts those that the processes have open or mapped, each once. Where the system does not show
+/// the size of one, what is mapped of it counts.
+NamelessFiles nameless_files(const std::vector<ProcessState>& processes);
+
+/// The bytes of a file, at most the first `most`. Errors: std::system_error; nothing is missed.
 std::string file_bytes(const std::filesystem::path& file,
                        std::size_t most = std::numeric_limits<std::size_t>::max());
 
@@ -18,10 +30,10 @@ bool remove_tree(const std::filesystem::path& folder);
 /// Removes all that lies in a folder.
 void empty_folder(const std::filesystem::path& folder);
 
-/// Files and folders that are added up at most.
+/// The most files and folders that are added up.
 inline constexpr int kMostFiles = 32'768;
 
-/// What the files of a folder take on disk. One of several names counts once.
+/// What the files of a folder take on disk. A file with several names counts once.
 struct DiskUse {
   std::uint64_t bytes = 0;
   int files = 0;              ///< And folders.

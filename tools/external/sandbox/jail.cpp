@@ -5,10 +5,10 @@
 //   supervise=1            as a child of this process, which ends when nothing of it is left
 //   group=PATH             the child begins in this control group; only with supervise
 //   user=ID                as that user and group, and no other group; only for root
-//   seccomp=1              without sockets, without looking into other processes (jail_calls.h)
+//   seccomp=1              without sockets, without looking into other processes (jail_rules.h)
 //   judge=PROCESS          its user has other processes, which it could reach by their numbers;
 //                          this one above all it may not
-//   reads=PATH writes=PATH hidden=PATH   by Landlock no other files than these (jail_files.h); each
+//   reads=PATH writes=PATH hidden=PATH   by Landlock no other files than these (jail_rules.h); each
 //                          any number of times
 //   error=DESCRIPTOR       PROGRAM's standard error; until a NUL byte on the present one says that
 //                          all is in place, that takes what goes wrong
@@ -16,10 +16,14 @@
 // standard streams and descriptor 3, killed when its parent dies. Exits with 125, after a line
 // about it, when it cannot.
 
+#include <fcntl.h>
 #include <grp.h>
 #include <linux/close_range.h>
+#include <linux/sched.h>
 #include <sys/prctl.h>
 #include <sys/resource.h>
+#include <sys/syscall.h>
+#include <sys/wait.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -33,9 +37,8 @@
 #include <string>
 #include <string_view>
 
-#include "tools/external/sandbox/jail_calls.h"
-#include "tools/external/sandbox/jail_files.h"
-#include "tools/external/sandbox/supervise.h"
+#include "tools/external/sandbox/jail_rules.h"
+#include "tools/external/sandbox/process_tree.h"
 
 namespace {
 
@@ -121,6 +124,71 @@ void say_ready(std::uint64_t error) {
   close(descriptor);
 }
 
+/// As bubblewrap and shells have it.
+constexpr int kSignalled = 128;
+
+[[noreturn]] void end_as(int status) {
+  _exit(WIFSIGNALED(status) ? kSignalled + WTERMSIG(status) : WEXITSTATUS(status));
+}
+
+/// Ends all that is left. Where that cannot be done it is killed itself, so that it shows.
+void end_all() {
+  if (!raycheck::tools::end_children()) kill(getpid(), SIGKILL);
+}
+
+/// Waits for the child; what it left is killed.
+[[noreturn]] void wait_for(pid_t child, const sigset_t& awaited) {
+  // The child's end of these is the end of what it says.
+  const int nothing = open("/dev/null", O_RDWR);
+  for (int stream = 0; stream < 3; ++stream) dup2(nothing, stream);
+  close_range(3, ~0U, 0);
+  for (;;) {
+    int status = 0;
+    for (pid_t ended; (ended = waitpid(-1, &status, WNOHANG)) > 0;) {
+      if (ended != child) continue;
+      end_all();
+      end_as(status);
+    }
+    if (sigwaitinfo(&awaited, nullptr) == SIGTERM) {
+      end_all();
+      _exit(kSignalled + SIGTERM);
+    }
+  }
+}
+
+/// fork() into a control group: to move there later would wait for all processors.
+pid_t fork_into(const std::string& group) {
+  if (group.empty()) return fork();
+  const int folder = open(group.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+  if (folder < 0) return -1;
+  clone_args how{};
+  how.flags = CLONE_INTO_CGROUP;
+  how.exit_signal = SIGCHLD;
+  how.cgroup = static_cast<std::uint64_t>(folder);
+  const auto child = static_cast<pid_t>(syscall(SYS_clone3, &how, sizeof how));
+  const int error = errno;
+  close(folder);
+  errno = error;
+  return child;
+}
+
+/// Goes on as a child of this process, which stays to take what that leaves behind: it ends as the
+/// child does, when nothing that the child started is left, and kills all of it when its own parent
+/// dies. `group`: the folder of the control group in which the child begins; empty: that of this
+/// process. False, with errno, where it cannot.
+bool supervise(const std::string& group) {
+  sigset_t awaited, before;
+  sigemptyset(&awaited);
+  sigaddset(&awaited, SIGTERM);
+  sigaddset(&awaited, SIGCHLD);
+  if (sigprocmask(SIG_BLOCK, &awaited, &before) != 0) return false;
+  if (prctl(PR_SET_CHILD_SUBREAPER, 1) != 0 || prctl(PR_SET_PDEATHSIG, SIGTERM) != 0) return false;
+  const pid_t child = fork_into(group);
+  if (child < 0) return false;
+  if (child > 0) wait_for(child, awaited);
+  return sigprocmask(SIG_SETMASK, &before, nullptr) == 0 && prctl(PR_SET_PDEATHSIG, SIGKILL) == 0;
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -134,7 +202,7 @@ int main(int argc, char** argv) {
   require(close_range(kFirstClosed, ~0U, CLOSE_RANGE_UNSHARE) == 0, "close");
   // Only supervisors outlive what they start, so that they can kill it all: its group is another.
   if (limits.supervise != 0) {
-    require(raycheck::tools::supervise(limits.group), "supervise");
+    require(supervise(limits.group), "supervise");
     require(setpgid(0, 0) == 0, "supervise");
   } else if (!limits.group.empty()) {
     give_up("group", "needs supervise=1");

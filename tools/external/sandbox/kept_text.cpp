@@ -1,9 +1,9 @@
-#include "tools/external/sandbox/kept_text.h"
-
 #include <fmt/core.h>
 
 #include <algorithm>
 #include <vector>
+
+#include "tools/external/sandbox/process.h"
 
 namespace raycheck::tools {
 namespace {

@@ -24,7 +24,6 @@
 #include "scene/interruption.h"
 #include "tools/external/sandbox/private_folder.h"
 #include "tools/external/sandbox/process_tree.h"
-#include "tools/external/sandbox/visible.h"
 #include "tools/report/version.h"
 
 namespace raycheck::tools {
@@ -68,7 +67,7 @@ namespace {
 
 /// The program's standard error until all layers are in place; raycheck-jail leaves it open.
 constexpr int kKeptDescriptor = 3;
-/// Layers are in place after so many seconds, however busy the machine is, and say no more of why
+/// Layers are in place after this many seconds, however busy the machine is, and say no more of why
 /// they are not.
 constexpr int kStartSeconds = 60;
 constexpr std::size_t kMostSaid = 4096;

@@ -2,34 +2,131 @@
 
 #include <sys/types.h>
 
+#include <atomic>
+#include <cerrno>
 #include <cstdint>
 #include <filesystem>
 #include <memory>
+#include <mutex>
 #include <stdexcept>
 #include <string>
 #include <string_view>
+#include <system_error>
 #include <utility>
 #include <vector>
 
-#include "tools/external/sandbox/layers.h"
-#include "tools/external/sandbox/spent_time.h"
-#include "tools/external/sandbox/starting_folder.h"
-#include "tools/external/sandbox/surroundings.h"
+#include "tools/external/sandbox/private_folder.h"
 
 namespace raycheck::tools {
 
-/// What those who set limits call them, to be said where one is met; empty: nothing is said.
+/// What keeps a candidate in its place, beyond what always does: a session, a folder and an
+/// environment of its own, closed descriptors and limits on what it uses.
+struct Layers {
+  bool own_user = false;    ///< It runs as a user that owns nothing; raycheck is root.
+  bool seccomp = false;     ///< No sockets, no looking into other processes.
+  bool landlock = false;    ///< Of the file system what it needs; in place of bubblewrap.
+  bool bubblewrap = false;  ///< Namespaces of its own; of the file system what it needs.
+  /// A control group of its own, in which all processes are counted, killed and, where the kernel
+  /// can do so, limited together.
+  bool control_group = false, group_memory = false, group_processes = false;
+  /// "own user, seccomp, bubblewrap, control group (memory, processes)", or "limits only"
+  std::string text() const;
+};
+
+/// A layer that a machine should have and that does not work there.
+struct MissingLayer {
+  std::string name;
+  std::string why;  ///< In the words of what failed.
+};
+
+/// The layers that work here, found out once, by trying, and those that do not.
+struct LayersHere {
+  Layers layers;
+  std::vector<MissingLayer> missing;
+  /// Why there is no control group (most machines let nobody make one); empty: there is one, or
+  /// none was asked for.
+  std::string no_control_group = {};
+};
+const LayersHere& layers_here();
+
+/// Which layers to use.
+enum class Sandbox {
+  kRequire,    ///< All that there should be: a user of its own as root, seccomp, bubblewrap.
+  kAvailable,  ///< Those that work here.
+  kNone        ///< Limits alone.
+};
+/// Errors: std::invalid_argument where `kRequire` asks for what does not work here, naming it, why,
+/// and what does; and where the folder for temporary files cannot be used.
+LayersHere chosen_layers(Sandbox sandbox);
+
+/// How long a candidate has taken in all, in seconds of CPU time. An answer of an earlier run takes
+/// what it took then, so that what is asked does not depend on what is known. One for all its
+/// processes and threads.
+class SpentTime {
+ public:
+  void add(double seconds) { seconds_.fetch_add(seconds); }
+  double seconds() const { return seconds_.load(); }
+
+ private:
+  std::atomic<double> seconds_{0};
+};
+
+/// Whether an error comes from the state of the machine (no room, too many open files) and not from
+/// what was asked for, so that it may not occur another time.
+inline bool is_of_the_machine(const std::error_code& error) {
+  for (const std::errc of_it :
+       {std::errc::no_space_on_device, std::errc::not_enough_memory, std::errc::io_error,
+        std::errc::too_many_files_open, std::errc::too_many_files_open_in_system,
+        std::errc::resource_unavailable_try_again, std::errc::interrupted,
+        std::errc::no_buffer_space, std::errc::read_only_file_system}) {
+    if (error == of_it) return true;
+  }
+  return error == std::error_code(EDQUOT, std::generic_category());
+}
+
+/// Outside causes for which a candidate failed; if there is one, its answers do not count. Shared
+/// by all its processes.
+class Surroundings {
+ public:
+  /// `alone`: no other candidate runs beside it, so that what happens to it is its own doing, as
+  /// long as the machine has room.
+  explicit Surroundings(bool alone) : alone_(alone) {}
+  bool alone() const { return alone_; }
+  /// The first cause is kept.
+  void blame(const std::string& cause) {
+    const std::lock_guard lock(mutex_);
+    if (cause_.empty()) cause_ = cause;
+  }
+  /// Empty: none.
+  std::string cause() const {
+    const std::lock_guard lock(mutex_);
+    return cause_;
+  }
+
+ private:
+  bool alone_;
+  mutable std::mutex mutex_;
+  std::string cause_;
+};
+
+/// Why nothing of an implementation can be judged.
+struct Refusal {
+  std::string why;   ///< One line.
+  std::string said;  ///< What a compiler said of it, or empty.
+};
+
+/// The names of limits for those who set them, named when one is met; empty: not named.
 struct LimitNames {
   std::string seconds = {}, file = {}, memory = {}, processes = {}, disk = {};
 };
 
-/// " (file_mib)": what those who set a limit call it, to be said behind it.
+/// The name of a limit in parentheses, to follow its mention: " (file_mib)".
 std::string called(const std::string& limit);
 
 /// What one process, or a process and all that it starts, may use.
 struct Limits {
-  /// Of CPU time, from a request to the end of its reply, together; watch.h says what time those
-  /// have who wait.
+  /// Of CPU time, from a request to the end of its reply, together; watch.h says what of
+  /// waiting counts.
   double seconds = 10;
   std::uint64_t cpu_seconds = 600;
   /// In bytes: each of addresses, together of the machine's memory.
@@ -63,7 +160,7 @@ enum class FailureKind {
   kEnded,     ///< It ended before it had done what it should.
   kTimeUp,    ///< No reply, or no end, in the time it has: to ask again costs as much.
   kSaidMore,  ///< More than it was asked, or may say.
-  kBadReply,  ///< Its reply, or its picture, is none.
+  kBadReply,  ///< What it sent is not a reply, or not a picture.
   kNotAsked   ///< It was silent too often to be asked again.
 };
 
@@ -87,15 +184,15 @@ std::filesystem::path helper(const std::string& name);
 
 /// The folder in which this program and its helpers (raycheck-jail, raycheck-worker) lie.
 std::filesystem::path program_folder();
-/// Of programs that are installed, which lie below libexec/raycheck, what that lies below.
+/// The prefix of an installed program, whose libexec/raycheck holds the programs.
 std::filesystem::path prefix();
 
 /// Where the adapters of other languages are: beside an installed program, or in the sources that
 /// it was built of.
 std::filesystem::path adapters();
 
-/// A user for each process, which no account has: of this process and a number where such large ids
-/// exist, else one of 16 bits.
+/// A user id for each process that belongs to no account: made of this process's id and a counter
+/// where such large ids exist, else of 16 bits.
 std::uint64_t next_user();
 /// Large ids do not work here.
 void use_small_users();
@@ -112,5 +209,17 @@ struct Streams {
 /// started in all of them; it is never started in fewer.
 pid_t launch(const Confined& confined, const std::filesystem::path& folder, std::uint64_t user,
              const std::filesystem::path& group, const Streams& streams);
+
+/// The parts of the system that programs need; of /etc only files of the loader, Java and OpenSSL
+/// (Node.js does not start where the last exists but is closed). Some may not exist.
+std::vector<std::filesystem::path> system_paths();
+
+/// What raycheck's helpers need besides the system: the adapters, and the libraries of a package
+/// where it brings some that they may read.
+std::vector<std::filesystem::path> own_paths();
+
+/// What in all these gives away right answers or questions: raycheck itself, wherever programs are
+/// looked for, and the rubrics that come with it.
+std::vector<std::filesystem::path> hidden_paths();
 
 }  // namespace raycheck::tools

@@ -10,25 +10,41 @@
 #include <string_view>
 
 #include "tools/external/sandbox/control_group.h"
-#include "tools/external/sandbox/kept_text.h"
 #include "tools/external/sandbox/launch.h"
 #include "tools/external/sandbox/private_folder.h"
 #include "tools/external/sandbox/watch.h"
 
 namespace raycheck::tools {
 
+/// The beginning and the end of what a program says, however much that is.
+class KeptText {
+ public:
+  void append(std::string_view more);
+  bool empty() const { return begin_.empty(); }
+  /// The beginning and the end, with a line between them that says how much is left out.
+  std::string text() const;
+  /// Its first and last few lines, and how much is left out between them; without what a
+  /// terminal would obey.
+  std::string excerpt() const;
+
+ private:
+  std::string begin_, end_;
+  std::size_t lines_ = 0;    ///< Ends of lines, of all that was said.
+  std::size_t dropped_ = 0;  ///< Bytes.
+};
+
 /// The end of what a program said, as a clause; empty where it was silent.
 std::string last_line_text(const KeptText& said);
 
-/// Which limit a program that failed says that it met, as a clause; empty where it says of none.
+/// Which limit a program that failed says that it met, as a clause; empty if it names no limit.
 std::string limit_text(const KeptText& said, const Limits& limits);
 
 /// What a finished program said: on the standard error, else on the standard output, as a clause
 /// with its first and last lines; empty where it was silent.
 std::string said_text(const KeptText& said, const KeptText& printed);
 
-/// A process that is talked to through pipes, in a folder of its own; its end is the end of all
-/// that it started.
+/// A process that is talked to through pipes, in a folder of its own. When it ends, so does
+/// everything that it started.
 /// Errors: ProcessFailure, also where it cannot be started; afterwards it is dead.
 class Process {
  public:
@@ -42,9 +58,9 @@ class Process {
   std::string exchange(std::string_view request,
                        const std::function<bool(std::string_view line)>& is_last,
                        std::size_t most_bytes);
-  /// Of an answer that failed, what had come until then.
+  /// What had arrived of an answer that failed.
   const std::string& unfinished() const { return answer_; }
-  /// What is exchanged from now on has so many seconds of CPU time.
+  /// Limits what is exchanged from now on to this many seconds of CPU time.
   void allow(double seconds) { confined_.limits.seconds = seconds; }
   /// Closes its input and waits for its end; returns its exit code.
   int finish();

@@ -17,14 +17,14 @@ struct ProcessState {
   std::uint64_t memory = 0;  ///< In the machine's memory, in bytes; what is shared, too.
 };
 
-/// A process and all that it started, and they: the living ones. What a process leaves behind when
-/// it ends belongs to its nearest ancestor that takes orphans.
+/// A process and all its living descendants. What a process leaves behind when it ends belongs to
+/// its nearest ancestor that takes orphans.
 /// `computed`: what they have computed until now, in seconds, with those of them that are dead or
 /// that they have waited for.
 std::vector<ProcessState> process_tree(pid_t root, double* computed = nullptr);
 
-/// Whether a thread of these could run if there were a processor, or waits for a disk. Whoever
-/// waits for a child of his own does neither.
+/// Whether a thread of these could run if a processor were free, or waits for a disk. A process
+/// that waits for its own child does neither.
 bool want_to_run(const std::vector<ProcessState>& processes);
 
 /// What processes have in memory together, in bytes.
@@ -33,13 +33,13 @@ struct MemoryUse {
   std::uint64_t shared = 0;  ///< Shared memory.
 };
 
-/// What several have in common counts once.
+/// Memory that several share counts once.
 MemoryUse memory_together(const std::vector<ProcessState>& processes);
 
-/// What is killed has ended after so many seconds, however busy the machine is, or never does.
+/// A killed process has ended after this time, however busy the machine is, or it never ends.
 inline constexpr std::chrono::seconds kMostEnding{20};
 
-/// Kills all that this process started, and they, until none is left. False where some are after
+/// Kills all descendants of this process until none is left. False if some still run after
 /// kMostEnding. Domain: this process takes orphans and waits for nobody else.
 bool end_children();
 

@@ -8,7 +8,7 @@
 #include <utility>
 
 #include "tools/external/sandbox/control_group.h"
-#include "tools/external/sandbox/nameless_files.h"
+#include "tools/external/sandbox/file_tree.h"
 
 namespace raycheck::tools {
 namespace {

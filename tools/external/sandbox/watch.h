@@ -13,13 +13,13 @@
 
 namespace raycheck::tools {
 
-/// What the machine keeps for itself and for the judge: what runs when there is less is stopped.
+/// What is left to the machine and the judge: candidates are stopped when there is less.
 inline constexpr std::uint64_t kMemoryReserve = std::uint64_t{384} << 20;
 inline constexpr std::uint64_t kDiskReserve = std::uint64_t{256} << 20;
 
-/// Who waits more than he computes has so many times his limit of time that passes; who does
-/// nothing but wait, his limit once. Neither has less than so many seconds. Time in which he wants
-/// to run, and the machine lets others, passes as many times slower.
+/// A program that waits more than it computes may take this many times its limit in wall time; one
+/// that only waits, its limit once; each at least the seconds below. Time in which it could run but
+/// the machine runs others counts this many times less.
 inline constexpr double kBackstop = 10, kLeastBackstop = 1;
 
 class ControlGroup;
@@ -37,24 +37,25 @@ struct Stop {
   std::string words;
 };
 
-/// Looks now and then at a process and all that it started: what they use together. Their time is
-/// what they compute; those who wait are stopped, too, though much later.
+/// Checks from time to time what a process and everything it started use together. Their time is
+/// CPU time; those that only wait are stopped as well, but much later.
 class Watch {
  public:
   /// `group`: theirs, where they have one, which counts them exactly; else null. `has_neighbours`:
   /// other candidates run beside it, so that it is no fault of its own where it only waits.
   Watch(pid_t root, std::filesystem::path folder, const Limits& limits, const ControlGroup* group,
         bool has_neighbours);
-  /// Something begins: its time.
+  /// Starts a new time limit.
   void restart();
   /// Cheap where it is too early for the next look. `doing`: "gave no reply".
   std::optional<Stop> look(const char* doing);
-  /// It has said something: until then it may have waited to be heard.
+  /// Notes that it has said something: until then it may have waited to be read.
   void hear() { ran_ = Clock::now(); }
-  /// It has ended, and it and all that it waited for have computed so much.
+  /// Notes that it has ended, and the CPU time of it and of all children that it waited for.
   void end(double cpu_seconds);
   /// Of its time, in seconds: what it computed since the last restart, as far as is known, and at
-  /// least a tenth (kBackstop) of what it waited. Who was stopped for his time has taken his limit.
+  /// least a tenth (kBackstop) of what it waited. A program stopped for its time has taken its
+  /// limit.
   double taken() const;
   /// How long to wait at most until the next look.
   std::chrono::milliseconds until_next() const;

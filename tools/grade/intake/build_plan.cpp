@@ -1,4 +1,4 @@
-#include "tools/grade/intake/build_plan.h"
+// Which ways there are to build what was handed in.
 
 #include <elf.h>
 #include <fmt/core.h>
@@ -7,7 +7,7 @@
 #include <cstring>
 #include <map>
 
-#include "tools/grade/intake/quoting.h"
+#include "tools/grade/intake/building.h"
 #include "tools/grade/intake/sources.h"
 #include "tools/report/words.h"
 
@@ -85,6 +85,7 @@ void plan_built_before(const HandedInFiles& files, BuildPlan& plan) {
     const std::string& program = programs.front();
     plan.attempts.push_back({"its program",
                              "chmod +x " + program,
+                             "",
                              "chmod +x " + single_quoted(program),
                              candidate_word("./" + program),
                              {},
@@ -92,7 +93,7 @@ void plan_built_before(const HandedInFiles& files, BuildPlan& plan) {
   } else if (!scripts.empty()) {
     const std::string& script = scripts.front();
     const bool has_interpreter = files.at(script).text.starts_with("#!");
-    plan.attempts.push_back({"its script", "chmod +x " + script,
+    plan.attempts.push_back({"its script", "chmod +x " + script, "",
                              "chmod +x " + single_quoted(script),
                              (has_interpreter ? "" : "sh ") + candidate_word("./" + script)});
   }

@@ -2,62 +2,214 @@
 
 #include <fmt/core.h>
 
+#include <algorithm>
+#include <boost/algorithm/string/replace.hpp>
+#include <iterator>
+#include <set>
 #include <system_error>
+#include <tuple>
 #include <utility>
 #include <vector>
 
 #include "tools/external/compile.h"
-#include "tools/grade/intake/as_it_comes.h"
-#include "tools/grade/intake/build_plan.h"
-#include "tools/grade/intake/quoting.h"
-#include "tools/grade/rubric/digest.h"
-#include "tools/grade/store/toolchain.h"
+#include "tools/external/sandbox/file_tree.h"
+#include "tools/grade/intake/sources.h"
+#include "tools/grade/rubric/rubric_files.h"
+#include "tools/grade/store/store.h"
 #include "tools/report/words.h"
 
 namespace raycheck::tools {
+namespace {
 
 namespace fs = std::filesystem;
 
-Building::Building(const Form& form, const std::string& file, const CandidateSpec& program,
-                   const fs::path& folder, const HandedInFiles& files, std::string contents)
-    : form_(form),
-      file_(file),
-      program_(program),
-      folder_(folder),
-      files_(files),
-      contents_(std::move(contents)) {}
+/// If a build makes more programs, the others are not tried.
+constexpr std::size_t kMostPrograms = 8;
 
-bool Building::is_needed() const {
-  return !form_.build.empty() || program_.kind == CandidateKind::kSource;
+/// How often missing headers are added to one way to build.
+constexpr int kMostRepairs = 3;
+
+/// The first bytes of a file, enough to tell what kind of program it is.
+std::string head_of(const fs::path& path) {
+  constexpr std::size_t kFirstBytes = 64;
+  return file_bytes(path, kFirstBytes);
 }
 
-std::string Building::words() const {
-  return with_mark(form_.build, "{file}", single_quoted(file_));
+bool is_executable(const fs::path& path) {
+  return (fs::status(path).permissions() & fs::perms::owner_exec) != fs::perms::none &&
+         path.filename().string().find(".so") == std::string::npos &&
+         is_program_here(head_of(path));
 }
 
-Built Building::run(const fs::path& to, const RunOptions& options) const {
-  if (form_.builds_as_it_comes()) return build_as_it_comes(folder_, files_, to, options);
-  const bool is_source = program_.kind == CandidateKind::kSource;
+/// The programs that a build made, those in its folder: tests last, names that the recipe has in
+/// its order, likelier names, newer ones.
+std::vector<std::string> made_programs(const fs::path& folder,
+                                       const std::vector<std::string>& likely) {
+  std::set<std::tuple<bool, std::ptrdiff_t, int, fs::file_time_type::duration, std::string>> found;
+  for (const auto& entry : fs::recursive_directory_iterator(folder)) {
+    if (!entry.is_regular_file() || !is_executable(entry.path())) continue;
+    const std::string name = entry.path().filename().string();
+    const std::string path = fs::relative(entry.path(), folder).string();
+    const int rank = likelihood_rank(name);
+    found.emplace(rank == kHardlyARenderer || is_aside(path),
+                  std::find(likely.begin(), likely.end(), name) - likely.begin(), rank,
+                  -entry.last_write_time().time_since_epoch(), path);
+  }
+  std::vector<std::string> programs;
+  for (const auto& one : found) {
+    if (programs.size() == kMostPrograms) break;
+    programs.push_back(candidate_word("./" + std::get<std::string>(one)));
+  }
+  return programs;
+}
+
+/// What starts the class of a build that made classes or jars; none where it made neither.
+std::vector<std::string> made_classes(const fs::path& folder, const std::string& main_class,
+                                      const HandedInFiles& handed_in) {
+  if (main_class.empty()) return {};
+  const std::string ending = "/" + boost::replace_all_copy(main_class, ".", "/") + ".class";
+  std::string root;
+  std::set<std::string> jars;
+  bool has_made = false;
+  for (const auto& entry : fs::recursive_directory_iterator(folder)) {
+    const std::string path = fs::relative(entry.path(), folder).string();
+    const bool is_class = ("/" + path).ends_with(ending), is_jar = path.ends_with(".jar");
+    if (is_jar) jars.insert(path);
+    if (is_class) root = "./" + path.substr(0, path.size() - std::min(path.size(), ending.size()));
+    has_made = has_made || is_class || (is_jar && !handed_in.contains(path));
+  }
+  if (!has_made) return {};
+  return {java_words(root.empty() ? "." : root, {jars.begin(), jars.end()}, main_class)};
+}
+
+/// The words that start what one way made, likelier ones first.
+std::vector<std::string> made_by(const BuildAttempt& attempt, const Unbuilt& submission,
+                                 const fs::path& to, const RunOptions& options) {
+  if (attempt.words.empty()) {
+    fs::copy(submission.folder, to, fs::copy_options::recursive);
+    return {attempt.program};
+  }
+  const bool makes_program = attempt.program == kMade;
+  BuildWords words{attempt.repairs + attempt.words, attempt.shown};
+  if (makes_program) {
+    // Programs, and libraries of theirs; not what compilers leave on the way.
+    words.keeps = [is_java = !attempt.main_class.empty()](const fs::path& file) {
+      const std::string ending = file.extension().string();
+      return (is_java && (ending == ".class" || ending == ".jar")) ||
+             (is_elf(head_of(file)) && ending != ".o" &&
+              file.string().find("/CMakeFiles/") == std::string::npos);
+    };
+  }
+  build(submission.folder, words, to, options);
+  if (!makes_program) return {attempt.program};
+  std::vector<std::string> made = made_programs(to, attempt.made);
+  if (made.empty()) made = made_classes(to, attempt.main_class, submission.files);
+  if (made.empty()) throw CandidateError(fmt::format("'{}' makes no program", attempt.shown));
+  return made;
+}
+
+/// The first package that javac misses in what it said; empty: none.
+std::string missing_package(const std::string& said) {
+  constexpr std::string_view kBefore = "error: package ", kAfter = " does not exist";
+  const std::size_t before = said.find(kBefore);
+  if (before == std::string::npos) return "";
+  const std::size_t begin = before + kBefore.size(), end = said.find(kAfter, begin);
+  return end == std::string::npos || said.find('\n', begin) < end ? ""
+                                                                  : said.substr(begin, end - begin);
+}
+
+/// One way, again where the compiler names headers that are missing.
+Built built_by(BuildAttempt attempt, const Unbuilt& submission, const fs::path& to,
+               const RunOptions& options) {
+  for (int repairs = 0;; ++repairs) {
+    try {
+      std::vector<std::string> programs = made_by(attempt, submission, to, options);
+      return {std::move(programs), attempt.words.empty() ? "" : attempt.repairs + attempt.words,
+              std::move(attempt.notes)};
+    } catch (const CandidateError& error) {
+      empty_folder(to);
+      const auto missing = missing_includes(submission.files, error.said());
+      if (missing.empty() || repairs == kMostRepairs) {
+        const std::string package = missing_package(error.said());
+        if (package.empty()) throw;
+        throw CandidateError(
+            fmt::format("{}: there is no package {} in it, so put the jar that has it beside its "
+                        "sources",
+                        error.why(), package),
+            error.said());
+      }
+      attempt.repairs += repair_words(missing);
+      for (const IncludeRepair& one : missing) attempt.notes.push_back(one.note());
+    }
+  }
+}
+
+/// In the first way that works. Each has all of the time, so that what is said of one does not
+/// depend on how long others took.
+Built auto_built(const Unbuilt& submission, const fs::path& to, const RunOptions& options) {
+  const BuildPlan plan = build_plan(submission.files);
+  if (plan.attempts.empty()) throw CandidateError(plan.why_none);
+  std::vector<std::string> notes;
+  std::string why, said, failed;
+  for (const BuildAttempt& attempt : plan.attempts) {
+    if (options.build_spent->seconds() >= options.build_seconds) break;
+    try {
+      Built made = built_by(attempt, submission, to, options);
+      for (std::string& note : notes) note += " failed; built from " + attempt.what;
+      std::move(made.notes.begin(), made.notes.end(), std::back_inserter(notes));
+      made.notes = std::move(notes);
+      return made;
+    } catch (const CandidateError& error) {
+      if (why.empty()) {
+        why = error.why();
+        said = error.said();
+      } else {
+        said += fmt::format("{}{}{}{}", said.empty() ? "" : "\n\n", error.why(),
+                            error.said().empty() ? "" : ":\n", error.said());
+      }
+      if (failed != attempt.what) notes.push_back(attempt.what);
+      failed = attempt.what;
+    }
+  }
+  throw CandidateError(why, said);
+}
+
+std::string words_of(const Unbuilt& submission) {
+  return boost::replace_all_copy(submission.form.build, "{file}", single_quoted(submission.file));
+}
+
+}  // namespace
+
+bool needs_building(const Unbuilt& submission) {
+  return !submission.form.build.empty() || submission.program.kind == CandidateKind::kSource;
+}
+
+Built build_submission(const Unbuilt& submission, const fs::path& to, const RunOptions& options) {
+  const auto& [form, file, program, folder, files, contents] = submission;
+  if (form.is_built_automatically()) return auto_built(submission, to, options);
+  const bool is_source = program.kind == CandidateKind::kSource;
+  const std::string words = words_of(submission);
   const PrivateFolder made;
-  fs::path from = folder_;
-  if (!form_.build.empty()) {
+  fs::path from = folder;
+  if (!form.build.empty()) {
     from = is_source ? made.path() : to;
-    build(folder_, {words(), words()}, from, options);
+    build(folder, {words, words}, from, options);
     open_to_others(from);
   }
-  if (!is_source) return {{""}, form_.build.empty() ? "" : words()};
+  if (!is_source) return {{""}, words};
   std::error_code error;
-  const fs::path source = fs::canonical(from / program_.what, error);
-  if (error) throw CandidateError(fmt::format("{}: {}", program_.what, error.message()));
-  return {{compile(source, to, options).filename()}, form_.build.empty() ? "" : words()};
+  const fs::path source = fs::canonical(from / program.what, error);
+  if (error) throw CandidateError(fmt::format("{}: {}", program.what, error.message()));
+  return {{compile(source, to, options).filename()}, words};
 }
 
-std::string Building::key(const Layers& layers) const {
-  std::vector<std::string> texts = {toolchain(), layers.text(), contents_, words(),
-                                    program_.text()};
-  if (form_.builds_as_it_comes()) {
-    for (const BuildAttempt& attempt : build_plan(files_).attempts) {
-      for (const std::string* text : {&attempt.what, &attempt.words, &attempt.program}) {
+std::string build_key(const Unbuilt& submission, const Layers& layers) {
+  std::vector<std::string> texts = {toolchain(), layers.text(), submission.contents,
+                                    words_of(submission), submission.program.text()};
+  if (submission.form.is_built_automatically()) {
+    for (const BuildAttempt& attempt : build_plan(submission.files).attempts) {
+      for (const std::string* text : {&attempt.what, &attempt.repairs, &attempt.words,
+                                      &attempt.program, &attempt.main_class}) {
         texts.push_back(*text);
       }
       texts.insert(texts.end(), attempt.made.begin(), attempt.made.end());
@@ -65,13 +217,6 @@ std::string Building::key(const Layers& layers) const {
     }
   }
   return digest(texts);
-}
-
-std::string answers_key(const std::string& build, const CandidateSpec& program,
-                        const Limits& limits) {
-  return digest({build, program.text(),
-                 fmt::format("{} {} {} {} {} {}", limits.seconds, limits.cpu_seconds, limits.memory,
-                             limits.file, limits.files, limits.processes)});
 }
 
 }  // namespace raycheck::tools

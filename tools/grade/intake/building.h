@@ -2,43 +2,85 @@
 
 #include <filesystem>
 #include <string>
+#include <string_view>
+#include <vector>
 
 #include "tools/external/locate.h"
 #include "tools/grade/intake/handed_in.h"
 #include "tools/grade/rubric/rubric.h"
-#include "tools/grade/store/built.h"
+#include "tools/grade/store/store.h"
 
 namespace raycheck::tools {
 
-/// How a submission is built by its form: by the form's words, as it comes, or as a library of
-/// functions; some need nothing.
-class Building {
- public:
-  /// `file`: what says that the form fits; `program`: what the form makes of it; `folder`: a copy
-  /// of the submission, with these files; `contents`: their digest. They outlast it.
-  Building(const Form& form, const std::string& file, const CandidateSpec& program,
-           const std::filesystem::path& folder, const HandedInFiles& files, std::string contents);
+/// What `{program}` of a built candidate is: the executable that was made.
+inline constexpr std::string_view kMade = "{made}";
 
-  bool is_needed() const;
-  /// Builds it in the empty folder `to`. Errors: CandidateError with what a compiler said.
-  Built run(const std::filesystem::path& to, const RunOptions& options) const;
-  /// A digest of all that what is built depends on: the files, what is run on them, compilers, and
-  /// raycheck's version.
-  std::string key(const Layers& layers) const;
-
- private:
-  std::string words() const;
-
-  const Form& form_;
-  const std::string& file_;
-  const CandidateSpec& program_;
-  const std::filesystem::path& folder_;
-  const HandedInFiles& files_;
-  std::string contents_;
+/// A way to build what was handed in.
+struct BuildAttempt {
+  std::string what;   ///< "its Makefile", "its sources"
+  std::string shown;  ///< What is run, for who reads of it: "make", "g++ -O2 rt.cpp".
+  /// The shell words, run in a copy of the folder: what removes and repairs files, then what
+  /// builds; empty: nothing to build.
+  std::string repairs, words;
+  std::string program;  ///< The words that start it; kMade where it is what was made.
+  /// What the executable is likely called, best first.
+  std::vector<std::string> made = {};
+  std::vector<std::string> notes = {};
+  /// That a build may make in place of an executable: "de.uni.Main"; empty: no Java.
+  std::string main_class = {};
 };
 
-/// A digest of all that the answers of what was built depend on, the requests aside.
-std::string answers_key(const std::string& build, const CandidateSpec& program,
-                        const Limits& limits);
+/// Ways to build a submission, best first, or why there is none.
+struct BuildPlan {
+  std::vector<BuildAttempt> attempts;
+  std::string why_none;
+};
+
+/// What can be built of the files of a submission: by its Makefile or CMakeLists.txt; else C and
+/// C++, Java, JavaScript, Python, in this order; else a program that was built before, or a script.
+BuildPlan build_plan(const HandedInFiles& files);
+
+/// The class of the likeliest main of Java, with its package; empty: there is none.
+std::string java_main_class(const HandedInFiles& files);
+
+/// What starts a class: with what lies in a folder and in jars, by their paths.
+std::string java_words(const std::string& folder, const std::vector<std::string>& jars,
+                       const std::string& main_class);
+
+/// Each of the parts of build_plan() adds its ways to those before it.
+void plan_make(const HandedInFiles& files, BuildPlan& plan);
+void plan_cmake(const HandedInFiles& files, BuildPlan& plan);
+void plan_c_family(const HandedInFiles& files, BuildPlan& plan);
+void plan_java(const HandedInFiles& files, BuildPlan& plan);
+void plan_javascript(const HandedInFiles& files, BuildPlan& plan);
+void plan_python(const HandedInFiles& files, BuildPlan& plan);
+void plan_built_before(const HandedInFiles& files, BuildPlan& plan);
+
+/// Whether a file is a program or library of Linux (ELF), or one of this machine that can be
+/// started.
+bool is_elf(std::string_view text);
+bool is_program_here(std::string_view text);
+
+/// A submission before it is built.
+struct Unbuilt {
+  const Form& form;
+  const std::string& file;              ///< What says that the form fits.
+  const CandidateSpec& program;         ///< What the form makes of it.
+  const std::filesystem::path& folder;  ///< A copy of the submission, with these files.
+  const HandedInFiles& files;
+  std::string contents;  ///< Their digest.
+};
+
+bool needs_building(const Unbuilt& submission);
+
+/// Builds a submission in the empty folder `to`: by the form's words, in the first way that works,
+/// or as a library of functions. Errors: CandidateError with what a compiler said, of several ways
+/// with what each did.
+Built build_submission(const Unbuilt& submission, const std::filesystem::path& to,
+                       const RunOptions& options);
+
+/// A digest of all that what is built depends on: the files, what is run on them, compilers, and
+/// raycheck's version.
+std::string build_key(const Unbuilt& submission, const Layers& layers);
 
 }  // namespace raycheck::tools

@@ -9,8 +9,8 @@
 #include <vector>
 
 #include "tools/external/sandbox/file_tree.h"
-#include "tools/grade/intake/quoting.h"
-#include "tools/grade/rubric/digest.h"
+#include "tools/grade/intake/sources.h"
+#include "tools/grade/rubric/rubric_files.h"
 
 namespace raycheck::tools {
 namespace {
@@ -84,7 +84,7 @@ HandedInPaths paths_of(const fs::path& path, const IntakeLimits& limits) {
   return found;
 }
 
-fs::path innermost(fs::path path) {
+fs::path innermost(fs::path path, const std::function<bool(const std::string&)>& is_meant) {
   while (fs::is_directory(fs::symlink_status(path))) {
     std::vector<fs::directory_entry> entries;
     for (const auto& entry : fs::directory_iterator(path)) {
@@ -92,7 +92,10 @@ fs::path innermost(fs::path path) {
       const bool is_hidden = entry.path().filename().string().starts_with('.');
       if (!is_hidden && !is_left_behind(entry.path(), is_folder)) entries.push_back(entry);
     }
-    if (entries.size() != 1 || !fs::is_directory(entries[0].symlink_status())) break;
+    if (entries.size() != 1 || !fs::is_directory(entries[0].symlink_status()) ||
+        is_meant(entries[0].path().filename().string())) {
+      break;
+    }
     path = entries[0].path();
   }
   return path;

@@ -2,9 +2,16 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <functional>
 #include <map>
+#include <memory>
+#include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
+
+#include "tools/external/sandbox/private_folder.h"
+#include "tools/grade/results/result.h"
 
 namespace raycheck::tools {
 
@@ -35,14 +42,49 @@ struct HandedInPaths {
 /// Errors: std::invalid_argument with what is wrong: no file or folder, or too large.
 HandedInPaths paths_of(const std::filesystem::path& path, const IntakeLimits& limits);
 
-/// Where a folder has nothing but another, as unpacked archives do, that; what is left behind
-/// aside.
-std::filesystem::path innermost(std::filesystem::path path);
+/// Where a folder has nothing but another, as unpacked archives do, that, unless a name `is_meant`;
+/// what is left behind aside.
+std::filesystem::path innermost(std::filesystem::path path,
+                                const std::function<bool(const std::string& name)>& is_meant);
 
 /// A digest of files, their names, contents, and which are programs, and of folders.
 std::string digest_of(const HandedInPaths& paths);
 
 /// Files with their contents.
 HandedInFiles read_files(const std::map<std::string, std::filesystem::path>& paths);
+
+/// The code cells of a Jupyter notebook as one Python module: lines of magics (% and !) become
+/// `pass`, cells of other languages (%%bash) are left out. Empty where the text is no notebook.
+std::optional<std::string> notebook_module(std::string_view text);
+
+/// A file that is no picture, program or archive is listed from this size on.
+inline constexpr std::uintmax_t kLargeFile = std::uintmax_t{256} << 10;
+/// Nobody writes longer lines by hand.
+inline constexpr std::size_t kLongLine = 4000;
+
+/// Whether a file begins as a picture does.
+bool is_picture(std::string_view text);
+
+/// What nobody sees through by reading a submission, and what may bring answers along that were
+/// computed elsewhere: programs, libraries, archives, pictures, large files, and texts with lines
+/// that nobody wrote. None of it is forbidden.
+/// `paths` are where the files lie.
+std::vector<OpaqueFile> opaque_files(const HandedInFiles& files,
+                                     const std::map<std::string, std::filesystem::path>& paths);
+
+/// So many folders and files of a submission lie in the folder of each run at most, those nearer
+/// to the top before others.
+inline constexpr std::size_t kMostInRunFolder = 100;
+/// A file of so many bytes is a copy there while all copies have at most so many; others are links.
+inline constexpr std::size_t kMostOfCopy = std::size_t{64} << 10;
+inline constexpr std::size_t kMostOfCopies = std::size_t{1} << 20;
+
+/// The folder in which a submission's renderer runs: it has the submission's own folders and files,
+/// but no picture, which would be taken for what it makes, nothing of the names that the driver
+/// file and the picture have there, and none of Eigen's and glm's headers. `copy`: where the files
+/// lie.
+std::shared_ptr<const StartingFolder> run_folder(const HandedInFiles& files,
+                                                 const std::vector<std::string>& folders,
+                                                 std::shared_ptr<const PrivateFolder> copy);
 
 }  // namespace raycheck::tools

@@ -1,13 +1,18 @@
-#include "tools/grade/intake/include_repairs.h"
+// Includes that lead nowhere, or are missing.
 
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <boost/algorithm/string/replace.hpp>
 #include <filesystem>
 #include <map>
 #include <optional>
+#include <set>
+#include <sstream>
+#include <string_view>
+#include <utility>
 
-#include "tools/grade/intake/quoting.h"
+#include "tools/grade/intake/sources.h"
 #include "tools/report/words.h"
 
 namespace raycheck::tools {
@@ -71,7 +76,40 @@ std::string library_header(const std::string& name) {
   return "";
 }
 
+/// The submission's file that a compiler calls so, from the folder where it was started or from /.
+std::optional<std::string> file_called(const HandedInFiles& files, const std::string& said) {
+  const std::string path = "/" + normal(said);
+  for (const auto& [name, file] : files) {
+    const std::string own = "/" + name;
+    if (is_c_family(name) && (path.ends_with(own) || own.ends_with(path))) return name;
+  }
+  return {};
+}
+
 }  // namespace
+
+std::string IncludeRepair::note() const {
+  return line == 0 ? fmt::format("#include {} is added to {}, where it is missing", instead, file)
+                   : fmt::format("{} is taken for {}", name, instead);
+}
+
+std::vector<IncludeRepair> missing_includes(const HandedInFiles& files, const std::string& said) {
+  constexpr std::string_view kHint = "did you forget to ", kInclude = "#include ";
+  std::set<std::pair<std::string, std::string>> found;
+  std::istringstream lines(said);
+  for (std::string line; std::getline(lines, line);) {
+    const std::size_t hint = line.find(kHint), begin = line.find(kInclude, hint);
+    const std::size_t end = line.find('>', begin);
+    if (hint == std::string::npos || end == std::string::npos) continue;
+    const std::size_t name = begin + kInclude.size();
+    if (const auto file = file_called(files, line.substr(0, line.find(':')))) {
+      found.emplace(*file, line.substr(name, end + 1 - name));
+    }
+  }
+  std::vector<IncludeRepair> repairs;
+  for (const auto& [file, header] : found) repairs.push_back({file, 0, "", header});
+  return repairs;
+}
 
 std::vector<IncludeRepair> include_repairs(const HandedInFiles& files, const Vendored& vendored,
                                            const std::vector<std::string>& include) {
@@ -104,11 +142,12 @@ std::string repair_words(const std::vector<IncludeRepair>& repairs) {
   for (const IncludeRepair& repair : repairs) {
     std::string instead = repair.instead;
     for (const char* const special : {"\\", "&", "|"}) {
-      instead = with_mark(instead, special, "\\" + std::string(special));
+      instead = boost::replace_all_copy(instead, special, "\\" + std::string(special));
     }
-    words += fmt::format("sed -i {} {}; ",
-                         single_quoted(fmt::format("{}s|.*|#include {}|", repair.line, instead)),
-                         single_quoted(repair.file));
+    const std::string script = repair.line == 0
+                                   ? "1i#include " + repair.instead
+                                   : fmt::format("{}s|.*|#include {}|", repair.line, instead);
+    words += fmt::format("sed -i {} {}; ", single_quoted(script), single_quoted(repair.file));
   }
   return words;
 }

@@ -1,9 +1,10 @@
-#include "tools/grade/intake/notebook.h"
+// Notebooks as modules of Python.
 
 #include <cctype>
 #include <sstream>
 #include <vector>
 
+#include "tools/grade/intake/handed_in.h"
 #include "tools/report/json.h"
 
 namespace raycheck::tools {

@@ -7,9 +7,7 @@
 #include <set>
 #include <sstream>
 
-#include "tools/grade/intake/build_plan.h"
-#include "tools/grade/intake/include_repairs.h"
-#include "tools/grade/intake/quoting.h"
+#include "tools/grade/intake/building.h"
 #include "tools/grade/intake/sources.h"
 #include "tools/report/words.h"
 
@@ -47,11 +45,9 @@ struct CSources {
         repairs(include_repairs(files, vendored, include)) {}
 
   std::vector<std::string> notes() const {
-    std::set<std::string> names;
-    for (const IncludeRepair& repair : repairs) {
-      names.insert(fmt::format("{} is taken for {}", repair.name, repair.instead));
-    }
-    return {names.begin(), names.end()};
+    std::set<std::string> notes;
+    for (const IncludeRepair& repair : repairs) notes.insert(repair.note());
+    return {notes.begin(), notes.end()};
   }
   /// For compilers that a Makefile calls: after the folders that it names itself.
   std::string search_path() const {
@@ -162,15 +158,17 @@ BuildAttempt compiled(const HandedInFiles& files, const CSources& c,
   const std::string rest = fmt::format("-O2 -w -fmax-errors=20 {} -o {} {} {}", c.flags(), kProgram,
                                        shell_words(sources), libraries_of(files, sources));
   const std::string standards = has_cpp ? first + " gnu++17 gnu++14" : first;
-  const std::string words = removal_words(files) + repair_words(c.repairs) +
-                            fmt::format(
-                                "rm -f {0}; for standard in {1}; do {2} -std=$standard {3} "
-                                "2> raycheck-said-$standard && break; done; "
-                                "test -e {0} || {{ cat raycheck-said-{4} >&2; false; }}",
-                                kProgram, standards, compiler, rest, first);
-  return {"its sources", fmt::format("{} -O2 -std={} {}", compiler, first, names_shown(sources)),
-          words,         std::string(kMade),
-          {kProgram},    c.notes()};
+  std::string words = fmt::format(
+      "rm -f {0}; for standard in {1}; do {2} -std=$standard {3} 2> raycheck-said-$standard && "
+      "break; done; test -e {0} || {{ cat raycheck-said-{4} >&2; false; }}",
+      kProgram, standards, compiler, rest, first);
+  return {"its sources",
+          fmt::format("{} -O2 -std={} {}", compiler, first, names_shown(sources)),
+          removal_words(files) + repair_words(c.repairs),
+          std::move(words),
+          std::string(kMade),
+          {kProgram},
+          c.notes()};
 }
 
 /// A source and those of the files that its headers lead to: "vec.cpp" of "vec.h".
@@ -207,12 +205,12 @@ void plan_make(const HandedInFiles& files, BuildPlan& plan) {
       top_file(files, {"GNUmakefile", "makefile", "Makefile", "MAKEFILE"}, c.vendored);
   if (path.empty()) return;
   const std::string folder = folder_of(path).empty() ? "." : folder_of(path);
-  std::vector<std::string> notes = c.notes();
   plan.attempts.push_back({"its " + path, folder == "." ? "make" : "make -C " + folder,
-                           removal_words(files) + repair_words(c.repairs) + c.search_path() +
-                               "cd " + single_quoted(folder) + " && make -f " +
+                           removal_words(files) + repair_words(c.repairs),
+                           c.search_path() + "cd " + single_quoted(folder) + " && make -f " +
                                single_quoted(base_of(path)),
-                           std::string(kMade), made_by(files.at(path).text), std::move(notes)});
+                           std::string(kMade), made_by(files.at(path).text), c.notes(),
+                           java_main_class(files)});
 }
 
 void plan_cmake(const HandedInFiles& files, BuildPlan& plan) {
@@ -223,8 +221,8 @@ void plan_cmake(const HandedInFiles& files, BuildPlan& plan) {
   plan.attempts.push_back(
       {"its " + path,
        "cmake",
-       removal_words(files) + repair_words(c.repairs) + c.search_path() + "cmake -S " +
-           single_quoted(folder) +
+       removal_words(files) + repair_words(c.repairs),
+       c.search_path() + "cmake -S " + single_quoted(folder) +
            " -B raycheck-build -DCMAKE_BUILD_TYPE=Release && make -C raycheck-build",
        std::string(kMade),
        {},

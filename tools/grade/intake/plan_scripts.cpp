@@ -9,8 +9,7 @@
 #include <string_view>
 #include <vector>
 
-#include "tools/grade/intake/build_plan.h"
-#include "tools/grade/intake/quoting.h"
+#include "tools/grade/intake/building.h"
 #include "tools/grade/intake/sources.h"
 #include "tools/report/words.h"
 
@@ -53,7 +52,7 @@ std::vector<std::string> several_note(const std::vector<std::string>& names) {
 
 /// The words of Java: names with their dots, and every other character that is no space. A regular
 /// expression would call itself for each space of a file that has a million.
-std::vector<std::string_view> java_words(std::string_view text) {
+std::vector<std::string_view> words_of_java(std::string_view text) {
   const auto is_of_name = [](char c) {
     return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_' || c == '.';
   };
@@ -103,6 +102,17 @@ std::string main_class(const std::string& path, const std::vector<std::string_vi
   return first_class.empty() ? "" : package + first_class;
 }
 
+/// The files of Java with a main, likeliest first.
+std::vector<std::string> java_mains(const HandedInFiles& files) {
+  std::vector<std::string> mains = with_ending(files, {".java"});
+  std::erase_if(mains, [&](const std::string& name) {
+    const std::string text = without_comments(files.at(name).text);
+    return !has_java_main(words_of_java(text));
+  });
+  sort_by_likelihood(mains);
+  return mains;
+}
+
 /// What package.json says is started, if it was handed in.
 std::string of_package_json(const HandedInFiles& files) try {
   const auto package = files.find("package.json");
@@ -126,34 +136,42 @@ std::string of_package_json(const HandedInFiles& files) try {
 
 }  // namespace
 
-void plan_java(const HandedInFiles& files, BuildPlan& plan) {
-  const std::vector<std::string> sources = with_ending(files, {".java"});
-  std::vector<std::string> mains;
-  for (const std::string& name : sources) {
-    const std::string text = without_comments(files.at(name).text);
-    if (has_java_main(java_words(text))) mains.push_back(name);
-  }
-  if (mains.empty()) return;
-  sort_by_likelihood(mains);
+std::string java_words(const std::string& folder, const std::vector<std::string>& jars,
+                       const std::string& main_class) {
+  // What it uses may lie unpacked beside it.
+  std::string path = folder + ":.";
+  for (const std::string& jar : jars) path += ":" + jar;
+  return fmt::format("java -cp {} {}", candidate_word(path), main_class);
+}
+
+std::string java_main_class(const HandedInFiles& files) {
+  const std::vector<std::string> mains = java_mains(files);
+  if (mains.empty()) return "";
   const std::string text = without_comments(files.at(mains.front()).text);
-  const std::string started = main_class(mains.front(), java_words(text));
+  return main_class(mains.front(), words_of_java(text));
+}
+
+void plan_java(const HandedInFiles& files, BuildPlan& plan) {
+  const std::string started = java_main_class(files);
   if (started.empty()) return;
   constexpr const char* kClasses = "raycheck-classes";
-  std::string path, jars;
+  const std::vector<std::string> sources = with_ending(files, {".java"});
+  std::vector<std::string> jars;
+  std::string paths;
   for (const auto& [name, file] : files) {
-    if (ending_of(name) == ".jar") jars += ":" + name;
+    if (ending_of(name) != ".jar") continue;
+    jars.push_back(name);
+    paths += ":" + name;
   }
   BuildAttempt attempt;
   attempt.what = "its sources";
   attempt.shown = fmt::format(
-      "javac {}{}", jars.empty() ? "" : "-cp " + jars.substr(1) + " ",
+      "javac {}{}", paths.empty() ? "" : "-cp " + paths.substr(1) + " ",
       sources.size() > 3 ? fmt::format("({} files)", sources.size()) : shell_words(sources));
   attempt.words = fmt::format("javac -encoding UTF-8 -nowarn -d {} -cp {} {}", kClasses,
-                              single_quoted("." + jars), shell_words(sources));
-  // Pictures and the like that lie beside the classes.
-  attempt.program =
-      fmt::format("java -cp {} {}", candidate_word(std::string(kClasses) + jars), started);
-  attempt.notes = several_note(mains);
+                              single_quoted("." + paths), shell_words(sources));
+  attempt.program = java_words(kClasses, jars, started);
+  attempt.notes = several_note(java_mains(files));
   plan.attempts.push_back(std::move(attempt));
 }
 
@@ -166,6 +184,7 @@ void plan_javascript(const HandedInFiles& files, BuildPlan& plan) {
   plan.attempts.push_back({"its sources",
                            "node",
                            "",
+                           "",
                            "node " + candidate_word("./" + mains.front()),
                            {},
                            several_note(mains)});
@@ -177,6 +196,7 @@ void plan_python(const HandedInFiles& files, BuildPlan& plan) {
   if (mains.empty()) return;
   plan.attempts.push_back({"its sources",
                            "python3",
+                           "",
                            "",
                            "python3 " + candidate_word("./" + mains.front()),
                            {},

@@ -5,7 +5,7 @@
 #include <cctype>
 #include <tuple>
 
-#include "tools/grade/intake/quoting.h"
+#include "tools/report/words.h"
 
 namespace raycheck::tools {
 namespace {
@@ -32,6 +32,24 @@ std::vector<std::string> folders_of(const std::string& path) {
 bool is_word(char c) { return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_'; }
 
 }  // namespace
+
+std::string shell_words(const std::vector<std::string>& names) {
+  std::string words;
+  for (const std::string& name : names) words += (words.empty() ? "" : " ") + single_quoted(name);
+  return words;
+}
+
+std::string candidate_word(const std::string& name) {
+  const char quote = name.find('"') == std::string::npos ? '"' : '\'';
+  return name.find_first_of(" \t\"'") == std::string::npos ? name : quote + name + quote;
+}
+
+std::string lower_case(std::string text) {
+  for (char& c : text) {
+    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
+  }
+  return text;
+}
 
 std::string folder_of(const std::string& path) {
   const std::size_t slash = path.rfind('/');

@@ -8,6 +8,15 @@
 
 namespace raycheck::tools {
 
+/// Files' names as words of a shell.
+std::string shell_words(const std::vector<std::string>& names);
+
+/// A file's name as one of a candidate's words, which are split where no quotes are.
+std::string candidate_word(const std::string& name);
+
+/// In small letters, those of ASCII.
+std::string lower_case(std::string text);
+
 /// The folder of a path, "" at the top; its last part; its ending as ".cpp", in small letters
 /// but for ".C".
 std::string folder_of(const std::string& path);
@@ -58,6 +67,27 @@ int likelihood_rank(const std::string& path);
 /// The names in the order in which a renderer is likely called so: main, rt, raytracer first, tests
 /// last, then those closer to the top.
 void sort_by_likelihood(std::vector<std::string>& names);
+
+/// An #include that names no file of the submission, and what it means; or one that is missing.
+struct IncludeRepair {
+  std::string file;
+  int line = 0;         ///< From 1; 0: there is none.
+  std::string name;     ///< As it stands: "../eigen/Eigen/Dense".
+  std::string instead;  ///< "<Eigen/Dense>", "\"../vec.h\""
+  std::string note() const;
+};
+
+/// Includes of the submission's own files that lead nowhere where the file is known: of Eigen or
+/// glm in a folder that was not handed in, with backslashes, in capitals that the file does not
+/// have, or of the one file of that name in another folder. `include`: folders that are searched.
+std::vector<IncludeRepair> include_repairs(const HandedInFiles& files, const Vendored& vendored,
+                                           const std::vector<std::string>& include);
+
+/// Those that GCC names in what it said: "did you forget to '#include <tuple>'?"
+std::vector<IncludeRepair> missing_includes(const HandedInFiles& files, const std::string& said);
+
+/// Shell words that make them in a copy of the submission; empty where there are none.
+std::string repair_words(const std::vector<IncludeRepair>& repairs);
 
 template <class Holds>
 std::vector<std::string> own_sources(const HandedInFiles& files, const Vendored& vendored,

@@ -1,19 +1,12 @@
 #pragma once
 
 #include <filesystem>
-#include <memory>
-#include <optional>
-#include <stdexcept>
 #include <string>
 #include <string_view>
-#include <utility>
 #include <vector>
 
-#include "tools/external/locate.h"
-#include "tools/external/pictures/dry_run.h"
-#include "tools/grade/results/result.h"
+#include "tools/grade/intake/handed_in.h"
 #include "tools/grade/rubric/rubric.h"
-#include "tools/grade/store/store.h"
 
 namespace raycheck::tools {
 
@@ -29,70 +22,15 @@ struct Submission {
 std::vector<Submission> find_submissions(const std::vector<std::string>& paths,
                                          const std::vector<std::string_view>& reserved);
 
+/// Throws std::invalid_argument where a folder of results, or one of a submission's name in it, is,
+/// holds or lies in what is handed in, whatever links lead there. It need not be there.
+void require_apart(const std::string& out, const std::vector<Submission>& submissions);
+
+/// How much is taken of a submission.
+IntakeLimits intake_limits(const SubmissionLimits& limits);
+
 /// Of its files' names and contents; where these cannot be read, of the reason.
 /// Errors: std::system_error where that is the machine's (is_of_the_machine).
 std::string digest(const Submission& submission, const SubmissionLimits& limits);
-
-/// How far a submission came, and what was found out on the way.
-struct Preparation {
-  /// The candidate as --candidate would have it; absent where no form fits.
-  std::optional<CandidateSpec> program = {};
-  std::vector<std::string> files = {};  ///< The names of those at its top, notebooks' modules too.
-  bool as_it_comes = false;             ///< Its form leaves to raycheck how it is built.
-  /// The shell words that built it; empty: nothing was to build, or raycheck compiled it.
-  std::string build_words = {};
-  std::optional<double> build_seconds = {};  ///< Absent: nothing was built that can be started.
-  /// What is worth knowing of how it was built: "its Makefile failed; built from its sources".
-  std::vector<std::string> notes = {};
-  std::optional<DryRun> dry_run = {};  ///< Of a renderer.
-  std::vector<OpaqueFile> opaque_files = {};
-};
-
-/// Why nothing can be asked of a submission.
-class SubmissionError : public std::invalid_argument {
- public:
-  SubmissionError(Refusal refusal, Preparation found)
-      : std::invalid_argument(refusal.why),
-        refusal_(std::move(refusal)),
-        found_(std::move(found)) {}
-  const Refusal& refusal() const { return refusal_; }
-  const Preparation& found() const { return found_; }
-
- private:
-  Refusal refusal_;
-  Preparation found_;
-};
-
-/// A submission in a folder that its program may read, built where its form says so.
-struct RunnableSubmission {
-  External external;
-  Preparation found;             ///< With a program.
-  bool build_is_stored = false;  ///< It was built by an earlier run, or for an equal submission.
-};
-
-/// How a submission is kept, and who is told where it fails for a cause outside it.
-struct Confinement {
-  Layers layers;
-  std::shared_ptr<Surroundings> surroundings = {};
-};
-
-/// Work on a submission, which ends too where it fails for a cause outside it.
-properties::RunControl until_blamed(const properties::RunControl& control,
-                                    const Surroundings& surroundings);
-
-/// What is said where it did.
-Refusal outside_refusal(const std::string& cause);
-
-/// What a submission's program may use, by the names that the rubric has for it.
-Limits program_limits(const Rubric& rubric);
-
-/// Copies, builds and starts a submission, each step isolated like a candidate; a renderer makes a
-/// few pictures, so that it is asked in the form that it reads. What a store has is neither built
-/// nor asked again.
-/// Errors: SubmissionError with what is wrong: no form fits, a compiler's message, a program
-/// that does not introduce itself, or makes no picture.
-RunnableSubmission prepare(const Submission& submission, const Rubric& rubric,
-                           const Confinement& confinement,
-                           const properties::RunControl& control = {}, Store* store = nullptr);
 
 }  // namespace raycheck::tools

@@ -3,7 +3,7 @@
 #include <string>
 #include <utility>
 
-#include "tools/methods/methods.h"
+#include "tools/implementations/built_in.h"
 
 namespace raycheck::tools {
 

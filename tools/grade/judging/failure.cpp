@@ -9,7 +9,7 @@
 #include "properties/cases/shrink.h"
 #include "properties/mistakes/picture_evidence.h"
 #include "properties/rounded_case.h"
-#include "tools/grade/results/plain_text.h"
+#include "tools/grade/results/result.h"
 
 namespace raycheck::tools {
 namespace {

@@ -9,7 +9,7 @@
 #include "properties/search/stress.h"
 #include "properties/trial.h"
 #include "tools/external/pictures/sphere_colours.h"
-#include "tools/methods/methods.h"
+#include "tools/implementations/built_in.h"
 
 namespace raycheck::tools {
 

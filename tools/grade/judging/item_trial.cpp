@@ -31,6 +31,13 @@ std::optional<properties::Quantity> never_right(const Verdict& verdict) {
   return std::nullopt;
 }
 
+/// Whether no hit is found where there are some, as where whatever is asked is answered by a miss.
+bool never_hits(const Verdict& verdict) {
+  const auto& hits = verdict.tally(properties::Quantity::kClass)
+                         .answered[static_cast<std::size_t>(properties::Question::kHit)];
+  return hits.asked > 0 && hits.right == 0;
+}
+
 /// Whether of most pixels that show a sphere it is told which.
 bool tells_spheres(const ShownPicture& picture) {
   const auto& image = picture.image;
@@ -112,6 +119,8 @@ ItemTrial try_item(const ItemTask& task, const ItemCases& cases, const ItemExami
     grade.reason = {.kind = ItemReason::Kind::kNeverRight,
                     .quantity = std::string(info(*quantity).name)};
   }
+  // What is given besides is not earned by misses alone.
+  if (grade.bonus && never_hits(all)) grade.held = 0;
   grade.state =
       grade.cases > 0 && grade.held == grade.cases ? ItemState::kHolds : ItemState::kFails;
   trial.grade = std::move(grade);

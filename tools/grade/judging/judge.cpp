@@ -9,7 +9,7 @@
 #include "tools/grade/judging/failure.h"
 #include "tools/grade/judging/item_causes.h"
 #include "tools/grade/judging/item_trial.h"
-#include "tools/grade/results/tolerated.h"
+#include "tools/grade/results/result.h"
 
 namespace raycheck::tools {
 namespace {

@@ -4,7 +4,7 @@
 #include <stdexcept>
 #include <utility>
 
-#include "tools/grade/results/tolerated.h"
+#include "tools/grade/results/result.h"
 
 namespace raycheck::tools {
 namespace {
@@ -62,17 +62,15 @@ Candidate candidate_that_answered(const FailingCase& failing, const Tolerance& t
 
 }  // namespace
 
-std::shared_ptr<const OtherMethod> answered(const FailingCase& failing, const Tolerance& tolerance,
-                                            const Layers& isolation) {
+std::shared_ptr<const Implementation> answered(const FailingCase& failing,
+                                               const Tolerance& tolerance,
+                                               const Layers& isolation) {
   if (!failing.answers) return nullptr;
-  OtherMethod method;
-  method.name = kYours;
-  method.isolated_by = isolation.text();
-  method.precision = failing.answer.precision;
-  method.candidate = [candidate = candidate_that_answered(failing, tolerance)] {
-    return candidate;
-  };
-  return std::make_shared<const OtherMethod>(std::move(method));
+  return std::make_shared<const Implementation>(Implementation{
+      .name = kYours,
+      .isolated_by = isolation.text(),
+      .precision = failing.answer.precision,
+      .make = [candidate = candidate_that_answered(failing, tolerance)] { return candidate; }});
 }
 
 }  // namespace raycheck::tools

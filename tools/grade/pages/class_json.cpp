@@ -1,4 +1,3 @@
-#include <nlohmann/json.hpp>
 
 #include "tools/grade/pages/views.h"
 #include "tools/grade/results/record.h"
@@ -10,27 +9,22 @@ namespace raycheck::tools {
 namespace {
 
 Json score_json(const ScoreChange& change) {
-  const auto points = [](const std::optional<double>& score) {
-    return score ? Json(*score) : Json(nullptr);
-  };
-  return {{"name", change.name}, {"before", points(change.before)}, {"now", points(change.now)}};
+  return {{"name", change.name}, {"before", or_null(change.before)}, {"now", or_null(change.now)}};
+}
+
+Json change_json(const SubmissionChange& change) {
+  Json json = score_json(change.score);
+  json["items"] = list_json(change.items, score_json);
+  json["causes"] = list_json(change.causes, [](ChangeCause cause) { return name(cause); });
+  json["rubric_items"] = change.rubric_items;
+  return json;
 }
 
 Json changes_json(const ClassChanges& changes) {
-  Json json = {{"against", changes.against},
-               {"compared", changes.compared},
-               {"new", changes.new_ones},
-               {"changed", Json::array()}};
-  for (const SubmissionChange& change : changes.changed) {
-    Json one = score_json(change.score);
-    one["items"] = Json::array();
-    for (const ScoreChange& item : change.items) one["items"].push_back(score_json(item));
-    one["causes"] = Json::array();
-    for (const ChangeCause cause : change.causes) one["causes"].push_back(name(cause));
-    one["rubric_items"] = change.rubric_items;
-    json["changed"].push_back(std::move(one));
-  }
-  return json;
+  return {{"against", changes.against},
+          {"compared", changes.compared},
+          {"new", changes.new_ones},
+          {"changed", list_json(changes.changed, change_json)}};
 }
 
 }  // namespace
@@ -41,11 +35,8 @@ std::string class_json(const ClassGrade& graded) {
   json["interrupted"] = graded.interrupted;
   json["reused"] = graded.reused;
   json["not_graded"] = graded.not_graded;
-  json["submissions"] = Json::array();
-  for (const SubmissionGrade& grade : graded.submissions) {
-    json["submissions"].push_back(Json::parse(record_text(grade)));
-  }
-  json["changes"] = graded.changes ? changes_json(*graded.changes) : Json(nullptr);
+  json["submissions"] = list_json(graded.submissions, record_json);
+  json["changes"] = or_null(graded.changes, changes_json);
   return json_text(json);
 }
 

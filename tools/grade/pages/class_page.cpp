@@ -9,7 +9,6 @@
 
 #include "tools/grade/pages/figures.h"
 #include "tools/grade/pages/html.h"
-#include "tools/grade/pages/pictures.h"
 #include "tools/grade/pages/views.h"
 #include "tools/grade/pages/wording.h"
 #include "tools/grade/results/statistics.h"
@@ -22,7 +21,7 @@ constexpr int kBins = 10;
 
 /// 0 for what has no points.
 double share_of(const SubmissionGrade& grade) {
-  return grade.points > 0 ? grade.score / grade.points : 0;
+  return grade.points > 0 ? (grade.score - grade.bonus) / grade.points : 0;
 }
 
 std::string bar(double share, const char* kind) {
@@ -43,7 +42,7 @@ std::string distribution(const ClassGrade& graded) {
   for (int bin = kBins; bin >= 0; --bin) {
     const std::size_t count = counts[static_cast<std::size_t>(bin)];
     const std::string label =
-        bin == kBins ? "100% and more"
+        bin == kBins ? "100%"
                      : fmt::format("{}% to {}%", bin * 100 / kBins, (bin + 1) * 100 / kBins);
     html += fmt::format("<tr><td>{}</td><td class=\"number\">{}</td>{}</tr>\n", label, count,
                         bar(static_cast<double>(count) / static_cast<double>(most), "score"));
@@ -239,8 +238,8 @@ std::string everyone(const ClassGrade& graded) {
   html += "<th class=\"number\">built</th><th class=\"number\">judged</th></tr>\n";
   for (const SubmissionGrade& grade : graded.submissions) {
     const bool is_judged = could_be_judged(grade);
-    html += fmt::format("<tr><td>{}{}</td><td class=\"number\">{} of {}</td>", link(grade),
-                        figures_link(graded, grade), score_text(grade), points_text(grade.points));
+    html += fmt::format("<tr><td>{}{}</td><td class=\"number\">{}{}</td>", link(grade),
+                        figures_link(graded, grade), score_text(grade), of_points_text(grade));
     if (!is_judged) {
       html += fmt::format("<td colspan=\"{}\">{}</td>", graded.rubric.items.size(),
                           escaped(not_judged_text(grade)));

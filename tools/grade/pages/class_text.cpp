@@ -21,8 +21,8 @@ std::string submission_lines(const ClassGrade& graded) {
   std::string text;
   for (const SubmissionGrade& grade : graded.submissions) {
     const bool is_judged = could_be_judged(grade);
-    text += fmt::format("{:<{}}  {:>6} of {}", line_text(grade.name), width, score_text(grade),
-                        points_text(grade.points));
+    text += fmt::format("{:<{}}  {:>6}{}", line_text(grade.name), width, score_text(grade),
+                        of_points_text(grade));
     std::string failing;
     for (const ItemGrade& item : grade.items) {
       if (item.state == ItemState::kFails) failing += (failing.empty() ? "" : ", ") + item.name;

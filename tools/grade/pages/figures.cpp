@@ -12,7 +12,6 @@
 #include "tools/report/words.h"
 #include "tools/view/scene_view.h"
 #include "tools/view/selection.h"
-#include "tools/view/view_words.h"
 
 namespace raycheck::tools {
 namespace {
@@ -62,7 +61,7 @@ void add_figure(const StudentGrade& grade, std::size_t k, ViewDocument& document
   view.name = file_name(item.name) + ".toml";
   view.file = view.name;
   if (grade.submission.program)
-    view.more_arguments = candidate_words(grade.submission.program->text());
+    view.more_arguments = " --candidate " + shell_word(grade.submission.program->text());
   view.other = answered(failing, item.tolerance, grade.submission.isolation);
   view.others_picture = false;
   view.wanted = wanted_of(failing);

@@ -29,10 +29,6 @@ h3 { font-size: 1rem; margin: 1rem 0 0.25rem; } ol { padding-left: 1.5rem; margi
 .pictures { display: grid; grid-template-columns: repeat(auto-fit, minmax(8.5rem, 1fr)); gap: 0.75rem; margin: 0.75rem 0 0.25rem; }
 figure { margin: 0; } figcaption { font-size: 0.9rem; }
 figure img { display: block; height: auto; image-rendering: pixelated; border: 1px solid var(--line); }
-.drawing svg { display: block; width: min(100%, 30rem); height: auto; border: 1px solid var(--line); fill: none; stroke: currentColor; stroke-width: 1.5; }
-.drawing text { font-size: 13px; text-anchor: middle; fill: currentColor; stroke: none; } .drawing .grid { stroke: var(--line); stroke-width: 1; }
-.drawing .behind { stroke-dasharray: 4 4; } .drawing .sphere { stroke: #0072b2; } .drawing .exact { stroke: var(--good); stroke-width: 2.5; } .drawing .yours { stroke: var(--bad); stroke-width: 2.5; }
-.drawing text.exact { fill: var(--good); stroke: none; } .drawing text.yours { fill: var(--bad); stroke: none; }
 .swatch { display: inline-block; width: 0.9em; height: 0.9em; border: 1px solid var(--line); vertical-align: -0.1em; margin-left: 0.5em; }
 .wide { overflow-x: auto; } table { border-collapse: collapse; width: 100%; }
 th, td { text-align: left; padding: 0.25rem 0.5rem; border-bottom: 1px solid var(--line); vertical-align: top; }

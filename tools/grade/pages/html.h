@@ -3,7 +3,7 @@
 #include <string>
 #include <string_view>
 
-#include "tools/report/html_text.h"
+#include "tools/report/spelling.h"
 
 namespace raycheck::tools {
 

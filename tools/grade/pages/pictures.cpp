@@ -1,5 +1,3 @@
-#include "tools/grade/pages/pictures.h"
-
 #include <fmt/core.h>
 
 #include <array>
@@ -9,8 +7,9 @@
 #include <vector>
 
 #include "tools/grade/pages/html.h"
-#include "tools/report/data_address.h"
-#include "tools/report/png.h"
+#include "tools/grade/pages/wording.h"
+#include "tools/report/picture_file.h"
+#include "tools/report/spelling.h"
 #include "tools/report/words.h"
 
 namespace raycheck::tools {

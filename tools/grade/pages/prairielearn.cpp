@@ -1,7 +1,6 @@
 #include <fmt/core.h>
 
 #include <algorithm>
-#include <nlohmann/json.hpp>
 
 #include "tools/grade/pages/views.h"
 #include "tools/grade/pages/wording.h"
@@ -21,9 +20,9 @@ std::string prairielearn_results(const StudentGrade& grade) {
   json["gradable"] = !submission.refused || submission.score > 0;
   if (!json["gradable"]) json["format_errors"] = Json::array({refused});
   json["score"] = submission.points > 0 ? std::min(submission.score / submission.points, 1.0) : 0.0;
-  json["message"] = fmt::format("{}: {}{} of {} points", grade.title,
-                                could_be_judged(submission) ? "" : "could not be judged, ",
-                                points_text(submission.score), points_text(submission.points));
+  json["message"] = grade.title + ": " +
+                    (could_be_judged(submission) ? "" : "could not be judged, ") +
+                    score_text(submission) + of_points_text(submission) + " points";
   json["output"] = refused;
   json["tests"] = Json::array();
   for (std::size_t k = 0; k < grade.items.size(); ++k) {

@@ -1,12 +1,7 @@
 #include <fmt/core.h>
 
-#include <optional>
-
-#include "tools/grade/pages/drawing.h"
 #include "tools/grade/pages/figures.h"
-#include "tools/grade/pages/home.h"
 #include "tools/grade/pages/html.h"
-#include "tools/grade/pages/pictures.h"
 #include "tools/grade/pages/views.h"
 #include "tools/grade/pages/wording.h"
 #include "tools/report/words.h"
@@ -72,20 +67,8 @@ std::string next_steps(const StudentGrade& grade, std::size_t k) {
   return "<h3>What to do next</h3>\n<ol>\n" + steps + "</ol>\n" + files;
 }
 
-/// The figure of an item's failing case, and where the page of figures has it.
-struct ItemFigure {
-  const SceneView& scene;
-  std::string address;
-};
-
-std::string figure_html(const FailingCase& failing, const ItemFigure& figure) {
-  return drawing_html(failing, figure.scene) +
-         fmt::format("<p><a href=\"{}\">See this case in space, and step by step</a></p>\n",
-                     escaped(figure.address));
-}
-
-std::string item_html(const StudentGrade& all, std::size_t k,
-                      const std::optional<ItemFigure>& figure) {
+/// `figure` is where the page of figures has the item's failing case; empty: nowhere.
+std::string item_html(const StudentGrade& all, std::size_t k, const std::string& figure) {
   const Item& item = *all.items[k];
   const ItemGrade& grade = all.submission.items[k];
   const bool fails = grade.state == ItemState::kFails;
@@ -100,26 +83,29 @@ std::string item_html(const StudentGrade& all, std::size_t k,
   if (!item.why.empty()) html += "<p class=\"quiet\">Why: " + escaped(item.why) + "</p>\n";
   html += "<p>" + escaped(state_text(grade)) + "</p>\n";
   if (grade.failing) html += failing_html(*grade.failing);
-  if (figure) html += figure_html(*grade.failing, *figure);
+  if (!figure.empty()) {
+    html += fmt::format(
+        "<p><a href=\"{}\"><strong>See this case drawn, in space and step by "
+        "step</strong></a></p>\n",
+        escaped(figure));
+  }
   if (fails) html += next_steps(all, k);
   return html + "</details>\n";
 }
 
-std::string report_html(const StudentGrade& grade, const ViewDocument& figures) {
+std::string report_html(const StudentGrade& grade) {
   const SubmissionGrade& submission = grade.submission;
   std::string html =
       fmt::format("<h1>{}</h1>\n<p>{}</p>\n", escaped(grade.title), escaped(submission.name));
-  html += "<p class=\"total\">";
-  html += could_be_judged(submission)
-              ? points_text(submission.score) + " of " + points_text(submission.points)
-              : "could not be judged";
-  if (!could_be_judged(submission) && submission.score > 0) {
-    html += fmt::format(", for which there are {} of {}", points_text(submission.score),
-                        points_text(submission.points));
-  }
-  html += "</p>\n";
+  // Faults first: a bonus hides none.
   const std::string mistake = mistake_text(submission);
   if (!mistake.empty()) html += "<p><strong>" + escaped(mistake) + "</strong></p>\n";
+  const std::string total = score_text(submission) + of_points_text(submission);
+  html += "<p class=\"total\">" +
+          (could_be_judged(submission) ? total
+           : submission.score > 0      ? "could not be judged, for which there are " + total
+                                       : "could not be judged") +
+          "</p>\n";
   if (!submission.finished) {
     html += "<p><strong>Grading was cut short: this is what was judged.</strong></p>\n";
   }
@@ -131,14 +117,13 @@ std::string report_html(const StudentGrade& grade, const ViewDocument& figures) 
             "</pre>\n";
   } else {
     std::size_t shown = 0;
+    std::string failing, others;
     for (std::size_t k = 0; k < grade.items.size(); ++k) {
-      std::optional<ItemFigure> figure;
-      if (has_figure(grade, k)) {
-        figure.emplace(ItemFigure{figures.scenes[shown], figure_address(shown)});
-        ++shown;
-      }
-      html += item_html(grade, k, figure);
+      const bool fails = submission.items[k].state == ItemState::kFails;
+      (fails ? failing : others) +=
+          item_html(grade, k, has_figure(grade, k) ? figure_address(shown++) : "");
     }
+    html += failing + others;
   }
   html += "<div>" + command_html(command_for_all(grade)) + "</div>\n";
   if (grade.unlisted > 0) {
@@ -157,7 +142,7 @@ std::string report_html(const StudentGrade& grade, const ViewDocument& figures) 
 
 StudentPages student_pages(const StudentGrade& grade) {
   const ViewDocument figures = figures_document(grade);
-  return {report_html(grade, figures), figures.findings.empty() ? "" : page(figures)};
+  return {report_html(grade), figures.findings.empty() ? "" : page(figures)};
 }
 
 }  // namespace raycheck::tools

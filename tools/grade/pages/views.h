@@ -4,8 +4,8 @@
 #include <string>
 #include <string_view>
 
-#include "tools/grade/results/class_grade.h"
 #include "tools/grade/results/redaction.h"
+#include "tools/grade/results/result.h"
 
 namespace raycheck::tools {
 

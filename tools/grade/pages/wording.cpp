@@ -10,8 +10,6 @@
 #include "properties/laws/law.h"
 #include "scene/files/scene_file.h"
 #include "tools/external/pictures/renderer.h"
-#include "tools/grade/pages/home.h"
-#include "tools/grade/pages/pictures.h"
 #include "tools/report/words.h"
 
 namespace raycheck::tools {
@@ -154,7 +152,12 @@ std::string time_up_text(const SubmissionGrade& grade) {
 }
 
 std::string score_text(const SubmissionGrade& grade) {
-  return could_be_judged(grade) || grade.score > 0 ? points_text(grade.score) : "-";
+  return could_be_judged(grade) || grade.score > 0 ? points_text(grade.score - grade.bonus) : "-";
+}
+
+std::string of_points_text(const SubmissionGrade& grade) {
+  return " of " + points_text(grade.points) +
+         (grade.bonus > 0 ? ", bonus " + points_text(grade.bonus) : "");
 }
 
 std::string not_judged_text(const SubmissionGrade& grade) {

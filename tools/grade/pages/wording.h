@@ -1,11 +1,11 @@
 #pragma once
 
-// The words that several views have for the same results.
+// The words, and parts of pages, that several views have for the same results.
 
 #include <string>
+#include <string_view>
 #include <vector>
 
-#include "tools/grade/results/class_grade.h"
 #include "tools/grade/results/redaction.h"
 #include "tools/grade/results/result.h"
 #include "tools/grade/rubric/rubric.h"
@@ -39,9 +39,11 @@ std::string state_text(const ItemGrade& grade);
 /// "time is up after 60 s: robustness not judged"; empty where all that it was to be asked was.
 std::string time_up_text(const SubmissionGrade& grade);
 
-/// What a submission has; "-" of one that could not be judged and for which the rubric gives no
-/// points.
+/// What a submission has, its bonus aside; "-" of one that could not be judged and for which the
+/// rubric gives no points.
 std::string score_text(const SubmissionGrade& grade);
+/// " of 100, bonus 7.5"
+std::string of_points_text(const SubmissionGrade& grade);
 
 /// "could not be judged: 'make' exited with 2". Domain: a submission that could not.
 std::string not_judged_text(const SubmissionGrade& grade);
@@ -70,5 +72,27 @@ std::string submission_text(const std::vector<const Item*>& items, const Submiss
 
 /// What was asked in item k and became of it, as lines.
 std::string item_text(const StudentGrade& all, std::size_t k);
+
+/// A command line, and what it is for.
+struct HomeCommand {
+  std::string purpose;
+  std::string words;
+};
+
+/// Those that build the submission as it was built here, and repeat the failing case of item k, its
+/// files beside the submission's; empty where it has none.
+std::vector<HomeCommand> commands_for_case(const StudentGrade& grade, std::size_t k);
+
+/// What grades the submission again, as far as it is shown, in its folder.
+HomeCommand command_for_all(const StudentGrade& grade);
+
+/// "12 of 441 pixels differ: yours is the expected picture mirrored left to right", `whose` being
+/// "yours"; empty where there are no pictures, or what is exact is withheld.
+std::string difference_text(const FailingCase& failing, std::string_view whose = "yours");
+
+/// What the submission drew, what is expected and where they differ, beside each other: spheres in
+/// colours that the colour-blind tell apart, differences by marks. What is withheld is not there;
+/// empty where there are no pictures.
+std::string pictures_html(const FailingCase& failing, std::string_view whose = "yours");
 
 }  // namespace raycheck::tools

@@ -1,8 +1,34 @@
 #include "tools/grade/results/changes.h"
 
 #include <algorithm>
+#include <exception>
+#include <fstream>
+#include <map>
+
+#include "tools/grade/results/record.h"
 
 namespace raycheck::tools {
+
+std::optional<EarlierGrade> earlier_grade(const std::filesystem::path& folder) {
+  std::ifstream file(folder / kRecordFile, std::ios::binary);
+  if (!file) return {};
+  try {
+    const Json json = Json::parse(file);
+    if (!json.at("finished").get<bool>()) return {};
+    EarlierGrade grade;
+    if (json.at("refused").is_null()) grade.score = json.at("score").get<double>();
+    for (const Json& item : json.at("items")) {
+      grade.items.emplace_back(item.at("name").get<std::string>(), item.at("score").get<double>());
+    }
+    grade.seed = json.at("seed");
+    grade.isolation = json.at("isolated_by");
+    if (json.contains("inputs")) grade.inputs = inputs_of_record(json.at("inputs"));
+    return grade;
+  } catch (const std::exception&) {
+    return {};  // no record, then
+  }
+}
+
 namespace {
 
 /// The items whose digests differ, and those of one side only.

@@ -8,8 +8,8 @@
 #include <system_error>
 #include <utility>
 
-#include "tools/grade/results/earlier.h"
-#include "tools/grade/rubric/digest.h"
+#include "tools/grade/results/changes.h"
+#include "tools/grade/rubric/rubric_files.h"
 #include "tools/report/output_file.h"
 
 namespace raycheck::tools {

@@ -2,300 +2,295 @@
 
 #include <algorithm>
 #include <limits>
-#include <nlohmann/json.hpp>
+#include <span>
 #include <stdexcept>
 
 #include "properties/laws/law.h"
 #include "scene/files/scene_file.h"
 #include "scene/number.h"
-#include "tools/grade/results/earlier.h"
-#include "tools/grade/results/image_runs.h"
-#include "tools/grade/results/record_answers.h"
-#include "tools/grade/results/record_parts.h"
-#include "tools/report/json.h"
 #include "tools/report/words.h"
 
 namespace raycheck::tools {
 namespace {
 
-using properties::Quantity;
-using properties::Wrong;
+using NamesOfEnum = std::span<const std::string_view>;
 
-template <class Enum, std::size_t kCount>
-Enum named(const Json& json, const std::array<std::string_view, kCount>& names) {
-  const auto text = json.get<std::string>();
-  const auto* const found = std::find(names.begin(), names.end(), text);
-  if (found == names.end()) throw std::invalid_argument(text + ": no such name");
-  return static_cast<Enum>(found - names.begin());
+NamesOfEnum names_of(properties::Wrong /*of*/) { return properties::kWrongNames; }
+NamesOfEnum names_of(ItemState /*of*/) { return kItemStateNames; }
+NamesOfEnum names_of(ItemReason::Kind /*of*/) { return kReasonNames; }
+NamesOfEnum names_of(scene::Dialect /*of*/) { return kDialectNames; }
+NamesOfEnum names_of(DriverLight /*of*/) { return kDriverLightNames; }
+NamesOfEnum names_of(DriverNumbers /*of*/) { return kDriverNumberNames; }
+NamesOfEnum names_of(properties::Quantity /*of*/) {
+  static const auto names = [] {
+    std::array<std::string_view, properties::kQuantityCount> all;
+    std::transform(properties::kQuantities.begin(), properties::kQuantities.end(), all.begin(),
+                   [](const auto& quantity) { return quantity.name; });
+    return all;
+  }();
+  return names;
 }
 
-Quantity quantity_named(const std::string& text) {
-  for (std::size_t k = 0; k < properties::kQuantityCount; ++k) {
-    if (properties::kQuantities[k].name == text) return static_cast<Quantity>(k);
+template <class Type>
+concept HasNames = std::is_enum_v<Type>;
+template <class Type>
+concept IsTriple = requires(Type v) {
+  v.x + v.y + v.z;
+};
+template <class Type>
+concept IsPlain = std::is_arithmetic_v<Type> || std::same_as<Type, std::string>;
+
+/// A number that is written with all its digits, as those of lists are.
+struct AllDigits {
+  double& number;
+};
+
+/// Writes the fields that list_fields() names of a value.
+struct FieldWriter {
+  Json json = Json::object();
+
+  void operator()(const char* name, const auto& value, auto&&... more) {
+    json[name] = written(value);
+    if constexpr (sizeof...(more) > 0) (*this)(more...);
   }
-  throw std::invalid_argument(text + ": no such quantity");
+  /// Whether there is a field, by what is to be written.
+  static bool has(const char* /*name*/, bool is_there) { return is_there; }
+
+  static Json written(const IsPlain auto& value) { return value; }
+  static Json written(const HasNames auto& value) {
+    return names_of(value)[static_cast<std::size_t>(value)];
+  }
+  static Json written(AllDigits value) { return scene::hexfloat(value.number); }
+  static Json written(const std::vector<double>& numbers) { return hexfloats(numbers); }
+  static Json written(const std::optional<double>& error) { return error_json(error); }
+  static Json written(const IsTriple auto& v) { return hexfloats({v.x, v.y, v.z}); }
+  static Json written(const scene::Pixel& pixel) { return {pixel.i, pixel.j}; }
+  static Json written(const scene::Scene& scene) { return scene::write_toml(scene); }
+  static Json written(const CandidateSpec& program) { return program.text(); }
+  static Json written(const Layers& isolation) { return isolation.text(); }
+  static Json written(const properties::ImageAnswer& image) { return runs_of(image); }
+  template <class Value>
+  static Json written(const std::optional<Value>& value) {
+    return value ? written(*value) : Json(nullptr);
+  }
+  template <class Value>
+  static Json written(const std::vector<Value>& values) {
+    return list_json(values, [](const Value& value) { return written(value); });
+  }
+  template <class Key, class Value>
+  static Json written(const std::map<Key, Value>& values) {
+    return list_json(values,
+                     [](const auto& entry) { return written(std::pair<Key, Value>(entry)); });
+  }
+  template <class Value>
+  static Json written(const Value& value) {
+    FieldWriter fields;
+    Value copy = value;  // lists are of fields that may be read, too
+    list_fields(fields, copy);
+    return std::move(fields.json);
+  }
+};
+
+/// Reads them. Errors: std::exception where there is no such field, or something else in it.
+struct FieldReader {
+  const Json& json;
+
+  void operator()(const char* name, auto&& value, auto&&... more) {
+    read(json.at(name), value);
+    if constexpr (sizeof...(more) > 0) (*this)(more...);
+  }
+  bool has(const char* name, bool /*is_there*/) const { return json.contains(name); }
+
+  static void read(const Json& from, IsPlain auto& value) { from.get_to(value); }
+  static void read(const Json& from, HasNames auto& value) {
+    const auto names = names_of(value);
+    const auto found = std::find(names.begin(), names.end(), from.get<std::string>());
+    if (found == names.end()) throw std::invalid_argument(from.dump() + ": no such name");
+    value = static_cast<std::remove_reference_t<decltype(value)>>(found - names.begin());
+  }
+  static void read(const Json& from, AllDigits value) {
+    const auto number = scene::parse_number(from.get<std::string>());
+    if (!number) throw std::invalid_argument("no number");
+    value.number = *number;
+  }
+  static void read(const Json& from, std::vector<double>& numbers) {
+    for (const Json& one : from) read(one, AllDigits{numbers.emplace_back()});
+  }
+  static void read(const Json& from, std::optional<double>& error) {
+    if (from.is_null()) return;
+    error = from.is_string() ? std::numeric_limits<double>::infinity() : from.get<double>();
+  }
+  static void read(const Json& from, IsTriple auto& v) {
+    std::vector<double> numbers;
+    read(from, numbers);
+    if (numbers.size() != 3) throw std::invalid_argument("not three numbers");
+    v = {numbers[0], numbers[1], numbers[2]};
+  }
+  static void read(const Json& from, scene::Pixel& pixel) { pixel = {from.at(0), from.at(1)}; }
+  static void read(const Json& from, scene::Scene& scene) {
+    scene = scene::read_toml(from.get<std::string>(), "scene").scene;
+  }
+  static void read(const Json& from, CandidateSpec& program) {
+    program = parse_candidate(from.get<std::string>());
+  }
+  static void read(const Json& /*from*/, Layers& /*isolation*/) {}
+  static void read(const Json& from, properties::ImageAnswer& image) {
+    image = image_of(from.get<std::string>());
+  }
+  template <class Value>
+  static void read(const Json& from, std::optional<Value>& value) {
+    if (!from.is_null()) read(from, value.emplace());
+  }
+  template <class Value>
+  static void read(const Json& from, std::vector<Value>& values) {
+    for (const Json& one : from) read(one, values.emplace_back());
+  }
+  template <class Key, class Value>
+  static void read(const Json& from, std::map<Key, Value>& values) {
+    for (const Json& one : from) {
+      std::pair<Key, Value> entry;
+      read(one, entry);
+      values.insert(std::move(entry));
+    }
+  }
+  template <class Value>
+  static void read(const Json& from, Value& value) {
+    FieldReader fields{from};
+    list_fields(fields, value);
+  }
+};
+
+void list_fields(auto& fields, DriverForm& form) {
+  fields("dialect", form.dialect, "sphere_numbers", form.sphere_numbers, "extra_lines",
+         form.extra_lines, "light", form.light, "numbers", form.numbers, "order", form.order);
 }
 
-double error_of(const Json& json) {
-  return json.is_string() ? std::numeric_limits<double>::infinity() : json.get<double>();
+void list_fields(auto& fields, CaseOrigin& origin) {
+  if (fields.has("scene", !origin.scene.empty())) return fields("scene", origin.scene);
+  fields("source", origin.source, "case", origin.number);
 }
 
-Json origin_json(const CaseOrigin& origin) {
-  if (!origin.scene.empty()) return {{"scene", origin.scene}};
-  return {{"source", origin.source}, {"case", origin.number}};
+void list_fields(auto& fields, WrongAnswer& answer) {
+  fields("quantity", answer.quantity, "pixel", answer.place.pixel, "ray", answer.place.ray,
+         "sphere", answer.place.sphere, "part", answer.part, "wrong", answer.wrong, "symbol",
+         answer.symbol, "got", answer.got, "exact", answer.exact, "error", answer.error);
+  std::string unit(unit_name(answer.quantity, answer.precision));
+  fields("unit", unit);
+  if (unit != info(answer.quantity).unit) answer.precision = scene::Precision::kSingle;
+  fields("condition", answer.condition);
 }
 
-CaseOrigin origin_of(const Json& json) {
-  if (json.contains("scene")) return {json.at("scene"), "", 0};
-  return {"", json.at("source"), json.at("case")};
+void list_fields(auto& fields, ComparedPictures& pictures) {
+  fields("got", pictures.got, "exact", pictures.exact);
 }
 
-Json pixel_json(const scene::Pixel& pixel) { return {pixel.i, pixel.j}; }
-scene::Pixel pixel_of(const Json& json) { return {json.at(0), json.at(1)}; }
-
-Json answer_json(const WrongAnswer& answer) {
-  return {{"quantity", info(answer.quantity).name},
-          {"pixel", or_null(answer.place.pixel, pixel_json)},
-          {"ray", answer.place.ray},
-          {"sphere", or_null(answer.place.sphere, [](std::size_t sphere) { return sphere; })},
-          {"part", answer.part},
-          {"wrong", name(answer.wrong)},
-          {"symbol", answer.symbol},
-          {"got", hexfloats(answer.got)},
-          {"exact", or_null(answer.exact, hexfloats)},
-          {"error", error_json(answer.error)},
-          {"unit", unit_name(answer.quantity, answer.precision)},
-          {"condition", error_json(answer.condition)}};
+void list_fields(auto& fields, properties::FrameAnswer& frame) {
+  fields("U", frame.U, "V", frame.V, "W", frame.W);
 }
 
-WrongAnswer answer_of(const Json& json) {
-  WrongAnswer answer;
-  answer.quantity = quantity_named(json.at("quantity"));
-  answer.place.pixel = if_any(json.at("pixel"), pixel_of);
-  answer.place.ray = json.at("ray");
-  answer.place.sphere =
-      if_any(json.at("sphere"), [](const Json& sphere) { return sphere.get<std::size_t>(); });
-  answer.part = json.at("part");
-  answer.wrong = named<Wrong>(json.at("wrong"), properties::kWrongNames);
-  answer.symbol = json.at("symbol");
-  answer.got = numbers(json.at("got"));
-  answer.exact = if_any(json.at("exact"), numbers);
-  answer.error = if_any(json.at("error"), error_of);
-  answer.condition = if_any(json.at("condition"), error_of);
-  if (json.at("unit") != info(answer.quantity).unit) answer.precision = scene::Precision::kSingle;
-  return answer;
+void list_fields(auto& fields, scene::Ray& ray) {
+  fields("origin", ray.origin, "direction", ray.direction);
 }
 
-Json pictures_json(const ComparedPictures& pictures) {
-  return {{"got", runs_of(pictures.got)}, {"exact", or_null(pictures.exact, runs_of)}};
+void list_fields(auto& fields, std::pair<std::size_t, properties::HitAnswer>& hit) {
+  fields("sphere", hit.first, "s", AllDigits{hit.second.parameter}, "Q", hit.second.point);
 }
 
-ComparedPictures pictures_of(const Json& json, const scene::Scene& scene) {
-  if (!scene.camera) throw std::invalid_argument("a picture without a camera");
-  const auto pixels = static_cast<std::size_t>(scene.camera->width * scene.camera->height);
-  const auto image = [&](const Json& runs) { return image_of(runs.get<std::string>(), pixels); };
-  return {image(json.at("got")), if_any(json.at("exact"), image)};
+void list_fields(auto& fields, RayAnswers& answers) {
+  fields("frame", answers.frame, "pixel_point", answers.pixel_point, "ray", answers.ray, "hits",
+         answers.hits);
 }
 
-Json failing_json(const FailingCase& failing) {
-  Json pixels = Json::array();
-  for (const scene::Pixel& pixel : failing.the_case.pixels) pixels.push_back(pixel_json(pixel));
-  return {{"law", failing.law},
-          {"origin", origin_json(failing.origin)},
-          {"step", or_null(failing.step, [](const std::string& step) { return step; })},
-          {"answer", answer_json(failing.answer)},
-          {"scene", scene::write_toml(failing.the_case.scene)},
-          {"pixels", std::move(pixels)},
-          {"pictures", or_null(failing.pictures, pictures_json)},
-          {"answers", or_null(failing.answers, answers_json)}};
-}
-
-FailingCase failing_of(const Json& json) {
-  FailingCase failing;
-  failing.law = json.at("law");
+void list_fields(auto& fields, FailingCase& failing) {
+  fields("law", failing.law);
   if (properties::find_law(failing.law) == nullptr) throw std::invalid_argument("no such law");
-  failing.origin = origin_of(json.at("origin"));
-  failing.step = if_any(json.at("step"), [](const Json& step) { return step.get<std::string>(); });
-  failing.answer = answer_of(json.at("answer"));
-  failing.the_case.scene = scene::read_toml(json.at("scene").get<std::string>(), "scene").scene;
-  for (const Json& pixel : json.at("pixels")) failing.the_case.pixels.push_back(pixel_of(pixel));
-  failing.pictures = if_any(json.at("pictures"), [&](const Json& pictures) {
-    return pictures_of(pictures, failing.the_case.scene);
-  });
-  failing.answers = if_any(json.at("answers"), answers_of);
-  return failing;
+  fields("origin", failing.origin, "step", failing.step, "answer", failing.answer, "scene",
+         failing.the_case.scene, "pixels", failing.the_case.pixels, "pictures", failing.pictures,
+         "answers", failing.answers);
+  if (!failing.pictures) return;
+  const auto& camera = failing.the_case.scene.camera;
+  const auto pixels = camera ? static_cast<std::size_t>(camera->width * camera->height) : 0;
+  const auto& [got, exact] = *failing.pictures;
+  if (got.size() != pixels || (exact && exact->size() != pixels)) {
+    throw std::invalid_argument("a picture of another size");
+  }
 }
 
-Json first_wrong_json(const FirstWrongAnswer& first) {
-  return {{"origin", origin_json(first.origin)}, {"answer", answer_json(first.answer)}};
+void list_fields(auto& fields, FirstWrongAnswer& first) {
+  fields("origin", first.origin, "answer", first.answer);
 }
 
-FirstWrongAnswer first_wrong_of(const Json& json) {
-  return {origin_of(json.at("origin")), answer_of(json.at("answer"))};
-}
-
-Json reason_json(const ItemReason& reason) {
+void list_fields(auto& fields, ItemReason& reason) {
   using Kind = ItemReason::Kind;
-  if (reason.kind == Kind::kNone) return nullptr;
-  Json json = {{"kind", kReasonNames[static_cast<std::size_t>(reason.kind)]}};
-  if (reason.kind == Kind::kNeeds) {
-    json["item"] = reason.item;
-    json["state"] = name(reason.state);
-  } else if (reason.kind == Kind::kFollows) {
-    json["item"] = reason.item;
-  } else if (reason.kind == Kind::kTimeUp) {
-    json["seconds"] = reason.seconds;
-  } else if (reason.kind == Kind::kUnanswered) {
-    json["law"] = reason.law;
-    json["said"] = reason.said;
-  } else if (reason.kind == Kind::kNeverRight) {
-    json["quantity"] = reason.quantity;
-  }
-  return json;
+  fields("kind", reason.kind);
+  const auto is = [&](Kind kind) { return reason.kind == kind; };
+  if (is(Kind::kNeeds) || is(Kind::kFollows)) fields("item", reason.item);
+  if (is(Kind::kNeeds)) fields("state", reason.state);
+  if (is(Kind::kTimeUp)) fields("seconds", reason.seconds);
+  if (is(Kind::kUnanswered)) fields("law", reason.law);
+  if (is(Kind::kUnanswered)) fields("said", reason.said);
+  if (is(Kind::kNeverRight)) fields("quantity", reason.quantity);
 }
 
-ItemReason reason_of(const Json& json) {
-  using Kind = ItemReason::Kind;
-  ItemReason reason;
-  if (json.is_null()) return reason;
-  reason.kind = named<Kind>(json.at("kind"), kReasonNames);
-  if (reason.kind == Kind::kFollows) {
-    reason.item = json.at("item");
-  } else if (reason.kind == Kind::kNeeds) {
-    reason.item = json.at("item");
-    reason.state = named<ItemState>(json.at("state"), kItemStateNames);
-  } else if (reason.kind == Kind::kTimeUp) {
-    reason.seconds = json.at("seconds");
-  } else if (reason.kind == Kind::kUnanswered) {
-    reason.law = json.at("law");
-    reason.said = json.at("said");
-  } else if (reason.kind == Kind::kNeverRight) {
-    reason.quantity = json.at("quantity");
-  }
-  return reason;
+void list_fields(auto& fields, ExplainingMistake& mistake) {
+  fields("sentence", mistake.sentence, "wrong", mistake.wrong, "explained", mistake.explained);
+  mistake.parts = mistake.each();
+  fields("each", mistake.parts);
 }
 
-Json item_json(const ItemGrade& item) {
-  Json mistakes = Json::array();
-  for (const ExplainingMistake& one : item.mistakes) {
-    mistakes.push_back({{"sentence", one.sentence},
-                        {"wrong", one.wrong},
-                        {"explained", one.explained},
-                        {"each", one.each()}});
-  }
-  return {{"name", item.name},
-          {"state", name(item.state)},
-          {"reason", reason_json(item.reason)},
-          {"points", item.points},
-          {"score", item.score},
-          {"bonus", item.bonus},
-          {"pictures", item.pictures},
-          {"cases", item.cases},
-          {"held", item.held},
-          {"comparisons", item.comparisons},
-          {"mistakes", std::move(mistakes)},
-          {"failing", or_null(item.failing, failing_json)},
-          {"first_wrong", or_null(item.first_wrong, first_wrong_json)}};
+void list_fields(auto& fields, ItemGrade& item) {
+  fields("name", item.name, "state", item.state);
+  std::optional<ItemReason> reason;
+  if (item.reason.kind != ItemReason::Kind::kNone) reason = item.reason;
+  fields("reason", reason);
+  item.reason = reason.value_or(ItemReason{});
+  fields("points", item.points, "score", item.score, "bonus", item.bonus, "pictures", item.pictures,
+         "cases", item.cases, "held", item.held, "comparisons", item.comparisons, "mistakes",
+         item.mistakes, "failing", item.failing, "first_wrong", item.first_wrong);
 }
 
-ItemGrade item_of(const Json& json) {
-  ItemGrade item;
-  item.name = json.at("name");
-  item.state = named<ItemState>(json.at("state"), kItemStateNames);
-  item.reason = reason_of(json.at("reason"));
-  item.points = json.at("points");
-  item.score = json.at("score");
-  item.bonus = json.at("bonus");
-  item.pictures = json.at("pictures");
-  item.cases = json.at("cases");
-  item.held = json.at("held");
-  item.comparisons = json.at("comparisons");
-  for (const Json& one : json.at("mistakes")) {
-    item.mistakes.push_back(
-        {one.at("sentence"), one.at("wrong"), one.at("explained"), one.at("each")});
-  }
-  item.failing = if_any(json.at("failing"), failing_of);
-  item.first_wrong = if_any(json.at("first_wrong"), first_wrong_of);
-  return item;
+void list_fields(auto& fields, OpaqueFile& file) {
+  fields("name", file.name, "kind", file.kind, "bytes", file.bytes);
 }
 
-DriverForm driver_of(const Json& json) {
-  return {named<scene::Dialect>(json.at("dialect"), kDialectNames),
-          json.at("sphere_numbers"),
-          json.at("extra_lines"),
-          named<DriverLight>(json.at("light"), kDriverLightNames),
-          named<DriverNumbers>(json.at("numbers"), kDriverNumberNames),
-          json.at("order")};
+void list_fields(auto& fields, Refusal& refused) {
+  fields("why", refused.why, "said", refused.said);
+}
+
+void list_fields(auto& fields, std::pair<std::string, std::string>& item) {
+  fields("name", item.first, "digest", item.second);
+}
+
+void list_fields(auto& fields, GradeInputs& inputs) {
+  fields("raycheck", inputs.raycheck, "submission", inputs.submission, "rubric", inputs.rubric,
+         "items", inputs.items);
+}
+
+void list_fields(auto& fields, SubmissionGrade& grade) {
+  fields("name", grade.name, "program", grade.program, "build", grade.build_words, "driver",
+         grade.driver, "notes", grade.notes, "opaque_files", grade.opaque_files, "isolated_by",
+         grade.isolation, "refused", grade.refused, "build_seconds", grade.build_seconds,
+         "build_is_stored", grade.build_is_stored, "judge_seconds", grade.judge_seconds, "seed",
+         grade.seed, "key", grade.key, "inputs", grade.inputs, "finished", grade.finished, "points",
+         grade.points, "score", grade.score, "bonus", grade.bonus, "items", grade.items);
 }
 
 }  // namespace
 
-Json driver_json(const DriverForm& form) {
-  return {{"dialect", kDialectNames[static_cast<std::size_t>(form.dialect)]},
-          {"sphere_numbers", form.sphere_numbers},
-          {"extra_lines", form.extra_lines},
-          {"light", kDriverLightNames[static_cast<std::size_t>(form.light)]},
-          {"numbers", kDriverNumberNames[static_cast<std::size_t>(form.numbers)]},
-          {"order", form.order}};
-}
+Json driver_json(const DriverForm& form) { return FieldWriter::written(form); }
 
-std::string record_text(const SubmissionGrade& grade) {
-  Json json = {
-      {"name", grade.name},
-      {"program", or_null(grade.program, [](const CandidateSpec& spec) { return spec.text(); })},
-      {"build", grade.build_words},
-      {"driver", driver_json(grade.driver)},
-      {"notes", grade.notes},
-      {"opaque_files", Json::array()},
-      {"isolated_by", grade.isolation.text()},
-      {"refused", or_null(grade.refused,
-                          [](const Refusal& refused) {
-                            return Json{{"why", refused.why}, {"said", refused.said}};
-                          })},
-      {"build_seconds", grade.build_seconds},
-      {"build_is_stored", grade.build_is_stored},
-      {"judge_seconds", grade.judge_seconds},
-      {"seed", grade.seed},
-      {"key", grade.key},
-      {"inputs", inputs_json(grade.inputs)},
-      {"finished", grade.finished},
-      {"points", grade.points},
-      {"score", grade.score},
-      {"items", Json::array()}};
-  for (const auto& [file, kind, bytes] : grade.opaque_files) {
-    json["opaque_files"].push_back({{"name", file}, {"kind", kind}, {"bytes", bytes}});
-  }
-  for (const ItemGrade& item : grade.items) json["items"].push_back(item_json(item));
-  return json_text(json);
-}
+Json record_json(const SubmissionGrade& grade) { return FieldWriter::written(grade); }
 
 SubmissionGrade read_record(std::string_view text) {
-  const Json json = Json::parse(text);
   SubmissionGrade grade;
-  grade.name = json.at("name");
-  grade.key = json.at("key");
-  grade.program = if_any(json.at("program"), [](const Json& program) {
-    return parse_candidate(program.get<std::string>());
-  });
-  grade.build_words = json.at("build");
-  grade.driver = driver_of(json.at("driver"));
-  grade.notes = json.at("notes").get<std::vector<std::string>>();
-  grade.refused = if_any(json.at("refused"), [](const Json& refused) {
-    return Refusal{refused.at("why"), refused.at("said")};
-  });
-  for (const Json& file : json.at("opaque_files")) {
-    grade.opaque_files.push_back({file.at("name"), file.at("kind"), file.at("bytes")});
-  }
-  grade.inputs = inputs_of(json.at("inputs"));
-  grade.build_seconds = json.at("build_seconds");
-  grade.build_is_stored = json.at("build_is_stored");
-  grade.judge_seconds = json.at("judge_seconds");
-  grade.seed = json.at("seed");
-  grade.finished = json.at("finished");
-  grade.points = json.at("points");
-  grade.score = json.at("score");
-  for (const Json& item : json.at("items")) grade.items.push_back(item_of(item));
+  FieldReader::read(Json::parse(text), grade);
   return grade;
+}
+
+GradeInputs inputs_of_record(const Json& json) {
+  GradeInputs inputs;
+  FieldReader::read(json, inputs);
+  return inputs;
 }
 
 }  // namespace raycheck::tools

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <string>
 #include <string_view>
 
@@ -9,17 +10,26 @@
 namespace raycheck::tools {
 
 /// Changes with the shape of records: those of another shape are graded again.
-inline constexpr std::string_view kRecordShape = "record 10";
+inline constexpr std::string_view kRecordShape = "record 11";
 
 /// All that is known of a submission's grade, as JSON: for instructors, since it has what is
 /// withheld from students, and for the next run.
-std::string record_text(const SubmissionGrade& grade);
+Json record_json(const SubmissionGrade& grade);
 
 /// A form of driver files, by the keys of a rubric's [driver].
 Json driver_json(const DriverForm& form);
 
-/// Reads what record_text() wrote; how the submission was isolated is not read.
+/// Reads the text of such a record; how the submission was isolated is not read.
 /// Errors: std::exception where it is no such thing.
 SubmissionGrade read_record(std::string_view text);
+/// Of a record the inputs alone. Errors: std::exception.
+GradeInputs inputs_of_record(const Json& json);
+
+/// A picture as runs of equal pixels: "12x- 3x0 4x?" are twelve that show none, three of sphere 0,
+/// and four of some sphere.
+std::string runs_of(const properties::ImageAnswer& image);
+/// Reads what runs_of() wrote. Errors: std::logic_error where it is no such text, or of more pixels
+/// than pictures have.
+properties::ImageAnswer image_of(const std::string& runs);
 
 }  // namespace raycheck::tools

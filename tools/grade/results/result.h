@@ -15,10 +15,18 @@
 #include "properties/verdict.h"
 #include "tools/external/candidate_spec.h"
 #include "tools/external/pictures/driver_form.h"
-#include "tools/external/refusal.h"
+#include "tools/external/sandbox/launch.h"
 #include "tools/external/sandbox/process.h"
+#include "tools/grade/rubric/rubric.h"
 
 namespace raycheck::tools {
+
+/// The candidate held to what an item tolerates.
+properties::Candidate tolerated(properties::Candidate candidate, const Tolerance& tolerance);
+
+/// What someone's program or compiler said, without the names of raycheck's private folders and
+/// without what is not ASCII.
+std::string plain_text(const std::string& said);
 
 /// Where a case comes from: a scene of the rubric, or a source of random cases.
 struct CaseOrigin {
@@ -79,8 +87,8 @@ struct FirstWrongAnswer {
   WrongAnswer answer;
 };
 
-/// A mistake that makes right so many of an item's wrong answers, or pixels; of no answers, or no
-/// pictures of the right size, none are counted.
+/// A mistake, and how many of an item's wrong answers (or pixels) it makes right. Nothing is
+/// counted without answers, or without pictures of the right size.
 struct ExplainingMistake {
   std::string sentence;
   std::uint64_t wrong = 0, explained = 0;
@@ -189,10 +197,66 @@ struct SubmissionGrade {
   bool finished = false;
   double points = 0;  ///< Of items that are asked, bonus aside.
   double score = 0;
+  double bonus = 0;  ///< Of the score, what comes on top of the points.
   std::vector<ItemGrade> items;
 };
 
 /// Otherwise its points say nothing: nothing of it ran.
 inline bool could_be_judged(const SubmissionGrade& grade) { return !grade.refused; }
+
+/// What a run took for the submissions that it graded itself, added up.
+struct GradingTimes {
+  double build_seconds = 0, judge_seconds = 0;
+  std::uint64_t stored_builds = 0;  ///< Submissions that were not built, but taken from the store.
+};
+
+/// What differs between two gradings of a submission.
+enum class ChangeCause {
+  kSubmission,  ///< Its files.
+  kItems,       ///< Items of the rubric.
+  kRubric,      ///< What the rubric says beside its items.
+  kSeed,
+  kRaycheck,  ///< Its version.
+  kIsolation
+};
+inline constexpr std::array<std::string_view, 6> kChangeCauseNames = {
+    "submission", "items", "rubric", "seed", "raycheck", "isolation"};
+constexpr std::string_view name(ChangeCause cause) {
+  return kChangeCauseNames[static_cast<std::size_t>(cause)];
+}
+
+/// Points before and now. Absent: it could not be judged, or the item was not there.
+struct ScoreChange {
+  std::string name;
+  std::optional<double> before, now;
+};
+
+/// A submission whose points changed.
+struct SubmissionChange {
+  ScoreChange score;
+  std::vector<ScoreChange> items;         ///< Those whose points changed.
+  std::vector<ChangeCause> causes;        ///< Empty: it answers otherwise when it is asked again.
+  std::vector<std::string> rubric_items;  ///< Those that the rubric changed, added or left out.
+};
+
+/// A class beside an earlier grading.
+struct ClassChanges {
+  std::string against;                       ///< The folder of that.
+  std::uint64_t compared = 0, new_ones = 0;  ///< Submissions with a grade there, and without.
+  std::vector<SubmissionChange> changed;
+};
+
+/// A class, graded.
+struct ClassGrade {
+  Rubric rubric;
+  std::string out;                           ///< Where the results are; empty: nowhere.
+  std::vector<SubmissionGrade> submissions;  ///< In the order given; those that were reached.
+  std::optional<LayersHere> isolation = {};  ///< Absent: none was run.
+  std::uint64_t reused = 0;                  ///< Of those, graded by an earlier run.
+  std::uint64_t not_graded = 0;  ///< For causes outside them, which may have gone next time.
+  bool interrupted = false;
+  std::optional<GradingTimes> times = {};    ///< Absent: nothing was run.
+  std::optional<ClassChanges> changes = {};  ///< Where an earlier grading is given.
+};
 
 }  // namespace raycheck::tools

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "tools/grade/results/class_grade.h"
+#include "tools/grade/results/result.h"
 
 namespace raycheck::tools {
 

@@ -10,9 +10,7 @@
 
 #include "scene/files/file_text.h"
 #include "scene/files/toml_fields.h"
-#include "tools/grade/rubric/digest.h"
-#include "tools/grade/rubric/shipped.h"
-#include "tools/grade/rubric/variations.h"
+#include "tools/grade/rubric/rubric_files.h"
 
 namespace raycheck::tools {
 namespace {
@@ -151,10 +149,10 @@ class RubricReader {
       fields_.fail(fields_.required(from, "has"), "names a file of the submission's own folder");
     }
     const bool has_program = result.program.what.find("{program}") != std::string::npos;
-    if (has_program && !result.builds_as_it_comes()) {
+    if (has_program && !result.is_built_automatically()) {
       fields_.fail(candidate, "{program} is what build = \"auto\" makes");
     }
-    if (result.builds_as_it_comes() && !(has_program && result.program.is_words())) {
+    if (result.is_built_automatically() && !(has_program && result.program.is_words())) {
       fields_.fail(candidate,
                    "build = \"auto\" needs {program} in the words of a renderer: or command:");
     }

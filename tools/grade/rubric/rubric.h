@@ -14,8 +14,8 @@
 #include "properties/laws/law.h"
 #include "scene/files/scene_file.h"
 #include "tools/external/candidate_spec.h"
-#include "tools/external/pictures/driver_rule.h"
-#include "tools/methods/methods.h"
+#include "tools/external/pictures/driver_form.h"
+#include "tools/implementations/built_in.h"
 
 namespace raycheck::tools {
 
@@ -59,9 +59,9 @@ struct RubricScene {
   scene::Scene scene;
 };
 
-/// Pictures have at most so many pixels.
+/// The most pixels of a picture.
 inline constexpr std::int64_t kMostGradedPixels = std::int64_t{1} << 16;
-/// Functions are asked about at most so many rays of a scene, spread evenly.
+/// The most rays of a scene that functions are asked about, spread evenly.
 inline constexpr std::uint64_t kMostGradedRays = 512;
 
 /// What an item asks: the laws, and the cases that each is tried on.
@@ -102,11 +102,12 @@ std::string file_name(std::string_view item);
 /// A form of submission: a folder in which a file of that name lies.
 struct Form {
   std::string has;  ///< A name with * and ?.
-  /// Shell words, run in a copy of the folder; "auto": as it comes; empty: nothing to build.
+  /// Shell words, run in a copy of the folder; "auto": the first way that works; empty: nothing to
+  /// build.
   std::string build;
   CandidateSpec program;  ///< {file} is the file found, {program} what starts what was built.
 
-  bool builds_as_it_comes() const { return build == "auto"; }
+  bool is_built_automatically() const { return build == "auto"; }
 };
 
 /// How much a submission may have and use, beside its times.

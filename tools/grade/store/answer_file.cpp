@@ -1,5 +1,3 @@
-#include "tools/grade/store/answer_file.h"
-
 #include <fmt/core.h>
 #include <zlib.h>
 
@@ -10,7 +8,8 @@
 #include <stdexcept>
 #include <utility>
 
-#include "tools/grade/rubric/digest.h"
+#include "tools/grade/rubric/rubric_files.h"
+#include "tools/grade/store/store.h"
 #include "tools/report/output_file.h"
 
 namespace raycheck::tools {

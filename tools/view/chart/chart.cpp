@@ -23,6 +23,20 @@ std::string chart_stage(Stage stage, scene::Precision precision) {
   return text;
 }
 
+std::string chart_title(const ChartFacet& facet) {
+  return fmt::format("{} on {}", facet.stage, facet.subject);
+}
+
+std::string chart_under(const ChartFacet& facet) {
+  return facet.baseline.empty() ? fmt::format("severity: {}", facet.meaning)
+                                : fmt::format("run time, times that of {}", facet.baseline);
+}
+
+std::string chart_error(Quantity quantity) {
+  const std::string_view text = info(quantity).name;
+  return fmt::format("{}{}", text, text.ends_with("error") ? "" : " error");
+}
+
 std::optional<ChartPoint> chart_point(const std::map<Quantity, Tally>& tallies,
                                       const std::vector<Quantity>& quantities) {
   ChartPoint point;

@@ -80,6 +80,13 @@ std::vector<properties::Quantity> chart_quantities(properties::Stage stage);
 /// "Intersections", "Rays, in single precision"
 std::string chart_stage(properties::Stage stage, scene::Precision precision);
 
+/// "Intersections on distance"
+std::string chart_title(const ChartFacet& facet);
+/// "run time, times that of quadratic", "severity: ...": what lies below a facet.
+std::string chart_under(const ChartFacet& facet);
+/// "parameter error", "backward error"
+std::string chart_error(properties::Quantity quantity);
+
 /// What tallies say, of those quantities; empty where nothing was compared.
 std::optional<ChartPoint> chart_point(
     const std::map<properties::Quantity, properties::Tally>& tallies,

@@ -8,8 +8,7 @@
 #include <string_view>
 #include <utility>
 
-#include "tools/report/data_address.h"
-#include "tools/report/html_text.h"
+#include "tools/report/spelling.h"
 #include "tools/view/document_json.h"
 #include "tools/view/page/assets.h"
 #include "tools/view/page/deflate.h"

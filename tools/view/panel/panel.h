@@ -8,7 +8,7 @@ namespace raycheck::tools {
 /// Whose steps panels show besides those of raycheck's methods, and how explain is asked the same.
 struct PanelOptions {
   const fast::PixelRayMethod* rays = kDefaultMethods.rays;
-  std::shared_ptr<const OtherMethod> other = nullptr;
+  std::shared_ptr<const Implementation> other = nullptr;
   std::vector<MethodPair> methods = {};  ///< Whose steps alone are shown; empty: everyone's.
   std::string scene_argument;  ///< The scene as a word of a command; of given rays it is not used.
   std::string more_arguments;  ///< Of commands: the candidate, or nothing.

@@ -112,7 +112,14 @@ std::string cancellation_text(const Step& step, const ExplainReport& report) {
   // By square roots, for squares may overflow.
   const double distance = std::hypot(t[0], t[1], t[2]);
   const double half_chord = std::sqrt(std::abs(step.rounded.front()));
-  return squares_cancel(2 * std::log10(distance / half_chord));
+  const double decades = 2 * std::log10(distance / half_chord);
+  constexpr double kFewest = 3, kOfDoubles = 15.95;
+  if (!(decades >= kFewest) || !std::isfinite(decades)) return {};
+  const double left = std::floor(kOfDoubles - decades);
+  return fmt::format(
+      "; |T|^2 is 1e+{:02.0f} times as large as d^2, so that a difference of such squares in "
+      "doubles keeps {} of 16 digits",
+      std::floor(decades), left >= 1 ? fmt::format("{:.0f}", left) : "none");
 }
 
 std::string condition_text(const Step& step, const ExplainReport& report) {

@@ -11,7 +11,7 @@
 #include "properties/trial.h"
 #include "reference/visibility/visibility.h"
 #include "tools/image/image_paint.h"
-#include "tools/report/png.h"
+#include "tools/report/picture_file.h"
 #include "tools/view/pictures/drawn_picture.h"
 
 namespace raycheck::tools {

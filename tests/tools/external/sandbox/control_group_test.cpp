@@ -216,7 +216,7 @@ TEST(HostileControlGroup, IsNotMadeWhereOthersAreAndItIsSaidWhy) {
   const auto said = [&](const std::string& before) {
     const Outcome outcome = run_bash(temporary_file(
         "group.sh", "echo $$ > '" + group + "/cgroup.procs'\n" + before +
-                        "'" RAYCHECK_BINARY "' grade tools/grade/rubrics/lecture7.toml '" +
+                        "'" RAYCHECK_BINARY "' grade examples/rubrics/lecture7.toml '" +
                         submission + "' --sandbox available --out '" + out + "'\n"));
     fs::remove_all(out);
     const std::size_t at = outcome.out.find("isolated by: ");

@@ -8,7 +8,6 @@
 #include <string>
 
 #include "tools/external/sandbox/file_tree.h"
-#include "tools/external/sandbox/nameless_files.h"
 #include "tools/external/sandbox/private_folder.h"
 
 namespace raycheck::tools {

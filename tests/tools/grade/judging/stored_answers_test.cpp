@@ -37,7 +37,7 @@ constexpr double kMostEarned = 10;
 
 const Rubric& lecture7() {
   static const Rubric rubric =
-      tools::load_rubric(std::string(RAYCHECK_SOURCE_DIR) + "/tools/grade/rubrics/lecture7.toml");
+      tools::load_rubric(std::string(RAYCHECK_SOURCE_DIR) + "/examples/rubrics/lecture7.toml");
   return rubric;
 }
 

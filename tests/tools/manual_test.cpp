@@ -1,0 +1,127 @@
+// The pages and completions say what the program says of itself.
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <functional>
+#include <regex>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "tests/tools/program.h"
+
+namespace raycheck::tests {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string manual(const std::string& name) {
+  return contents(std::string(RAYCHECK_MANUAL) + "/" + name);
+}
+
+/// The names that a text has of long options, as a man page or a shell's script spells them.
+std::set<std::string> long_options(std::string text) {
+  text = std::regex_replace(text, std::regex("\\\\-"), "-");
+  static const std::regex name("(?:^|[^-a-z])(--[a-z][-a-z]*)");
+  std::set<std::string> names;
+  for (std::sregex_iterator at(text.begin(), text.end(), name), end; at != end; ++at) {
+    names.insert((*at)[1]);
+  }
+  return names;
+}
+
+/// What --help lists: the names of an option begin its line, one after the other.
+std::set<std::string> options_of(const std::string& command) {
+  const std::string help = run(command + " --help").out;
+  static const std::regex line("\\n  ((?:--?[a-z][-a-z]*,?)+)");
+  std::set<std::string> names;
+  for (std::sregex_iterator at(help.begin(), help.end(), line), end; at != end; ++at) {
+    names.merge(long_options((*at)[1]));
+  }
+  return names;
+}
+
+TEST(Manual, HasAPageForEveryCommandWithEveryOption) {
+  const std::string program = manual("man/man1/raycheck.1");
+  for (const std::string& command : all_commands()) {
+    EXPECT_TRUE(has(program, "raycheck\\-" + command)) << command;
+    const std::string page = manual("man/man1/raycheck-" + command + ".1");
+    const std::set<std::string> shown = long_options(page);
+    const std::set<std::string> options = options_of(command);
+    EXPECT_GE(options.size(), 1u) << command;
+    for (const std::string& option : options) EXPECT_TRUE(shown.contains(option)) << option;
+  }
+}
+
+TEST(Manual, IsSetWithoutWarnings) {
+  if (!is_installed("groff")) GTEST_SKIP() << "groff is not installed";
+  for (const auto& entry : fs::directory_iterator(std::string(RAYCHECK_MANUAL) + "/man/man1")) {
+    const std::string script = temporary_file(
+        "groff.sh", "groff -man -ww -Tutf8 '" + entry.path().string() + "' >/dev/null\n");
+    EXPECT_EQ(run_bash(script).err, "") << entry.path();
+  }
+}
+
+void expect_all_are_offered(
+    const std::function<std::vector<std::string>(const std::vector<std::string>&)>&
+        offered_behind) {
+  const std::vector<std::string> commands = all_commands();
+  std::vector<std::string> lines = {"raycheck --"};
+  for (const std::string& command : commands) lines.push_back("raycheck " + command + " --");
+  const std::size_t questions = lines.size();
+  lines.insert(lines.end(), {"raycheck ", "raycheck prop", "raycheck check --form",
+                             "raycheck check CMakeLis", "raycheck check --format json CMakeLis"});
+  const std::vector<std::string> offers = offered_behind(lines);
+  ASSERT_EQ(offers.size(), lines.size());
+  EXPECT_EQ(long_options(" " + offers[0]), (std::set<std::string>{"--help", "--version"}));
+  std::string names;
+  for (std::size_t k = 0; k < commands.size(); ++k) {
+    EXPECT_EQ(long_options(" " + offers[k + 1]), options_of(commands[k])) << commands[k];
+    names += (names.empty() ? "" : " ") + commands[k];
+  }
+  EXPECT_TRUE(offers[questions].ends_with(names)) << offers[questions];  // bash offers options, too
+  EXPECT_EQ(offers[questions + 1], "properties");
+  EXPECT_EQ(offers[questions + 2], "--format");
+  EXPECT_EQ(offers[questions + 3], "CMakeLists.txt");
+  EXPECT_EQ(offers[questions + 4], "CMakeLists.txt");
+}
+
+TEST(Completions, OfBashAreCommandsOptionsAndFiles) {
+  expect_all_are_offered([](const std::vector<std::string>& lines) {
+    std::string script = "source '" RAYCHECK_MANUAL
+                         "/bash-completion/completions/raycheck'\n"
+                         "offer() {\n  COMP_WORDS=(\"$@\")\n  COMP_CWORD=$(($# - 1))\n  _raycheck\n"
+                         "  echo $(printf '%s\\n' \"${COMPREPLY[@]}\" | sort)\n}\n";
+    for (const std::string& line : lines) {
+      script += "offer " + line + (line.back() == ' ' ? "''\n" : "\n");
+    }
+    return lines_of(run_bash(temporary_file("complete.sh", script)).out);
+  });
+}
+
+TEST(Completions, OfZshAreCommandsOptionsAndFiles) {
+  if (!is_installed("zsh")) GTEST_SKIP() << "zsh is not installed";
+  expect_all_are_offered([](const std::vector<std::string>& lines) {
+    std::string arguments =
+        "tests/tools/zsh_offers.py '" RAYCHECK_MANUAL "/zsh/vendor-completions'";
+    for (const std::string& line : lines) arguments += " '" + line + "'";
+    return lines_of(run_python(arguments, 0).out);
+  });
+}
+
+TEST(Completions, OfFishAreCommandsOptionsAndFiles) {
+  if (!is_installed("fish")) GTEST_SKIP() << "fish is not installed";
+  expect_all_are_offered([](const std::vector<std::string>& lines) {
+    // What is offered, a tab, and what is said of it.
+    std::string script = "fish --no-config -c \"source '" RAYCHECK_MANUAL
+                         "/fish/vendor_completions.d/raycheck.fish'\n";
+    for (const std::string& line : lines) {
+      script += "echo (complete -C'" + line + "' | string replace -r '\\t.*' '' | sort)\n";
+    }
+    return lines_of(run_bash(temporary_file("fish.sh", script + "\""), 0).out);
+  });
+}
+
+}  // namespace
+}  // namespace raycheck::tests

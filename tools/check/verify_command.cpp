@@ -1,0 +1,53 @@
+#include <memory>
+#include <string>
+
+#include "tools/arguments.h"
+#include "tools/check/generate.h"
+#include "tools/check/verify_views.h"
+#include "tools/commands.h"
+#include "tools/terminal.h"
+
+namespace raycheck::tools {
+namespace {
+
+/// Answers are read in pieces of at most this many bytes.
+constexpr std::size_t kReadAtATime = 1 << 16;
+
+struct VerifyArguments {
+  std::string family;
+  VerifyOptions options;
+  std::string format;
+};
+
+int run_verify(const VerifyArguments& arguments) {
+  VerifyOptions options = arguments.options;
+  options.source = source_of_questions(arguments.family);
+  const VerifyReport report =
+      verify([] { return read_in(kReadAtATime); }, options, run_control("answers"));
+  print_view(kVerifyViews, arguments.format, report);
+  return exit_code(report.interrupted, !report.holds(), report.candidate.is_enough_judged());
+}
+
+}  // namespace
+
+CommandRun add_verify(CLI::App& command) {
+  const auto given = std::make_shared<VerifyArguments>();
+  VerifyOptions& options = given->options;
+  command
+      .add_option("--family", given->family,
+                  "as generate was given it: its questions are what is to be answered, no others")
+      ->required();
+  add_exchanged(command, options.cases, options.seed, options.precision);
+  command.add_option("--top", options.top, "how many of the worst discrepancies are shown")
+      ->check(whole_number(0, properties::kKeptDiscrepancies))
+      ->capture_default_str();
+  command
+      .add_option("--max-ulp", options.max_error,
+                  "errors above are discrepancies (default: the bounds of direct/cross)")
+      ->check(kBound);
+  add_strict(command, options.strict);
+  add_format(command, given->format, kVerifyViews);
+  return [given] { return run_verify(*given); };
+}
+
+}  // namespace raycheck::tools

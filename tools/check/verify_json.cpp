@@ -1,0 +1,35 @@
+
+#include "tools/check/check_views.h"
+#include "tools/check/verify_views.h"
+#include "tools/report/json.h"
+
+namespace raycheck::tools {
+
+std::string verify_json(const VerifyReport& report, const ViewOptions& /*options*/) {
+  Json json = json_header("verify");
+  json["answers"] = report.answers;
+  json["cases"] = report.cases;
+  json["cases_asked"] = report.cases_asked;
+  json["cases_left_out"] = report.cases_left_out;
+  json["ends_before"] = report.ends_before.empty() ? Json(nullptr) : Json(report.ends_before);
+  json["interrupted"] = report.interrupted;
+  json["strict"] = report.strict;
+  json["holds"] = report.holds();
+  json.update(candidate_json(report.candidate, report.top));
+  for (const char* key :
+       {"rays", "intersect", "isolated_by", "bounds_of", "ns_per_ray", "explanations"}) {
+    json.erase(key);  // of methods, of processes and of renderers
+  }
+  const auto name = [&](Json& place) {
+    const auto ray = place["ray"].get<std::size_t>();
+    place["ray"] = report.ray_in_case(ray);
+    place["id"] = report.ray_id(ray);
+  };
+  for (Json& one : json["worst"]) name(one);
+  for (Json& one : json["quantities"]) {
+    if (!one["worst_at"].is_null()) name(one["worst_at"]);
+  }
+  return json_text(json);
+}
+
+}  // namespace raycheck::tools

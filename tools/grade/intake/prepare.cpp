@@ -1,0 +1,313 @@
+#include "tools/grade/intake/prepare.h"
+
+#include <fmt/core.h>
+#include <fnmatch.h>
+
+#include <algorithm>
+#include <boost/algorithm/string/replace.hpp>
+#include <cctype>
+#include <fstream>
+#include <limits>
+#include <set>
+#include <string_view>
+#include <system_error>
+#include <tuple>
+
+#include "tools/grade/intake/building.h"
+#include "tools/grade/intake/handed_in.h"
+#include "tools/grade/intake/sources.h"
+#include "tools/grade/rubric/rubric_files.h"
+
+namespace raycheck::tools {
+namespace {
+
+namespace fs = std::filesystem;
+
+[[noreturn]] void refuse(const std::string& why) { throw SubmissionError({why, ""}, {}); }
+
+bool fits(const Form& form, const std::string& name) {
+  return fnmatch(form.has.c_str(), name.c_str(), 0) == 0;
+}
+
+/// Whether a form means a folder of that name, which is not unwrapped then.
+bool means_folder(const Form& form, const std::string& name) {
+  if (form.has != "*" && fits(form, name)) return true;
+  const auto is_of_name = [](char c) {
+    return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_' || c == '.' || c == '-';
+  };
+  const std::string words = " " + form.build + " ";
+  for (std::size_t at = 0; (at = words.find(name, at + 1)) != std::string::npos;) {
+    if (!is_of_name(words[at - 1]) && !is_of_name(words[at + name.size()])) return true;
+  }
+  return false;
+}
+
+/// A submission's copy.
+struct CopiedFiles {
+  HandedInFiles files;
+  std::vector<std::string> folders;
+  std::string digest;  ///< Of the files that were handed in.
+  std::vector<OpaqueFile> opaque;
+};
+
+/// Copies a submission to a folder; a Jupyter notebook lies there as a module of Python too.
+CopiedFiles copied(const Submission& submission, const Rubric& rubric, const fs::path& folder) {
+  const fs::path top = innermost(submission.path, [&](const std::string& name) {
+    return std::any_of(rubric.forms.begin(), rubric.forms.end(),
+                       [&](const Form& form) { return means_folder(form, name); });
+  });
+  HandedInPaths handed_in = paths_of(top, intake_limits(rubric.limits));
+  HandedInPaths in_copy{{}, std::move(handed_in.folders)};
+  auto& copies = in_copy.files;
+  for (const auto& [name, path] : handed_in.files) {
+    const fs::path to = folder / name;
+    fs::create_directories(to.parent_path());
+    fs::copy_file(path, to);
+    copies.emplace(name, to);
+  }
+  for (const std::string& name : in_copy.folders) fs::create_directories(folder / name);
+  HandedInFiles files = read_files(copies);
+  std::vector<OpaqueFile> opaque = opaque_files(files, copies);
+  for (const auto& [name, path] : copies) {
+    const std::string module = fs::path(name).replace_extension(".py").string();
+    if (path.extension() != ".ipynb" || files.contains(module)) continue;
+    if (const auto code = notebook_module(files.at(name).text)) {
+      std::ofstream(folder / module, std::ios::binary) << *code;
+      files[module] = {*code, false};
+    }
+  }
+  std::string digested = digest_of(in_copy);
+  return {std::move(files), std::move(in_copy.folders), std::move(digested), std::move(opaque)};
+}
+
+std::vector<std::string> top_files(const HandedInFiles& files) {
+  std::vector<std::string> names;
+  for (const auto& [name, file] : files) {
+    if (name.find('/') == std::string::npos) names.push_back(name);
+  }
+  return names;
+}
+
+/// The form that fits, and the file that says so.
+std::pair<const Form*, std::string> form_of(const fs::path& folder, const Rubric& rubric) {
+  std::set<std::string> names;
+  for (const auto& entry : fs::directory_iterator(folder)) {
+    names.insert(entry.path().filename().string());
+  }
+  if (names.empty()) refuse("there is no file in it");
+  for (const Form& form : rubric.forms) {
+    for (const std::string& name : names) {
+      if (fits(form, name)) return {&form, name};
+    }
+  }
+  std::string asked;
+  for (const Form& form : rubric.forms) asked += (asked.empty() ? "" : ", ") + form.has;
+  refuse(asked.empty() ? "the rubric has no [[form]] of submissions"
+                       : fmt::format("it has none of the files that are asked for: {}", asked));
+}
+
+/// The reason in one line; what a program said, in lines of its own.
+Refusal in_one_line(Refusal refusal) {
+  constexpr std::string_view kIntroduction = "; it said:";
+  const std::size_t line = refusal.why.find('\n');
+  if (line == std::string::npos) return refusal;
+  refusal.said = refusal.why.substr(line + 1) + (refusal.said.empty() ? "" : "\n" + refusal.said);
+  refusal.why.resize(line);
+  if (refusal.why.ends_with(kIntroduction)) {
+    refusal.why.resize(line - kIntroduction.size());
+  }
+  return refusal;
+}
+
+RunOptions run_options(const Rubric& rubric, const Confinement& confinement) {
+  RunOptions options;
+  options.layers = confinement.layers;
+  options.surroundings = confinement.surroundings;
+  options.limits = program_limits(rubric);
+  options.build_seconds = rubric.build_seconds;
+  options.driver = rubric.driver.form;
+  options.build_seconds_name = "build_seconds";
+  options.bounds = rubric.bounds;
+  options.excused_image_change = rubric.image_change;
+  options.image_threshold = rubric.t_threshold;
+  return options;
+}
+
+/// A digest of all that the answers of what was built depend on, the requests aside.
+std::string answers_key(const std::string& build, const CandidateSpec& program,
+                        const Limits& limits) {
+  return digest({build, program.text(),
+                 fmt::format("{} {} {} {} {} {}", limits.seconds, limits.cpu_seconds, limits.memory,
+                             limits.file, limits.files, limits.processes)});
+}
+
+/// A submission on its way from a copy of its files to the program that is asked.
+class Preparing {
+ public:
+  Preparing(const Submission& submission, const Rubric& rubric, const Confinement& confinement,
+            Store* store)
+      : rubric_(rubric),
+        store_(store),
+        options_(run_options(rubric, confinement)),
+        copy_(std::make_shared<PrivateFolder>()),
+        copied_(copied(submission, rubric, copy_->path())) {
+    std::tie(form_, file_) = form_of(copy_->path(), rubric);
+    program_ = form_->program;
+    program_.what = boost::replace_all_copy(program_.what, "{file}",
+                                            program_.is_words() ? candidate_word(file_) : file_);
+    open_to_others(copy_->path());
+    found_ = {.program = program_,
+              .files = top_files(copied_.files),
+              .built_automatically = form_->is_built_automatically(),
+              .opaque_files = std::move(copied_.opaque)};
+    start_ = run_folder(copied_.files, copied_.folders, copy_);
+  }
+
+  void build() try {
+    const fs::path copy = copy_->path();
+    const Unbuilt unbuilt{*form_, file_, program_, copy, copied_.files, std::move(copied_.digest)};
+    const std::string key = build_key(unbuilt, options_.layers);
+    if (store_ != nullptr) key_ = key;
+    if (needs_building(unbuilt)) {
+      auto to = std::make_shared<PrivateFolder>();
+      const auto make = [&] { return build_submission(unbuilt, to->path(), options_); };
+      made_ = store_ != nullptr ? store_->built(key, to->path(), make, is_stored_) : make();
+      open_to_others(to->path());
+      made_in_ = std::move(to);
+    }
+    build_seconds_ = options_.build_spent->seconds();
+    found_.build_words = made_.words;
+    found_.notes = made_.notes;
+  } catch (const CandidateError& error) {
+    throw SubmissionError({error.why(), error.said()}, found_);
+  }
+
+  RunnableSubmission best_program(const properties::RunControl& control) const {
+    std::optional<RunnableSubmission> best;
+    std::optional<SubmissionError> farthest;
+    for (const std::string& by : made_.programs) {
+      try {
+        RunnableSubmission runnable = started(by, control);
+        const auto& dry = runnable.found.dry_run;
+        const bool works = !dry || dry->shows_a_sphere();
+        if (works || !best) best.emplace(std::move(runnable));
+        if (works) break;
+      } catch (const SubmissionError& error) {
+        if (!farthest || error.progress() > farthest->progress()) farthest = error;
+      }
+    }
+    if (!best) throw SubmissionError(*farthest);
+    return std::move(*best);
+  }
+
+ private:
+  const std::shared_ptr<const PrivateFolder>& folder() const { return made_in_ ? made_in_ : copy_; }
+
+  /// One of its programs, by what starts it. Errors: SubmissionError.
+  RunnableSubmission started(const std::string& by, const properties::RunControl& control) const {
+    Preparation found = found_;
+    CandidateSpec program = program_;
+    if (found.built_automatically)
+      program.what = boost::replace_all_copy(program.what, "{program}", by);
+    found.program = program;
+    if (const std::size_t count = made_.programs.size(); count > 1) {
+      found.notes.push_back(fmt::format("{} programs are built; {} is run", count, by));
+    }
+    RunOptions options = options_;
+    if (store_ != nullptr) {
+      options.answers = store_->answers(answers_key(key_, program, options.limits));
+    }
+    options.folder = folder()->path();
+    try {
+      External external = program.kind == CandidateKind::kSource
+                              ? compiled_external(program, options.folder / by, options)
+                              : find_external(program, options);
+      found.build_seconds = build_seconds_;
+      // The rubric says in which format it is judged, whatever it declares.
+      external.precision = scene::Precision::kDouble;
+      RunnableSubmission runnable{std::move(external), std::move(found), is_stored_};
+      // The program's folder lasts as long as it; a library has one of its own.
+      if (!runnable.external.folder) runnable.external.folder = folder();
+      if (runnable.external.renderer) ask_in_its_form(runnable, control);
+      return runnable;
+    } catch (const CandidateError& error) {
+      throw SubmissionError({error.why(), error.said()}, found);
+    }
+  }
+
+  /// From the dry run on a renderer is asked as it reads and shows.
+  void ask_in_its_form(RunnableSubmission& runnable, const properties::RunControl& control) const {
+    Renderer renderer = *runnable.external.renderer;
+    renderer.program.start = start_;
+    if (!start_->links.empty()) renderer.program.readable.push_back(start_->linked->path());
+    const DryRun& found =
+        runnable.found.dry_run.emplace(dry_run(renderer, rubric_.driver, control));
+    if (found.refusal) throw SubmissionError(in_one_line(*found.refusal), runnable.found);
+    renderer.driver = found.driver;
+    renderer.colours = found.colours;
+    // All that it is asked has an end of its own, the rubric's `seconds`.
+    renderer.most_silences = std::numeric_limits<int>::max();
+    External asked = rendering(runnable.external.name, std::move(renderer));
+    asked.folder = runnable.external.folder;
+    asked.bounds = runnable.external.bounds;
+    runnable.external = std::move(asked);
+  }
+
+  const Rubric& rubric_;
+  Store* store_;  ///< Null: nothing is kept.
+  RunOptions options_;
+  std::shared_ptr<const PrivateFolder> copy_, made_in_;
+  CopiedFiles copied_;
+  const Form* form_ = nullptr;
+  std::string file_;
+  CandidateSpec program_;  ///< As the form has it, with {file}.
+  Preparation found_;
+  std::string key_;  ///< Of what is built, in the store.
+  Built made_;
+  std::shared_ptr<const StartingFolder> start_;  ///< Where a renderer runs.
+  bool is_stored_ = false;
+  double build_seconds_ = 0;
+};
+
+}  // namespace
+
+properties::RunControl until_blamed(const properties::RunControl& control,
+                                    const Surroundings& surroundings) {
+  properties::RunControl until = control;
+  until.interrupted = [&control, &surroundings] {
+    return control.interrupted() || !surroundings.cause().empty();
+  };
+  return until;
+}
+
+Refusal outside_refusal(const std::string& cause) {
+  return {"the cause lies outside it: " + cause, ""};
+}
+
+Limits program_limits(const Rubric& rubric) {
+  Limits limits;
+  limits.seconds = rubric.reply_seconds;
+  limits.memory = rubric.limits.memory_mib << 20;
+  limits.file = rubric.limits.file_mib << 20;
+  limits.processes = rubric.limits.processes;
+  limits.disk = rubric.limits.disk_mib << 20;
+  limits.names = {"reply_seconds", "file_mib", "memory_mib", "processes", "disk_mib"};
+  return limits;
+}
+
+RunnableSubmission prepare(const Submission& submission, const Rubric& rubric,
+                           const Confinement& confinement, const properties::RunControl& control,
+                           Store* store) try {
+  Preparing preparing(submission, rubric, confinement, store);
+  preparing.build();
+  return preparing.best_program(control);
+} catch (const SubmissionError&) {
+  throw;
+} catch (const fs::filesystem_error& error) {
+  if (is_of_the_machine(error.code())) throw;
+  refuse("its files: " + error.code().message());
+} catch (const std::invalid_argument& error) {
+  refuse(error.what());
+}
+
+}  // namespace raycheck::tools

@@ -1,0 +1,80 @@
+#include "tools/grade/try.h"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "tools/grade/grade.h"
+#include "tools/grade/intake/prepare.h"
+#include "tools/grade/pages/wording.h"
+#include "tools/grade/results/own_files.h"
+#include "tools/report/words.h"
+
+namespace raycheck::tools {
+
+bool TryReport::holds() const {
+  const auto& items = shown.submission.items;
+  return could_be_judged(shown.submission) &&
+         std::all_of(items.begin(), items.end(), [](const ItemGrade& item) {
+           return item.state == ItemState::kHolds || item.state == ItemState::kNotAsked;
+         });
+}
+
+TryReport try_submission(const TryOptions& options, const properties::RunControl& control) {
+  const std::vector<Submission> submissions = find_submissions({options.submission}, {});
+  std::optional<OwnFiles> own;
+  const std::filesystem::path name = submissions.front().name;
+  if (!options.out.empty()) {
+    const Rubric rubric = load_rubric(options.rubric, options.dialect);
+    require_apart(options.out, submissions);
+    own.emplace(options.out);
+    for (const std::string& file : names_for_student(rubric)) own->require_own(name / file);
+    own->make_folder(name);
+  }
+  ClassGrade graded = grade({.rubric = options.rubric,
+                             .dialect = options.dialect,
+                             .submissions = {options.submission},
+                             .out = "",
+                             .seed = options.seed,
+                             .secret = {},
+                             .sandbox = options.sandbox},
+                            control);
+  TryReport report;
+  report.interrupted = graded.interrupted;
+  report.rubric = std::make_shared<const Rubric>(std::move(graded.rubric));
+  if (graded.submissions.empty()) return report;
+  report.shown = student_grade(*report.rubric, graded.submissions.front(), HiddenBy::kUs);
+  if (!own) return report;
+  own->replace(name, files_for_student(report.shown));
+  report.folder = (std::filesystem::path(options.out) / name).string();
+  return report;
+}
+
+/// The lines that `grade` prints of one submission, then what there is to say of items that fail.
+std::string try_text(const TryReport& report) {
+  const StudentGrade& shown = report.shown;
+  std::string text = report.rubric->title + "\n" + submission_text(shown.items, shown.submission);
+  if (shown.unlisted > 0) {
+    text += fmt::format(
+        "  {} in the score and not shown\n",
+        shown.unlisted == 1 ? "1 item is" : fmt::format("{} items are", shown.unlisted));
+  }
+  for (std::size_t k = 0; k < shown.items.size(); ++k) {
+    const ItemGrade& item = shown.submission.items[k];
+    // Of what is not answered its line says all.
+    const bool has_more = item.failing || item.reason.kind != ItemReason::Kind::kUnanswered;
+    if (item.state != ItemState::kFails || !has_more) continue;
+    text += "\n" + shown.items[k]->name + "\n" + indented(item_text(shown, k), "  ");
+  }
+  if (!report.folder.empty()) {
+    text += "\nwritten: " + report.folder + "/report.html, and the smallest cases beside it\n";
+  }
+  if (report.interrupted) text += "INTERRUPTED: these are the items that were reached.\n";
+  return text;
+}
+
+}  // namespace raycheck::tools

@@ -1,0 +1,44 @@
+#include <memory>
+#include <string>
+
+#include "tools/arguments.h"
+#include "tools/commands.h"
+#include "tools/grade/try.h"
+#include "tools/terminal.h"
+
+namespace raycheck::tools {
+namespace {
+
+struct TryArguments {
+  TryOptions options;
+  SandboxArguments sandbox;
+};
+
+int run_try(const TryArguments& arguments) {
+  TryOptions options = arguments.options;
+  options.sandbox = sandbox_of(arguments.sandbox);
+  const TryReport report = try_submission(options, run_control("submissions"));
+  print_report(try_text(report));
+  return exit_code(report.interrupted, !report.holds(), true);
+}
+
+}  // namespace
+
+CommandRun add_try(CLI::App& command) {
+  const auto given = std::make_shared<TryArguments>();
+  TryArguments& arguments = *given;
+  command
+      .add_option("RUBRIC", arguments.options.rubric,
+                  "a TOML file, or one that comes with raycheck: lecture7.toml")
+      ->required();
+  command.add_option("SUBMISSION", arguments.options.submission, "the folder or file to hand in")
+      ->required();
+  command.add_option("--out", arguments.options.out,
+                     "a folder that takes one of the submission's name, with its page and cases");
+  add_rubric_dialect(command, arguments.options.dialect);
+  add_seed(command, arguments.options.seed);
+  add_sandbox(command, arguments.sandbox);
+  return [given] { return run_try(*given); };
+}
+
+}  // namespace raycheck::tools

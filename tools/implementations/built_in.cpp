@@ -1,0 +1,219 @@
+#include "tools/implementations/built_in.h"
+
+#include <algorithm>
+#include <memory>
+#include <stdexcept>
+#include <utility>
+
+#include "properties/candidates/fast_candidate.h"
+#include "properties/candidates/reference_methods.h"
+
+namespace raycheck::tools {
+namespace {
+
+using properties::Stage;
+
+template <class Methods>
+auto& find(const Methods& methods, const std::string& name, const char* field) {
+  std::string known;
+  for (const auto* method : methods) {
+    if (method->name == name) return *method;
+    known += (known.empty() ? "" : ", ") + std::string(method->name);
+  }
+  throw std::invalid_argument(std::string(field) + " " + name +
+                              ": no such method; the methods are " + known);
+}
+
+ReadyCalls<properties::SphereHits> ready_calls(const fast::IntersectMethod& method,
+                                               const std::vector<IntersectCall>& given) {
+  struct Call {
+    IntersectCall asked;
+    fast::Rays batch;
+  };
+  const auto calls = std::make_shared<std::vector<Call>>();
+  for (const IntersectCall& call : given) {
+    calls->push_back({call, properties::batch_of(call.rays)});
+  }
+  const auto one = [&method](const IntersectCall& asked) {
+    return method.intersect_one(asked.rays.front(), asked.sphere, asked.conventions.root,
+                                asked.conventions.tangent);
+  };
+  const auto many = [&method](const Call& call, fast::Hits& hits) {
+    method.intersect(call.batch, call.asked.sphere, call.asked.conventions.root,
+                     call.asked.conventions.tangent, hits);
+  };
+  return {[=, hits = fast::Hits{}](std::size_t count) mutable {
+            for (std::size_t k = 0; k < count; ++k) {
+              const Call& call = (*calls)[k];
+              if (call.asked.rays.size() == 1) {
+                keep(one(call.asked));
+              } else {
+                many(call, hits);
+                keep(hits);
+              }
+            }
+          },
+          [=](std::size_t k) {
+            const Call& call = (*calls)[k];
+            fast::Hits hits;
+            if (call.asked.rays.size() != 1) {
+              many(call, hits);
+              return properties::list_of(hits);
+            }
+            const auto hit = one(call.asked);
+            if (!hit) return properties::SphereHits{};
+            return properties::SphereHits{{0, {hit->parameter, hit->point}}};
+          }};
+}
+
+ReadyCalls<std::vector<scene::Ray>> ready_calls(const fast::PixelRayMethod& method,
+                                                const std::vector<RaysCall>& given) {
+  const auto calls = std::make_shared<const std::vector<RaysCall>>(given);
+  const auto make = [&method, calls](std::size_t k, fast::Rays& rays) {
+    const RaysCall& call = (*calls)[k];
+    const bool from_pixel =
+        call.conventions.origin == scene::Origin::kPixel && method.pixel_rays != nullptr;
+    (from_pixel ? method.pixel_rays : method.focal_rays)(call.camera, call.conventions, call.pixels,
+                                                         rays);
+  };
+  return {[make, rays = fast::Rays{}](std::size_t count) mutable {
+            for (std::size_t k = 0; k < count; ++k) {
+              make(k, rays);
+              keep(rays);
+            }
+          },
+          [make](std::size_t k) {
+            fast::Rays rays;
+            make(k, rays);
+            return properties::rays_of(rays);
+          }};
+}
+
+/// Every method as an implementation of its stage, those that make rays first.
+std::vector<Implementation> each_alone() {
+  std::vector<Implementation> all;
+  const auto add = [&all](const MethodPair& pair, Stage stage, std::string_view name,
+                          std::size_t number) {
+    Implementation one = built_in(pair);
+    one.name = one.lasting_name = name;
+    one.stages = {stage};
+    one.number = number;
+    all.push_back(std::move(one));
+  };
+  for (const auto* method : fast::pixel_ray_methods()) {
+    add({method, kDefaultMethods.intersect}, Stage::kRays, method->name, all.size());
+  }
+  const std::size_t rays = all.size();
+  for (const auto* method : all_intersect_methods()) {
+    add({kDefaultMethods.rays, method}, Stage::kIntersection, method->name, all.size() - rays);
+  }
+  return all;
+}
+
+}  // namespace
+
+const fast::PixelRayMethod& find_rays(const std::string& name, const char* field) {
+  return find(fast::pixel_ray_methods(), name, field);
+}
+
+const fast::IntersectMethod& find_intersect(const std::string& name, const char* field) {
+  return find(all_intersect_methods(), name, field);
+}
+
+MethodPair find_pair(const std::string& name) {
+  constexpr const char* kField = "bounds";
+  const std::size_t slash = name.find('/');
+  if (slash == std::string::npos) return {kDefaultMethods.rays, &find_intersect(name, kField)};
+  return {&find_rays(name.substr(0, slash), kField),
+          &find_intersect(name.substr(slash + 1), kField)};
+}
+
+std::vector<const fast::IntersectMethod*> all_intersect_methods() {
+  std::vector<const fast::IntersectMethod*> all;
+  const auto append = [&all](std::span<const fast::IntersectMethod* const> methods) {
+    all.insert(all.end(), methods.begin(), methods.end());
+  };
+  append(fast::intersect_methods());
+  append(properties::exact_methods());
+  return all;
+}
+
+properties::Candidate candidate_of(const MethodPair& pair) {
+  return properties::fast_candidate(*pair.rays, *pair.intersect);
+}
+
+Implementation built_in(const MethodPair& pair) {
+  return {.name = candidate_of(pair).name,
+          .stages = {Stage::kRays, Stage::kIntersection},
+          .methods = pair,
+          .make = [pair] { return candidate_of(pair); },
+          .in_process =
+              [pair] {
+                return InProcess{
+                    [pair](const auto& calls) { return ready_calls(*pair.intersect, calls); },
+                    [pair](const auto& calls) { return ready_calls(*pair.rays, calls); }};
+              }};
+}
+
+std::vector<Implementation> built_in(const std::vector<MethodPair>& pairs) {
+  std::vector<Implementation> all;
+  for (const MethodPair& pair : pairs) all.push_back(built_in(pair));
+  return all;
+}
+
+std::vector<Implementation> find_methods(const std::vector<std::string>& names) {
+  std::vector<Implementation> all = each_alone();
+  constexpr const char* kAll = "all";
+  if (std::find(names.begin(), names.end(), kAll) != names.end()) {
+    if (names.size() == 1) return all;
+    throw std::invalid_argument("method all: is every method; leave out the others");
+  }
+  if (names.empty()) {
+    std::erase_if(all, [](const Implementation& method) {
+      const auto fast = fast::intersect_methods();
+      return method.offers(Stage::kIntersection) &&
+             std::find(fast.begin(), fast.end(), method.methods->intersect) == fast.end();
+    });
+    return all;
+  }
+  const auto is_called = [](const Implementation& method, const std::string& name) {
+    const char* const kind = method.offers(Stage::kRays) ? "rays/" : "intersect/";
+    return name == method.name || name == kind + method.name;
+  };
+  for (const std::string& name : names) {
+    if (std::none_of(all.begin(), all.end(),
+                     [&](const Implementation& method) { return is_called(method, name); })) {
+      std::string known;
+      for (const Implementation& method : all) known += (known.empty() ? "" : ", ") + method.name;
+      throw std::invalid_argument("method " + name + ": no such method; the methods are " + known);
+    }
+  }
+  std::erase_if(all, [&](const Implementation& method) {
+    return std::none_of(names.begin(), names.end(),
+                        [&](const std::string& name) { return is_called(method, name); });
+  });
+  return all;
+}
+
+std::vector<MethodPair> all_pairs() {
+  std::vector<MethodPair> pairs;
+  for (const auto* rays : fast::pixel_ray_methods()) {
+    for (const auto* intersect : fast::intersect_methods()) pairs.push_back({rays, intersect});
+  }
+  return pairs;
+}
+
+std::vector<MethodPair> each_method_once() {
+  std::vector<MethodPair> pairs;
+  for (const auto* rays : fast::pixel_ray_methods()) {
+    pairs.push_back({rays, kDefaultMethods.intersect});
+  }
+  for (const auto* intersect : fast::intersect_methods()) {
+    if (intersect != kDefaultMethods.intersect) {
+      pairs.push_back({kDefaultMethods.rays, intersect});
+    }
+  }
+  return pairs;
+}
+
+}  // namespace raycheck::tools

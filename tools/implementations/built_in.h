@@ -1,0 +1,37 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "tools/implementations/implementation.h"
+
+namespace raycheck::tools {
+
+/// The method of that name; throws std::invalid_argument naming the field and the known names.
+const fast::PixelRayMethod& find_rays(const std::string& name, const char* field = "rays");
+const fast::IntersectMethod& find_intersect(const std::string& name,
+                                            const char* field = "intersect");
+
+/// The pair called "RAYS/INTERSECT", or "INTERSECT" with the default rays: whose bounds hold.
+/// Throws as above.
+MethodPair find_pair(const std::string& name);
+
+/// Every intersection method: those of fast/, then the exact ones.
+std::vector<const fast::IntersectMethod*> all_intersect_methods();
+
+properties::Candidate candidate_of(const MethodPair& pair);
+
+Implementation built_in(const MethodPair& pair);
+std::vector<Implementation> built_in(const std::vector<MethodPair>& pairs);
+
+/// The methods of those names, of either kind, each alone ("rays/NAME" and "intersect/NAME" tell
+/// them apart; "all" is every one); when there are none those of fast/, which is what a renderer
+/// may use. Throws std::invalid_argument naming the field and the known names.
+std::vector<Implementation> find_methods(const std::vector<std::string>& names);
+
+/// Every pair, in the order of reports.
+std::vector<MethodPair> all_pairs();
+/// Each method once, the others at their default.
+std::vector<MethodPair> each_method_once();
+
+}  // namespace raycheck::tools

@@ -1,0 +1,89 @@
+#include "tools/report/spelling.h"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+
+#include "scene/number.h"
+#include "scene/text.h"
+
+namespace raycheck::tools {
+
+namespace {
+
+/// Also as East Asian input methods write them, which spreadsheets take, too.
+constexpr std::array<std::string_view, 11> kFormulasBegin = {
+    "=", "+", "-", "@", "\t", "\r", "\n", "\uFF1D", "\uFF0B", "\uFF0D", "\uFF20"};
+
+/// What tables write where there is no number.
+constexpr std::string_view kNone = "-";
+
+bool is_formula(std::string_view text) {
+  return text != kNone && !scene::parse_number(text) &&
+         std::any_of(kFormulasBegin.begin(), kFormulasBegin.end(),
+                     [&](std::string_view sign) { return text.starts_with(sign); });
+}
+
+}  // namespace
+
+std::string csv_cell(std::string_view text) {
+  const bool is_defused = is_formula(text);
+  const std::string cell = (is_defused ? "'" : "") + scene::visible(text);
+  const bool is_plain = !is_defused && cell.find_first_of(",;\"\n\t") == std::string::npos &&
+                        !cell.starts_with(' ') && !cell.ends_with(' ');
+  if (is_plain) return cell;
+  std::string quoted = "\"";
+  for (const char c : cell) quoted += c == '"' ? std::string("\"\"") : std::string(1, c);
+  return quoted + "\"";
+}
+
+std::string escaped(std::string_view text) {
+  std::string result;
+  for (const char c : scene::visible(text)) {
+    switch (c) {
+      case '&':
+        result += "&amp;";
+        break;
+      case '<':
+        result += "&lt;";
+        break;
+      case '>':
+        result += "&gt;";
+        break;
+      case '"':
+        result += "&quot;";
+        break;
+      case '\'':
+        result += "&#39;";
+        break;
+      default:
+        result += c;
+    }
+  }
+  return result;
+}
+
+std::string base64(std::string_view bytes) {
+  constexpr std::string_view kDigits =
+      "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+  std::string text;
+  for (std::size_t at = 0; at < bytes.size(); at += 3) {
+    const std::string_view group = bytes.substr(at, 3);
+    std::uint32_t bits = 0;
+    for (std::size_t k = 0; k < 3; ++k) {
+      bits = bits << 8 | (k < group.size() ? static_cast<unsigned char>(group[k]) : 0U);
+    }
+    for (std::size_t k = 0; k < 4; ++k) {
+      text += k <= group.size() ? kDigits[bits >> (18 - 6 * k) & 63] : '=';
+    }
+  }
+  return text;
+}
+
+std::string data_address(std::string_view type, std::string_view bytes) {
+  return fmt::format("data:{};base64,{}", type, base64(bytes));
+}
+
+}  // namespace raycheck::tools

@@ -1,0 +1,22 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+
+namespace raycheck::tools {
+
+/// Text as a cell of a CSV table, quoted if needed; what acts on a terminal is spelled out
+/// (scene/text.h). What a spreadsheet would take for a formula, since it begins with = + - @, a tab
+/// or an end of line and is no number, begins with an apostrophe instead.
+std::string csv_cell(std::string_view text);
+
+/// Text for HTML elements and attributes; what acts on a viewer is spelled out (scene/text.h).
+std::string escaped(std::string_view text);
+
+/// Bytes in base64 (RFC 4648).
+std::string base64(std::string_view bytes);
+
+/// Bytes as an address that needs no file: "data:image/png;base64,..." (RFC 2397).
+std::string data_address(std::string_view type, std::string_view bytes);
+
+}  // namespace raycheck::tools

@@ -1,0 +1,177 @@
+#include <fmt/core.h>
+#include <tbb/info.h>
+
+#include <algorithm>
+#include <cstdint>
+#include <memory>
+#include <stdexcept>
+
+#include "scene/interruption.h"
+#include "tools/arguments.h"
+#include "tools/check/check_views.h"
+#include "tools/commands.h"
+#include "tools/report/output_file.h"
+#include "tools/show/view_text.h"
+#include "tools/stress/stress.h"
+#include "tools/terminal.h"
+#include "tools/view/document_json.h"
+#include "tools/view/page/page.h"
+
+namespace raycheck::tools {
+namespace {
+
+struct ViewArguments {
+  std::string scene;
+  std::string family;
+  int cases = 100;
+  std::uint64_t seed = 1;
+  std::string dialect;
+  std::string out;
+  std::string format;
+  std::vector<std::string> methods;
+  std::string rays;
+  std::vector<std::string> pixels;
+  std::string sphere;
+  ExternalArguments external;
+  int threads = tbb::info::default_concurrency();
+};
+
+/// Rays times spheres up to which every ray is judged, times methods up to which all of fast/'s are
+/// where none is asked for.
+constexpr double kMostJudged = 1 << 22;
+
+struct Size {
+  double rays = 0, spheres = 0;
+};
+
+Size size_of(const scene::Scene& scene) {
+  const auto& camera = scene.camera;
+  const double rays = camera
+                          ? static_cast<double>(camera->width) * static_cast<double>(camera->height)
+                          : static_cast<double>(scene.rays.size());
+  return {rays, static_cast<double>(scene.spheres.size())};
+}
+
+/// Where nobody is asked for: every intersection method of a scene that is small enough, or cross.
+std::vector<MethodPair> default_methods(const Size& size) {
+  const auto all = fast::intersect_methods();
+  if (size.rays * size.spheres * static_cast<double>(all.size()) > kMostJudged) {
+    return {kDefaultMethods};
+  }
+  std::vector<MethodPair> pairs;
+  for (const fast::IntersectMethod* method : all) pairs.push_back({kDefaultMethods.rays, method});
+  return pairs;
+}
+
+std::vector<Selection> wanted(const ViewArguments& arguments, const scene::Scene& scene) {
+  std::vector<Selection> list;
+  std::optional<std::size_t> sphere;
+  if (!arguments.sphere.empty()) {
+    sphere = static_cast<std::size_t>(parse_index("--sphere", arguments.sphere, 0));
+  }
+  for (const std::string& text : arguments.pixels) {
+    list.push_back({parse_pixel("--pixel", text, arguments.scene, scene), {}, sphere});
+  }
+  if (sphere && list.empty()) {
+    throw std::invalid_argument("--sphere: goes with --pixel I,J");
+  }
+  return list;
+}
+
+CheckOptions check_options(const ViewArguments& arguments, const Size& size) {
+  CheckOptions options;
+  options.path = arguments.scene;
+  options.dialect = parse_dialect(arguments.dialect);
+  std::optional<DriverRule> driver;
+  if (options.dialect) driver = DriverRule{{.dialect = *options.dialect}, false};
+  options.keeps_forms = driver.has_value();
+  options.implementations = find_candidates(arguments.external, driver);
+  if (size.rays * size.spheres > kMostJudged) {
+    options.pixels = static_cast<std::int64_t>(std::max(kMostJudged / size.spheres, 256.0));
+  }
+  const bool methods_asked = !arguments.methods.empty() || !arguments.rays.empty();
+  if (options.implementations.empty() || methods_asked) {
+    const auto pairs =
+        built_in(methods_asked ? chosen_methods(arguments.rays, arguments.methods, "method")
+                               : default_methods(size));
+    options.implementations.insert(options.implementations.begin(), pairs.begin(), pairs.end());
+  }
+  return options;
+}
+
+ViewDocument of_scene(const ViewArguments& arguments, const properties::RunControl& control) {
+  const auto loaded = scene::load_scene(arguments.scene, parse_dialect(arguments.dialect));
+  const CheckPageOptions options = {wanted(arguments, loaded.scene),
+                                    !arguments.methods.empty() || !arguments.rays.empty()};
+  const CheckReport report = check(check_options(arguments, size_of(loaded.scene)), control);
+  print_warnings(report.warnings);
+  return check_document(report, options, control);
+}
+
+ViewDocument of_family(const ViewArguments& arguments, const properties::RunControl& control) {
+  StressOptions options;
+  options.families = {arguments.family};
+  options.implementations = find_by_stages(arguments.methods, arguments.external);
+  options.cases = arguments.cases;
+  options.seed = arguments.seed;
+  return dial_document(options, !arguments.methods.empty(), control);
+}
+
+int run_view(const ViewArguments& arguments) {
+  if (arguments.scene.empty() == arguments.family.empty()) {
+    throw std::invalid_argument("view: give a scene, or --family for a family's dial");
+  }
+  if (!arguments.family.empty() && !(arguments.dialect.empty() && arguments.rays.empty() &&
+                                     arguments.pixels.empty() && arguments.sphere.empty())) {
+    throw std::invalid_argument(
+        "--family: shows cases of its own; leave out --dialect, --rays, --pixel, --sphere");
+  }
+  if (arguments.out.empty() && arguments.format != "json") {
+    throw std::invalid_argument("view: give --out FILE.html, or --format json");
+  }
+  std::optional<OutputFile> out;
+  if (!arguments.out.empty()) out.emplace("--out", arguments.out);
+  const auto control = run_control("view", arguments.threads);
+  const ViewDocument document =
+      arguments.family.empty() ? of_scene(arguments, control) : of_family(arguments, control);
+  if (control.interrupted()) throw scene::Interrupted();
+  if (out) {
+    const std::string text = page(document);
+    out->write(text);
+    if (arguments.format == "text") {
+      print_report(view_text(document, arguments.out, text.size()));
+    }
+  }
+  if (arguments.format == "json") print_report(document_json(document));
+  return kExitNothingFound;
+}
+
+}  // namespace
+
+CommandRun add_view(CLI::App& command) {
+  const auto given = std::make_shared<ViewArguments>();
+  ViewArguments& arguments = *given;
+  command.add_option("SCENE", arguments.scene, "a TOML scene, or a driver file of the course");
+  command.add_option("--family", arguments.family,
+                     "a stress family in place of a scene: its dial, a scene at each severity");
+  command.add_option("--cases", arguments.cases, "cases at each severity of a family")
+      ->check(whole_number(1, kMostCases))
+      ->capture_default_str();
+  add_seed(command, arguments.seed);
+  command.add_option("--out", arguments.out, "the page: one HTML file, which needs no other");
+  add_dialect(command, arguments.dialect);
+  command
+      .add_option("--method", arguments.methods,
+                  "the methods that intersect rays, with commas between (default: all, or of large "
+                  "scenes cross)")
+      ->delimiter(',');
+  command.add_option("--rays", arguments.rays, "the method that makes rays (default: direct)");
+  command.add_option("--pixel", arguments.pixels, "a pixel to begin with, I,J; several times");
+  command.add_option("--sphere", arguments.sphere, "the sphere to begin with");
+  add_external(command, arguments.external);
+  add_threads(command, arguments.threads, "the page");
+  add_format(command, arguments.format, {"text", "json"});
+  return [given] { return run_view(*given); };
+}
+
+}  // namespace raycheck::tools
