@@ -44,8 +44,8 @@ struct Mistake {
   /// Its own formulas for what is hit and what is nearest; none where it answers as right methods.
   HitFormulas hits = {};
   /// Mistakes of one family differ in a size, and what one does the next does too, and more, or in
-  /// what single rays do not show: of
-  /// several that explain the same the first is meant. Empty: it is alone.
+  /// what single rays do not show: of several that explain the same the first is meant. Empty: it is
+  /// alone.
   std::string_view family = {};
 };
 
