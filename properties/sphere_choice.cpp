@@ -26,7 +26,7 @@ Excuse excuse(Trial& trial, std::size_t ray, Index got, double change) {
                        : got == kSomeSphere ? FirstMet::What::kSomething
                                             : FirstMet::What::kSphere,
                        got.value_or(0)};
-  return trial.excuse_of(
+  return excuse_of(
       right_nearby(trial.exact_ray(ray), trial.scene().spheres, trial.neighbourhood(change), claim),
       change);
 }

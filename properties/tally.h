@@ -10,6 +10,7 @@
 
 #include "properties/excuse.h"
 #include "properties/quantile_sketch.h"
+#include "properties/quantity.h"
 #include "properties/stability.h"
 #include "scene/camera.h"
 
@@ -73,6 +74,14 @@ struct Place {
   std::size_t ray = 0;
   std::optional<scene::Pixel> pixel;
   std::optional<std::size_t> sphere;
+};
+
+/// An answer that is right or wrong: what was asked where, and how the answer was.
+struct Decision {
+  Quantity quantity;
+  Question question;
+  Place place;
+  Wrong wrong;
 };
 
 /// The order of places by the ray, then the sphere, then the pixel.

@@ -83,19 +83,18 @@ void Verdict::judged_right(Quantity quantity, Question question, std::uint64_t c
   tally.outcomes[static_cast<std::size_t>(Outcome::kExact)] += count;
 }
 
-void Verdict::judged_wrong(Quantity quantity, Question question, const Place& place, Wrong wrong,
-                           Standing standing) {
+void Verdict::judged_wrong(const Decision& decision, Standing standing) {
   constexpr std::array<Outcome, kStandingCount> kOutcomes = {
       Outcome::kWrongDecision, Outcome::kUndecidedDecision, Outcome::kExcusedDecision,
       Outcome::kOutsideDomain};
-  Tally& tally = tallies_[quantity];
+  Tally& tally = tallies_[decision.quantity];
   ++tally.cases;
-  ++tally.wrong[wrong];
+  ++tally.wrong[decision.wrong];
   ++tally.wrong_by_standing[static_cast<std::size_t>(standing)];
   ++tally.outcomes[static_cast<std::size_t>(kOutcomes[static_cast<std::size_t>(standing)])];
-  if (standing != Standing::kNotJudged) ++tally.answers_to(question).asked;
+  if (standing != Standing::kNotJudged) ++tally.answers_to(decision.question).asked;
   // The first defect, or for want of one the first error.
-  tally.note_worst(standing == Standing::kDefect ? 2 : 1, place);
+  tally.note_worst(standing == Standing::kDefect ? 2 : 1, decision.place);
 }
 
 void Verdict::add(Discrepancy discrepancy) {

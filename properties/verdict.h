@@ -111,8 +111,7 @@ class Verdict {
     ++tallies_[quantity].answers_to(question).asked;
   }
   /// Counts an answer that is wrong.
-  void judged_wrong(Quantity quantity, Question question, const Place& place, Wrong wrong,
-                    Standing standing);
+  void judged_wrong(const Decision& decision, Standing standing);
   /// Adds a discrepancy with the law that this verdict speaks for.
   void add(Discrepancy discrepancy);
   void merge(Verdict other);

@@ -30,7 +30,7 @@ void judge_frame(Trial& trial, Verdict& verdict) {
   const auto judge_axis = [&](const char* axis, const scene::UnitVector3& answer,
                               const Enclosure3& truth,
                               scene::UnitVector3 reference::RoundedFrame::*member) {
-    trial.measure(verdict, Quantity::kFrame, Place{}, reference::relative_error(answer, truth),
+    trial.measure(verdict, {Quantity::kFrame, {}, reference::relative_error(answer, truth)},
                   condition, [&](Discrepancy& d) {
                     d.what = d.symbol = axis;
                     d.got = numbers(answer);
@@ -40,7 +40,7 @@ void judge_frame(Trial& trial, Verdict& verdict) {
   judge_axis("U", got.U, exact.U, &reference::RoundedFrame::U);
   judge_axis("V", got.V, exact.V, &reference::RoundedFrame::V);
   judge_axis("W", got.W, exact.W, &reference::RoundedFrame::W);
-  trial.measure(verdict, Quantity::kOrthonormality, Place{}, orthonormality_error(got), condition,
+  trial.measure(verdict, {Quantity::kOrthonormality, {}, orthonormality_error(got)}, condition,
                 [&](Discrepancy& d) {
                   d.what = "U, V, W";
                   for (const auto& axis : {got.U, got.V, got.W}) {

@@ -42,7 +42,8 @@ void judge_image(Trial& trial, Verdict& verdict) {
                         : choice.got == kSomeSphere ? Index()
                                                     : choice.got;
     trial.judge(
-        verdict, Quantity::kNearestSphere, met.question(k), trial.place(k, shown), wrong_of(choice),
+        verdict,
+        {Quantity::kNearestSphere, met.question(k), trial.place(k, shown), wrong_of(choice)},
         [&] { return excuse_of(trial, choice); },
         [&](Discrepancy& d) {
           d.what = "sphere shown";

@@ -113,11 +113,12 @@ void judge_class(Trial& trial, Verdict& verdict) {
     const bool missed = at.answer == nullptr;
     const bool false_hit = at.exact == nullptr;
     trial.judge(
-        verdict, Quantity::kClass, false_hit ? Question::kMiss : Question::kHit,
-        trial.place(at.ray, at.sphere),
-        missed      ? Wrong::kMissed
-        : false_hit ? Wrong::kFalseHit
-                    : Wrong::kNot,
+        verdict,
+        {Quantity::kClass, false_hit ? Question::kMiss : Question::kHit,
+         trial.place(at.ray, at.sphere),
+         missed      ? Wrong::kMissed
+         : false_hit ? Wrong::kFalseHit
+                     : Wrong::kNot},
         [&] { return excuse(trial, at); },
         [&](Discrepancy& d) { describe_parameters(trial, at, d); });
     --misses;
@@ -134,8 +135,9 @@ void judge_root(Trial& trial, Verdict& verdict) {
   for_each_encounter(trial, [&](const Encounter& at) {
     if (at.answer == nullptr || at.exact == nullptr) return;
     trial.judge(
-        verdict, Quantity::kRoot, root_asked(*at.exact), trial.place(at.ray, at.sphere),
-        is_at_other_root(trial, at) || is_excluded(trial, at) ? Wrong::kWrongRoot : Wrong::kNot,
+        verdict,
+        {Quantity::kRoot, root_asked(*at.exact), trial.place(at.ray, at.sphere),
+         is_at_other_root(trial, at) || is_excluded(trial, at) ? Wrong::kWrongRoot : Wrong::kNot},
         [&] { return excuse(trial, at); },
         [&](Discrepancy& d) { describe_parameters(trial, at, d); });
   });
@@ -145,10 +147,10 @@ void judge_root(Trial& trial, Verdict& verdict) {
 void judge_parameter(Trial& trial, Verdict& verdict) {
   for_each_common_hit(trial, [&](const Encounter& at) {
     trial.measure(
-        verdict, Quantity::kParameter, trial.place(at.ray, at.sphere),
-        reference::parameter_error(trial.exact_ray(at.ray), trial.scene().spheres[at.sphere],
-                                   *at.exact, at.answer->parameter, trial.precision()),
-        trial.bound(Quantity::kParameter),
+        verdict,
+        {Quantity::kParameter, trial.place(at.ray, at.sphere),
+         reference::parameter_error(trial.exact_ray(at.ray), trial.scene().spheres[at.sphere],
+                                    *at.exact, at.answer->parameter, trial.precision())},
         [&] { return trial.condition_of_parameter(at.ray, at.sphere); },
         [&](Discrepancy& d) { describe_parameters(trial, at, d); },
         [&] { return backward_error(trial, at); });
@@ -160,9 +162,9 @@ void judge_backward_error(Trial& trial, Verdict& verdict) {
   for_each_common_hit(trial, [&](const Encounter& at) {
     // It is a change of the inputs already: no condition number magnifies it.
     trial.measure(
-        verdict, Quantity::kBackwardError, trial.place(at.ray, at.sphere),
-        backward_error(trial, at), [] { return 1; },
-        [&](Discrepancy& d) { d.got = {at.answer->parameter}; });
+        verdict,
+        {Quantity::kBackwardError, trial.place(at.ray, at.sphere), backward_error(trial, at)},
+        [] { return 1; }, [&](Discrepancy& d) { d.got = {at.answer->parameter}; });
   });
   leave_out_without_hits(verdict);
 }
@@ -177,7 +179,7 @@ void judge_residuals(Trial& trial, Verdict& verdict, const Encounter& at) {
                            const auto& scale) {
     if (!error) return;
     trial.measure(
-        verdict, quantity, trial.place(at.ray, at.sphere), *error,
+        verdict, {quantity, trial.place(at.ray, at.sphere), *error},
         [&] {
           const Enclosure3 point = reference::enclose_exactly(answer);
           const Enclosure3 centre = reference::enclose_exactly(sphere.centre);
@@ -202,9 +204,9 @@ void judge_hit_point(Trial& trial, Verdict& verdict) {
     const ExactRay& ray = trial.exact_ray(at.ray);
     const scene::Sphere& sphere = trial.scene().spheres[at.sphere];
     trial.measure(
-        verdict, Quantity::kHitPoint, trial.place(at.ray, at.sphere),
-        reference::hit_point_error(ray, sphere, *at.exact, at.answer->point),
-        trial.bound(Quantity::kHitPoint),
+        verdict,
+        {Quantity::kHitPoint, trial.place(at.ray, at.sphere),
+         reference::hit_point_error(ray, sphere, *at.exact, at.answer->point)},
         [&] { return reference::condition_of_computed_point(ray, sphere, *at.exact); },
         [&](Discrepancy& d) {
           d.got = numbers(at.answer->point);
@@ -248,8 +250,8 @@ bool judge_other_root(Trial& trial, Verdict& verdict, const Place& place, const 
   const bool is_other_root =
       is_wrong(both.eye_ray, both.eye_hit) || is_wrong(both.pixel_ray, both.pixel_hit);
   trial.judge(
-      verdict, Quantity::kRoot, root_asked(at), place,
-      is_other_root ? Wrong::kWrongRoot : Wrong::kNot,
+      verdict,
+      {Quantity::kRoot, root_asked(at), place, is_other_root ? Wrong::kWrongRoot : Wrong::kNot},
       [&] {
         return trial.excuse({answer_of(both.eye_ray, sphere, &both.eye_hit),
                              answer_of(both.pixel_ray, sphere, &both.pixel_hit)});
@@ -301,14 +303,17 @@ void judge_focal_and_pixel(Trial& trial, Verdict& verdict) {
                reference::condition_of_point(eye_ray, the_sphere, at);
       };
       const auto describe = [&](Discrepancy& d) { describe_origins(d, both, the_sphere, at); };
-      trial.measure(verdict, Quantity::kInvariance, place, reference::in_units_of_u(off / scale),
-                    2 * trial.bound(Quantity::kParameter), condition, describe);
+      trial.measure(verdict,
+                    {Quantity::kInvariance, place, reference::in_units_of_u(off / scale),
+                     2 * trial.bound(Quantity::kParameter)},
+                    condition, describe);
       const Enclosure3 apart =
           reference::enclose_exactly(eye.hit.point) - reference::enclose_exactly(pixel_hit->point);
       const Enclosure size = norm(enclosed.point(the_sphere, at)) + norm(enclosed.origin());
-      trial.measure(verdict, Quantity::kInvariance, place,
-                    reference::in_units_of_u(norm(apart) / size),
-                    2 * trial.bound(Quantity::kHitPoint), condition, describe);
+      trial.measure(verdict,
+                    {Quantity::kInvariance, place, reference::in_units_of_u(norm(apart) / size),
+                     2 * trial.bound(Quantity::kHitPoint)},
+                    condition, describe);
     }
   }
   if (verdict.compared() == 0) {

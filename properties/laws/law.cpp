@@ -32,12 +32,12 @@ const Law* find_law(std::string_view name) {
   return found == laws().end() ? nullptr : &*found;
 }
 
+namespace {
+
 bool wants_given_rays(const Law& law, const Trial& trial) {
   return needs_any(law.needs, Needs::kRays) && !trial.has_rays() &&
          (trial.candidate().intersect || trial.candidate().nearest);
 }
-
-namespace {
 
 /// A verdict, and whether the candidate failed anywhere.
 struct Judged {
@@ -61,7 +61,7 @@ Judged judged_failure(const Law& law, const Trial& trial, Wrong wrong, const cha
     place = trial.place(0, is_pair ? std::optional<std::size_t>(0) : std::nullopt);
   }
   trial.judge(
-      verdict, Quantity::kRefusal, Question::kRefusal, place, wrong, [] { return Excuse{}; },
+      verdict, {Quantity::kRefusal, Question::kRefusal, place, wrong}, [] { return Excuse{}; },
       [&](Discrepancy& discrepancy) {
         discrepancy.what = message;
         discrepancy.failed = failed;
@@ -82,9 +82,9 @@ Judged judge_halves(const Law& law, Trial& trial) {
   const bool by_sphere = asks_by_sphere(law, trial);
   Judged all{Verdict(law.name)};
   bool is_second = false;
-  for (const std::shared_ptr<TrialPart>& half : trial.halves()) {
-    const bool is_to_blame = is_second && !all.failed && half->trial.is_several(by_sphere);
-    const bool halves_at_once = is_to_blame && !half->trial.search()->is_over();
+  for (const std::shared_ptr<TrialPart>& half : trial.failed_parts().halves(trial)) {
+    const bool is_to_blame = is_second && !all.failed && count_asked(half->trial, by_sphere) > 1;
+    const bool halves_at_once = is_to_blame && !half->trial.options().search->is_over();
     Judged one = halves_at_once ? judge_halves(law, half->trial) : judge(law, half->trial);
     one.verdict.relocate([&](const Place& place) { return half->place(place); });
     all.failed |= one.failed;
@@ -99,21 +99,21 @@ Judged judge_halves(const Law& law, Trial& trial) {
 /// halves.
 Judged judge_apart(const Law& law, Trial& trial, const char* message,
                    const std::optional<CodeLine>& line = {}) {
-  FailureSearch* const search = trial.search();
+  FailureSearch* const search = trial.options().search;
   if (search == nullptr || !asks_apart(law)) {
     return judged_failure(law, trial, Wrong::kFailed, message, {Blame::kNone, 0, {}, line});
   }
   const bool by_sphere = asks_by_sphere(law, trial);
-  const std::uint64_t questions = trial.count_questions(by_sphere);
+  const std::uint64_t questions = count_asked(trial, by_sphere);
   const auto failed_once = [&](Blame blame, int& count) {
-    if (!trial.is_new(message)) return Judged{Verdict(law.name), true};
+    if (!trial.failed_parts().is_new(message)) return Judged{Verdict(law.name), true};
     ++count;
     FailedQuestions failed{blame, questions, {}, line};
-    if (blame == Blame::kQuestion) failed.scene = trial.question();
+    if (blame == Blame::kQuestion) failed.scene = trial.asked_scene();
     return judged_failure(law, trial, Wrong::kFailed, message, failed);
   };
-  if (!trial.is_several(by_sphere)) return failed_once(Blame::kQuestion, search->found);
-  if (search->is_over() && !trial.is_halved()) {
+  if (questions <= 1) return failed_once(Blame::kQuestion, search->found);
+  if (search->is_over() && !trial.failed_parts().is_halved()) {
     return failed_once(Blame::kAmong, search->not_sought);
   }
   Judged judged = judge_halves(law, trial);
@@ -126,8 +126,8 @@ Judged judge_apart(const Law& law, Trial& trial, const char* message,
 
 /// It would have failed whatever it was asked: a search says so once.
 Judged judge_in_vain(const Law& law, Trial& trial, const char* message) {
-  FailureSearch* const search = trial.search();
-  if (search != nullptr && !search->in_vain.insert(message).second) {
+  FailureSearch* const search = trial.options().search;
+  if (search != nullptr && !search->whatever_asked.insert(message).second) {
     return {Verdict(law.name), true};
   }
   return judged_failure(law, trial, Wrong::kFailed, message, {Blame::kAnything, 0, {}, {}});
@@ -160,6 +160,28 @@ Verdict apply(const Law& law, Trial& trial) {
   if (missing.empty()) return judge(law, trial).verdict;
   Verdict verdict(law.name);
   verdict.leave_out(std::string(missing));
+  return verdict;
+}
+
+Trials::Trials(const Case& the_case, const Candidate& candidate, const TrialOptions& options)
+    : case_(the_case), options_(options), on_case_(the_case, candidate, options) {
+  options_.truth = nullptr;
+}
+
+Trial& Trials::of(const Law& law) {
+  if (!wants_given_rays(law, on_case_)) return on_case_;
+  if (!given_) given_ = given_rays(case_, on_case_.conventions(), on_case_.precision());
+  if (!given_) return on_case_;
+  if (!on_given_) on_given_.emplace(given_->the_case, on_case_.candidate(), options_);
+  return *on_given_;
+}
+
+Verdict Trials::apply(const Law& law) {
+  Trial& trial = of(law);
+  Verdict verdict = properties::apply(law, trial);
+  if (&trial != &on_case_) {
+    verdict.relocate([this](const Place& place) { return given_->place(place); });
+  }
   return verdict;
 }
 

@@ -5,6 +5,7 @@
 #include <string_view>
 #include <vector>
 
+#include "properties/given_rays.h"
 #include "properties/laws/needs.h"
 #include "properties/quantity.h"
 #include "properties/stage.h"
@@ -49,10 +50,6 @@ constexpr bool judges_decisions(const Law& law) {
   return law.judges_values && is_decision(law.quantity);
 }
 
-/// Whether a law is about rays that a candidate meets with spheres and does not make: there it is
-/// asked about raycheck's own (properties/given_rays.h).
-bool wants_given_rays(const Law& law, const Trial& trial);
-
 /// Every law, in the order of reports.
 std::span<const Law> laws();
 
@@ -74,5 +71,28 @@ const Law* find_law(std::string_view name);
 /// has a search, what failed at once is asked in halves: the questions to blame are discrepancies,
 /// at most kMostFailuresSought of them, and the answers to the others are judged.
 Verdict apply(const Law& law, Trial& trial);
+
+/// A candidate's trial on a case. Laws about rays that it meets with spheres and does not make are
+/// asked on the camera's exact rays, given to it (given_rays.h), and say so of the pixels.
+class Trials {
+ public:
+  Trials(const Case& the_case, const Candidate& candidate, const TrialOptions& options = {});
+  Trials(const Trials&) = delete;
+  Trials& operator=(const Trials&) = delete;
+
+  Trial& on_case() { return on_case_; }
+  /// The one on which a law is asked.
+  Trial& of(const Law& law);
+  Verdict apply(const Law& law);
+  /// Whether a law was asked on given rays.
+  bool gave_rays() const { return on_given_.has_value(); }
+
+ private:
+  const Case& case_;
+  TrialOptions options_;
+  Trial on_case_;
+  std::optional<GivenRays> given_;
+  std::optional<Trial> on_given_;
+};
 
 }  // namespace raycheck::properties

@@ -62,10 +62,11 @@ void compare_hits(Trial& trial, Trial& transformed, Verdict& verdict, const std:
         verdict.not_right(Quantity::kClass, question);
         continue;
       }
-      trial.judge(verdict, Quantity::kClass, question, place,
-                  !differ          ? Wrong::kNot
-                  : hit != nullptr ? Wrong::kMissed
-                                   : Wrong::kFalseHit,
+      trial.judge(verdict,
+                  {Quantity::kClass, question, place,
+                   !differ          ? Wrong::kNot
+                   : hit != nullptr ? Wrong::kMissed
+                                    : Wrong::kFalseHit},
                   excuse, describe);
       if (hit == nullptr || other == nullptr) continue;
       // Of ulps as of u: where floats underflow gradually, that is not held against a method.
@@ -85,8 +86,10 @@ void compare_hits(Trial& trial, Trial& transformed, Verdict& verdict, const std:
         const bool is_other_root =
             error > bound && is_at_other_root(trial, k, sphere, *hit) !=
                                  is_at_other_root(transformed, k, sphere, *other);
-        trial.judge(verdict, Quantity::kRoot, root_asked(trial.exact_intersection(k, sphere)),
-                    place, is_other_root ? Wrong::kWrongRoot : Wrong::kNot, excuse, describe);
+        trial.judge(verdict,
+                    {Quantity::kRoot, root_asked(trial.exact_intersection(k, sphere)), place,
+                     is_other_root ? Wrong::kWrongRoot : Wrong::kNot},
+                    excuse, describe);
         if (is_other_root) continue;
       }
       const auto condition = [&] {
@@ -94,7 +97,7 @@ void compare_hits(Trial& trial, Trial& transformed, Verdict& verdict, const std:
                                                           trial.exact_intersection(k, sphere))
                       : std::numeric_limits<double>::infinity();
       };
-      trial.measure(verdict, Quantity::kInvariance, place, error, bound, condition, describe);
+      trial.measure(verdict, {Quantity::kInvariance, place, error, bound}, condition, describe);
     }
   }
 }
@@ -106,10 +109,11 @@ void compare_directions(Trial& trial, Trial& transformed, Verdict& verdict, cons
     const scene::Vector3 expected = map(trial.rays()[k].direction);
     const scene::Vector3& got = transformed.rays()[k].direction;
     trial.measure(
-        verdict, Quantity::kInvariance, trial.place(k),
-        reference::relative_error(scene::UnitVector3{got.x, got.y, got.z},
-                                  reference::enclose_exactly(expected)),
-        2 * trial.bound(Quantity::kDirection),
+        verdict,
+        {Quantity::kInvariance, trial.place(k),
+         reference::relative_error(scene::UnitVector3{got.x, got.y, got.z},
+                                   reference::enclose_exactly(expected)),
+         2 * trial.bound(Quantity::kDirection)},
         [&] { return reference::condition_of_direction(trial.exact_ray(k)); },
         [&](Discrepancy& d) {
           d.what = what;
@@ -274,9 +278,10 @@ void compare_frames(Trial& trial, Verdict& verdict, const scene::Camera& other_c
   const auto compare = [&](const char* axis, const scene::UnitVector3& got,
                            const scene::UnitVector3& expected) {
     trial.measure(
-        verdict, Quantity::kInvariance, Place{},
-        reference::relative_error(got, reference::enclose_exactly(expected)),
-        2 * trial.bound(Quantity::kFrame),
+        verdict,
+        {Quantity::kInvariance, Place{},
+         reference::relative_error(got, reference::enclose_exactly(expected)),
+         2 * trial.bound(Quantity::kFrame)},
         [&] {
           return std::max(reference::condition_of_frame(trial.exact_camera()),
                           reference::condition_of_frame(exact_other));
@@ -349,8 +354,9 @@ void judge_growing_radius(Trial& trial, Verdict& verdict) {
       for (const RayHit& before : trial.hits(sphere)) {
         const std::size_t k = before.ray;
         trial.judge(
-            verdict, Quantity::kClass, Question::kHit, trial.place(k, sphere),
-            find_hit(grown.front(), k) != nullptr ? Wrong::kNot : Wrong::kMissed,
+            verdict,
+            {Quantity::kClass, Question::kHit, trial.place(k, sphere),
+             find_hit(grown.front(), k) != nullptr ? Wrong::kNot : Wrong::kMissed},
             [&] {
               const reference::ExactRay& ray = trial.exact_ray(k);
               return trial.excuse(

@@ -47,8 +47,9 @@ void judge_nearest_sphere(Trial& trial, Verdict& verdict) {
     const bool right_forwards = is_right(choice);
     if (right_forwards) choice.got = reversed_got;
     trial.judge(
-        verdict, Quantity::kNearestSphere, met.question(k),
-        trial.place(k, exact ? Index(exact->index) : choice.got), wrong_of(choice),
+        verdict,
+        {Quantity::kNearestSphere, met.question(k),
+         trial.place(k, exact ? Index(exact->index) : choice.got), wrong_of(choice)},
         [&] { return excuse(trial, k, choice.got, trial.excused_change()); },
         [&](Discrepancy& d) {
           d.what = right_forwards ? "sphere index, spheres in reverse order" : "sphere index";
@@ -63,8 +64,10 @@ Enclosure distance_from_eye(const ExactRay& ray, const Enclosure& s, scene::Orig
   return origin == scene::Origin::kFocal ? s : s + ray.enclose(kDistanceBits).length();
 }
 
-void measure_parameter(const Trial& trial, Verdict& verdict, const Place& place,
-                       const ExactRay& ray, const NearestSphere& exact, double got) {
+/// Of a ray that sees the exact sphere.
+void measure_parameter(Trial& trial, Verdict& verdict, std::size_t k, double got) {
+  const ExactRay& ray = trial.exact_ray(k);
+  const NearestSphere& exact = *trial.exact_nearest()[k];
   const scene::Sphere& sphere = trial.scene().spheres[exact.index];
   const Enclosure s = ray.parameter(sphere, exact.intersection);
   const Enclosure least(std::numeric_limits<double>::denorm_min(), kDistanceBits);
@@ -74,8 +77,10 @@ void measure_parameter(const Trial& trial, Verdict& verdict, const Place& place,
                           : distance.contains_zero() ? std::numeric_limits<double>::infinity()
                                                      : reference::in_units_of_u(error / distance);
   trial.measure(
-      verdict, Quantity::kHitPoint, place, relative,
-      reference::kVisibleParameterError / scene::unit_roundoff(trial.precision()), [] { return 0; },
+      verdict,
+      {Quantity::kHitPoint, trial.place(k, exact.index), relative,
+       reference::kVisibleParameterError / scene::unit_roundoff(trial.precision())},
+      [] { return 0; },
       [&](Discrepancy& d) {
         d.what = "s, as a share of the distance from the eye";
         d.symbol = info(Quantity::kParameter).symbol;
@@ -93,17 +98,17 @@ void judge_visible_sphere(Trial& trial, Verdict& verdict) {
   const SpheresMet met = spheres_met(seen);
   for (std::size_t k = 0; k < answers.size(); ++k) {
     if (met.is_unjudged[k]) continue;
-    const ExactRay& ray = seen.exact_ray(k);
     const auto& exact = seen.exact_nearest()[k];
     const Choice choice{k, answers[k] ? Index(answers[k]->sphere) : Index(), exact};
     const bool right = is_right(choice) && !(exactly && exact && exact->index != *choice.got);
-    const Place place = seen.place(k, exact ? Index(exact->index) : choice.got);
     seen.judge(
-        verdict, Quantity::kNearestSphere, met.question(k), place,
-        right           ? Wrong::kNot
-        : !choice.exact ? Wrong::kFalseHit
-        : !choice.got   ? Wrong::kMissed
-                        : Wrong::kWrongSphere,
+        verdict,
+        {Quantity::kNearestSphere, met.question(k),
+         seen.place(k, exact ? Index(exact->index) : choice.got),
+         right           ? Wrong::kNot
+         : !choice.exact ? Wrong::kFalseHit
+         : !choice.got   ? Wrong::kMissed
+                         : Wrong::kWrongSphere},
         [&] { return exactly ? Excuse{} : excuse(seen, k, choice.got, seen.excused_change()); },
         [&](Discrepancy& d) {
           d.what = "sphere index";
@@ -111,7 +116,7 @@ void judge_visible_sphere(Trial& trial, Verdict& verdict) {
           if (exact) d.exact = {static_cast<double>(exact->index)};
         });
     if (right && exactly && exact) {
-      measure_parameter(seen, verdict, place, ray, *exact, answers[k]->parameter);
+      measure_parameter(seen, verdict, k, answers[k]->parameter);
     }
   }
 }

@@ -31,7 +31,8 @@ std::string name(const Pixel& pixel) {
 class PlaneAnswers {
  public:
   PlaneAnswers(Trial& trial, const scene::Camera& camera, std::vector<Pixel> pixels)
-      : camera_(camera, trial.conventions()),
+      : trial_(trial),
+        camera_(camera, trial.conventions()),
         pixels_(std::move(pixels)),
         points_(trial.candidate().pixel_points(camera, trial.conventions(), pixels_)) {
     if (points_.size() != pixels_.size()) throw std::runtime_error("pixel points are missing");
@@ -55,9 +56,19 @@ class PlaneAnswers {
   Enclosure3 exact_position(std::size_t k) const {
     return camera_.plane_position(pixels_[k], kBits);
   }
-  double condition(std::size_t k) const { return reference::condition_of_pixel_point(ray(k)); }
+  /// A relation is no better determined than the points that it relates.
+  double worst_condition() const {
+    double worst = 0;
+    for (std::size_t k = 0; k < size(); ++k) {
+      worst = std::max(worst, reference::condition_of_pixel_point(ray(k)));
+    }
+    return worst;
+  }
+  void measure(Verdict& verdict, std::size_t k, double error, double bound,
+               const std::string& what) const;
 
  private:
+  const Trial& trial_;
   reference::ExactCamera camera_;
   std::vector<Pixel> pixels_;
   std::vector<Point3> points_;
@@ -69,35 +80,28 @@ double relative(const Enclosure& error, const Enclosure& size) {
   return size.contains_zero() ? kInfiniteError : reference::in_units_of_u(error / size);
 }
 
-/// A relation is no better determined than the points that it relates.
-double worst_condition(const PlaneAnswers& answers) {
-  double worst = 0;
-  for (std::size_t k = 0; k < answers.size(); ++k) worst = std::max(worst, answers.condition(k));
-  return worst;
-}
-
 /// Whether positions that far apart stay so when their points are as far off as they may be, by a
 /// margin that keeps errors of their ratios linear.
 bool is_told_apart(const Trial& trial, const PlaneAnswers& answers, const Enclosure& distance) {
   const double allowed = trial.bound(Quantity::kPixelPoint) *
-                         bound_growth(worst_condition(answers)) *
+                         bound_growth(answers.worst_condition()) *
                          scene::unit_roundoff(trial.precision());
   if (!std::isfinite(allowed)) return false;
   const Enclosure off = Enclosure(16 * allowed, kBits) * answers.size_of_point(0);
   return (abs(distance) - off).certain_sign().value_or(0) > 0;
 }
 
-/// Measures an error at a pixel of `answers`, with the condition number of all its pixel points.
-void measure_at(Trial& trial, Verdict& verdict, const PlaneAnswers& answers, std::size_t k,
-                double error, double bound, const std::string& what) {
+/// Measures an error at a pixel, with the condition number of all the pixel points.
+void PlaneAnswers::measure(Verdict& verdict, std::size_t k, double error, double bound,
+                           const std::string& what) const {
   Place place;
-  place.pixel = answers.pixel(k);
-  trial.measure(
-      verdict, Quantity::kPixelPoint, place, error, bound, [&] { return worst_condition(answers); },
+  place.pixel = pixels_[k];
+  trial_.measure(
+      verdict, {Quantity::kPixelPoint, place, error, bound}, [this] { return worst_condition(); },
       [&](Discrepancy& d) {
         d.what = what;
-        d.got = numbers(answers.point(k));
-        d.exact = numbers(answers.ray(k).rounded_pixel_point(trial.precision()));
+        d.got = numbers(points_[k]);
+        d.exact = numbers(ray(k).rounded_pixel_point(trial_.precision()));
       });
 }
 
@@ -117,8 +121,8 @@ void judge_pixel_point(Trial& trial, Verdict& verdict) {
   for (std::size_t k = 0; k < points.size(); ++k) {
     const ExactRay& ray = trial.exact_ray(k);
     trial.measure(
-        verdict, Quantity::kPixelPoint, trial.place(k),
-        reference::pixel_point_error(ray, points[k]),
+        verdict,
+        {Quantity::kPixelPoint, trial.place(k), reference::pixel_point_error(ray, points[k])},
         [&] { return reference::condition_of_pixel_point(ray); },
         [&](Discrepancy& d) {
           d.got = numbers(points[k]);
@@ -158,8 +162,8 @@ void judge_promised_bits(Trial& trial, Verdict& verdict, const PlaneAnswers& ans
     if (along.sign == 0 || (!at_first && rounded(first + rounded(last - first)) != last)) return;
     const double promised = along.sign * (at_first ? first : last);
     const double got = numbers(answers.point(k))[static_cast<std::size_t>(along.index)];
-    measure_at(trial, verdict, answers, k, reference::ulp_error(got, Enclosure(promised, kBits)), 0,
-               "bit-exact corner");
+    answers.measure(verdict, k, reference::ulp_error(got, Enclosure(promised, kBits)), 0,
+                    "bit-exact corner");
   };
   const Pixel& pixel = answers.pixel(k);
   if (signed_axis(frame.U).sign != 0 && signed_axis(frame.V).sign != 0) {
@@ -174,8 +178,8 @@ void judge_bounds(Trial& trial, Verdict& verdict) {
   for (std::size_t k = 0; k < answers.size(); ++k) {
     const Enclosure3 off = answers.position(k) - answers.exact_position(k);
     const Enclosure size = answers.size_of_point(k);
-    measure_at(trial, verdict, answers, k, std::max(relative(off.x, size), relative(off.y, size)),
-               trial.bound(Quantity::kPixelPoint), "corner " + name(answers.pixel(k)));
+    answers.measure(verdict, k, std::max(relative(off.x, size), relative(off.y, size)),
+                    trial.bound(Quantity::kPixelPoint), "corner " + name(answers.pixel(k)));
     judge_promised_bits(trial, verdict, answers, k);
   }
 }
@@ -189,12 +193,12 @@ void judge_image_plane(Trial& trial, Verdict& verdict) {
     const PlaneAnswers answers(trial, camera, here_and_next);
     const Enclosure size = answers.size_of_point(0);
     const Enclosure3 here = answers.position(0) - answers.exact_position(0);
-    measure_at(trial, verdict, answers, 0, relative(here.z, size),
-               trial.bound(Quantity::kPixelPoint), "distance from the plane");
+    answers.measure(verdict, 0, relative(here.z, size), trial.bound(Quantity::kPixelPoint),
+                    "distance from the plane");
     for (std::size_t k = 1; k < answers.size(); ++k) {
       const Enclosure3 next = answers.position(k) - answers.exact_position(k);
-      measure_at(trial, verdict, answers, k, relative(norm(next - here), size),
-                 2 * trial.bound(Quantity::kPixelPoint), "step from " + name(pixel));
+      answers.measure(verdict, k, relative(norm(next - here), size),
+                      2 * trial.bound(Quantity::kPixelPoint), "step from " + name(pixel));
     }
   }
 }
@@ -210,8 +214,8 @@ void judge_centre_pixel(Trial& trial, Verdict& verdict) {
   const PlaneAnswers answers(trial, camera, {{camera.width / 2, camera.height / 2}});
   const Enclosure3 position = answers.position(0);
   const Enclosure off_axis = norm(Enclosure3{position.x, position.y, Enclosure(0)});
-  measure_at(trial, verdict, answers, 0, relative(off_axis, answers.size_of_point(0)),
-             trial.bound(Quantity::kPixelPoint), "distance from the optical axis");
+  answers.measure(verdict, 0, relative(off_axis, answers.size_of_point(0)),
+                  trial.bound(Quantity::kPixelPoint), "distance from the optical axis");
 }
 
 void judge_pixel_zero_zero(Trial& trial, Verdict& verdict) {
@@ -231,8 +235,8 @@ void judge_pixel_zero_zero(Trial& trial, Verdict& verdict) {
     return (abs(b) - abs(a)).certain_sign().value_or(0) > 0;
   };
   const bool right = is_nearer(own.x, opposite.x) && is_nearer(own.y, opposite.y);
-  measure_at(trial, verdict, answers, 0, right ? 0 : kInfiniteError,
-             trial.bound(Quantity::kPixelPoint), "corner of pixel (0, 0)");
+  answers.measure(verdict, 0, right ? 0 : kInfiniteError, trial.bound(Quantity::kPixelPoint),
+                  "corner of pixel (0, 0)");
 }
 
 void judge_density(Trial& trial, Verdict& verdict) {
@@ -255,8 +259,9 @@ void judge_density(Trial& trial, Verdict& verdict) {
   for (std::size_t k = 0; k < pixels.size(); ++k) {
     const Enclosure3 moved =
         reference::enclose_exactly(dense.point(k)) - reference::enclose_exactly(sparse.point(k));
-    measure_at(trial, verdict, sparse, k, relative(norm(moved), sparse.size_of_point(k)),
-               2 * trial.bound(Quantity::kPixelPoint), name(pixels[k]) + " at twice the density");
+    sparse.measure(verdict, k, relative(norm(moved), sparse.size_of_point(k)),
+                   2 * trial.bound(Quantity::kPixelPoint),
+                   name(pixels[k]) + " at twice the density");
   }
 }
 
@@ -285,11 +290,11 @@ void judge_square_pixels(Trial& trial, Verdict& verdict) {
   Place place;
   place.pixel = Pixel{0, 0};
   trial.measure(
-      verdict, Quantity::kPixelPoint, place, error, 2 * trial.bound(Quantity::kPixelPoint),
+      verdict, {Quantity::kPixelPoint, place, error, 2 * trial.bound(Quantity::kPixelPoint)},
       [&] {
         // A step is a difference of two points: their rounding weighs |P| / step.
         const Enclosure size = answers.size_of_point(0);
-        const double worst = std::max(kModerateCondition, worst_condition(answers));
+        const double worst = std::max(kModerateCondition, answers.worst_condition());
         return worst * (size / across + size / down + Enclosure(1)).upper();
       },
       [&](Discrepancy& d) {

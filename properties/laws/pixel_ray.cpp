@@ -15,7 +15,7 @@ void judge_unit_direction(Trial& trial, Verdict& verdict) {
     const scene::UnitVector3 got = direction_of(trial.rays()[k]);
     // The axes' own defect passes into a direction that trusts them.
     trial.measure(
-        verdict, Quantity::kUnitDefect, trial.place(k), reference::unit_defect(got),
+        verdict, {Quantity::kUnitDefect, trial.place(k), reference::unit_defect(got)},
         [&] { return reference::condition_of_frame(trial.exact_camera()); },
         [&](Discrepancy& d) {
           d.got = numbers(got);
@@ -29,7 +29,7 @@ void judge_direction(Trial& trial, Verdict& verdict) {
     const reference::ExactRay& ray = trial.exact_ray(k);
     const scene::UnitVector3 got = direction_of(trial.rays()[k]);
     trial.measure(
-        verdict, Quantity::kDirection, trial.place(k), reference::direction_error(ray, got),
+        verdict, {Quantity::kDirection, trial.place(k), reference::direction_error(ray, got)},
         [&] { return reference::condition_of_direction(ray); },
         [&](Discrepancy& d) {
           d.got = numbers(got);
@@ -44,7 +44,7 @@ void judge_ray_origin(Trial& trial, Verdict& verdict) {
     const reference::ExactRay& ray = trial.exact_ray(k);
     const scene::Point3& got = trial.rays()[k].origin;
     trial.measure(
-        verdict, Quantity::kRayOrigin, trial.place(k), reference::origin_error(ray, got),
+        verdict, {Quantity::kRayOrigin, trial.place(k), reference::origin_error(ray, got)},
         [&] { return at_eye ? 1 : reference::condition_of_pixel_point(ray); },
         [&](Discrepancy& d) {
           d.got = numbers(got);

@@ -19,25 +19,25 @@ using scene::Pixel;
 using scene::SpherePlan;
 using scene::Wanted;
 
-/// Counts what the plan says of a sphere at a pixel. Nothing excuses a plan: it promises to change
-/// no answer, whatever the scene.
-void judge(Verdict& verdict, const Trial& trial, Quantity quantity, const Pixel& pixel,
-           std::size_t sphere, Wrong wrong, const std::string& what) {
-  const auto width = static_cast<std::size_t>(trial.scene().camera->width);
-  const Place place{static_cast<std::size_t>(pixel.j) * width + static_cast<std::size_t>(pixel.i),
-                    pixel, sphere};
+/// A sphere at a pixel, of which a plan says something.
+struct SaidOf {
+  const Trial& trial;
+  std::size_t sphere;
+  Pixel pixel;
+};
+
+/// Nothing excuses a plan: it promises to change no answer, whatever the scene.
+void judge(Verdict& verdict, const SaidOf& it, Quantity quantity, Wrong wrong,
+           const std::string& what) {
+  const auto width = static_cast<std::size_t>(it.trial.scene().camera->width);
+  const std::size_t ray =
+      static_cast<std::size_t>(it.pixel.j) * width + static_cast<std::size_t>(it.pixel.i);
   const Question question = quantity == Quantity::kRoot            ? Question::kSmallerRoot
                             : quantity == Quantity::kNearestSphere ? Question::kNearestOfSeveral
                                                                    : Question::kMiss;
-  if (wrong == Wrong::kNot) return verdict.judged_right(quantity, question, 1);
-  verdict.judged_wrong(quantity, question, place, wrong, Standing::kDefect);
-  Discrepancy discrepancy;
-  discrepancy.quantity = quantity;
-  discrepancy.place = place;
-  discrepancy.what = what;
-  discrepancy.error = HUGE_VAL;
-  discrepancy.wrong = wrong;
-  verdict.add(std::move(discrepancy));
+  it.trial.judge(
+      verdict, {quantity, question, {ray, it.pixel, it.sphere}, wrong}, [] { return Excuse{}; },
+      [&](Discrepancy& d) { d.what = what; });
 }
 
 std::string for_what(const PlanStatement& statement) {
@@ -73,7 +73,7 @@ void judge_left_out(Trial& trial, Verdict& verdict) {
             is_ranked
                 ? is_hidden(ray, trial, k, said.hidden_by.value())
                 : ray.intersect(spheres[k], trial.conventions().root).hit_class == HitClass::kMiss;
-        judge(verdict, trial, is_ranked ? Quantity::kNearestSphere : Quantity::kClass, pixel, k,
+        judge(verdict, {trial, k, pixel}, is_ranked ? Quantity::kNearestSphere : Quantity::kClass,
               is_right    ? Wrong::kNot
               : is_ranked ? Wrong::kWrongSphere
                           : Wrong::kMissed,
@@ -100,7 +100,7 @@ void judge_rectangles(Trial& trial, Verdict& verdict) {
       for (const Pixel& pixel : statements.outside(statement)) {
         const Intersection at =
             ExactRay(camera, pixel).intersect(spheres[k], trial.conventions().root);
-        judge(verdict, trial, Quantity::kClass, pixel, k,
+        judge(verdict, {trial, k, pixel}, Quantity::kClass,
               at.hit_class == HitClass::kMiss ? Wrong::kNot : Wrong::kMissed,
               "outside its rectangle" + for_what(statement));
       }
@@ -151,12 +151,12 @@ void judge_roots(Trial& trial, Verdict& verdict) {
             ExactRay(camera, pixel).intersect(spheres[k], trial.conventions().root);
         const bool is_hit = at.hit_class != HitClass::kMiss;
         if (is_hit) {
-          judge(verdict, trial, Quantity::kRoot, pixel, k,
+          judge(verdict, {trial, k, pixel}, Quantity::kRoot,
                 at.root == reference::WhichRoot::kLarger ? Wrong::kWrongRoot : Wrong::kNot,
                 said.origin_inside ? "behind the origin" : "from inside");
         }
         if (!said.reaches_behind) {
-          judge(verdict, trial, Quantity::kClass, pixel, k,
+          judge(verdict, {trial, k, pixel}, Quantity::kClass,
                 !is_hit && line.meets(spheres[k], pixel) ? Wrong::kFalseHit : Wrong::kNot,
                 "behind the origin");
         }

@@ -41,10 +41,10 @@ bool agree(const Answer& a, const Answer& b, double tolerance) {
                     [tolerance](auto& x, auto& y) { return agree(x, y, tolerance); });
 }
 
-Answers hit_answers(const AskedCase& question, const Trial& trial) {
+StepAnswers hit_answers(const AskedCase& question, const Trial& trial) {
   const auto found =
       trial.intersect(question.rays, question.the_case.scene.spheres, trial.conventions());
-  Answers answers;
+  StepAnswers answers;
   for (const SphereHits& hits : found) {
     const std::size_t first = answers.size();
     answers.resize(first + question.rays.size());
@@ -56,15 +56,15 @@ Answers hit_answers(const AskedCase& question, const Trial& trial) {
 }
 
 /// Empty where the candidate has no such function.
-std::optional<Answers> ask(Step step, const AskedCase& question, const Candidate& candidate) {
+std::optional<StepAnswers> ask(Step step, const AskedCase& question, const Candidate& candidate) {
   Trial trial(question.the_case, candidate);
   const scene::Scene& scene = question.the_case.scene;
-  Answers answers;
+  StepAnswers answers;
   switch (step) {
     case Step::kFrame: {
       if (!scene.camera || !candidate.frame) return {};
       const auto& [U, V, W] = trial.frame();
-      return Answers{{{}, {vector(U), vector(V), vector(W)}}};
+      return StepAnswers{{{}, {vector(U), vector(V), vector(W)}}};
     }
     case Step::kPixelPoint:
       if (!scene.camera || !candidate.pixel_points) return {};
@@ -90,8 +90,8 @@ std::optional<Answers> ask(Step step, const AskedCase& question, const Candidate
 }
 
 /// The same; empty too where the candidate refuses or fails.
-std::optional<Answers> try_to_ask(Step step, const AskedCase& question,
-                                  const Candidate& candidate) {
+std::optional<StepAnswers> try_to_ask(Step step, const AskedCase& question,
+                                      const Candidate& candidate) {
   scene::poll();
   try {
     return ask(step, question, candidate);
@@ -103,9 +103,9 @@ std::optional<Answers> try_to_ask(Step step, const AskedCase& question,
 }
 
 /// Whether an answer is not as expected, nor right in another way.
-bool is_different(const Comparison& comparison, std::size_t k, const Answers& expected,
+bool is_different(const Comparison& comparison, std::size_t k, const StepAnswers& expected,
                   double tolerance) {
-  const auto is_like = [&](const Answers& other) {
+  const auto is_like = [&](const StepAnswers& other) {
     return agree(comparison.answers[k], other[k], tolerance);
   };
   if (is_like(expected)) return false;
@@ -114,7 +114,7 @@ bool is_different(const Comparison& comparison, std::size_t k, const Answers& ex
 }
 
 /// The answers that differ from those expected, but for those that are right in another way.
-std::uint64_t count_different(const Comparison& comparison, const Answers& expected,
+std::uint64_t count_different(const Comparison& comparison, const StepAnswers& expected,
                               double tolerance) {
   std::uint64_t count = 0;
   for (std::size_t k = 0; k < comparison.answers.size(); ++k) {
@@ -184,7 +184,7 @@ const std::vector<Comparison>& Examination::at(Step step) {
   if (known) return *known;
   known.emplace();
   for (const AskedCase& question : questions_) {
-    std::optional<Answers> answers = try_to_ask(step, question, candidate_);
+    std::optional<StepAnswers> answers = try_to_ask(step, question, candidate_);
     if (!answers) continue;
     Comparison comparison = {
         &question, std::move(*answers), ask(step, question, right_).value(), {}};
@@ -242,8 +242,8 @@ DoubtTally Examination::tally(Step step, Arithmetic arithmetic, double tolerance
   return all;
 }
 
-std::vector<Answers> Examination::ask_others(Step step, AskedCase question) const {
-  std::vector<Answers> answers;
+std::vector<StepAnswers> Examination::ask_others(Step step, AskedCase question) const {
+  std::vector<StepAnswers> answers;
   scene::Conventions& conventions = question.the_case.scene.conventions;
   const auto add = [&](const Candidate& other) {
     if (!(other.declared.over(conventions) == conventions)) return;

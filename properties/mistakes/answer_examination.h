@@ -19,7 +19,7 @@ struct Answer {
   std::optional<std::size_t> choice;
   std::array<scene::Vector3, 3> vectors;
 };
-using Answers = std::vector<Answer>;
+using StepAnswers = std::vector<Answer>;
 
 /// A case under the conventions by which the candidate is judged, and its right rays.
 struct AskedCase {
@@ -31,8 +31,8 @@ struct AskedCase {
 /// make of it.
 struct Comparison {
   const AskedCase* question;
-  Answers answers, right;
-  std::vector<Answers> also_right;
+  StepAnswers answers, right;
+  std::vector<StepAnswers> also_right;
 };
 
 /// A candidate's answers to cases, each step's worked out when first asked for.
@@ -53,7 +53,7 @@ class Examination {
   DoubtTally tally(Step step, Arithmetic arithmetic, double tolerance);
 
  private:
-  std::vector<Answers> ask_others(Step step, AskedCase question) const;
+  std::vector<StepAnswers> ask_others(Step step, AskedCase question) const;
 
   const Candidate& candidate_;
   const Candidate right_ = right_candidate();

@@ -91,7 +91,7 @@ FoundCause find_cause(Examination& examination, const Part& part) {
         if (examination.tally(step, kArithmetics.back(), tolerance).allows_all()) break;
       }
       for (const Mistake* mistake : found.mistakes) {
-        found.cause.alternatives.push_back({mistake->sentence, errors, errors - left});
+        found.cause.alternatives.push_back({mistake->sentence, errors, errors - left, mistake});
       }
       if (!found.mistakes.empty()) return found;
       break;

@@ -5,10 +5,13 @@
 
 namespace raycheck::properties {
 
+struct Mistake;
+
 /// One convention or one classic mistake that makes right what was wrong.
 struct Explanation {
   std::string sentence;  ///< "rows are upside down"
   std::uint64_t errors = 0, explained = 0;
+  const Mistake* mistake = nullptr;  ///< Of answers, where it is one.
 };
 
 /// The least share of the errors that is explained; a right answer that the explanation contradicts

@@ -63,6 +63,11 @@ std::vector<Mistake> root_mistakes() {
                if (!meets(roots, conventions) || !(roots.larger >= 0)) return {};
                return hit_at(ray, roots.larger);
              }),
+      choice("v < 0 counts as a miss, so that spheres around the origin are not seen where their "
+             "centres lie behind it",
+             [](const Ray& ray, const Roots& roots, const Conventions& conventions) -> Hit {
+               return roots.axial_distance < 0 ? Hit() : usual_choice(ray, roots, conventions);
+             }),
       value("Q = s D: the origin is not added",
             [](const Ray& ray, const HitAnswer& hit) {
               return HitAnswer{hit.parameter, hit_at({{}, ray.direction}, hit.parameter).point};

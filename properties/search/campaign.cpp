@@ -13,7 +13,6 @@
 
 #include "properties/cases/random.h"
 #include "properties/cases/shrink.h"
-#include "properties/given_rays.h"
 #include "properties/rounded_case.h"
 #include "scene/interruption.h"
 
@@ -54,24 +53,12 @@ struct CaseVerdict {
   Verdict verdict;
 };
 
-CaseVerdict verdict_on(const Law& law, Trial& trial) {
-  const bool judged = trial.is_judged(law.quantity);
-  return {judged, false, judged ? apply(law, trial) : Verdict(law.name)};
-}
-
 CaseVerdict verdict_on(const Law& law, const Candidate& candidate, const Case& the_case,
                        std::optional<double> max_error, FailureSearch* search = nullptr) {
   if (!is_problem(the_case, candidate.declared)) return {false, false, Verdict(law.name)};
-  const TrialOptions options = {.max_error = max_error, .search = search};
-  Trial trial(the_case, candidate, options);
-  if (!wants_given_rays(law, trial)) return verdict_on(law, trial);
-  const auto given = given_rays(the_case, trial.conventions(), candidate.precision);
-  if (!given) return verdict_on(law, trial);
-  Trial on_given(given->the_case, candidate, options);
-  CaseVerdict judged = verdict_on(law, on_given);
-  judged.given_rays = true;
-  judged.verdict.relocate([&](const Place& place) { return given->place(place); });
-  return judged;
+  Trials trials(the_case, candidate, {.max_error = max_error, .search = search});
+  const bool judged = trials.of(law).is_judged(law.quantity);
+  return {judged, trials.gave_rays(), judged ? trials.apply(law) : Verdict(law.name)};
 }
 
 bool fails_in_vain(const Verdict& verdict) {
@@ -227,10 +214,7 @@ bool has_question(const Law& law, const Candidate& candidate, const Case& the_ca
   if (!is_problem(the_case, candidate.declared)) return false;
   const auto rounded = rounded_case(the_case, candidate.precision).the_case;
   if (!rounded) return false;
-  const Trial trial(*rounded, candidate);
-  if (!wants_given_rays(law, trial)) return what_is_missing(law.needs, trial).empty();
-  const auto given = given_rays(*rounded, trial.conventions(), candidate.precision);
-  return given && what_is_missing(law.needs, Trial(given->the_case, candidate)).empty();
+  return what_is_missing(law.needs, Trials(*rounded, candidate).of(law)).empty();
 }
 
 void CaseCounts::add(const CaseCounts& other) {

@@ -49,7 +49,6 @@ class AnswerSearch {
       }
     }
     if (is_refuted) return {Nearby::kRefuted, {}};
-    if (!box_.around().at_length) return {};
     is_refuted = true;
     for (const std::vector<Condition>& all : alternatives(box_)) {
       std::optional<InputChange> witness;

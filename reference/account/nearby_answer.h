@@ -27,10 +27,7 @@ struct NearbyAnswer {
 struct Neighbourhood {
   scene::Root root = scene::Root::kNearest;
   scene::Tangent tangent = scene::Tangent::kHit;
-  double relative_change = 0;  ///< Of each input, at most.
-  /// Whether to go on, by steps and in parts, where the deciders are not nearly linear: it takes up
-  /// to a hundred times as long.
-  bool at_length = true;
+  double relative_change = 0;    ///< Of each input, at most.
   scene::ValidRoots valid = {};  ///< Which roots count: no inputs, and taken exactly.
 };
 

@@ -82,7 +82,7 @@ class ChoiceSearch {
       for (const int root : hit_roots()) take(hit(0, root), 1, root, {});
     }
     // Another sphere in the way is taken in before this costs more.
-    if ((offender_ || !question_.around.at_length) && !open_.empty()) is_refuted_ = false;
+    if (offender_ && !open_.empty()) is_refuted_ = false;
     for (const Conditions& all : open_) {
       if (!witness_ && is_refuted_) search_parts(all);
     }
@@ -183,8 +183,7 @@ class ChoiceSearch {
   void find_witness(const Conditions& all) {
     const std::size_t n = inputs_->dimension();
     std::vector<double> t = best_place(variations(*whole_, all), n).t;
-    const int steps = question_.around.at_length ? kPrograms : 1;
-    for (int step = 0; step < steps && !is_witness(t); ++step) {
+    for (int step = 0; step < kPrograms && !is_witness(t); ++step) {
       t = best_place(variations(ChoiceForms(*inputs_, Part{t, {}}), all), n).t;
     }
     if (!witness_) open_.push_back(all);

@@ -105,7 +105,7 @@ TEST(Verdict, CountsRightAndWrongAnswersWithoutAveragingThem) {
   EXPECT_TRUE(verdict.tallies().empty());
   verdict.judged_right(Quantity::kClass, Question::kHit, 1);
   const auto wrong = [&](Question question, std::size_t ray, Wrong kind, Standing standing) {
-    verdict.judged_wrong(Quantity::kClass, question, at_ray(ray), kind, standing);
+    verdict.judged_wrong({Quantity::kClass, question, at_ray(ray), kind}, standing);
   };
   wrong(Question::kHit, 1, Wrong::kMissed, Standing::kExcused);
   wrong(Question::kMiss, 2, Wrong::kFalseHit, Standing::kDefect);
@@ -148,7 +148,7 @@ TEST(Verdict, NamesTheFirstQuestionThatWasAnsweredRightlyTooFewTimes) {
   EXPECT_FALSE(verdict.too_few_right(5));
   const std::pair too_few_misses(Quantity::kClass, Question::kMiss);
   EXPECT_EQ(verdict.too_few_right(6), too_few_misses);
-  verdict.judged_wrong(Quantity::kClass, Question::kHit, at_ray(0), Wrong::kMissed,
+  verdict.judged_wrong({Quantity::kClass, Question::kHit, at_ray(0), Wrong::kMissed},
                        Standing::kExcused);
   const std::pair too_few_hits(Quantity::kClass, Question::kHit);
   EXPECT_EQ(verdict.too_few_right(1), too_few_hits);
@@ -224,7 +224,7 @@ Verdict random_verdict(std::mt19937_64& random) {
     if (wrong == Wrong::kNot) {
       verdict.judged_right(Quantity::kClass, question, 1);
     } else {
-      verdict.judged_wrong(Quantity::kClass, question, place, wrong, excuse.standing());
+      verdict.judged_wrong({Quantity::kClass, question, place, wrong}, excuse.standing());
     }
     Discrepancy found = discrepancy(error, place.ray, excuse);
     found.what = std::to_string(below(3));

@@ -23,7 +23,7 @@ namespace {
   none, width_height, top_from_right, top_is_minus_bottom, u_flipped, u_and_w_flipped,             \
       no_test_for_t, first_sphere_wins, normalize_discarded, by_discriminant, eye_plus_point,      \
       axes_dropped, float_directions, near_root_only, far_root, upside_down, mirrored, cancelling, \
-      near_negated
+      near_negated, centre_behind
 enum class Mistake { MISTAKES };
 
 #ifdef MISTAKE_BY_NAME
@@ -164,6 +164,7 @@ std::optional<Roots> roots(const Ray& ray, const Sphere& sphere) {
 std::optional<Hit> intersect(const Ray& ray, const Sphere& sphere, const Conventions& asked) {
   const auto found = roots(ray, sphere);
   if (!found || (found->d_sq == 0 && asked.tangent == Tangent::miss)) return {};
+  if (has(Mistake::centre_behind) && found->smaller + found->larger < 0) return {};
   Number s = found->smaller;
   const bool may_be_larger =
       asked.root == Root::nearest && !has(Mistake::near_root_only) && !has(Mistake::no_test_for_t);

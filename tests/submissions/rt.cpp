@@ -35,7 +35,7 @@ namespace {
       size_exchanged, aspect_twice, shares_of_the_count, plane_at_1, from_the_eye, epsilon,        \
       whole_numbers, whole_bounds, one_radius, sorted_once, exits_where_all_is_behind,             \
       lines_for_columns, lines_from_the_last, whole_view, whole_d, least_size_wins,                \
-      largest_distance, outside_only
+      largest_distance
 enum class Mistake { MISTAKES };
 
 #ifdef MISTAKE_BY_NAME
@@ -241,8 +241,6 @@ Vector colour(const Scene& scene, const Ray& ray) {
     is_behind = is_behind || (found && found->larger < 0);
     const bool is_first = has(Mistake::first_sphere_wins) || has(Mistake::sorted_once);
     if (!s || (best != nullptr && is_first)) continue;
-    const bool is_around = length(sphere.centre - scene.camera.eye) < sphere.radius;
-    if (has(Mistake::outside_only) && is_around) continue;
     const Number key = has(Mistake::by_discriminant)   ? -found->d_sq
                        : has(Mistake::least_size_wins) ? std::abs(*s)
                                                        : *s;

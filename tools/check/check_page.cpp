@@ -9,7 +9,6 @@
 #include "tools/report/words.h"
 #include "tools/view/scene_view.h"
 #include "tools/view/selection.h"
-#include "tools/view/view_words.h"
 
 namespace raycheck::tools {
 namespace {
@@ -105,6 +104,24 @@ std::vector<Group> groups_of(const CheckReport& report) {
   return groups;
 }
 
+/// Of the first of those listed, behind its place, of all discrepancies.
+std::string worst_of(std::uint64_t listed, std::uint64_t all) {
+  if (all == 1) return ", the only discrepancy here";
+  return fmt::format(", the worst of {} discrepancies here; {} listed", all,
+                     listed == 1 ? "one place is" : fmt::format("{} places are", listed));
+}
+
+/// How many places with discrepancies are listed, of how many discrepancies, and largest errors.
+std::string found_text(std::uint64_t listed, std::uint64_t all, std::uint64_t errors) {
+  std::string text;
+  if (all > 0) {
+    text = fmt::format("{}, of {} {}", count_text(listed, "place"), all,
+                       all == 1 ? "discrepancy" : "discrepancies");
+  }
+  if (errors > 0) text += (text.empty() ? "" : "; ") + count_text(errors, "largest error");
+  return text.empty() ? "none" : text;
+}
+
 }  // namespace
 
 ViewDocument check_document(const CheckReport& report, const CheckPageOptions& options,
@@ -113,7 +130,8 @@ ViewDocument check_document(const CheckReport& report, const CheckPageOptions& o
   document.title = std::filesystem::path(report.path).filename();
   if (report.rays_judged < report.rays_in_scene) {
     document.left_out.push_back(
-        fewer_judged(document.title, {report.rays_judged, report.rays_in_scene}));
+        fmt::format("{}: findings are of {} of {} rays; `raycheck check --view` judges them all",
+                    document.title, report.rays_judged, report.rays_in_scene));
   }
   for (const Group& group : groups_of(report)) {
     SceneViewOptions view;
@@ -145,8 +163,8 @@ ViewDocument check_document(const CheckReport& report, const CheckPageOptions& o
   const std::vector<FindingView>& findings = document.findings;
   const auto listed = static_cast<std::uint64_t>(std::count_if(
       findings.begin(), findings.end(), [](const auto& one) { return one.standing.has_value(); }));
-  document.found = findings_found({listed, total}, findings.size() - listed);
-  if (listed > 0) document.worst = worst_of({listed, total});
+  document.found = found_text(listed, total, findings.size() - listed);
+  if (listed > 0) document.worst = worst_of(listed, total);
   return document;
 }
 

@@ -4,7 +4,6 @@
 #include <memory>
 #include <utility>
 
-#include "properties/given_rays.h"
 #include "properties/laws/law.h"
 #include "scene/interruption.h"
 #include "tools/check/check.h"
@@ -18,8 +17,7 @@ using properties::FailureSearch;
 using properties::Law;
 using properties::Per;
 using properties::RunControl;
-using properties::Trial;
-using properties::TrialOptions;
+using properties::Trials;
 using properties::Truth;
 using properties::Verdict;
 
@@ -39,34 +37,20 @@ namespace {
 ChunkVerdict judge_chunk(const Case& chunk, std::uint64_t first, std::shared_ptr<Truth> truth,
                          std::optional<double> max_error, const Candidate& candidate,
                          FailureSearch* search = nullptr) {
-  Trial trial(chunk, candidate,
-              {.max_error = max_error, .truth = std::move(truth), .search = search});
+  Trials trials(chunk, candidate,
+                {.max_error = max_error, .truth = std::move(truth), .search = search});
   ChunkVerdict found;
-  const bool wants_rays = std::any_of(
-      properties::laws().begin(), properties::laws().end(),
-      [&](const Law& law) { return law.judges_values && wants_given_rays(law, trial); });
-  const auto given =
-      wants_rays ? given_rays(chunk, trial.conventions(), candidate.precision) : std::nullopt;
-  found.given_rays = given.has_value();
-  std::optional<Trial> on_given;
-  if (given) {
-    on_given.emplace(given->the_case, candidate,
-                     TrialOptions{.max_error = max_error, .search = search});
-  }
   for (const Law& law : properties::laws()) {
     if (!law.judges_values || (law.per == Per::kScene && first > 0)) continue;
     // Of others than renderers it need not be said that they make no images.
     if (law.per == Per::kImage && !candidate.image) continue;
-    const bool is_given = on_given && wants_given_rays(law, trial);
-    Verdict verdict = apply(law, is_given ? *on_given : trial);
-    if (is_given) {
-      verdict.relocate([&](const properties::Place& place) { return given->place(place); });
-    }
+    Verdict verdict = trials.apply(law);
     if (!verdict.reason_left_out().empty()) found.left_out[law.name] = verdict.reason_left_out();
     if (!chunk.scene.camera) verdict.shift_rays(first);
     found.verdict.merge(std::move(verdict));
   }
-  found.swallowed = swallowed(trial);
+  found.given_rays = trials.gave_rays();
+  found.swallowed = swallowed(trials.on_case());
   if (!chunk.scene.camera) {
     for (SwallowedHit& hit : found.swallowed.worst) hit.place.ray += first;
   }

@@ -7,7 +7,6 @@
 #include <stdexcept>
 #include <utility>
 
-#include "properties/candidates/fast_candidate.h"
 #include "properties/rounded_case.h"
 #include "scene/interruption.h"
 #include "scene/validate.h"
@@ -16,6 +15,9 @@
 namespace raycheck::tools {
 namespace {
 
+using properties::Candidate;
+using properties::Case;
+using properties::SharedTruths;
 using reference::ClosedForm;
 using reference::ClosedForm3;
 using reference::Enclosure;
@@ -165,15 +167,60 @@ SphereReport report_sphere(const Subject& subject, const scene::Sphere& sphere,
   return report;
 }
 
-/// Outside the stated domain of who answered nothing is judged but an exact class that it promises
-/// everywhere, as in a trial.
-MethodReport within_domain(MethodReport report, const properties::Candidate& candidate,
-                           const scene::Scene& scene) {
-  const bool promises_exactly = report.class_error && promises_exact_class(candidate, scene);
-  if (!report.goes_wrong_at.empty() && !promises_exactly && !is_inside_domain(candidate, scene)) {
-    report.standing = properties::Standing::kNotJudged;
+/// The scene under the conventions, and in the format, of who is asked.
+scene::Scene asked_scene(const ExplainOptions& options, const std::optional<Candidate>& other,
+                         std::size_t& rounded_numbers) {
+  scene::Scene scene = options.scene;
+  scene::require_valid(scene);
+  // As check does: rays that a method makes from the eye only are judged from the eye.
+  if (options.rays->pixel_rays == nullptr) scene.conventions.origin = scene::Origin::kFocal;
+  if (!other) return scene;
+  scene.conventions = other->declared.over(scene.conventions);
+  auto [rounded, reason, changed] = properties::rounded_case({scene, {}}, other->precision);
+  if (!rounded) throw std::invalid_argument(other->name + ": " + reason);
+  rounded_numbers = changed;
+  return std::move(rounded->scene);
+}
+
+Subject subject_of(const scene::Scene& scene, const std::optional<reference::ExactCamera>& camera,
+                   const std::optional<scene::Pixel>& pixel) {
+  if (!camera) {
+    const scene::Ray& ray = scene.rays.front();
+    return {ExactRay(ray), reference::ClosedFormRay(ray), false};
   }
-  return report;
+  return {ExactRay(*camera, *pixel),
+          reference::ClosedFormRay(*scene.camera, scene.conventions, *pixel), true};
+}
+
+/// Everyone's rays at a pixel.
+void report_all_rays(const Case& the_case, const std::optional<Candidate>& other,
+                     ExplainReport& report) {
+  SharedTruths truths(the_case);
+  const auto add = [&](const Candidate& candidate, const fast::PixelRayMethod* own) {
+    const auto conventions = candidate.declared.over(the_case.scene.conventions);
+    MethodReport rays = report_rays(candidate, the_case, truths.under(conventions), own);
+    if (!rays.steps.empty() || rays.wrong) report.methods.push_back(std::move(rays));
+  };
+  for (const auto* method : fast::pixel_ray_methods()) {
+    add(candidate_of(MethodPair{method, kDefaultMethods.intersect}), method);
+  }
+  if (other) add(*other, nullptr);
+}
+
+/// Everyone's answers about the case's one sphere.
+void report_all_intersections(const Case& the_case, const fast::PixelRayMethod& rays,
+                              const std::optional<Candidate>& other, ExplainReport& report) {
+  SharedTruths truths(the_case);
+  const auto add = [&](const Candidate& candidate, const fast::IntersectMethod* own) {
+    scene::poll();
+    const auto conventions = candidate.declared.over(the_case.scene.conventions);
+    report.methods.push_back(
+        report_intersection(candidate, the_case, truths.under(conventions), own));
+  };
+  for (const auto* method : fast::intersect_methods()) {
+    add(candidate_of(MethodPair{&rays, method}), method);
+  }
+  if (other && other->intersect) add(*other, nullptr);
 }
 
 }  // namespace
@@ -186,67 +233,43 @@ const Step* ExplainReport::find(const std::string& symbol) const {
 
 bool ExplainReport::has_discrepancy() const {
   return std::any_of(methods.begin(), methods.end(), [](const MethodReport& method) {
-    return !method.failure.empty() ||
-           (!method.goes_wrong_at.empty() && method.standing == properties::Standing::kDefect);
+    return method.wrong && method.wrong->excuse.standing() == properties::Standing::kDefect;
   });
 }
 
 ExplainReport explain(const ExplainOptions& options) {
   ExplainReport report;
-  scene::Scene scene = options.scene;
-  scene::require_valid(scene);
-  // As check does: rays that a method makes from the eye only are judged from the eye.
-  if (options.rays->pixel_rays == nullptr) scene.conventions.origin = scene::Origin::kFocal;
-  std::optional<properties::Candidate> other;
-  if (options.other) {
-    other = options.other->make();
-    scene.conventions = other->declared.over(scene.conventions);
-    auto [rounded, reason, changed] = properties::rounded_case({scene, {}}, other->precision);
-    if (!rounded) throw std::invalid_argument(other->name + ": " + reason);
-    scene = std::move(rounded->scene);
-    report.rounded_numbers = changed;
-  }
-  const scene::Conventions& conventions = scene.conventions;
+  std::optional<Candidate> other;
+  if (options.other) other = options.other->make();
+  report.scene = asked_scene(options, other, report.rounded_numbers);
   report.other = options.other;
-  report.others_ray_is_own = options.pixel && options.others_ray;
-  report.scene = scene;
   report.pixel = options.pixel;
   report.rays_method = std::string(options.rays->name);
 
+  const scene::Scene& scene = report.scene;
+  Case the_case{scene, {}};
   std::optional<reference::ExactCamera> camera;
-  std::optional<Subject> subject;
   if (scene.camera) {
-    const scene::Pixel pixel = options.pixel.value();
-    camera.emplace(*scene.camera, conventions);
-    subject.emplace(Subject{ExactRay(*camera, pixel),
-                            reference::ClosedFormRay(*scene.camera, conventions, pixel), true,
-                            properties::inherited_bound(*options.rays)});
-    derive_camera(*camera, *subject, pixel, report.steps);
-    add_ray_conditions(*subject, &*camera, report.steps);
-    for (const auto* method : fast::pixel_ray_methods()) {
-      report.methods.push_back(within_domain(judge_rays(*method, conventions, *scene.camera, pixel),
-                                             candidate_of({method, kDefaultMethods.intersect}),
-                                             scene));
-    }
-    if (other && (other->frame || other->pixel_points || other->pixel_rays || other->focal_rays)) {
-      report.methods.push_back(within_domain(
-          judge_others_rays(*other, conventions, *scene.camera, pixel), *other, scene));
-    }
-    if (!scene.spheres.empty()) {
-      report.ray = ray_by(*options.rays, *scene.camera, conventions, pixel);
-    }
+    the_case.pixels = {options.pixel.value()};
+    camera.emplace(*scene.camera, scene.conventions);
   } else {
     report.ray = scene.rays.front();
-    subject.emplace(Subject{ExactRay(report.ray), reference::ClosedFormRay(report.ray), false, 0});
-    derive_given(*subject, report.ray, report.steps);
-    add_ray_conditions(*subject, nullptr, report.steps);
+    the_case.scene.rays = {report.ray};
   }
+  const Subject subject = subject_of(scene, camera, options.pixel);
+  if (camera) {
+    derive_camera(*camera, subject, *options.pixel, report.steps);
+    report_all_rays(the_case, other, report);
+  } else {
+    derive_given(subject, report.ray, report.steps);
+  }
+  add_ray_conditions(subject, camera ? &*camera : nullptr, report.steps);
 
   for (const scene::Sphere& sphere : scene.spheres) {
     scene::poll();
-    report.spheres.push_back(report_sphere(*subject, sphere, conventions));
+    report.spheres.push_back(report_sphere(subject, sphere, scene.conventions));
   }
-  if (const auto nearest = subject->exact.nearest(scene.spheres, conventions)) {
+  if (const auto nearest = subject.exact.nearest(scene.spheres, scene.conventions)) {
     report.nearest = nearest->index;
   }
   if (scene.spheres.empty()) {
@@ -261,24 +284,13 @@ ExplainReport explain(const ExplainOptions& options) {
   const scene::Sphere& sphere = scene.spheres[*report.sphere];
   const SphereReport& exact = report.spheres[*report.sphere];
   scene::poll();
-  derive_sphere(*subject, sphere, exact, report.steps);
-  add_sphere_conditions(*subject, sphere, exact.intersection, report.steps);
+  derive_sphere(subject, sphere, exact, report.steps);
+  add_sphere_conditions(subject, sphere, exact.intersection, report.steps);
   const scene::Conventions own =
-      candidate_of(kDefaultMethods).declared.over(conventions);  // those of each of them
-  if (own != conventions) report.by_every_root = report_sphere(*subject, sphere, own);
-  for (const auto* method : fast::intersect_methods()) {
-    scene::poll();
-    report.methods.push_back(
-        within_domain(judge_intersection(*method, report.ray, sphere, own, *subject,
-                                         report.by_every_root.value_or(exact)),
-                      candidate_of({options.rays, method}), scene));
-  }
-  if (other && other->intersect) {
-    const scene::Ray& ray = report.others_ray_is_own ? *options.others_ray : report.ray;
-    report.methods.push_back(
-        within_domain(judge_others_intersection(*other, ray, sphere, conventions, *subject, exact),
-                      *other, scene));
-  }
+      candidate_of(kDefaultMethods).declared.over(scene.conventions);  // those of each of them
+  if (own != scene.conventions) report.by_every_root = report_sphere(subject, sphere, own);
+  the_case.scene.spheres = {sphere};
+  report_all_intersections(the_case, *options.rays, other, report);
   return report;
 }
 

@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-#include "properties/excuse.h"
+#include "properties/verdict.h"
 #include "reference/account/closed_form.h"
 #include "reference/exact_ray.h"
 #include "scene/scene.h"
@@ -23,8 +23,6 @@ struct ExplainOptions {
   const fast::PixelRayMethod* rays = kDefaultMethods.rays;  ///< Whose rays the intersections get.
   /// Someone else's implementation, by whose conventions all is explained; null: there is none.
   std::shared_ptr<const Implementation> other = nullptr;
-  /// Of a pixel: the ray that it intersects, made by itself; empty: that of `rays`.
-  std::optional<scene::Ray> others_ray = {};
 };
 
 /// One step of the exact derivation: a scalar or three coordinates.
@@ -43,7 +41,6 @@ struct MethodStep {
   std::vector<double> value;    ///< Empty: it has none (a miss).
   std::optional<double> error;  ///< From the exact value; empty where that or the value is a miss.
   std::string_view unit;        ///< Of its errors.
-  bool wrong = false;  ///< Off by more than may be expected of one step (see explain_methods.cpp).
   /// The error of this step alone, fed with the method's own values of the steps before, taken
   /// exactly; empty where it has none.
   std::optional<double> error_alone = {};
@@ -53,15 +50,21 @@ struct MethodReport {
   std::string name;
   std::vector<MethodStep> steps;
   bool intersects = false;          ///< An intersection method; the next four speak of those only.
+  bool makes_ray = false;           ///< The ray of a pixel, which it is otherwise given.
   std::optional<double> parameter;  ///< Empty: a miss.
   std::optional<double> ulp_error;  ///< Empty unless both hit.
   scene::Precision precision = scene::Precision::kDouble;  ///< What that is an ulp of.
-  bool class_error = false;
-  bool is_excluded = false;  ///< It answers s where its own interval excludes it.
-  /// Of a class or a root that is wrong: whether inputs close by make it right.
-  properties::Standing standing = properties::Standing::kDefect;
+  /// What the laws find wrong first with its answers; empty: nothing.
+  std::optional<properties::Discrepancy> wrong = {};
   std::string goes_wrong_at;  ///< The first wrong step's symbol; empty: none.
-  std::string failure;        ///< How it gave no answer, after these steps; empty: it did.
+
+  /// How it gave no answer, after these steps; empty: it did.
+  std::string failure() const {
+    const bool has_failed = wrong && (wrong->wrong == properties::Wrong::kFailed ||
+                                      wrong->wrong == properties::Wrong::kRefused);
+    return has_failed ? wrong->what : "";
+  }
+  bool is_excluded() const { return wrong && wrong->excluded_by; }
 };
 
 /// A root >= 0 that does not count, and why.
@@ -91,7 +94,6 @@ struct ExplainReport {
   std::vector<Step> steps;
   std::vector<MethodReport> methods;
   std::shared_ptr<const Implementation> other;
-  bool others_ray_is_own = false;
   std::optional<std::size_t> sphere;  ///< The one derived and intersected by the methods.
   std::vector<SphereReport> spheres;
   /// Of that sphere, where the conventions say otherwise: raycheck's own methods count every root

@@ -50,15 +50,15 @@ Json method_json(const MethodReport& method) {
   json["s"] = hexfloat_or_null(method.parameter);
   json["ulp_error"] = error_json(method.ulp_error);
   json["unit"] = unit_name(properties::Quantity::kParameter, method.precision);
-  json["excluded_by_own_interval"] = method.is_excluded;
-  json["class_error"] = method.class_error;
-  json["standing"] = method.goes_wrong_at.empty() ? Json(nullptr) : Json(name(method.standing));
+  json["excluded_by_own_interval"] = method.is_excluded();
+  json["class_error"] = method.wrong && method.wrong->quantity == properties::Quantity::kClass;
+  json["standing"] = method.wrong ? Json(name(method.wrong->excuse.standing())) : Json(nullptr);
   return json;
 }
 
 void add_steps(const MethodReport& method, Json& json) {
   json["goes_wrong_at"] = method.goes_wrong_at.empty() ? Json(nullptr) : Json(method.goes_wrong_at);
-  json["failed"] = method.failure.empty() ? Json(nullptr) : Json(method.failure);
+  json["failed"] = method.failure().empty() ? Json(nullptr) : Json(method.failure());
   json["steps"] = Json::array();
   for (const MethodStep& step : method.steps) {
     json["steps"].push_back({{"symbol", step.symbol},

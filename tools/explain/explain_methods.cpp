@@ -1,271 +1,260 @@
 #include "tools/explain/explain_methods.h"
 
-#include <fmt/core.h>
-
 #include <algorithm>
-#include <limits>
+#include <cmath>
+#include <exception>
 #include <string>
+#include <utility>
 
 #include "fast/camera_frame.h"
+#include "properties/laws/law.h"
 #include "properties/quantity.h"
-#include "properties/trial.h"
-#include "reference/account/condition.h"
-#include "reference/account/nearby_answer.h"
 #include "reference/error_measure.h"
-#include "reference/ray_error.h"
 #include "scene/validate.h"
 
 namespace raycheck::tools {
+namespace {
 
+using properties::Candidate;
+using properties::Case;
+using properties::Law;
 using properties::Quantity;
+using properties::Trial;
+using properties::Trials;
+using properties::Truth;
 using reference::Enclosure;
 using reference::Enclosure3;
 using reference::ExactRay;
-using reference::Intersection;
 
-MethodStep step(const char* symbol, std::vector<double> value, std::optional<double> error,
-                double bound, Quantity quantity, scene::Precision precision) {
-  return {symbol, std::move(value), error, unit_name(quantity, precision), error && *error > bound};
-}
-
-std::string first_wrong(const MethodReport& report) {
-  for (const MethodStep& one : report.steps) {
-    if (one.wrong) return one.symbol;
+/// What the laws of a kind find wrong first.
+template <class Condition>
+std::optional<properties::Discrepancy> found_wrong(Trials& trials, const Condition& is_asked) {
+  properties::Verdict verdict;
+  for (const Law& law : properties::laws()) {
+    if (is_asked(law)) verdict.merge(trials.apply(law));
   }
-  return report.steps.back().symbol;
+  std::vector<properties::Discrepancy> worst = verdict.worst(1);
+  return worst.empty() ? std::nullopt : std::optional(std::move(worst.front()));
 }
 
-namespace {
-
-/// g = n W + alpha U + beta V of the method's own axes, exactly.
-Enclosure3 along_own_axes(const fast::CameraFrame& frame, const Enclosure3& plane_position) {
-  const Enclosure3 U = reference::enclose_exactly(frame.U);
-  const Enclosure3 V = reference::enclose_exactly(frame.V);
-  const Enclosure3 W = reference::enclose_exactly(frame.W);
-  const auto sum = [&](Enclosure Enclosure3::*member) {
-    return plane_position.z * W.*member + plane_position.x * U.*member +
-           plane_position.y * V.*member;
-  };
-  return {sum(&Enclosure3::x), sum(&Enclosure3::y), sum(&Enclosure3::z)};
+constexpr bool is_of_made_rays(const Law& law) {
+  return law.judges_values && speaks_of_cameras(law) && !speaks_of_intersections(law);
 }
+constexpr bool is_of_pairs(const Law& law) {
+  return law.judges_values && law.per == properties::Per::kPair;
+}
+
+/// The steps of a report, in the format of its implementation.
+class Steps {
+ public:
+  explicit Steps(MethodReport& report) : report_(report) {}
+
+  /// `error` counts ulp of the format, or u of doubles, as the quantity has it.
+  MethodStep& add(const char* symbol, std::vector<double> value, std::optional<double> error,
+                  Quantity quantity) {
+    if (error && quantity != Quantity::kParameter) *error = in_u(*error);
+    report_.steps.push_back(
+        {symbol, std::move(value), error, unit_name(quantity, report_.precision)});
+    return report_.steps.back();
+  }
+  double in_u(double error_of_doubles) const {
+    return error_of_doubles * properties::kDoubleRoundoff / scene::unit_roundoff(report_.precision);
+  }
+
+ private:
+  MethodReport& report_;
+};
 
 Enclosure3 scaled(const Enclosure& factor, const Enclosure3& v) {
   return {factor * v.x, factor * v.y, factor * v.z};
 }
 
-/// The root and the point alone: from the method's own v and d^2, and from its own s.
-void judge_alone(const scene::Ray& ray, const Intersection& at, const fast::Roots* roots,
-                 double u_of_doubles, MethodStep& s, MethodStep& point) {
-  const Enclosure3 direction = reference::enclose_exactly(ray.direction);
-  if (roots != nullptr && std::isfinite(roots->axial_distance) && roots->half_chord_sq >= 0 &&
-      std::isfinite(roots->half_chord_sq)) {
-    constexpr int kBits = 256;
-    const Enclosure v(roots->axial_distance, kBits);
-    const Enclosure d = sqrt(Enclosure(roots->half_chord_sq, kBits));
-    const bool smaller = at.root == reference::WhichRoot::kSmaller;
-    s.error_alone = reference::ulp_error(s.value[0], (smaller ? v - d : v + d) / norm(direction));
+/// g = n W + alpha U + beta V of the method's own axes, exactly.
+Enclosure3 along_own_axes(const properties::FrameAnswer& frame, const Enclosure3& plane_position) {
+  return scaled(plane_position.z, reference::enclose_exactly(frame.W)) -
+         scaled(-plane_position.x, reference::enclose_exactly(frame.U)) -
+         scaled(-plane_position.y, reference::enclose_exactly(frame.V));
+}
+
+void add_ray_steps(Trial& trial, bool is_own, Steps steps) {
+  const Candidate& candidate = trial.candidate();
+  const scene::Camera& camera = *trial.scene().camera;
+  const ExactRay& exact = trial.exact_ray(0);
+  std::optional<Enclosure3> own_along;
+  if (candidate.frame) {
+    const reference::EnclosedFrame truth = trial.exact_camera().frame();
+    const auto add_axis = [&](const char* symbol, const scene::UnitVector3& axis,
+                              const Enclosure3& exactly) {
+      steps.add(symbol, numbers(axis), reference::relative_error(axis, exactly), Quantity::kFrame);
+    };
+    add_axis("W", trial.frame().W, truth.W);
+    add_axis("U", trial.frame().U, truth.U);
+    add_axis("V", trial.frame().V, truth.V);
   }
-  if (!std::isfinite(s.value[0])) return;
-  const scene::Point3 got = {point.value[0], point.value[1], point.value[2]};
-  point.error_alone = u_of_doubles * reference::relative_error(
-                                         got, reference::enclose_exactly(ray.origin) -
-                                                  scaled(-Enclosure(s.value[0], 256), direction));
+  if (is_own) {
+    const auto got = fast::plane_position(camera, trial.conventions(), trial.pixels().front());
+    const Enclosure3 truth = trial.exact_camera().plane_position(trial.pixels().front());
+    steps.add("alpha", {got.alpha}, reference::ulp_error(got.alpha, truth.x), Quantity::kParameter);
+    steps.add("beta", {got.beta}, reference::ulp_error(got.beta, truth.y), Quantity::kParameter);
+    own_along = along_own_axes(trial.frame(), truth);
+  }
+  if (candidate.pixel_points) {
+    const scene::Point3& got = trial.pixel_points().front();
+    MethodStep& step =
+        steps.add("P", numbers(got), reference::relative_error(got, exact.pixel_point()),
+                  Quantity::kPixelPoint);
+    if (own_along) {
+      step.error_alone = reference::relative_error(
+          got, reference::enclose_exactly(camera.eye) - scaled(Enclosure(-1), *own_along));
+    }
+  }
+  if (trial.has_rays()) {
+    const scene::Vector3& D = trial.rays().front().direction;
+    const scene::UnitVector3 got = {D.x, D.y, D.z};
+    MethodStep& step = steps.add("D", numbers(got), reference::angle_error(got, exact.direction()),
+                                 Quantity::kDirection);
+    if (own_along) step.error_alone = reference::angle_error(got, *own_along);
+  }
+}
+
+/// T, v and d^2 of one of raycheck's own methods.
+std::optional<fast::Roots> add_own_steps(const fast::IntersectMethod& own, const ExactRay& exact,
+                                         const Trial& trial, Steps steps) {
+  const scene::Ray& ray = exact.source().given;
+  const scene::Sphere& sphere = trial.scene().spheres.front();
+  const scene::Vector3 to_centre = sphere.centre - ray.origin;
+  steps.add("T", numbers(to_centre),
+            reference::relative_error(
+                scene::UnitVector3{to_centre.x, to_centre.y, to_centre.z},
+                reference::enclose_exactly(sphere.centre) - reference::enclose_exactly(ray.origin)),
+            Quantity::kHitPoint);
+  if (own.roots == nullptr) return {};
+  const fast::Roots roots = own.roots(ray, sphere);
+  const auto enclosed = exact.enclose(1024);
+  const bool is_tangent =
+      exact.intersect(sphere, trial.conventions()).hit_class == reference::HitClass::kTangent;
+  steps.add("v", {roots.axial_distance},
+            reference::ulp_error(roots.axial_distance, enclosed.axial_distance(sphere)),
+            Quantity::kParameter);
+  steps.add("d^2", {roots.half_chord_sq},
+            reference::ulp_error(roots.half_chord_sq,
+                                 is_tangent ? Enclosure(0) : enclosed.half_chord_sq(sphere)),
+            Quantity::kParameter);
+  return roots;
+}
+
+/// s alone, from the method's own v and d^2.
+std::optional<double> error_alone(double s, const fast::Roots& roots, const ExactRay& exact,
+                                  reference::WhichRoot root) {
+  if (!std::isfinite(roots.axial_distance) || !std::isfinite(roots.half_chord_sq) ||
+      roots.half_chord_sq < 0) {
+    return {};
+  }
+  constexpr int kBits = 256;
+  const Enclosure v(roots.axial_distance, kBits);
+  const Enclosure d = sqrt(Enclosure(roots.half_chord_sq, kBits));
+  const Enclosure3 direction = reference::enclose_exactly(exact.source().given.direction);
+  return reference::ulp_error(
+      s, (root == reference::WhichRoot::kSmaller ? v - d : v + d) / norm(direction));
+}
+
+void add_hit_steps(Trial& trial, const fast::IntersectMethod* own, MethodReport& report) {
+  const scene::Ray& ray = trial.rays().front();
+  if (!scene::defects(ray).empty()) return;  // over- or underflow on the ray's way
+  Steps steps(report);
+  const scene::Sphere& sphere = trial.scene().spheres.front();
+  const ExactRay exact(ray);
+  std::optional<fast::Roots> roots;
+  if (own != nullptr) roots = add_own_steps(*own, exact, trial, steps);
+  const properties::HitAnswer* const hit = properties::find_hit(trial.hits(0), 0);
+  if (hit == nullptr) {
+    steps.add("s", {}, {}, Quantity::kParameter);
+    steps.add("Q", {}, {}, Quantity::kHitPoint);
+    return;
+  }
+  report.parameter = hit->parameter;
+  const reference::Intersection at = exact.intersect(sphere, trial.conventions());
+  const bool meets = reference::counts_as_hit(at.hit_class, trial.conventions().tangent);
+  std::optional<double> off_s, off_point;
+  if (meets) {
+    off_s = reference::ulp_error(hit->parameter, exact.parameter(sphere, at), report.precision);
+    off_point = reference::relative_error(hit->point, exact.point(sphere, at));
+  }
+  MethodStep& s = steps.add("s", {hit->parameter}, off_s, Quantity::kParameter);
+  if (meets && roots) s.error_alone = error_alone(hit->parameter, *roots, exact, at.root);
+  MethodStep& point = steps.add("Q", numbers(hit->point), off_point, Quantity::kHitPoint);
+  if (meets && std::isfinite(hit->parameter)) {
+    point.error_alone = steps.in_u(reference::relative_error(
+        hit->point,
+        reference::enclose_exactly(ray.origin) -
+            scaled(-Enclosure(hit->parameter, 256), reference::enclose_exactly(ray.direction))));
+  }
+  if (trial.exact_hit(0, 0)) {
+    report.ulp_error = reference::ulp_error(
+        hit->parameter, trial.exact_ray(0).parameter(sphere, trial.exact_intersection(0, 0)),
+        report.precision);
+  }
+}
+
+/// Whether a wrong answer about a camera's ray is right for the ray that the implementation made.
+bool is_right_for_own_ray(Trial& trial) {
+  if (!trial.scene().camera) return false;
+  Case given{trial.scene(), {}};
+  given.scene.camera.reset();
+  given.scene.rays = {trial.rays().front()};
+  if (!scene::defects(given.scene.rays.front()).empty()) return true;
+  Trials trials(given, trial.candidate());
+  return !found_wrong(trials, is_of_pairs);
+}
+
+/// The first step that is off by more than one step may be, or else the one that is found wrong.
+std::string wrong_step(const MethodReport& report) {
+  for (const MethodStep& step : report.steps) {
+    if (step.symbol == "s") break;
+    if (step.error > properties::kDefaultMaxError) return step.symbol;
+  }
+  return report.wrong->symbol;
 }
 
 }  // namespace
 
-MethodReport judge_rays(const fast::PixelRayMethod& method, const scene::Conventions& conventions,
-                        const scene::Camera& camera, const scene::Pixel& pixel) {
+MethodReport report_rays(const Candidate& candidate, const Case& the_case,
+                         std::shared_ptr<Truth> truth, const fast::PixelRayMethod* own) {
   MethodReport report;
-  report.name = std::string(method.name);
-  const bool has_points = method.pixel_points != nullptr;
-  const reference::ExactCamera exact_camera(camera, conventions);
-  const ExactRay exact(exact_camera, pixel);
-  const auto frame = fast::camera_frame(camera);
-  const auto exact_frame = exact_camera.frame();
-  const double frame_bound =
-      fast::kFrameMaxUlp * properties::bound_growth(reference::condition_of_frame(exact_camera));
-  const auto add_axis = [&](const char* symbol, const scene::UnitVector3& got,
-                            const Enclosure3& truth) {
-    report.steps.push_back(step(symbol, numbers(got), reference::relative_error(got, truth),
-                                frame_bound, Quantity::kFrame));
-  };
-  add_axis("W", frame.W, exact_frame.W);
-  add_axis("U", frame.U, exact_frame.U);
-  add_axis("V", frame.V, exact_frame.V);
-  const std::vector<scene::Pixel> pixels = {pixel};
-  // Their ulps say little where the bounds cancel: what is wrong with them shows in P and D.
-  constexpr double kNoBound = std::numeric_limits<double>::infinity();
-  const auto position = fast::plane_position(camera, conventions, pixel);
-  const Enclosure3 exact_position = exact_camera.plane_position(pixel);
-  const Enclosure3 own_along = along_own_axes(frame, exact_position);
-  report.steps.push_back(step("alpha", {position.alpha},
-                              reference::ulp_error(position.alpha, exact_position.x), kNoBound,
-                              Quantity::kParameter));
-  report.steps.push_back(step("beta", {position.beta},
-                              reference::ulp_error(position.beta, exact_position.y), kNoBound,
-                              Quantity::kParameter));
-  if (has_points) {
-    fast::Vectors points;
-    method.pixel_points(camera, conventions, pixels, points);
-    const scene::Point3 got = {points.x[0], points.y[0], points.z[0]};
-    report.steps.push_back(step(
-        "P", numbers(got), reference::relative_error(got, exact.pixel_point()),
-        method.max_point_ulp * properties::bound_growth(reference::condition_of_pixel_point(exact)),
-        Quantity::kPixelPoint));
-    const Enclosure3 minus_along = scaled(Enclosure(-1), own_along);
-    report.steps.back().error_alone =
-        reference::relative_error(got, reference::enclose_exactly(camera.eye) - minus_along);
+  report.name = own != nullptr ? std::string(own->name) : candidate.name;
+  report.precision = candidate.precision;
+  Trials trials(the_case, candidate, {.truth = std::move(truth)});
+  report.wrong = found_wrong(trials, is_of_made_rays);
+  if (report.wrong && report.failure().empty()) {
+    report.goes_wrong_at = report.wrong->symbol.empty() ? report.wrong->what : report.wrong->symbol;
   }
-  fast::Rays rays;
-  method.focal_rays(camera, conventions, pixels, rays);
-  const scene::UnitVector3 got = {rays.direction.x[0], rays.direction.y[0], rays.direction.z[0]};
-  report.steps.push_back(step(
-      "D", numbers(got), reference::angle_error(got, exact.direction()),
-      method.max_direction_ulp * properties::bound_growth(reference::condition_of_direction(exact)),
-      Quantity::kDirection));
-  report.steps.back().error_alone = reference::angle_error(got, own_along);
-  const bool any_wrong = std::any_of(report.steps.begin(), report.steps.end(),
-                                     [](const MethodStep& one) { return one.wrong; });
-  if (any_wrong) report.goes_wrong_at = first_wrong(report);
+  try {
+    add_ray_steps(trials.on_case(), own != nullptr, Steps(report));
+  } catch (const std::exception&) {
+    // The laws say how it failed.
+  }
   return report;
 }
 
-MethodReport judge_intersection(const fast::IntersectMethod& method, const scene::Ray& ray,
-                                const scene::Sphere& sphere, const scene::Conventions& conventions,
-                                const Subject& subject, const SphereReport& exact) {
-  RayAnswered answer{std::string(method.name), {}, {}, method.max_ulp, method.max_point_ulp,
-                     method.unit_roundoff};
-  if (scene::defects(ray).empty()) {
-    fast::Rays rays;
-    rays.resize(1);
-    rays.origin = {{ray.origin.x}, {ray.origin.y}, {ray.origin.z}};
-    rays.direction = {{ray.direction.x}, {ray.direction.y}, {ray.direction.z}};
-    fast::Hits hits;
-    method.intersect(rays, sphere, conventions.root, conventions.tangent, hits);
-    if (hits.hit[0] != 0) {
-      answer.hit = {hits.parameter[0], {hits.point.x[0], hits.point.y[0], hits.point.z[0]}};
-    }
-    if (method.roots != nullptr) answer.roots = method.roots(ray, sphere);
-  }
-  return judge_answer(answer, ray, sphere, conventions, subject, exact);
-}
-
-MethodReport judge_answer(const RayAnswered& answer, const scene::Ray& ray,
-                          const scene::Sphere& sphere, const scene::Conventions& conventions,
-                          const Subject& subject, const SphereReport& exact) {
+MethodReport report_intersection(const Candidate& candidate, const Case& the_case,
+                                 std::shared_ptr<Truth> truth, const fast::IntersectMethod* own) {
   MethodReport report;
-  report.name = answer.name;
+  report.name = own != nullptr ? std::string(own->name) : candidate.name;
   report.intersects = true;
-  if (!scene::defects(ray).empty()) {  // over- or underflow on the ray's way: nothing to intersect
-    report.class_error = exact.is_hit;
-    report.goes_wrong_at = "D";
-    return report;
-  }
-  const bool hit = answer.hit.has_value();
-  if (hit) report.parameter = answer.hit->parameter;
-
-  const scene::Precision precision = answer.precision;
-  report.precision = precision;
-  const double u_of_doubles = properties::kDoubleRoundoff / scene::unit_roundoff(precision);
-  const ExactRay own(ray);
-  const Intersection own_at = own.intersect(sphere, conventions);
-  const bool own_hit = reference::counts_as_hit(own_at.hit_class, conventions.tangent);
-  if (!answer.tells_roots_alone) {
-    const scene::Vector3 to_centre = sphere.centre - ray.origin;
-    report.steps.push_back(step(
-        "T", numbers(to_centre),
-        reference::relative_error(
-            scene::UnitVector3{to_centre.x, to_centre.y, to_centre.z},
-            reference::enclose_exactly(sphere.centre) - reference::enclose_exactly(ray.origin)),
-        properties::kDefaultMaxError, Quantity::kHitPoint));
-  }
-  if (answer.roots) {
-    const fast::Roots& roots = *answer.roots;
-    const auto enclosed = own.enclose(1024);
-    report.steps.push_back(
-        step("v", {roots.axial_distance},
-             reference::ulp_error(roots.axial_distance, enclosed.axial_distance(sphere)),
-             properties::kDefaultMaxError, Quantity::kParameter));
-    const Enclosure half_chord_sq = own_at.hit_class == reference::HitClass::kTangent
-                                        ? Enclosure(0)
-                                        : enclosed.half_chord_sq(sphere);
-    report.steps.push_back(step("d^2", {roots.half_chord_sq},
-                                reference::ulp_error(roots.half_chord_sq, half_chord_sq),
-                                properties::kDefaultMaxError, Quantity::kParameter));
-  }
-  // As the laws have it: of the exact ray, whatever ray the method was given.
-  report.is_excluded = is_excluded(properties::RayAnswer{subject.exact, sphere, report.parameter},
-                                   exact.intersection, conventions, precision);
-  MethodStep s = step("s", {}, std::nullopt, 0, Quantity::kParameter, precision);
-  MethodStep point = step("Q", {}, std::nullopt, 0, Quantity::kHitPoint, precision);
-  if (hit) {
-    s.value = {answer.hit->parameter};
-    point.value = numbers(answer.hit->point);
-  }
-  if (hit && own_hit) {
-    s = step("s", s.value,
-             reference::ulp_error(s.value[0], own.parameter(sphere, own_at), precision),
-             answer.max_ulp *
-                 properties::bound_growth(reference::condition_of_parameter(own, sphere, own_at)),
-             Quantity::kParameter, precision);
-    point = step(
-        "Q", point.value,
-        u_of_doubles *
-            reference::relative_error(scene::Point3{point.value[0], point.value[1], point.value[2]},
-                                      own.point(sphere, own_at)),
-        answer.max_point_ulp *
-            properties::bound_growth(reference::condition_of_computed_point(own, sphere, own_at)),
-        Quantity::kHitPoint, precision);
-    judge_alone(ray, own_at, answer.roots ? &*answer.roots : nullptr, u_of_doubles, s, point);
-  }
-  if (hit != own_hit) s.wrong = point.wrong = true;
-  if (report.is_excluded) s.wrong = true;
-  report.steps.push_back(s);
-  report.steps.push_back(point);
-
-  const bool judged = exact.intersection.hit_class != reference::HitClass::kTangent ||
-                      conventions.tangent != scene::Tangent::kEither;
-  report.class_error = judged && hit != exact.is_hit;
-  if (hit && exact.is_hit) {
-    report.ulp_error = reference::ulp_error(
-        answer.hit->parameter, subject.exact.parameter(sphere, exact.intersection), precision);
-  }
-  const bool wrong =
-      report.class_error || report.is_excluded || point.wrong ||
-      (report.ulp_error &&
-       *report.ulp_error > (answer.max_ulp + subject.inherited_bound) *
-                               properties::bound_growth(reference::condition_of_parameter(
-                                   subject.exact, sphere, exact.intersection)));
-  const bool is_other_root =
-      hit && exact.is_hit &&
-      is_at_other_root(subject.exact, sphere, exact.intersection, *report.parameter);
-  if (report.class_error || is_other_root || report.is_excluded) {
-    const reference::Neighbourhood around{
-        .root = conventions.root,
-        .tangent = conventions.tangent,
-        .relative_change = properties::excused_change(answer.unit_roundoff),
-        .valid = conventions.valid};
-    report.standing = properties::standing_of(
-        right_nearby(subject.exact, sphere, around, report.parameter).found);
-  }
-  if (wrong) {
-    // Right for the ray it was given: what went wrong is that ray.
-    const bool right_alone = hit == own_hit && !s.wrong;
-    report.goes_wrong_at = right_alone && subject.from_camera ? "D" : first_wrong(report);
+  report.precision = candidate.precision;
+  Trials trials(the_case, candidate, {.truth = std::move(truth)});
+  report.wrong = found_wrong(trials, is_of_pairs);
+  report.makes_ray = !trials.gave_rays();
+  Trial& trial = trials.of(*properties::laws_that(is_of_pairs).front());
+  try {
+    add_hit_steps(trial, own, report);
+    if (report.wrong && report.failure().empty()) {
+      report.goes_wrong_at = is_right_for_own_ray(trial) ? "D" : wrong_step(report);
+    }
+  } catch (const std::exception&) {
+    // The laws say how it failed.
   }
   return report;
-}
-
-scene::Ray ray_by(const fast::PixelRayMethod& method, const scene::Camera& camera,
-                  const scene::Conventions& conventions, const scene::Pixel& pixel) {
-  const auto make =
-      conventions.origin == scene::Origin::kPixel ? method.pixel_rays : method.focal_rays;
-  fast::Rays rays;
-  const std::vector<scene::Pixel> pixels = {pixel};
-  make(camera, conventions, pixels, rays);
-  return {{rays.origin.x[0], rays.origin.y[0], rays.origin.z[0]},
-          {rays.direction.x[0], rays.direction.y[0], rays.direction.z[0]}};
 }
 
 }  // namespace raycheck::tools

@@ -99,13 +99,13 @@ void append_steps(const ExplainReport& report, std::string& text) {
 }
 
 std::string verdict_of(const MethodReport& method, const ExplainReport& report, bool colours) {
-  if (!method.failure.empty()) return red("failed: " + method.failure, colours);
+  if (!method.failure().empty()) return red("failed: " + method.failure(), colours);
   std::string text;
   if (method.intersects) {
     text = method.parameter ? fmt::format("s = {}", scene::digits_and_hexfloat(*method.parameter))
                             : "miss";
   }
-  text += answer_remarks(method, report);
+  text += answer_remarks(method);
   if (method.goes_wrong_at.empty()) return text;
   return red(fmt::format("{}; goes wrong at {}{}", text, method.goes_wrong_at,
                          wrong_step_remark(method, report)),
@@ -114,7 +114,7 @@ std::string verdict_of(const MethodReport& method, const ExplainReport& report, 
 
 }  // namespace
 
-std::string answer_remarks(const MethodReport& method, const ExplainReport& report) {
+std::string answer_remarks(const MethodReport& method) {
   if (!method.intersects) {
     const MethodStep& last = method.steps.back();
     return fmt::format("rays: {} off by {} {}", last.symbol, error_text(last.error), last.unit);
@@ -124,20 +124,24 @@ std::string answer_remarks(const MethodReport& method, const ExplainReport& repo
     text += fmt::format(", off by {} {}", error_text(method.ulp_error),
                         unit_name(properties::Quantity::kParameter, method.precision));
   }
-  if (method.class_error) text += method.parameter ? ", a false hit" : ", missed";
-  if (method.is_excluded) {
-    text += fmt::format(", which its own interval {} excludes",
-                        interval_text(report.scene.conventions.valid));
+  if (!method.wrong) return text;
+  const properties::Discrepancy& wrong = *method.wrong;
+  if (wrong.wrong != properties::Wrong::kNot) {
+    text += ", " + wrongness_text(wrong);
+  } else if (wrong.quantity != properties::Quantity::kParameter) {
+    text += fmt::format(", {} {}", info(wrong.quantity).name, wrongness_text(wrong));
   }
-  if (method.standing != properties::Standing::kDefect) {
-    text += fmt::format(" ({})", name(method.standing));
+  if (wrong.excluded_by) {
+    text += fmt::format(", which its own interval {} excludes", interval_text(*wrong.excluded_by));
   }
+  const properties::Standing standing = wrong.excuse.standing();
+  if (standing != properties::Standing::kDefect) text += fmt::format(" ({})", name(standing));
   return text;
 }
 
 std::string wrong_step_remark(const MethodReport& method, const ExplainReport& report) {
   if (method.goes_wrong_at != "D" || !method.intersects) return {};
-  if (report.others_ray_is_own && method.name == report.other->name) return " (its own ray)";
+  if (report.other && method.name == report.other->name) return " (its own ray)";
   return " (the rounding of the ray by `" + report.rays_method + "`)";
 }
 
@@ -162,10 +166,11 @@ std::string explain_text(const ExplainReport& report, const ViewOptions& options
   if (report.sphere && report.pixel) {
     text += fmt::format("(v, d^2, s, Q: for the ray that `{}` makes, each held against that ray)\n",
                         report.rays_method);
-    if (report.others_ray_is_own) {
-      text += fmt::format("({}: for the ray that it makes itself)\n", report.other->name);
-    } else if (report.other && report.other->precision != scene::Precision::kDouble) {
-      text += fmt::format("({} is given that ray rounded to floats)\n", report.other->name);
+    const MethodReport& last = report.methods.back();
+    if (report.other && last.intersects && last.name == report.other->name) {
+      text += fmt::format("({}: for the {})\n", last.name,
+                          last.makes_ray ? "ray that it makes itself"
+                                         : "exact ray, correctly rounded, which it is given");
     }
   }
   if (report.sphere) {

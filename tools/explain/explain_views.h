@@ -14,7 +14,7 @@ std::string explain_json(const ExplainReport& report, const ViewOptions& options
 std::string method_verdict(const MethodReport& method, const ExplainReport& report);
 /// Of that what follows an answer, ", off by 0.2 ulp, a false hit (excused)"; of a method that
 /// makes rays all of it. Domain: it did not fail.
-std::string answer_remarks(const MethodReport& method, const ExplainReport& report);
+std::string answer_remarks(const MethodReport& method);
 /// What is added to the step at which a method goes wrong; mostly nothing.
 std::string wrong_step_remark(const MethodReport& method, const ExplainReport& report);
 

@@ -27,7 +27,6 @@
 #include "tools/grade/store/store.h"
 #include "tools/implementations/built_in.h"
 #include "tools/report/version.h"
-#include "tools/run/in_order.h"
 
 namespace raycheck::tools {
 namespace {
@@ -128,28 +127,12 @@ class ClassRun {
     test_environment(rubric_, layers_, writes() ? fs::path(options_.out) / kStoreFolder : "");
   }
 
-  /// What fails for a cause outside it is graded again at the end, when nothing runs beside it.
   ClassGrade grade(const RunControl& control) {
     ClassGrade result;
     if (!options_.against.empty()) result.changes.emplace().against = options_.against;
-    std::vector<Graded> all;
-    in_order<Graded>(
-        static_cast<std::int64_t>(submissions_.size()), control,
-        [&](std::int64_t k) {
-          return graded(submissions_[static_cast<std::size_t>(k)], control, false);
-        },
-        [&](Graded& one) {
-          all.push_back(std::move(one));
-          const std::string state = fmt::format("{} of {} graded", all.size(), submissions_.size());
-          control.progress(state);
-          control.done(fmt::format("{}: {}", state, all.back().grade.name));
-        });
-    for (std::size_t k = 0; k < all.size(); ++k) {
-      if (all[k].outside.empty() || control.interrupted()) continue;
-      control.progress(fmt::format("{} again, alone", all[k].grade.name));
-      all[k] = graded(submissions_[k], control, true);
-      control.done(fmt::format("graded again, alone: {}", all[k].grade.name));
-    }
+    std::vector<Graded> all = done_for_each<Graded>(
+        submissions_, control, "graded",
+        [&](const Submission& one, bool alone) { return graded(one, control, alone); });
     for (Graded& one : all) {
       one.reused ? void(++result.reused) : add_times(one.grade, result.times);
       if (!one.outside.empty()) ++result.not_graded;

@@ -1,18 +1,24 @@
 #pragma once
 
+#include <fmt/core.h>
+
 #include <cstdint>
 #include <filesystem>
+#include <functional>
 #include <map>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "properties/run_control.h"
 #include "tools/external/sandbox/launch.h"
+#include "tools/grade/intake/submission.h"
 #include "tools/grade/pages/views.h"
 #include "tools/grade/results/redaction.h"
 #include "tools/grade/results/result.h"
 #include "tools/grade/rubric/rubric.h"
+#include "tools/run/in_order.h"
 
 namespace raycheck::tools {
 
@@ -45,6 +51,33 @@ std::map<std::string, std::string> files_for_student(const StudentGrade& shown);
 
 /// The names that these may have.
 std::vector<std::string> names_for_student(const Rubric& rubric);
+
+/// Does something for every submission, in their order; what fails for a cause outside it
+/// (`outside` of a result says which) is done again at the end, when nothing runs beside it.
+/// `done`: "graded".
+template <class Result>
+std::vector<Result> done_for_each(
+    const std::vector<Submission>& submissions, const properties::RunControl& control,
+    const std::string& done, const std::function<Result(const Submission&, bool alone)>& work) {
+  std::vector<Result> all;
+  in_order<Result>(
+      static_cast<std::int64_t>(submissions.size()), control,
+      [&](std::int64_t k) { return work(submissions[static_cast<std::size_t>(k)], false); },
+      [&](Result& one) {
+        const std::string state =
+            fmt::format("{} of {} {}", all.size() + 1, submissions.size(), done);
+        control.progress(state);
+        control.done(state + ": " + submissions[all.size()].name);
+        all.push_back(std::move(one));
+      });
+  for (std::size_t k = 0; k < all.size(); ++k) {
+    if (all[k].outside.empty() || control.interrupted()) continue;
+    control.progress(submissions[k].name + " again, alone");
+    all[k] = work(submissions[k], true);
+    control.done(done + " again, alone: " + submissions[k].name);
+  }
+  return all;
+}
 
 /// The rubric tried on raycheck's own methods, as a library and as a renderer: what a right
 /// submission is given.

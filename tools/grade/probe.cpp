@@ -3,11 +3,12 @@
 #include <fmt/core.h>
 
 #include <algorithm>
-#include <cstdint>
+#include <array>
+#include <string_view>
 #include <utility>
+#include <vector>
 
-#include "tools/grade/grade.h"
-#include "tools/run/in_order.h"
+#include "tools/grade/pages/wording.h"
 
 namespace raycheck::tools {
 namespace {
@@ -50,29 +51,146 @@ ProbeReport probe(const GradeOptions& options, const properties::RunControl& con
   const Layers layers = chosen_layers(options.sandbox).layers;
   test_environment(report.rubric, layers);
   const std::vector<Submission> submissions = find_submissions(options.submissions, {});
-  std::vector<std::size_t> again;
-  in_order<Probed>(
-      static_cast<std::int64_t>(submissions.size()), control,
-      [&](std::int64_t k) {
-        return probed(submissions[static_cast<std::size_t>(k)], report.rubric, layers, control,
-                      false);
-      },
-      [&](Probed& one) {
-        if (!one.outside.empty()) again.push_back(report.submissions.size());
-        report.submissions.push_back(std::move(one.probe));
-        const std::string state =
-            fmt::format("{} of {} tried", report.submissions.size(), submissions.size());
-        control.progress(state);
-        control.done(fmt::format("{}: {}", state, report.submissions.back().name));
-      });
-  for (const std::size_t k : again) {
-    if (control.interrupted()) break;
-    control.progress(fmt::format("{} again, alone", submissions[k].name));
-    report.submissions[k] = probed(submissions[k], report.rubric, layers, control, true).probe;
-    control.done(fmt::format("tried again, alone: {}", submissions[k].name));
+  for (Probed& one :
+       done_for_each<Probed>(submissions, control, "tried", [&](const Submission&each, bool alone) {
+         return probed(each, report.rubric, layers, control, alone);
+       })) {
+    report.submissions.push_back(std::move(one.probe));
   }
   report.interrupted = control.interrupted();
   return report;
+}
+
+namespace {
+
+using Probes = std::vector<const SubmissionProbe*>;
+
+/// What says how a submission is built without being named by the words that do.
+constexpr std::array<std::string_view, 2> kRecipes = {"CMakeLists.txt", "package.json"};
+
+/// So many are named in a comment.
+constexpr std::size_t kMostNamed = 4;
+
+/// A basic string.
+std::string toml_text(std::string_view text) {
+  std::string result = "\"";
+  for (const char c : text) {
+    const auto byte = static_cast<unsigned char>(c);
+    if (c == '"' || c == '\\') {
+      result += std::string("\\") + c;
+    } else if (byte < ' ' || byte == 0x7f) {
+      result += fmt::format("\\u{:04X}", byte);
+    } else {
+      result += c;
+    }
+  }
+  return result + "\"";
+}
+
+/// The form that most read; of equally many the first.
+std::string driver_part(const ProbeReport& report) {
+  std::vector<std::pair<DriverForm, int>> counts;
+  for (const SubmissionProbe& probe : report.submissions) {
+    const auto& dry = probe.found.dry_run;
+    if (!dry || !dry->shows_a_sphere()) continue;
+    const auto known = std::find_if(counts.begin(), counts.end(),
+                                    [&](const auto& count) { return count.first == dry->driver; });
+    if (known == counts.end()) {
+      counts.emplace_back(dry->driver, 1);
+    } else {
+      ++known->second;
+    }
+  }
+  if (counts.empty()) return "";
+  const auto most =
+      std::max_element(counts.begin(), counts.end(),
+                       [](const auto& a, const auto& b) { return a.second < b.second; });
+  return fmt::format("[driver]\npreset = {}\n{}", toml_text(most->first.name()),
+                     counts.size() > 1 ? "others = true\n" : "");
+}
+
+/// Submissions that the same words build and start.
+struct BuiltAlike {
+  std::string build, candidate;
+  Probes members;
+};
+
+std::vector<BuiltAlike> built_alike(const ProbeReport& report) {
+  std::vector<BuiltAlike> found;
+  for (const SubmissionProbe& probe : report.submissions) {
+    if (probe.refusal || !probe.found.built_automatically) continue;
+    const std::string candidate = probe.found.program->text();
+    auto known = std::find_if(found.begin(), found.end(), [&](const BuiltAlike& one) {
+      return one.build == probe.found.build_words && one.candidate == candidate;
+    });
+    if (known == found.end()) {
+      known = found.insert(found.end(), {probe.found.build_words, candidate, {}});
+    }
+    known->members.push_back(&probe);
+  }
+  std::stable_sort(found.begin(), found.end(), [](const BuiltAlike& a, const BuiltAlike& b) {
+    return a.members.size() > b.members.size();
+  });
+  return found;
+}
+
+bool has_file(const SubmissionProbe& probe, const std::string& name) {
+  return std::find(probe.found.files.begin(), probe.found.files.end(), name) !=
+         probe.found.files.end();
+}
+
+/// The name of a file by which a form fits these and no others; empty where there is none.
+std::string distinguishing_file(const BuiltAlike& alike, const ProbeReport& report) {
+  for (const std::string& name : alike.members.front()->found.files) {
+    const bool is_what_it_is_of =
+        alike.build.find(name) != std::string::npos ||
+        alike.candidate.find(name) != std::string::npos ||
+        std::find(kRecipes.begin(), kRecipes.end(), name) != kRecipes.end();
+    if (!is_what_it_is_of || name.find_first_of("*?[\\") != std::string::npos) continue;
+    const auto having =
+        std::count_if(report.submissions.begin(), report.submissions.end(),
+                      [&](const SubmissionProbe& probe) { return has_file(probe, name); });
+    const bool all_have = std::all_of(alike.members.begin(), alike.members.end(),
+                                      [&](const auto* probe) { return has_file(*probe, name); });
+    if (all_have && static_cast<std::size_t>(having) == alike.members.size()) return name;
+  }
+  return "";
+}
+
+std::string form_table(const std::string& has, const std::string& build,
+                       const std::string& candidate) {
+  std::string text = fmt::format("\n[[form]]\nhas = {}\n", toml_text(has));
+  if (!build.empty()) text += fmt::format("build = {}\n", toml_text(build));
+  return text + fmt::format("candidate = {}\n", toml_text(candidate));
+}
+
+std::string names_of(const Probes& members) {
+  std::string names;
+  for (std::size_t k = 0; k < std::min(members.size(), kMostNamed); ++k) {
+    names += (k == 0 ? "" : ", ") + line_text(members[k]->name);
+  }
+  if (members.size() > kMostNamed)
+    names += fmt::format(" and {} more", members.size() - kMostNamed);
+  return names;
+}
+
+}  // namespace
+
+std::string suggestion(const ProbeReport& report) {
+  std::string text = driver_part(report);
+  bool any_automatic = false;
+  for (const BuiltAlike& alike : built_alike(report)) {
+    any_automatic = true;
+    const std::string has = distinguishing_file(alike, report);
+    if (has.empty()) continue;
+    text += "\n# " + names_of(alike.members) + form_table(has, alike.build, alike.candidate);
+  }
+  for (const Form& form : report.rubric.forms) {
+    if (any_automatic && form.is_built_automatically()) {
+      text += form_table(form.has, form.build, form.program.text());
+    }
+  }
+  return text;
 }
 
 }  // namespace raycheck::tools

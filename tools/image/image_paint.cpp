@@ -137,13 +137,13 @@ class ErrorPainter : public Painter {
     } catch (const properties::AskedInVain& error) {
       return failed(error.what());
     } catch (const std::runtime_error& error) {
-      if (!trial.is_several(false) || search.is_over()) {
+      if (trial.ray_count() <= 1 || search.is_over()) {
         ++search.found;
         return failed(error.what());
       }
     }
     std::vector<properties::NearestHitError> found;
-    for (const auto& half : trial.halves()) {
+    for (const auto& half : trial.failed_parts().halves(trial)) {
       const auto some = errors_of(
           half->trial, seen.subspan(found.size(), half->the_case.pixels.size()), search, counts);
       found.insert(found.end(), some.begin(), some.end());

@@ -7,7 +7,6 @@
 #include "tools/report/words.h"
 #include "tools/view/scene_view.h"
 #include "tools/view/selection.h"
-#include "tools/view/view_words.h"
 
 namespace raycheck::tools {
 namespace {
@@ -28,7 +27,9 @@ ViewDocument properties_document(const PropertiesReport& report,
       std::count_if(report.campaigns.begin(), report.campaigns.end(), is_shown));
   const std::size_t shown = std::min(broken, kMostCasesShown);
   if (shown < broken) {
-    document.left_out.push_back(fewer_laws({shown, broken}));
+    document.left_out.push_back(fmt::format(
+        "cases of {} of {} broken laws; `raycheck properties --filter LAW --view` shows others",
+        shown, broken));
   }
   for (const CampaignReport& campaign : report.campaigns) {
     if (control.interrupted() || document.scenes.size() == shown) break;

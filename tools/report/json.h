@@ -41,7 +41,7 @@ Json or_null(const std::optional<Value>& value, const Write& write = {}) {
   return value ? Json(write(*value)) : Json(nullptr);
 }
 /// A text; null if it is empty.
-inline Json text_or_null(const std::string& text) {
+inline Json null_if_empty(const std::string& text) {
   return text.empty() ? Json(nullptr) : Json(text);
 }
 

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <nlohmann/json.hpp>
 
 #include "reference/visibility/visibility.h"
 #include "scene/files/scene_file.h"
@@ -24,25 +23,31 @@ namespace raycheck::tools {
 namespace {
 
 Json selection_json(const Selection& selection) {
-  Json json;
-  json["pixel"] = selection.pixel ? Json{selection.pixel->i, selection.pixel->j} : Json(nullptr);
-  json["ray"] = selection.ray ? Json(*selection.ray) : Json(nullptr);
-  json["sphere"] = selection.sphere ? Json(*selection.sphere) : Json(nullptr);
-  return json;
+  return {{"pixel", or_null(selection.pixel,
+                            [](const scene::Pixel& pixel) {
+                              return Json{pixel.i, pixel.j};
+                            })},
+          {"ray", or_null(selection.ray)},
+          {"sphere", or_null(selection.sphere)}};
+}
+
+/// "as direct/cross has it"
+std::string picture_name(const ScenePicture& picture) {
+  if (picture.kind == PictureKind::kCertified) return "certified";
+  if (picture.kind == PictureKind::kAnswered) return fmt::format("as {} has it", picture.candidate);
+  return "errors of " + picture.candidate;
+}
+
+Json entry_json(const LegendEntry& entry) {
+  return {
+      {"colour", "#" + hex(entry.colour)}, {"text", entry.text}, {"pixels", or_null(entry.pixels)}};
 }
 
 Json picture_json(const ScenePicture& picture) {
-  Json json;
-  json["kind"] = name(picture.kind);
-  json["name"] = picture_name(picture);
-  json["png"] = data_address("image/png", picture.png);
-  json["legend"] = Json::array();
-  for (const LegendEntry& entry : picture.legend) {
-    json["legend"].push_back({{"colour", "#" + hex(entry.colour)},
-                              {"text", entry.text},
-                              {"pixels", entry.pixels ? Json(*entry.pixels) : Json(nullptr)}});
-  }
-  return json;
+  return {{"kind", name(picture.kind)},
+          {"name", picture_name(picture)},
+          {"png", data_address("image/png", picture.png)},
+          {"legend", list_json(picture.legend, entry_json)}};
 }
 
 Json panel_json(const Panel& panel) {
@@ -51,30 +56,24 @@ Json panel_json(const Panel& panel) {
   json["text"] = panel.text;
   json.update(told_json(panel.report));
   json["drawing"] = drawing_json(panel.drawing);
-  json["microscope"] = panel.microscope ? microscope_json(*panel.microscope) : Json(nullptr);
+  json["microscope"] = or_null(panel.microscope, microscope_json);
   json["sage"] = panel.sage;
   json["latex"] = panel.latex;
   return json;
 }
 
 Json scene_json(const SceneView& view) {
-  Json json;
-  json["name"] = view.name;
-  json["command"] = view.command;
-  json["toml"] = scene::write_toml(view.scene);
-  json["conventions"] = conventions_json(view.scene.conventions);
-  json["conventions_text"] = conventions_text(view.scene.conventions);
-  json["figure"] = figure_json(view);
-  json["pictures"] = Json::array();
-  for (const ScenePicture& picture : view.pictures) {
-    json["pictures"].push_back(picture_json(picture));
-  }
-  json["seen"] = view.seen.empty() ? Json(nullptr) : Json::array();
-  for (const SeenRun& run : view.seen) json["seen"].push_back({run.pixels, run.sphere});
-  json["start"] = selection_json(view.start);
-  json["panels"] = Json::array();
-  for (const Panel& panel : view.panels) json["panels"].push_back(panel_json(panel));
-  return json;
+  const auto run_json = [](const SeenRun& run) { return Json{run.pixels, run.sphere}; };
+  return {{"name", view.name},
+          {"command", view.command},
+          {"toml", scene::write_toml(view.scene)},
+          {"conventions", conventions_json(view.scene.conventions)},
+          {"conventions_text", conventions_text(view.scene.conventions)},
+          {"figure", figure_json(view)},
+          {"pictures", list_json(view.pictures, picture_json)},
+          {"seen", view.seen.empty() ? Json(nullptr) : list_json(view.seen, run_json)},
+          {"start", selection_json(view.start)},
+          {"panels", list_json(view.panels, panel_json)}};
 }
 
 Json finding_json(const FindingView& finding) {
@@ -88,22 +87,22 @@ Json finding_json(const FindingView& finding) {
   return json;
 }
 
+Json dial_json(const DialView& dial) {
+  return {{"sentence", dial.sentence}, {"scenes", dial.scenes}};
+}
+
 Json whole(const ViewDocument& document) {
   Json json = json_header("view");
-  json["title"] = document.title;
-  json["parts"] = document.scenes.empty() ? Json(nullptr) : parts_json();
-  json["scenes"] = Json::array();
-  for (const SceneView& scene : document.scenes) json["scenes"].push_back(scene_json(scene));
-  json["findings"] = Json::array();
-  for (const FindingView& one : document.findings) json["findings"].push_back(finding_json(one));
-  json["found"] = document.found;
-  json["worst"] = document.worst;
-  json["words"] = words_of_pages();
-  json["dial"] =
-      document.dial ? Json{{"sentence", document.dial->sentence}, {"scenes", document.dial->scenes}}
-                    : Json(nullptr);
-  json["chart"] = document.chart ? chart_json(*document.chart) : Json(nullptr);
-  json["left_out"] = document.left_out;
+  json.update({{"title", document.title},
+               {"parts", document.scenes.empty() ? Json(nullptr) : parts_json()},
+               {"scenes", list_json(document.scenes, scene_json)},
+               {"findings", list_json(document.findings, finding_json)},
+               {"found", document.found},
+               {"worst", document.worst},
+               {"words", words_of_pages()},
+               {"dial", or_null(document.dial, dial_json)},
+               {"chart", or_null(document.chart, chart_json)},
+               {"left_out", document.left_out}});
   return json;
 }
 

@@ -11,12 +11,12 @@
 #include "scene/validate.h"
 #include "tools/image/image_paint.h"
 #include "tools/implementations/built_in.h"
+#include "tools/report/words.h"
 #include "tools/run/in_order.h"
 #include "tools/view/document_json.h"
 #include "tools/view/figure/figure.h"
 #include "tools/view/page/deflate.h"
 #include "tools/view/panel/panel.h"
-#include "tools/view/view_words.h"
 
 namespace raycheck::tools {
 namespace {
@@ -75,8 +75,9 @@ void add_pictures(const scene::Scene& scene, const SceneViewOptions& options, Sc
   const scene::Scene small = smaller(scene, options.limits.picture_pixels);
   const scene::Camera& camera = *small.camera;
   if (camera.width != scene.camera->width || camera.height != scene.camera->height) {
-    left_out.push_back(smaller_pictures(options.name, {camera.width, camera.height},
-                                        {scene.camera->width, scene.camera->height}));
+    left_out.push_back(fmt::format(
+        "{}: the pictures have {} x {} pixels for {} x {}; `raycheck image` makes them whole",
+        options.name, camera.width, camera.height, scene.camera->width, scene.camera->height));
   }
   const double pairs = static_cast<double>(camera.width) * static_cast<double>(camera.height) *
                        static_cast<double>(scene.spheres.size());
@@ -84,7 +85,10 @@ void add_pictures(const scene::Scene& scene, const SceneViewOptions& options, Sc
   const auto most = static_cast<double>(options.limits.answered_pairs);
   const auto affordable = static_cast<std::size_t>(most / std::max(pairs, 1.0));
   if (candidates.size() > affordable) {
-    left_out.push_back(fewer_pictures(options.name, {affordable, candidates.size()}));
+    left_out.push_back(fmt::format(
+        "{}: pictures of what {} of {} candidates answer; `raycheck image --what error` makes the "
+        "others",
+        options.name, affordable, candidates.size()));
     candidates.resize(affordable);
   }
   SceneImages images = images_of(small, candidates, control);
@@ -133,7 +137,6 @@ void add_panels(const scene::Scene& scene, const SceneViewOptions& options, Scen
   PanelOptions panels;
   if (!options.methods.empty()) panels.rays = options.methods.front().rays;
   panels.other = options.other;
-  panels.others_ray = options.others_ray;
   if (options.is_of_methods) panels.methods = options.methods;
   // Of a picture there are no steps: those that are right are told.
   if (options.renderer) panels.methods = {kDefaultMethods};
@@ -177,7 +180,9 @@ void add_panels(const scene::Scene& scene, const SceneViewOptions& options, Scen
                                    : static_cast<double>(scene.rays.size());
   if (is_full || static_cast<double>(view.panels.size()) < rays) {
     left_out.push_back(
-        fewer_panels(options.name, {view.panels.size(), static_cast<std::uint64_t>(rays)}));
+        fmt::format("{}: steps are shown of {} of {} rays; `raycheck view --pixel I,J` asks for "
+                    "others",
+                    options.name, view.panels.size(), static_cast<std::uint64_t>(rays)));
   }
 }
 
@@ -188,7 +193,7 @@ void show(const Implementation& implementation, SceneViewOptions& options) {
     options.methods.push_back(*implementation.methods);
     return;
   }
-  options.more_arguments = candidate_words(implementation.name);
+  options.more_arguments = " --candidate " + shell_word(implementation.name);
   if (implementation.draws()) {
     options.renderer = implementation.make;
   } else {
@@ -204,8 +209,8 @@ SceneView view_of(const scene::Scene& scene, const SceneViewOptions& options,
   view.scene = shown_scene(scene, options);
   view.figure = figure_of(view.scene, options.limits.spheres);
   if (view.figure.spheres_left_out > 0) {
-    left_out.push_back(
-        fewer_spheres(options.name, {view.figure.spheres.size(), scene.spheres.size()}));
+    left_out.push_back(fmt::format("{}: the first {} of {} spheres are drawn", options.name,
+                                   view.figure.spheres.size(), scene.spheres.size()));
   }
   if (view.scene.camera) add_pictures(view.scene, options, view, left_out, control);
   if (!control.interrupted()) add_panels(view.scene, options, view, left_out, control);

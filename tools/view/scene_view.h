@@ -27,8 +27,7 @@ struct SceneViewOptions {
   bool is_of_methods = false;       ///< Panels show the steps of those alone.
   /// Someone else's, by whose conventions all is shown; null: there is none.
   std::shared_ptr<const Implementation> other = nullptr;
-  std::optional<scene::Ray> others_ray = {};  ///< As ExplainOptions has it.
-  bool others_picture = true;                 ///< Whether `other` is asked about every pixel.
+  bool others_picture = true;  ///< Whether `other` is asked about every pixel.
   /// Someone else's renderer, whose picture is shown; empty: there is none.
   CandidateMaker renderer = {};
   /// What there has to be a panel of, the first selected at the start; empty: the middle.

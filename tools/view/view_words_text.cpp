@@ -4,87 +4,11 @@
 #include <cmath>
 #include <utility>
 
-#include "scene/number.h"
 #include "tools/explain/explain_views.h"
-#include "tools/report/words.h"
 #include "tools/view/panel/microscope.h"
 #include "tools/view/view_words.h"
 
 namespace raycheck::tools {
-namespace {
-
-std::string listed(const auto& triple) {
-  return fmt::format("{},{},{}", scene::shortest(triple.x), scene::shortest(triple.y),
-                     scene::shortest(triple.z));
-}
-
-}  // namespace
-
-std::string explain_command(const ExplainReport& report, const Selection& asked,
-                            const fast::PixelRayMethod& rays, const std::string& file,
-                            const std::string& more) {
-  if (!report.pixel) {
-    if (!report.sphere) return {};  // It explains no ray alone.
-    const scene::Sphere& sphere = report.scene.spheres[*report.sphere];
-    return fmt::format("raycheck explain --ray={},{} --sphere={},{}{}", listed(report.ray.origin),
-                       listed(report.ray.direction), listed(sphere.centre),
-                       scene::shortest(sphere.radius), more);
-  }
-  std::string command =
-      fmt::format("raycheck explain {} --pixel {},{}", file, report.pixel->i, report.pixel->j);
-  if (asked.sphere) command += fmt::format(" --sphere {}", *asked.sphere);
-  if (&rays != kDefaultMethods.rays) command += fmt::format(" --rays {}", rays.name);
-  return command + more;
-}
-
-std::string candidate_words(const std::string& candidate) {
-  return " --candidate " + shell_word(candidate);
-}
-
-std::string smaller_pictures(const std::string& scene, const scene::Pixel& shown,
-                             const scene::Pixel& all) {
-  return fmt::format(
-      "{}: the pictures have {} x {} pixels for {} x {}; `raycheck image` makes them "
-      "whole",
-      scene, shown.i, shown.j, all.i, all.j);
-}
-
-std::string fewer_pictures(const std::string& scene, const Kept& candidates) {
-  return fmt::format(
-      "{}: pictures of what {} of {} candidates answer; `raycheck image --what error` "
-      "makes the others",
-      scene, candidates.shown, candidates.all);
-}
-
-std::string fewer_spheres(const std::string& scene, const Kept& spheres) {
-  return fmt::format("{}: the first {} of {} spheres are drawn", scene, spheres.shown, spheres.all);
-}
-
-std::string fewer_panels(const std::string& scene, const Kept& rays) {
-  return fmt::format(
-      "{}: steps are shown of {} of {} rays; `raycheck view --pixel I,J` asks for "
-      "others",
-      scene, rays.shown, rays.all);
-}
-
-std::string fewer_judged(const std::string& scene, const Kept& rays) {
-  return fmt::format("{}: findings are of {} of {} rays; `raycheck check --view` judges them all",
-                     scene, rays.shown, rays.all);
-}
-
-std::string fewer_laws(const Kept& laws) {
-  return fmt::format(
-      "cases of {} of {} broken laws; `raycheck properties --filter LAW --view` "
-      "shows others",
-      laws.shown, laws.all);
-}
-
-std::string picture_name(const ScenePicture& picture) {
-  if (picture.kind == PictureKind::kCertified) return "certified";
-  if (picture.kind == PictureKind::kAnswered) return fmt::format("as {} has it", picture.candidate);
-  return "errors of " + picture.candidate;
-}
-
 std::string direction_remark(const ExplainReport& report) {
   if (report.pixel) return {};
   const scene::Vector3& D = report.ray.direction;
@@ -137,33 +61,6 @@ std::vector<std::string> microscope_sentences(const Microscope& microscope,
     sentences.push_back(fmt::format("Nothing to draw of {}: {}.", names, verdict));
   }
   return sentences;
-}
-
-std::string squares_cancel(double decades) {
-  constexpr double kFewest = 3, kOfDoubles = 15.95;
-  if (!(decades >= kFewest) || !std::isfinite(decades)) return {};
-  const double left = std::floor(kOfDoubles - decades);
-  return fmt::format(
-      "; |T|^2 is 1e+{:02.0f} times as large as d^2, so that a difference of such squares in "
-      "doubles keeps {} of 16 digits",
-      std::floor(decades), left >= 1 ? fmt::format("{:.0f}", left) : "none");
-}
-
-std::string worst_of(const Kept& places) {
-  if (places.all == 1) return ", the only discrepancy here";
-  return fmt::format(
-      ", the worst of {} discrepancies here; {} listed", places.all,
-      places.shown == 1 ? "one place is" : fmt::format("{} places are", places.shown));
-}
-
-std::string findings_found(const Kept& places, std::uint64_t errors) {
-  std::string text;
-  if (places.all > 0) {
-    text = fmt::format("{}, of {} {}", count_text(places.shown, "place"), places.all,
-                       places.all == 1 ? "discrepancy" : "discrepancies");
-  }
-  if (errors > 0) text += (text.empty() ? "" : "; ") + count_text(errors, "largest error");
-  return text.empty() ? "none" : text;
 }
 
 std::vector<std::array<std::string, 2>> words_of_pages() {

@@ -50,6 +50,11 @@ const std::vector<Mistake> kOfFunctions = {
     {"cancelling", 104, "robustness", "", 0},
     {"near_negated", 105, "width and height",
      "near has the wrong sign, the image plane is behind the eye", 2},
+    {"centre_behind", 109.5, "robustness",
+     "v < 0 counts as a miss, so that spheres around the origin are not seen where their centres "
+     "lie "
+     "behind it",
+     1},
 };
 
 const std::vector<Mistake> kOfPictures = {
@@ -127,7 +132,6 @@ const std::vector<Mistake> kOfPictures = {
      "hits with an s above about 1e5 (perhaps less) are dropped: the largest s that counts is too "
      "small",
      1},
-    {"outside_only", 107.5, "robustness", "spheres around the eye are not seen", 1},
 };
 
 /// A submission costs what its mistake does, and the mistake is named.

@@ -258,8 +258,8 @@ class DryRunner {
     unlit.light = DriverLight::kNone;
     for (const scene::Scene& scene : ordinary_scenes()) {
       if (control_.interrupted()) return;
-      if (!fails_on(scene, found.driver) || fails_on(scene, unlit)) continue;
-      if (!attempt(unlit).reads()) return;
+      if (!fails_on(scene, found.driver)) continue;
+      if (fails_on(scene, unlit) || !attempt(unlit).reads()) return;
       found.driver = unlit;
       found.notes.emplace_back("it fails where there is a light, so its driver files have none");
       return;

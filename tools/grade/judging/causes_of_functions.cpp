@@ -38,10 +38,13 @@ std::vector<AnswerCause> causes_of(const std::vector<Case>& cases, const Candida
   }
 }
 
-bool is_said(const std::string& sentence, const std::vector<AnswerCause>& causes) {
-  return std::any_of(causes.begin(), causes.end(), [&](const AnswerCause& cause) {
-    return std::any_of(cause.alternatives.begin(), cause.alternatives.end(),
-                       [&](const Explanation& one) { return one.sentence == sentence; });
+/// Whether one of a cause's alternatives is one of some causes', too.
+bool is_among(const Explanation& alternative, const AnswerCause& cause,
+              const std::vector<AnswerCause>& causes) {
+  return std::any_of(causes.begin(), causes.end(), [&](const AnswerCause& other) {
+    return other.roundings == cause.roundings &&
+           std::any_of(other.alternatives.begin(), other.alternatives.end(),
+                       [&](const Explanation& one) { return one.mistake == alternative.mistake; });
   });
 }
 
@@ -126,8 +129,9 @@ std::vector<ItemCause> causes_of_functions(const Rubric& rubric, const Candidate
       if (part > part_of(*step) || (part == 0) != (part_of(*step) == 0)) continue;
       std::vector<Explanation> said;
       for (const Explanation& one : cause.alternatives) {
-        const bool is_of_all = is_said(one.sentence, of_all);
-        if (is_of_all || is_said(one.sentence, of_ordinary)) said.push_back(one);
+        if (is_among(one, cause, of_all) || is_among(one, cause, of_ordinary)) {
+          said.push_back(one);
+        }
       }
       if (const auto* roundings = cause.roundings ? roundings_of(of_all) : nullptr) {
         said = cause.alternatives;
@@ -139,9 +143,9 @@ std::vector<ItemCause> causes_of_functions(const Rubric& rubric, const Candidate
         sentence += (sentence.empty() ? "" : ", or: ") + one.sentence;
       }
       trial.grade.mistakes.push_back({sentence, said.front().errors, said.front().explained});
-      const properties::Mistake* mistake = properties::find_mistake(said.front().sentence);
+      const properties::Mistake* mistake = said.front().mistake;
       if (cause.roundings) {
-        item_causes[k].others.push_back(sentence);
+        item_causes[k].others.push_back(OtherCause::kRoundings);
         item_causes[k].is_all = item_causes[k].fault.empty();
       }
       if (mistake == nullptr) continue;

@@ -217,7 +217,7 @@ ItemCause name_imprecision(const Causes& causes, bool masks_only, ItemTrial& tri
       each.push_back(sentence);
     }
     trial.grade.mistakes.push_back({whole, wrong, wrong, std::move(each)});
-    return {fault, {sentence}, true};
+    return {fault, {OtherCause::kRoundings}, true};
   }
   return {};
 }
@@ -280,17 +280,17 @@ std::vector<ItemCause> causes_of_pictures(const Rubric& rubric, FormKnown form_k
     const FailedHow how = failed_how(trial);
     cause.is_all = true;
     if (how.wrong) cause = name_cause(causes, is_shown, masks_only(rubric.items[k]), trial);
-    const auto say = [&](const std::string& sentence) {
-      cause.others.push_back(sentence);
+    const auto add = [&](OtherCause other, const std::string& sentence) {
+      cause.others.push_back(other);
       trial.grade.mistakes.push_back({sentence});
     };
     if (how.exchanged) {
       cause.is_all = cause.is_all && causes.exchanged > 0;
-      if (causes.exchanged > 0) say(properties::kSidesExchanged);
+      if (causes.exchanged > 0) add(OtherCause::kSidesExchanged, properties::kSidesExchanged);
     }
     if (how.failed) {
       cause.is_all = cause.is_all && shape && fails_on_all(*shape, trial.not_asked);
-      if (shape) say(shape->sentence);
+      if (shape) add(OtherCause::kShapeOfScenes, shape->sentence);
     }
   }
   return item_causes;

@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <map>
+#include <variant>
 
 #include "tools/grade/judging/item_causes.h"
 
@@ -11,16 +12,18 @@ using properties::Quantity;
 namespace {
 
 /// What costs one item its points.
-struct Charge {
-  std::string sentence;
-  std::optional<properties::Step> step = {};  ///< Where it is made, if it is made at one.
-};
+using Charge = std::variant<const Mistake*, OtherCause>;
 
 std::vector<Charge> charges(const ItemCause& cause) {
-  std::vector<Charge> all;
-  for (const Mistake* mistake : cause.fault) all.push_back({mistake->sentence, mistake->step});
-  for (const std::string& sentence : cause.others) all.push_back({sentence});
+  std::vector<Charge> all(cause.fault.begin(), cause.fault.end());
+  all.insert(all.end(), cause.others.begin(), cause.others.end());
   return all;
+}
+
+/// Whether a mistake is made at the step that an item asks about.
+bool is_of_step(const Charge& charge, const Item& item) {
+  const auto* const mistake = std::get_if<const Mistake*>(&charge);
+  return mistake != nullptr && step_of(item) == (*mistake)->step;
 }
 
 }  // namespace
@@ -45,12 +48,11 @@ std::optional<properties::Step> step_of(const Item& item) {
 
 void charge_once(const Rubric& rubric, const std::vector<ItemCause>& causes,
                  std::vector<ItemTrial>& trials) {
-  std::map<std::string, std::size_t> charged;
+  std::map<Charge, std::size_t> charged;
   for (const bool of_its_step : {true, false}) {
     for (std::size_t k = 0; k < trials.size(); ++k) {
       for (const Charge& one : charges(causes[k])) {
-        const bool is_its_step = one.step && step_of(rubric.items[k]) == one.step;
-        if (!of_its_step || is_its_step) charged.try_emplace(one.sentence, k);
+        if (!of_its_step || is_of_step(one, rubric.items[k])) charged.try_emplace(one, k);
       }
     }
   }
@@ -60,13 +62,12 @@ void charge_once(const Rubric& rubric, const std::vector<ItemCause>& causes,
     // What is given besides is earned by right answers alone.
     const bool follows = grade.state == ItemState::kFails && !rubric.items[k].bonus &&
                          causes[k].is_all && !its.empty() &&
-                         std::all_of(its.begin(), its.end(), [&](const Charge& one) {
-                           return charged.at(one.sentence) != k;
-                         });
+                         std::all_of(its.begin(), its.end(),
+                                     [&](const Charge& one) { return charged.at(one) != k; });
     if (!follows) continue;
     grade.state = ItemState::kFollows;
     grade.reason = {.kind = ItemReason::Kind::kFollows,
-                    .item = rubric.items[charged.at(its.front().sentence)].name};
+                    .item = rubric.items[charged.at(its.front())].name};
   }
 }
 

@@ -14,10 +14,13 @@
 
 namespace raycheck::tools {
 
+/// What items fail by that is no mistake in a formula; of each kind a submission has one.
+enum class OtherCause { kRoundings, kSidesExchanged, kShapeOfScenes };
+
 /// Why an item fails.
 struct ItemCause {
-  properties::Fault fault = {};          ///< Of its wrong answers. None: not known.
-  std::vector<std::string> others = {};  ///< What else it fails by, a sentence each.
+  properties::Fault fault = {};         ///< Of its wrong answers. None: not known.
+  std::vector<OtherCause> others = {};  ///< What else it fails by.
   /// It has nothing else wrong, and enough is seen to tell.
   bool is_all = false;
 };
@@ -40,7 +43,7 @@ std::vector<ItemCause> causes_of_functions(const Rubric& rubric,
 /// On which scenes a renderer makes no picture, where that is known of all items together.
 std::optional<properties::ShapeCause> shape_of_failures(const std::vector<ItemTrial>& trials);
 
-/// Lets each mistake, and all else that is known by a sentence, cost one item alone: of those that
+/// Lets each mistake, and all else that is known, cost one item alone: of those that
 /// fail by it the first that asks about the step where it is made, or else the first. The others
 /// that have nothing else wrong follow.
 void charge_once(const Rubric& rubric, const std::vector<ItemCause>& causes,

@@ -12,7 +12,6 @@
 #include "tools/report/words.h"
 #include "tools/view/scene_view.h"
 #include "tools/view/selection.h"
-#include "tools/view/view_words.h"
 
 namespace raycheck::tools {
 namespace {
@@ -51,7 +50,7 @@ bool goes_wrong(const SceneView& shown) {
   if (shown.panels.empty()) return false;
   const auto& methods = shown.panels.front().report.methods;
   return std::any_of(methods.begin(), methods.end(), [](const MethodReport& method) {
-    return method.name == kYours && (!method.goes_wrong_at.empty() || !method.failure.empty());
+    return method.name == kYours && (!method.goes_wrong_at.empty() || !method.failure().empty());
   });
 }
 
@@ -62,10 +61,9 @@ void add_figure(const StudentGrade& grade, std::size_t k, ViewDocument& document
   view.name = file_name(item.name) + ".toml";
   view.file = view.name;
   if (grade.submission.program)
-    view.more_arguments = candidate_words(grade.submission.program->text());
+    view.more_arguments = " --candidate " + shell_word(grade.submission.program->text());
   view.other = answered(failing, item.tolerance, grade.submission.isolation);
   view.others_picture = false;
-  if (failing.answers) view.others_ray = failing.answers->ray;
   view.wanted = wanted_of(failing);
   view.limits.panels = std::max<std::size_t>(view.wanted.size(), 1);
   SceneView shown =

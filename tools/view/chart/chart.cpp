@@ -32,12 +32,6 @@ std::string chart_under(const ChartFacet& facet) {
                                 : fmt::format("run time, times that of {}", facet.baseline);
 }
 
-std::string_view chart_key(const ChartFacet& facet) {
-  return facet.baseline.empty()
-             ? "kappa: how much the problem itself magnifies errors of the inputs"
-             : "Steps: no method without such defects is as fast and as accurate";
-}
-
 std::string chart_error(Quantity quantity) {
   const std::string_view text = info(quantity).name;
   return fmt::format("{}{}", text, text.ends_with("error") ? "" : " error");

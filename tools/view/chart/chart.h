@@ -84,8 +84,6 @@ std::string chart_stage(properties::Stage stage, scene::Precision precision);
 std::string chart_title(const ChartFacet& facet);
 /// "run time, times that of quadratic", "severity: ...": what lies below a facet.
 std::string chart_under(const ChartFacet& facet);
-/// What its grey line is: the steps of the front, or what the problem magnifies errors by.
-std::string_view chart_key(const ChartFacet& facet);
 /// "parameter error", "backward error"
 std::string chart_error(properties::Quantity quantity);
 

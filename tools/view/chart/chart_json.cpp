@@ -2,25 +2,15 @@
 
 #include <fmt/core.h>
 
-#include <nlohmann/json.hpp>
-
 #include "tools/report/words.h"
 
 namespace raycheck::tools {
 namespace {
 
-Json quantiles_json(const ChartQuantiles& quantiles) {
-  Json json = Json::array();
-  for (const std::optional<double>& error : quantiles) json.push_back(error_json(error));
-  return json;
-}
-
 Json errors_json(const ChartPoint::Errors& errors) {
-  Json told = Json::array();
-  for (const std::optional<double>& error : errors.at) told.push_back(error_text(error));
   return {{"compared", errors.compared},
-          {"at", quantiles_json(errors.at)},
-          {"told", std::move(told)},
+          {"at", list_json(errors.at, error_json)},
+          {"told", list_json(errors.at, error_text)},
           {"front", errors.is_front}};
 }
 
@@ -43,17 +33,19 @@ std::string decisions_text(const ChartPoint& point) {
 }
 
 Json point_json(const std::optional<ChartPoint>& point) {
-  if (!point) return nullptr;
-  Json json = {{"decisions", point->decisions},
-               {"wrong", point->wrong},
-               {"defects", point->defects},
-               {"standing", mark_of(*point).standing},
-               {"text", decisions_text(*point)}};
-  json["errors"] = Json::array();
-  for (const ChartPoint::Errors& errors : point->errors) {
-    json["errors"].push_back(errors_json(errors));
-  }
-  return json;
+  return or_null(point, [](const ChartPoint& its) {
+    return Json{{"decisions", its.decisions},  {"wrong", its.wrong},
+                {"defects", its.defects},      {"standing", mark_of(its).standing},
+                {"text", decisions_text(its)}, {"errors", list_json(its.errors, errors_json)}};
+  });
+}
+
+Json time_json(const ChartTime& time) {
+  return {{"ratio", time.ratio},
+          {"low", time.low},
+          {"high", time.high},
+          {"ns", time.nanoseconds},
+          {"told", fmt::format("{:.3g}", time.ratio)}};
 }
 
 /// What there is to say of a method's run time, where others have one.
@@ -68,36 +60,35 @@ std::string time_text(const ChartSeries& series, const ChartFacet& facet) {
 }
 
 Json series_json(const ChartSeries& series, const ChartFacet& facet) {
-  Json json = {{"name", series.name}, {"number", series.number}, {"time", nullptr}};
-  if (series.time) {
-    json["time"] = {{"ratio", series.time->ratio},
-                    {"low", series.time->low},
-                    {"high", series.time->high},
-                    {"ns", series.time->nanoseconds},
-                    {"told", fmt::format("{:.3g}", series.time->ratio)}};
-  }
-  json["text"] = time_text(series, facet);
-  json["points"] = Json::array();
-  if (!facet.baseline.empty()) json["points"].push_back(point_json(series.whole));
-  for (const auto& point : series.points) json["points"].push_back(point_json(point));
-  return json;
+  auto points = series.points;
+  if (!facet.baseline.empty()) points.insert(points.begin(), series.whole);
+  return {{"name", series.name},
+          {"number", series.number},
+          {"time", or_null(series.time, time_json)},
+          {"text", time_text(series, facet)},
+          {"points", list_json(points, point_json)}};
 }
 
-/// Of each quantity, share and severity what the problem magnifies errors by: the same for every
-/// method that was compared there.
-Json condition_json(const ChartFacet& facet) {
+/// What the problem magnifies errors by at a severity: the same for every method that was compared.
+Json condition_json(const ChartFacet& facet, std::size_t severity, std::size_t quantity,
+                    std::size_t share) {
+  for (const ChartSeries& series : facet.series) {
+    const auto& point = series.points[severity];
+    const auto condition = point ? point->errors[quantity].condition[share] : std::nullopt;
+    if (condition) return error_json(condition);
+  }
+  return nullptr;
+}
+
+/// The same of each quantity, share and severity.
+Json conditions_json(const ChartFacet& facet) {
   Json json = Json::array();
   for (std::size_t quantity = 0; quantity < facet.quantities.size(); ++quantity) {
-    Json& shares = json.emplace_back(Json::array());
+    json.push_back(Json::array());
     for (std::size_t share = 0; share < kChartShares.size(); ++share) {
-      Json& severities = shares.emplace_back(Json::array());
-      for (std::size_t k = 0; k < facet.severities.size(); ++k) {
-        std::optional<double> found;
-        for (const ChartSeries& series : facet.series) {
-          const auto& point = series.points[k];
-          if (!found && point) found = point->errors[quantity].condition[share];
-        }
-        severities.push_back(error_json(found));
+      json.back().push_back(Json::array());
+      for (std::size_t severity = 0; severity < facet.severities.size(); ++severity) {
+        json.back().back().push_back(condition_json(facet, severity, quantity, share));
       }
     }
   }
@@ -108,37 +99,35 @@ Json facet_json(const ChartFacet& facet) {
   const bool is_timed = !facet.baseline.empty();
   std::vector<std::string> severities = facet.severities;
   if (is_timed) severities.insert(severities.begin(), "all");
-  Json json = {{"title", chart_title(facet)}, {"subject", facet.subject},
-               {"stage", facet.stage},        {"severities", std::move(severities)},
-               {"baseline", facet.baseline},  {"under", chart_under(facet)},
-               {"key", chart_key(facet)}};
-  json["quantities"] = Json::array();
-  for (const properties::Quantity quantity : facet.quantities) {
-    json["quantities"].push_back({{"name", info(quantity).name},
-                                  {"error", chart_error(quantity)},
-                                  {"unit", unit_name(quantity, facet.precision)}});
-  }
-  json["condition"] = condition_json(facet);
-  json["series"] = Json::array();
-  for (const ChartSeries& series : facet.series)
-    json["series"].push_back(series_json(series, facet));
-  return json;
+  const auto quantity_json = [&](properties::Quantity quantity) {
+    return Json{{"name", info(quantity).name},
+                {"error", chart_error(quantity)},
+                {"unit", unit_name(quantity, facet.precision)}};
+  };
+  return {{"title", chart_title(facet)},
+          {"subject", facet.subject},
+          {"stage", facet.stage},
+          {"severities", std::move(severities)},
+          {"baseline", facet.baseline},
+          {"under", chart_under(facet)},
+          {"key", is_timed ? "Steps: no method without such defects is as fast and as accurate"
+                           : "kappa: how much the problem itself magnifies errors of the inputs"},
+          {"quantities", list_json(facet.quantities, quantity_json)},
+          {"condition", conditions_json(facet)},
+          {"series", list_json(facet.series,
+                               [&](const ChartSeries& one) { return series_json(one, facet); })}};
 }
 
 }  // namespace
 
 Json chart_json(const ChartView& chart) {
-  Json json;
-  json["shares"] = Json::array();
-  for (const ChartShare& share : kChartShares) json["shares"].push_back(share.name);
-  json["share"] = chart.share;
-  json["key"] = Json::array();
-  for (const Mark& mark : {kRight, kExcused, kDefect}) {
-    json["key"].push_back({{"standing", mark.standing}, {"text", mark.text}});
-  }
-  json["facets"] = Json::array();
-  for (const ChartFacet& facet : chart.facets) json["facets"].push_back(facet_json(facet));
-  return json;
+  return {{"shares", list_json(kChartShares, [](const ChartShare& share) { return share.name; })},
+          {"share", chart.share},
+          {"key", list_json(std::array{kRight, kExcused, kDefect},
+                            [](const Mark& mark) {
+                              return Json{{"standing", mark.standing}, {"text", mark.text}};
+                            })},
+          {"facets", list_json(chart.facets, facet_json)}};
 }
 
 }  // namespace raycheck::tools

@@ -27,8 +27,9 @@ constexpr int kNotFound = 127;  ///< What a shell exits with where there is no s
 constexpr int kWide = 1000, kTall = 640;  ///< Of each plot, in pixels.
 constexpr int kPixelsPerInch = 100;       ///< In files that measure in inches.
 constexpr std::size_t kMostTicks = 16;
-constexpr double kMostPower = 308;  ///< Of ten, in a double.
-constexpr double kRow = 0.06;       ///< Of the axis, between the errors and 0 or infinity.
+/// Of ten; beyond, errors are drawn there: gnuplot has doubles.
+constexpr double kMostPower = 250;
+constexpr double kRow = 0.06;  ///< Of the axis, between the errors and 0 or infinity.
 
 /// Okabe and Ito's colours (Color Universal Design, 2008), which most colour-blind readers tell
 /// apart, without yellow, which is lost on white.
@@ -74,12 +75,14 @@ struct ErrorAxis {
   double low = kMostPower, high = -kMostPower;
   bool has_zero = false, has_infinity = false;
 
-  void take(double error) {
-    has_zero = has_zero || error == 0;
-    has_infinity = has_infinity || std::isinf(error);
-    if (error == 0 || std::isinf(error)) return;
-    low = std::min(low, std::log10(error));
-    high = std::max(high, std::log10(error));
+  void take(const std::optional<double>& error) {
+    if (!error) return;
+    has_zero = has_zero || *error == 0;
+    has_infinity = has_infinity || std::isinf(*error);
+    if (*error == 0 || std::isinf(*error)) return;
+    const double power = std::clamp(std::log10(*error), -kMostPower, kMostPower);
+    low = std::min(low, power);
+    high = std::max(high, power);
   }
   void complete() {
     if (low > high) low = high = 0;
@@ -88,16 +91,18 @@ struct ErrorAxis {
     high += room;
   }
   double row() const { return std::max(0.3, (high - low) * kRow); }
-  double zero() const { return std::pow(10, std::max(low - row(), -kMostPower + 1)); }
-  double infinity() const { return std::pow(10, std::min(high + row(), kMostPower)); }
+  double zero() const { return std::pow(10, low - row()); }
+  double infinity() const { return std::pow(10, high + row()); }
   double place(double error) const {
-    return error == 0 ? zero() : std::isinf(error) ? infinity() : error;
+    return error == 0          ? zero()
+           : std::isinf(error) ? infinity()
+                               : std::clamp(error, std::pow(10, low), std::pow(10, high));
   }
   std::string text() const {
-    std::string told = fmt::format("set yrange [{:g}:{:g}]\nset ytics autofreq format '%g'\n",
-                                   has_zero ? zero() / 1.5 : std::pow(10, low),
-                                   has_infinity ? std::min(infinity(), 1e307) * 1.5
-                                                : std::pow(10, std::min(high, kMostPower)));
+    std::string told =
+        fmt::format("set yrange [{:g}:{:g}]\nset ytics autofreq format '10^{{%T}}'\n",
+                    has_zero ? zero() / 1.5 : std::pow(10, low),
+                    has_infinity ? infinity() * 1.5 : std::pow(10, high));
     if (has_zero) told += fmt::format("set ytics add ('0' {:g})\n", zero());
     if (has_infinity) told += fmt::format("set ytics add ('infinite' {:g})\n", infinity());
     return told;
@@ -108,7 +113,8 @@ ErrorAxis axis_of(const ChartFacet& facet) {
   ErrorAxis axis;
   for (const ChartSeries& series : facet.series) {
     for (const auto& point : points_of(series, facet)) {
-      if (const auto error = error_of(point)) axis.take(*error);
+      axis.take(error_of(point));
+      if (point && facet.baseline.empty()) axis.take(point->errors.front().condition[kChartShare]);
     }
   }
   axis.complete();
@@ -138,24 +144,32 @@ std::string data_of(const ChartSeries& series, const ChartFacet& facet, const Er
   return text;
 }
 
-/// What the problem itself magnifies errors by at each severity, or the front of those without
-/// defects over run times.
-std::string grey_data(const ChartFacet& facet, const ErrorAxis& axis) {
+/// The front of those without defects, over run times.
+std::string front_data(const ChartFacet& facet, const ErrorAxis& axis) {
   std::vector<std::pair<double, double>> places;
   for (const ChartSeries& series : facet.series) {
-    const auto points = points_of(series, facet);
-    for (std::size_t k = 0; k < points.size(); ++k) {
-      if (!points[k]) continue;
-      const ChartPoint::Errors& errors = points[k]->errors.front();
-      const bool is_timed = !facet.baseline.empty();
-      const auto y = is_timed ? errors.at[kChartShare] : errors.condition[kChartShare];
-      if (!y || (is_timed && !errors.is_front[kChartShare])) continue;
-      places.emplace_back(is_timed ? series.time->ratio : static_cast<double>(k), axis.place(*y));
-    }
+    const auto point = points_of(series, facet).front();
+    if (!error_of(point) || !point->errors.front().is_front[kChartShare]) continue;
+    places.emplace_back(series.time->ratio, axis.place(*error_of(point)));
   }
   std::sort(places.begin(), places.end());
   std::string text;
   for (const auto& [x, y] : places) text += fmt::format("{:g} {:g}\n", x, y);
+  return text;
+}
+
+/// What the problem itself magnifies errors by at each severity, whoever was asked there.
+std::string kappa_data(const ChartFacet& facet, const ErrorAxis& axis) {
+  std::string text;
+  for (std::size_t k = 0; k < facet.severities.size(); ++k) {
+    for (const ChartSeries& series : facet.series) {
+      if (!series.points[k]) continue;
+      const auto kappa = series.points[k]->errors.front().condition[kChartShare];
+      if (!kappa) continue;
+      text += fmt::format("{} {:g}\n", k, axis.place(*kappa));
+      break;
+    }
+  }
   return text;
 }
 
@@ -194,13 +208,15 @@ std::string keyentry(std::string_view look, std::string_view text) {
 std::string plot_of(const ChartFacet& facet) {
   const ErrorAxis axis = axis_of(facet);
   const bool is_timed = !facet.baseline.empty();
-  std::string data = fmt::format("$grey << EOD\n{}EOD\n", grey_data(facet, axis));
+  std::string data = fmt::format("$grey << EOD\n{}EOD\n",
+                                 is_timed ? front_data(facet, axis) : kappa_data(facet, axis));
   std::string parts =
       drawn("$grey", fmt::format("1:2 with {} {} 2", is_timed ? "steps" : "lines", kGreyLine));
-  std::string key = keyentry(fmt::format("with lines {} 2", kGreyLine), chart_key(facet));
-  key += keyentry("with points pt 7 lc rgb '#444444'", "every decision right");
-  key += keyentry("with points pt 6 lc rgb '#444444'", "open: wrong ones, all excused");
-  key += keyentry(fmt::format("with points {}", kDefectLook), "crossed: wrong without an excuse");
+  std::string key = keyentry(fmt::format("with lines {} 2", kGreyLine),
+                             is_timed ? "front without defects" : "kappa of the problem");
+  key += keyentry("with points pt 7 lc rgb '#444444'", "decisions right");
+  key += keyentry("with points pt 6 lc rgb '#444444'", "wrong, excused");
+  key += keyentry(fmt::format("with points {}", kDefectLook), "wrong: defects");
   for (std::size_t k = 0; k < facet.series.size(); ++k) {
     const ChartSeries& series = facet.series[k];
     const std::string block = fmt::format("$data{}", k), points = data_of(series, facet, axis);
@@ -238,7 +254,7 @@ std::string gnuplot_script(const std::vector<ChartFacet>& facets, const std::str
   const double unit = terminal_of(path) == "pdfcairo" ? kPixelsPerInch : 1;
   std::string script = fmt::format(
       "set terminal {} size {:g},{:g} font 'sans,12' background rgb 'white'\nset output {}\n"
-      "set encoding utf8\nset key outside right top Left reverse noenhanced\n"
+      "set encoding utf8\nset key outside right top Left reverse noenhanced samplen 2\n"
       "set grid lc rgb '#dddddd'\nset border 3\nset tics nomirror\nset logscale y\n"
       "set multiplot layout {},1\n",
       terminal_of(path), kWide / unit, tall / unit, in_quotes(path), tall / kTall);

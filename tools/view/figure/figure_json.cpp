@@ -3,7 +3,6 @@
 #include <fmt/core.h>
 
 #include <cmath>
-#include <nlohmann/json.hpp>
 
 #include "scene/number.h"
 #include "tools/image/image_paint.h"
@@ -59,84 +58,77 @@ std::vector<std::uint64_t> seen_by(const SceneView& view) {
 }
 
 Json spheres_json(const SceneView& view) {
-  Json spheres = {{"centre", Json::array()},
-                  {"radius", Json::array()},
-                  {"colour", Json::array()},
-                  {"label", Json::array()}};
+  const std::vector<DrawnSphere>& spheres = view.figure.spheres;
   const std::vector<std::uint64_t> pixels = seen_by(view);
-  for (std::size_t k = 0; k < view.figure.spheres.size(); ++k) {
-    const DrawnSphere& sphere = view.figure.spheres[k];
-    spheres["centre"].push_back(drawn(sphere.centre));
-    spheres["radius"].push_back(drawn(sphere.radius));
-    spheres["colour"].push_back("#" + hex(sphere.colour));
-    spheres["label"].push_back(pixels.empty()
-                                   ? sphere.label
-                                   : fmt::format("{}; seen by {} pixels", sphere.label, pixels[k]));
-  }
-  return spheres;
+  const auto label = [&](const DrawnSphere& sphere) {
+    const auto k = static_cast<std::size_t>(&sphere - spheres.data());
+    return pixels.empty() ? sphere.label
+                          : fmt::format("{}; seen by {} pixels", sphere.label, pixels[k]);
+  };
+  return {
+      {"centre", list_json(spheres, [](const DrawnSphere& one) { return drawn(one.centre); })},
+      {"radius", list_json(spheres, [](const DrawnSphere& one) { return drawn(one.radius); })},
+      {"colour", list_json(spheres, [](const DrawnSphere& one) { return "#" + hex(one.colour); })},
+      {"label", list_json(spheres, label)}};
+}
+
+Json ray_json(const DrawnRay& ray) {
+  return {
+      {"origin", drawn(ray.origin)}, {"direction", drawn(ray.direction)}, {"hit", drawn(ray.hit)}};
+}
+
+Json line_json(const PartLine& line) {
+  return {{"layer", line.layer},    {"path", line.path},        {"colour", line.colour},
+          {"thick", line.is_thick}, {"dashed", line.is_dashed}, {"arrow", line.has_arrow}};
+}
+
+Json mark_json(const PartMark& mark) {
+  return {{"layer", mark.layer},
+          {"at", mark.at},
+          {"colour", mark.colour},
+          {"shape", mark.shape},
+          {"size", mark.size}};
+}
+
+Json name_json(const PartName& name) {
+  return {{"layer", name.layer}, {"at", name.at}, {"text", name.text}, {"colour", name.colour}};
 }
 
 }  // namespace
 
 Json parts_json() {
-  Json json = {{"lines", Json::array()}, {"marks", Json::array()}, {"names", Json::array()}};
-  for (const PartLine& line : part_lines()) {
-    json["lines"].push_back({{"layer", line.layer},
-                             {"path", line.path},
-                             {"colour", line.colour},
-                             {"thick", line.is_thick},
-                             {"dashed", line.is_dashed},
-                             {"arrow", line.has_arrow}});
-  }
-  for (const PartMark& mark : part_marks()) {
-    json["marks"].push_back({{"layer", mark.layer},
-                             {"at", mark.at},
-                             {"colour", mark.colour},
-                             {"shape", mark.shape},
-                             {"size", mark.size}});
-  }
-  for (const PartName& name : part_names()) {
-    json["names"].push_back(
-        {{"layer", name.layer}, {"at", name.at}, {"text", name.text}, {"colour", name.colour}});
-  }
-  return json;
+  return {{"lines", list_json(part_lines(), line_json)},
+          {"marks", list_json(part_marks(), mark_json)},
+          {"names", list_json(part_names(), name_json)}};
 }
 
 Json figure_json(const SceneView& view) {
   const Figure& figure = view.figure;
-  Json json;
-  json["scale_exponent"] = figure.scale_exponent;
-  json["origin_text"] =
-      fmt::format("{} = ({}, {}, {})", figure.camera ? "E" : "L", scene::shortest(figure.origin.x),
-                  scene::shortest(figure.origin.y), scene::shortest(figure.origin.z));
-  json["camera"] = figure.camera ? camera_json(*figure.camera, view.scene) : Json(nullptr);
-  json["rays"] = figure.rays.empty() ? Json(nullptr) : Json::array();
-  for (const DrawnRay& ray : figure.rays) {
-    json["rays"].push_back({{"origin", drawn(ray.origin)},
-                            {"direction", drawn(ray.direction)},
-                            {"hit", drawn(ray.hit)}});
-  }
-  json["spheres"] = spheres_json(view);
-  json["places"] = places_json(figure.places);
-  json["size"] = drawn(figure.size);
-  json["reach"] = drawn(figure.reach);
-  json["whole"] = Json::array();
-  for (const Drawn& place : figure.whole) json["whole"].push_back(drawn(place));
-  json["apart"] = figure.apart;
-  json["out_of_scale"] = figure.is_out_of_scale;
-  json["notes"] = figure.notes;
-  return json;
+  const auto& [x, y, z] = figure.origin;
+  return {{"scale_exponent", figure.scale_exponent},
+          {"origin_text", fmt::format("{} = ({}, {}, {})", figure.camera ? "E" : "L",
+                                      scene::shortest(x), scene::shortest(y), scene::shortest(z))},
+          {"camera", or_null(figure.camera,
+                             [&](const DrawnCamera& one) { return camera_json(one, view.scene); })},
+          {"rays", figure.rays.empty() ? Json(nullptr) : list_json(figure.rays, ray_json)},
+          {"spheres", spheres_json(view)},
+          {"places", places_json(figure.places)},
+          {"size", drawn(figure.size)},
+          {"reach", drawn(figure.reach)},
+          {"whole", list_json(figure.whole, [](const Drawn& place) { return drawn(place); })},
+          {"apart", figure.apart},
+          {"out_of_scale", figure.is_out_of_scale},
+          {"notes", figure.notes}};
 }
 
 Json drawing_json(const PanelDrawing& drawing) {
-  Json json;
-  json["D"] = drawn(drawing.direction);
-  json["across"] = drawn(drawing.across);
-  json["until"] = drawn(static_cast<float>(drawing.until));
-  json["places"] = places_json(drawing.places);
-  json["names"] = Json::object();
-  for (const auto& [place, text] : drawing.names) json["names"][place] = text;
-  return json;
+  Json names = Json::object();
+  for (const auto& [place, text] : drawing.names) names[place] = text;
+  return {{"D", drawn(drawing.direction)},
+          {"across", drawn(drawing.across)},
+          {"until", drawn(static_cast<float>(drawing.until))},
+          {"places", places_json(drawing.places)},
+          {"names", std::move(names)}};
 }
 
 }  // namespace raycheck::tools

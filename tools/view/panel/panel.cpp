@@ -6,11 +6,11 @@
 #include <string_view>
 #include <utility>
 
+#include "scene/number.h"
 #include "tools/explain/explain_views.h"
 #include "tools/report/typeset.h"
 #include "tools/view/panel/microscope.h"
 #include "tools/view/panel/sage.h"
-#include "tools/view/view_words.h"
 
 namespace raycheck::tools {
 namespace {
@@ -65,6 +65,29 @@ void keep_methods(const std::vector<MethodPair>& pairs, ExplainReport& report) {
   });
 }
 
+std::string listed(const auto& triple) {
+  return fmt::format("{},{},{}", scene::shortest(triple.x), scene::shortest(triple.y),
+                     scene::shortest(triple.z));
+}
+
+/// What explains the same ray and sphere at a desk.
+std::string explain_command(const ExplainReport& report, const Selection& asked,
+                            const PanelOptions& options) {
+  if (!report.pixel) {
+    if (!report.sphere) return {};  // It explains no ray alone.
+    const scene::Sphere& sphere = report.scene.spheres[*report.sphere];
+    return fmt::format("raycheck explain --ray={},{} --sphere={},{}{}", listed(report.ray.origin),
+                       listed(report.ray.direction), listed(sphere.centre),
+                       scene::shortest(sphere.radius), options.more_arguments);
+  }
+  std::string command = fmt::format("raycheck explain {} --pixel {},{}", options.scene_argument,
+                                    report.pixel->i, report.pixel->j);
+  if (asked.sphere) command += fmt::format(" --sphere {}", *asked.sphere);
+  if (options.rays != kDefaultMethods.rays)
+    command += fmt::format(" --rays {}", options.rays->name);
+  return command + options.more_arguments;
+}
+
 }  // namespace
 
 bool is_typeset(const Step& step) {
@@ -80,7 +103,6 @@ Panel panel_of(const scene::Scene& scene, const DrawnFrame& frame, const Selecti
   ExplainOptions explained;
   explained.rays = options.rays;
   explained.other = options.other;
-  explained.others_ray = options.others_ray;
   if (scene.camera) {
     explained.scene = scene;
     explained.pixel = selection.pixel;
@@ -99,8 +121,7 @@ Panel panel_of(const scene::Scene& scene, const DrawnFrame& frame, const Selecti
   }
   panel.text = explain_text(report, {});
   keep_methods(options.methods, panel.report);
-  panel.command = explain_command(report, selection, *options.rays, options.scene_argument,
-                                  options.more_arguments);
+  panel.command = explain_command(report, selection, options);
   panel.sage = sage_input(report);
   panel.latex = latex_of(report);
   const scene::Sphere* const sphere =

@@ -9,8 +9,7 @@ namespace raycheck::tools {
 struct PanelOptions {
   const fast::PixelRayMethod* rays = kDefaultMethods.rays;
   std::shared_ptr<const Implementation> other = nullptr;
-  std::optional<scene::Ray> others_ray = {};  ///< As ExplainOptions has it.
-  std::vector<MethodPair> methods = {};       ///< Whose steps alone are shown; empty: everyone's.
+  std::vector<MethodPair> methods = {};  ///< Whose steps alone are shown; empty: everyone's.
   std::string scene_argument;  ///< The scene as a word of a command; of given rays it is not used.
   std::string more_arguments;  ///< Of commands: the candidate, or nothing.
 };

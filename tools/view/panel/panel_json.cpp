@@ -112,7 +112,14 @@ std::string cancellation_text(const Step& step, const ExplainReport& report) {
   // By square roots, for squares may overflow.
   const double distance = std::hypot(t[0], t[1], t[2]);
   const double half_chord = std::sqrt(std::abs(step.rounded.front()));
-  return squares_cancel(2 * std::log10(distance / half_chord));
+  const double decades = 2 * std::log10(distance / half_chord);
+  constexpr double kFewest = 3, kOfDoubles = 15.95;
+  if (!(decades >= kFewest) || !std::isfinite(decades)) return {};
+  const double left = std::floor(kOfDoubles - decades);
+  return fmt::format(
+      "; |T|^2 is 1e+{:02.0f} times as large as d^2, so that a difference of such squares in "
+      "doubles keeps {} of 16 digits",
+      std::floor(decades), left >= 1 ? fmt::format("{:.0f}", left) : "none");
 }
 
 std::string condition_text(const Step& step, const ExplainReport& report) {
@@ -137,8 +144,8 @@ Json step_json(const Step& step, const ExplainReport& report) {
 /// What a method comes to, held against the exact answer.
 Json verdict_json(const MethodReport& method, const ExplainReport& report) {
   Json said = Json::array();
-  if (!method.failure.empty()) {
-    add(said, "wrong", "failed: " + method.failure);
+  if (!method.failure().empty()) {
+    add(said, "wrong", "failed: " + method.failure());
   } else {
     if (method.parameter) {
       add(said, "symbol", "s");
@@ -147,7 +154,7 @@ Json verdict_json(const MethodReport& method, const ExplainReport& report) {
     } else if (method.intersects) {
       add(said, "", "a miss");
     }
-    add(said, "", answer_remarks(method, report));
+    add(said, "", answer_remarks(method));
     if (!method.goes_wrong_at.empty()) {
       add(said, "wrong", "; goes wrong at ");
       add(said, "symbol", method.goes_wrong_at);
@@ -156,7 +163,7 @@ Json verdict_json(const MethodReport& method, const ExplainReport& report) {
   }
   return {{"name", method.name},
           {"said", std::move(said)},
-          {"wrong", !method.goes_wrong_at.empty() || !method.failure.empty()}};
+          {"wrong", !method.goes_wrong_at.empty() || !method.failure().empty()}};
 }
 
 Json exact_json(const ExplainReport& report) {

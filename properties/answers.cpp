@@ -1,0 +1,146 @@
+#include "properties/answers.h"
+
+#include <stdexcept>
+#include <string>
+
+#include "scene/validate.h"
+
+namespace raycheck::properties {
+namespace {
+
+template <class Given>
+const Given& require_count(const Given& answers, std::size_t expected, const char* what) {
+  if (answers.size() != expected) {
+    throw std::runtime_error("candidate gave " + std::to_string(answers.size()) + " " + what +
+                             " where " + std::to_string(expected) + " were asked for");
+  }
+  return answers;
+}
+
+/// The rays that are valid, and where they were among all.
+struct ValidRays {
+  explicit ValidRays(const std::vector<scene::Ray>& all) {
+    indices.reserve(all.size());
+    for (std::size_t k = 0; k < all.size(); ++k) {
+      if (scene::defects(all[k]).empty()) indices.push_back(k);
+    }
+    rays = all;
+    if (indices.size() == all.size()) return;
+    for (const std::size_t k : indices) copies.push_back(all[k]);
+    rays = copies;
+  }
+  ValidRays(const ValidRays&) = delete;
+  ValidRays& operator=(const ValidRays&) = delete;
+
+  std::vector<std::size_t> indices;
+  std::vector<scene::Ray> copies;  ///< Only where not all are.
+  Candidate::Rays rays;
+};
+
+void require_in_order(const SphereHits& hits, std::size_t rays) {
+  for (std::size_t k = 0; k < hits.size(); ++k) {
+    if (hits[k].ray >= rays || (k > 0 && hits[k].ray <= hits[k - 1].ray)) {
+      throw std::runtime_error("candidate gave hits that are not in the order of the rays");
+    }
+  }
+}
+
+}  // namespace
+
+Answers::Answers(const Case& the_case, const Candidate& candidate, double share)
+    : case_(the_case),
+      candidate_(candidate),
+      conventions_(candidate.declared.over(the_case.scene.conventions)),
+      share_(share) {}
+
+template <class Given, class Ask>
+const Given& Answers::once(Once<Given>& kept, const Ask& ask) const {
+  if (kept.failure) std::rethrow_exception(kept.failure);
+  if (kept.answers) return *kept.answers;
+  if (candidate_.allow) candidate_.allow(share_);
+  try {
+    return kept.answers.emplace(ask());
+  } catch (const std::runtime_error&) {
+    kept.failure = std::current_exception();
+    throw;
+  }
+}
+
+const FrameAnswer& Answers::frame() {
+  return once(frame_, [&] { return candidate_.frame(case_.scene.camera.value()); });
+}
+
+const std::vector<scene::Point3>& Answers::pixel_points() {
+  return once(pixel_points_, [&] {
+    auto points = candidate_.pixel_points(case_.scene.camera.value(), conventions_, case_.pixels);
+    require_count(points, ray_count(), "pixel points");
+    return points;
+  });
+}
+
+bool Answers::has_rays() const {
+  if (!case_.scene.camera) return true;
+  return conventions_.origin == scene::Origin::kPixel ? static_cast<bool>(candidate_.pixel_rays)
+                                                      : static_cast<bool>(candidate_.focal_rays);
+}
+
+const std::vector<scene::Ray>& Answers::rays() {
+  if (!case_.scene.camera) return case_.scene.rays;
+  return once(rays_, [&] {
+    const auto& make = conventions_.origin == scene::Origin::kPixel ? candidate_.pixel_rays
+                                                                    : candidate_.focal_rays;
+    auto made = make(*case_.scene.camera, conventions_, case_.pixels);
+    require_count(made, ray_count(), "rays");
+    return made;
+  });
+}
+
+const SphereHits& Answers::hits(std::size_t sphere) {
+  const std::vector<scene::Ray>& asked = rays();
+  return once(hits_, [&] { return intersect(asked, case_.scene.spheres, conventions_); })[sphere];
+}
+
+const std::vector<std::optional<std::size_t>>& Answers::nearest() {
+  const std::vector<scene::Ray>& asked = rays();
+  return once(nearest_, [&] { return rank(asked, case_.scene.spheres); });
+}
+
+std::vector<SphereHits> Answers::intersect(const std::vector<scene::Ray>& rays,
+                                           const std::vector<scene::Sphere>& spheres,
+                                           const scene::Conventions& conventions) const {
+  const ValidRays valid(rays);
+  std::vector<SphereHits> answers = candidate_.intersect(valid.rays, spheres, conventions);
+  require_count(answers, spheres.size(), "lists of hits");
+  for (SphereHits& hits : answers) {
+    require_in_order(hits, valid.rays.size());
+    for (RayHit& hit : hits) hit.ray = valid.indices[hit.ray];
+  }
+  return answers;
+}
+
+std::vector<std::optional<std::size_t>> Answers::rank(
+    const std::vector<scene::Ray>& rays, const std::vector<scene::Sphere>& spheres) const {
+  const ValidRays valid(rays);
+  const auto answers = candidate_.nearest(valid.rays, spheres, conventions_);
+  require_count(answers, valid.rays.size(), "nearest spheres");
+  std::vector<std::optional<std::size_t>> result(rays.size());
+  for (std::size_t k = 0; k < answers.size(); ++k) result[valid.indices[k]] = answers[k];
+  return result;
+}
+
+scene::Scene Answers::asked_scene() const {
+  scene::Scene scene = case_.scene;
+  scene.conventions = conventions_;
+  if (rays_.answers && rays_.answers->size() == 1) {
+    scene.camera.reset();
+    scene.rays = *rays_.answers;
+  }
+  return scene;
+}
+
+const HitAnswer* find_hit(const SphereHits& hits, std::size_t ray) {
+  const RayHit* found = find_ray(hits, ray);
+  return found == nullptr ? nullptr : &found->hit;
+}
+
+}  // namespace raycheck::properties

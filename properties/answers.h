@@ -1,0 +1,74 @@
+#pragma once
+
+#include <cstddef>
+#include <exception>
+#include <optional>
+#include <vector>
+
+#include "properties/candidate.h"
+#include "properties/case.h"
+#include "properties/truth.h"
+#include "scene/scene.h"
+
+namespace raycheck::properties {
+
+/// A candidate's answers to a case, each asked for once and kept for the next law; empty where it
+/// has no such thing. What it throws passes through.
+/// Domain: a valid scene, pixels inside its image. What is given has to outlive it.
+class Answers {
+ public:
+  /// `share`: of the time for a reply (Functions::allow).
+  Answers(const Case& the_case, const Candidate& candidate, double share);
+
+  const scene::Scene& scene() const { return case_.scene; }
+  const std::vector<scene::Pixel>& pixels() const { return case_.pixels; }
+  std::size_t ray_count() const { return count_rays(case_); }
+  const Candidate& candidate() const { return candidate_; }
+  /// The scene's conventions with the candidate's declared ones in their place.
+  const scene::Conventions& conventions() const { return conventions_; }
+
+  const FrameAnswer& frame();
+  const std::vector<scene::Point3>& pixel_points();
+  /// The rays of the case: the candidate's own under the origin convention, or the given ones.
+  const std::vector<scene::Ray>& rays();
+  bool has_rays() const;
+  /// Whether it was asked for rays, and failed to make them.
+  bool lacks_rays() const { return rays_.failure != nullptr; }
+  const SphereHits& hits(std::size_t sphere);
+  const std::vector<std::optional<std::size_t>>& nearest();
+  /// The candidate asked about other rays or spheres. A ray of its own making that is not finite or
+  /// has no direction is not asked about: it counts as a miss.
+  std::vector<SphereHits> intersect(const std::vector<scene::Ray>& rays,
+                                    const std::vector<scene::Sphere>& spheres,
+                                    const scene::Conventions& conventions) const;
+  std::vector<std::optional<std::size_t>> rank(const std::vector<scene::Ray>& rays,
+                                               const std::vector<scene::Sphere>& spheres) const;
+  /// What is asked of an intersection where it is one ray: that ray, as the candidate was given it,
+  /// and the spheres; otherwise the scene.
+  scene::Scene asked_scene() const;
+
+ private:
+  /// What a candidate answered, or how it failed: it is not asked twice.
+  template <class Given>
+  struct Once {
+    std::optional<Given> answers;
+    std::exception_ptr failure;
+  };
+  template <class Given, class Ask>
+  const Given& once(Once<Given>& kept, const Ask& ask) const;
+
+  const Case& case_;
+  const Candidate& candidate_;
+  scene::Conventions conventions_;
+  double share_;
+  Once<FrameAnswer> frame_;
+  Once<std::vector<scene::Point3>> pixel_points_;
+  Once<std::vector<scene::Ray>> rays_;
+  Once<std::vector<SphereHits>> hits_;
+  Once<std::vector<std::optional<std::size_t>>> nearest_;
+};
+
+/// The hit of a ray among a sphere's; null where it misses.
+const HitAnswer* find_hit(const SphereHits& hits, std::size_t ray);
+
+}  // namespace raycheck::properties
