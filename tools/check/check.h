@@ -101,7 +101,7 @@ struct CandidateReport {
 
   /// Of a candidate without a defect, and of which nothing is undecided, the first kind of question
   /// to which no answer was right without an excuse, though asked.
-  std::optional<std::pair<properties::Quantity, properties::Question>> too_few_judged() const {
+  std::optional<std::pair<properties::Quantity, properties::Expected>> too_few_judged() const {
     const bool is_asked = inside_domain && verdict.holds() && !is_undecided();
     return is_asked ? verdict.too_few_right(1, swallows()) : std::nullopt;
   }

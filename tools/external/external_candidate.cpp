@@ -30,7 +30,7 @@ struct AnswerFailure {
     if (last) *last = kind;
     if (size) throw properties::OtherSize(words, size->width(), size->height());
     if (is_in_vain || kind == FailureKind::kNotAsked || kind == FailureKind::kSystem) {
-      throw properties::AskedInVain(words);
+      throw properties::CandidateUnavailable(words);
     }
     if (line) throw properties::FailedAtLine(words, *line);
     throw std::runtime_error(words);

@@ -164,10 +164,10 @@ Json tally_json(properties::Quantity quantity, const Tally& tally, scene::Precis
     json["wrong_by_standing"][std::string(name(standing))] = tally.count(standing);
   }
   json["answered"] = Json::object();
-  for (std::size_t k = 0; k < properties::kQuestionCount; ++k) {
+  for (std::size_t k = 0; k < properties::kExpectedCount; ++k) {
     const properties::Answered& answers = tally.answered[k];
     if (answers.asked == 0) continue;
-    json["answered"][std::string(properties::kQuestionNames[k])] = {{"asked", answers.asked},
+    json["answered"][std::string(properties::kExpectedNames[k])] = {{"asked", answers.asked},
                                                                     {"right", answers.right}};
   }
   json["measured"] = tally.errors.count();
