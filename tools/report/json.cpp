@@ -93,7 +93,7 @@ void add_scene(Json& json, const std::string& path, const scene::Scene& scene) {
   json["height"] = or_null(scene.camera, [](const scene::Camera& camera) { return camera.height; });
 }
 
-Json too_few_json(const std::pair<properties::Quantity, properties::Question>& too_few) {
+Json too_few_json(const std::pair<properties::Quantity, properties::Expected>& too_few) {
   return {{"quantity", info(too_few.first).name}, {"question", name(too_few.second)}};
 }
 
