@@ -19,12 +19,12 @@ namespace {
 using nlohmann::json;
 
 /// A command without the file or folder that it writes, and what that begins with.
-struct Written {
+struct ReportWritten {
   const char* arguments;
   const char* begins;
 };
 
-constexpr Written kWritten[] = {
+constexpr ReportWritten kWritten[] = {
     {"check scene/examples/far-sphere.toml --intersect quadratic --certificates ", "{\"method\":"},
     {"check scene/examples/far-sphere.toml --intersect quadratic --report junit=", "<?xml "},
     {"properties --cases 20 --report junit=", "<?xml "},
