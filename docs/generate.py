@@ -100,7 +100,7 @@ def lists(program, check):
     listed = subprocess.run([program, "list", "--format", "json"], cwd=ROOT, text=True, check=True,
                             capture_output=True)
     pages = {"laws": {"laws": laws_part(json.loads(listed.stdout))},
-             "packages": {"packages": packages_part("always"), "peers": packages_part("peers")}}
+             "packages": {"packages": packages_part("always"), "engines": packages_part("engines")}}
     for page, parts in pages.items():
         path = ROOT / "docs" / f"{page}.md"
         text = path.read_text()

@@ -28,21 +28,12 @@ struct Hit {
   scene::Point3 point;  ///< Q = L + s D.
 };
 
-/// What a method asks beyond validity. Ours ask nothing; peers from other libraries do.
-struct Contract {
-  bool unit_direction = false;
-  bool origin_outside = false;
-  // The conventions that it fixes: it answers by these, whichever it is asked for.
-  std::optional<scene::Root> root = {};
-  std::optional<scene::Tangent> tangent = {};
-};
-
 /// A way to intersect rays with a sphere. All methods share one contract:
 /// Shape:  N rays, one sphere -> N hits; the output is resized to N.
 /// Units:  scene lengths; s in multiples of the ray's direction, which need not be unit.
 /// Domain: finite rays with direction != 0, a finite sphere with radius >= 0, otherwise throws
 ///         std::invalid_argument naming the field; nonzero lengths inside `domain`, otherwise
-///         intermediate values over- or underflow silently; what `contract` asks.
+///         intermediate values over- or underflow silently.
 /// Error:  of the method alone, on the rays that it is given, taken exactly: at most max_ulp in s
 ///         and max_point_ulp in Q (in ulp of s and u of |Q|), each while the quantity's condition
 ///         number is at most kModerateCondition (properties/quantity.h), growing in proportion
@@ -63,7 +54,6 @@ struct IntersectMethod {
   double max_point_ulp;
   std::string_view not_kept = {};  ///< Where it keeps no promise (a test pins that).
   Domain domain = {};
-  Contract contract = {};
   bool exact_class = false;
   double unit_roundoff = 0x1p-53;  ///< Of the arithmetic that it computes in.
 };

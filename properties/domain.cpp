@@ -61,21 +61,9 @@ bool lengths_are_within(const scene::Scene& scene, double smallest, double large
 }
 
 bool is_inside_domain(const Domain& domain, const scene::Scene& scene) {
-  // From a camera directions are unit as far as the method makes them so.
-  const bool unit_directions = std::all_of(
-      scene.rays.begin(), scene.rays.end(),
-      [](const scene::Ray& ray) { return std::abs(length(ray.direction) - 1) <= kUnitTolerance; });
-  const auto is_outside = [&](const scene::Ray& ray) {
-    return std::all_of(scene.spheres.begin(), scene.spheres.end(), [&](const scene::Sphere& s) {
-      return length(s.centre - ray.origin) > s.radius;
-    });
-  };
   return lengths_are_within(scene, domain.smallest_length, domain.largest_length) &&
          (!scene.camera ||
-          lengths_are_within(scene, domain.smallest_camera_length, domain.largest_camera_length)) &&
-         (!domain.needs_unit_direction || unit_directions) &&
-         (!domain.needs_origin_outside ||
-          std::all_of(scene.rays.begin(), scene.rays.end(), is_outside));
+          lengths_are_within(scene, domain.smallest_camera_length, domain.largest_camera_length));
 }
 
 }  // namespace raycheck::properties

@@ -7,11 +7,8 @@
 
 namespace raycheck::properties {
 
-/// Where a candidate promises anything: rays of these kinds only, and nonzero lengths between
-/// these.
+/// Where a candidate promises anything: nonzero lengths lie between these.
 struct Domain {
-  bool needs_unit_direction = false;
-  bool needs_origin_outside = false;
   double smallest_length = 0;
   double largest_length = std::numeric_limits<double>::infinity();
   /// The lengths of scenes with a camera lie between these too.
@@ -31,15 +28,11 @@ inline constexpr double kLargestSingleLength = 0x1p30;
 /// A domain cut to the lengths that are judged in a format.
 Domain judged_in(scene::Precision precision, Domain domain);
 
-/// How far from 1 the length of a direction may be that counts as unit: what its roundings make.
-inline constexpr double kUnitTolerance = 0x1p-50;
-
 /// True when every nonzero length of the scene lies in [smallest, largest]; the distance of a
 /// sphere of radius 0 is one, for want of another.
 bool lengths_are_within(const scene::Scene& scene, double smallest, double largest);
 
-/// True when the scene lies in the domain. (Whether an origin is outside a sphere is asked of
-/// rounded distances: the domain is about the method, not about the truth.)
+/// True when the scene lies in the domain.
 bool is_inside_domain(const Domain& domain, const scene::Scene& scene);
 
 }  // namespace raycheck::properties

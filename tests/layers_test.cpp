@@ -59,7 +59,7 @@ const std::map<std::string, Rooms> kSees = {
      {"scene", "scene/files", "properties", "properties/cases", "properties/mistakes",
       "tools/implementations", "tools/report"}},
     {"tools/explain",
-     {"scene", "reference", "reference/account", "fast", "properties", "properties/candidates",
+     {"scene", "reference", "reference/account", "fast", "properties", "properties/laws",
       "tools/implementations", "tools/report"}},
     {"tools/image",
      {"scene", "scene/files", "reference/visibility", "properties", "tools/run", "tools/report",
@@ -67,7 +67,6 @@ const std::map<std::string, Rooms> kSees = {
     {"tools/view",
      {"scene", "scene/files", "reference", "reference/visibility", "properties", "properties/laws",
       "tools/explain", "tools/image", "tools/implementations", "tools/report", "tools/run"}},
-    {"tools/peers", {"scene", "fast"}},
     {"tools/grade/rubric",
      {"scene/files", "properties/laws", "properties/cases", "tools/report", "tools/implementations",
       "tools/external"}},
@@ -302,11 +301,8 @@ TEST(Rooms, SeeNoRoomThatSeesThem) {
 TEST(Rooms, LinkWhatTheySeeAndNoMore) {
   const auto& linked = linked_rooms();
   for (const auto& [room, seen] : sees()) {
-    if (room == "tools/peers") continue;  // a library for each peer, in a CMake file of its own
     ASSERT_TRUE(linked.contains(room)) << room;
-    Rooms expected = seen;
-    expected.erase("tools/peers");  // linked only where they are built
-    EXPECT_EQ(linked.at(room), expected) << room;
+    EXPECT_EQ(linked.at(room), seen) << room;
   }
 }
 
@@ -346,7 +342,6 @@ TEST(Programs, NeedWhatTheyMayLinkAndNoMore) {
     for (const std::string& room : needed_by(edge)) {
       if (room.starts_with("tools/") && !kJudgesOneScene.contains(room)) of_tools.insert(room);
     }
-    of_tools.erase("tools/peers");
     EXPECT_EQ(of_tools, kMayLink.at(program)) << program;
   }
 }
@@ -380,7 +375,7 @@ TEST(Rooms, KeepLibrariesInside) {
         Kept{"CLI/", {kEdge}, ""}}) {
     std::size_t found = 0;
     for (const Include& include : includes()) {
-      if (!include.target.starts_with(library) || include.from == "tools/peers/core.cpp") continue;
+      if (!include.target.starts_with(library)) continue;
       ++found;
       EXPECT_TRUE(rooms.contains(room_of(include.from))) << include.from << " " << library;
       EXPECT_TRUE(!is_header(include.from) || folder_of(include.from).ends_with(shown_in))
@@ -444,8 +439,14 @@ TEST(Rooms, LetTheEdgeAlonePrint) {
 }
 
 /// What writes command lines of other programs, and of the package that runs raycheck itself.
-const std::set<std::string> kWriteCommandLines = {
-    "tools/external/sandbox/launch.cpp", "tools/external/compile.cpp", "tools/grade/package.cpp"};
+const std::set<std::string> kWriteCommandLines = {"tools/external/sandbox/launch.cpp",
+                                                  "tools/external/compile.cpp",
+                                                  "tools/external/implementation_of.cpp",
+                                                  "tools/implementations/implementation.cpp",
+                                                  "tools/view/scene_view.cpp",
+                                                  "tools/view/panel/panel.cpp",
+                                                  "tools/grade/package.cpp",
+                                                  "tools/grade/pages/figures.cpp"};
 
 TEST(Rooms, LetTheEdgeAndViewsForPeopleAloneNameOptions) {
   static const std::regex literal(R"re("((?:[^"\\]|\\.)*)")re"), option("(^|[^-])--[a-z]");
@@ -453,7 +454,8 @@ TEST(Rooms, LetTheEdgeAndViewsForPeopleAloneNameOptions) {
   for (const std::string& file : sources()) {
     const std::string room = room_of(file);
     if (room == kEdge || kPrograms.contains(room) || kWriteCommandLines.contains(file)) continue;
-    const bool is_view_for_people = file.ends_with("_text.cpp");  // may say which shows more
+    // Which may say how more is shown.
+    const bool is_view_for_people = file.ends_with("_text.cpp") || file.ends_with("_page.cpp");
     std::istringstream lines(text_of(root() / file));
     for (std::string line; std::getline(lines, line);) {
       if (line.find_first_not_of(' ') == line.find("//")) continue;

@@ -1,16 +1,14 @@
-// Embree as a candidate: rtcIntersect1 on a sphere in a scene of its own, in single precision. Its
-// Debian package is libembree-dev; from the root of the sources
-//
-//     g++ -std=c++20 -O2 -fPIC -shared -Iinclude examples/engines/embree.cpp -lembree3 -o embree.so
-//     raycheck check scene/examples/ten-spheres.toml --candidate library:embree.so
+// Embree's rtcIntersect1 on a sphere in a scene of its own, in single precision. Debian:
+// libembree-dev; -lembree3.
 //
 // Source: the Embree 3 manual, RTC_GEOMETRY_TYPE_SPHERE and rtcIntersect1.
 
 #include <embree3/rtcore.h>
 
 #include <limits>
-#include <raycheck/candidate.hpp>
 #include <stdexcept>
+
+#include "adapter.h"
 
 using namespace raycheck;
 
@@ -40,8 +38,21 @@ RTCScene scene_of(const Sphere& sphere) {
   return scene;
 }
 
+/// That of the last sphere, so that calls about one sphere build it once.
+RTCScene kept_scene_of(const Sphere& sphere) {
+  static Sphere last;
+  static RTCScene scene = nullptr;
+  const auto& [c, r] = sphere;
+  if (scene && c.x == last.centre.x && c.y == last.centre.y && c.z == last.centre.z &&
+      r == last.radius) {
+    return scene;
+  }
+  if (scene) rtcReleaseScene(scene);
+  last = sphere;
+  return scene = scene_of(sphere);
+}
+
 std::optional<Hit> intersect(const Ray& ray, const Sphere& sphere, const Conventions&) {
-  const RTCScene scene = scene_of(sphere);
   RTCIntersectContext context;
   rtcInitIntersectContext(&context);
   RTCRayHit query = {};
@@ -55,8 +66,7 @@ std::optional<Hit> intersect(const Ray& ray, const Sphere& sphere, const Convent
   query.ray.tfar = std::numeric_limits<float>::infinity();
   query.ray.mask = ~0u;
   query.hit.geomID = RTC_INVALID_GEOMETRY_ID;
-  rtcIntersect1(scene, &context, &query);
-  rtcReleaseScene(scene);
+  rtcIntersect1(kept_scene_of(sphere), &context, &query);
   if (query.hit.geomID == RTC_INVALID_GEOMETRY_ID) return std::nullopt;
   // Embree gives no point: whoever uses it computes one so, in floats.
   const float s = query.ray.tfar;

@@ -177,10 +177,6 @@ Candidate fast_candidate(const fast::PixelRayMethod& rays, const fast::Intersect
   const bool is_stable = rays.not_kept.empty() && intersect.not_kept.empty();
   candidate.level = is_stable ? Level::kDemanding : Level::kOrdinary;
   candidate.unit_roundoff = std::max(rays.unit_roundoff, intersect.unit_roundoff);
-  candidate.needs_unit_direction = intersect.contract.unit_direction;
-  candidate.needs_origin_outside = intersect.contract.origin_outside;
-  candidate.declared.root = intersect.contract.root;
-  candidate.declared.tangent = intersect.contract.tangent;
   // Methods choose among all roots >= 0.
   candidate.declared.valid = scene::ValidRoots{};
   candidate.smallest_length = intersect.domain.smallest_length;

@@ -67,7 +67,6 @@ TEST(UnwrittenReport, leaves_files_alone_where_errors_cannot_be_said) {
 /// Of a CMake that has nothing to build, and of a raycheck that prints its arguments.
 const std::string kRun = R"bash(
 set -e
-unset RAYCHECK_PEERS
 cd "$(mktemp -d)"
 trap 'rm -rf "$PWD"' EXIT
 mkdir -p bin build/release/tools tools

@@ -1,13 +1,13 @@
 #include <nlohmann/json.hpp>
 
 #include "scene/number.h"
-#include "tools/explain/explain_views.h"
+#include "tools/explain/explain.h"
 #include "tools/report/json.h"
 
 namespace raycheck::tools {
 namespace {
 
-Json text_or_null(const std::optional<reference::ClosedForm>& form) {
+Json form_or_null(const std::optional<reference::ClosedForm>& form) {
   return form ? Json(form->text()) : Json(nullptr);
 }
 
@@ -29,7 +29,7 @@ Json sphere_json(const SphereReport& sphere) {
   json["left_out"] = left_out_json(sphere.left_out);
   json["point"] = miss ? Json(nullptr) : hexfloats(sphere.point);
   json["closed_form"] = {
-      {"s", text_or_null(sphere.closed_form_parameter)},
+      {"s", form_or_null(sphere.closed_form_parameter)},
       {"point", miss ? Json(nullptr) : Json(reference::texts(sphere.closed_form_point))}};
   return json;
 }
@@ -95,7 +95,7 @@ Json exact_ray_json(const ExplainReport& report) {
   json["class"] = name(sphere.intersection.hit_class);
   json["s"] = hexfloat_or_null(sphere.parameter);
   json["left_out"] = left_out_json(sphere.left_out);
-  json["closed_form"] = text_or_null(sphere.closed_form_parameter);
+  json["closed_form"] = form_or_null(sphere.closed_form_parameter);
   json["point"] = sphere.parameter ? hexfloats(sphere.point) : Json(nullptr);
   json["closed_form_point"] =
       sphere.parameter ? Json(reference::texts(sphere.closed_form_point)) : Json(nullptr);
@@ -108,7 +108,7 @@ std::string explain_json(const ExplainReport& report, const ViewOptions& /*optio
   Json json = json_header("explain");
   json["conventions"] = conventions_json(report.scene.conventions);
   json["isolated_by"] = report.other ? Json(report.other->isolated_by) : Json(nullptr);
-  json["bounds_of"] = report.other ? null_if_empty(report.other->bounds_of) : Json(nullptr);
+  json["bounds_of"] = report.other ? text_or_null(report.other->bounds_of) : Json(nullptr);
   json["rounded_numbers"] = report.rounded_numbers;
   if (report.pixel) json["pixel"] = {report.pixel->i, report.pixel->j};
   json["sphere"] = report.sphere ? Json(*report.sphere) : Json(nullptr);

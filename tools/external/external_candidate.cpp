@@ -30,7 +30,7 @@ struct AnswerFailure {
     if (last) *last = kind;
     if (size) throw properties::OtherSize(words, size->width(), size->height());
     if (is_in_vain || kind == FailureKind::kNotAsked || kind == FailureKind::kSystem) {
-      throw properties::AskedInVain(words);
+      throw properties::CandidateUnavailable(words);
     }
     if (line) throw properties::FailedAtLine(words, *line);
     throw std::runtime_error(words);
@@ -290,15 +290,10 @@ External reading(const External& renderer, const DriverForm& driver) {
   return external;
 }
 
-Candidate external_candidate(const External& external, const LastFailure& last) {
-  if (external.renderer) return rendering_candidate(external, last);
-  const auto talk = std::make_shared<Conversation>(external, last);
-  const auto offers = [&](const char* function) {
-    return external.introduction.functions.contains(function);
-  };
-  using Pixels = Candidate::Pixels;
-  using Rays = Candidate::Rays;
-  using Spheres = Candidate::Spheres;
+namespace {
+
+/// What it declares, and the bounds to which it is held.
+Candidate introduced(const External& external) {
   Candidate candidate;
   candidate.name = external.name;
   candidate.declared = external.introduction.declared;
@@ -312,6 +307,21 @@ Candidate external_candidate(const External& external, const LastFailure& last) 
       std::max(properties::kSmallestJudgedLength, external.introduction.smallest_length);
   candidate.smallest_camera_length = candidate.smallest_length;
   candidate.largest_length = external.introduction.largest_length;
+  return candidate;
+}
+
+}  // namespace
+
+Candidate external_candidate(const External& external, const LastFailure& last) {
+  if (external.renderer) return rendering_candidate(external, last);
+  const auto talk = std::make_shared<Conversation>(external, last);
+  const auto offers = [&](const char* function) {
+    return external.introduction.functions.contains(function);
+  };
+  using Pixels = Candidate::Pixels;
+  using Rays = Candidate::Rays;
+  using Spheres = Candidate::Spheres;
+  Candidate candidate = introduced(external);
   candidate.allow = [talk](double share) { talk->allow(share); };
   if (offers("frame")) {
     candidate.frame = [talk](const scene::Camera& camera) {

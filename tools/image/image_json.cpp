@@ -9,8 +9,8 @@ namespace {
 Json error_counts_json(const ErrorCounts& error) {
   Json json;
   json["candidate"] = error.candidate;
-  json["isolated_by"] = null_if_empty(error.implementation.isolated_by);
-  json["bounds_of"] = null_if_empty(error.implementation.bounds_of);
+  json["isolated_by"] = text_or_null(error.implementation.isolated_by);
+  json["bounds_of"] = text_or_null(error.implementation.bounds_of);
   json["failed"] = {{"pixels", error.failed}, {"first", error.first_failure}};
   json["precision"] = name(error.precision);
   json["rounded_numbers"] = error.rounded_numbers;

@@ -22,8 +22,8 @@ std::string stress_json(const StressReport& report, const ViewOptions& /*options
       Json method;
       const scene::Precision precision = curve.method.precision;
       method["name"] = curve.method.name;
-      method["isolated_by"] = null_if_empty(curve.method.isolated_by);
-      method["bounds_of"] = null_if_empty(curve.method.bounds_of);
+      method["isolated_by"] = text_or_null(curve.method.isolated_by);
+      method["bounds_of"] = text_or_null(curve.method.bounds_of);
       method["precision"] = name(precision);
       method["stage"] = name(curve.stage);
       method["judged"] = curve.is_judged();

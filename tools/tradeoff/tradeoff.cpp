@@ -108,7 +108,11 @@ class TimedCases {
 std::vector<MethodCost> costs_of(const std::vector<Implementation>& methods, Stage stage) {
   std::vector<MethodCost> costs;
   for (const Implementation& method : methods) {
-    if (method.offers(stage)) costs.push_back({stage, method, method.make()});
+    if (!method.offers(stage)) continue;
+    MethodCost& cost = costs.emplace_back();
+    cost.stage = stage;
+    cost.method = method;
+    cost.promises = method.make();
   }
   return costs;
 }

@@ -135,7 +135,10 @@ Table ray_table(const std::vector<MethodCost>& costs, scene::Precision precision
                quantile_text(inside, Quantity::kDirection, 0.999),
                max_text(inside, Quantity::kDirection), audited_text(inside, Quantity::kDirection),
                bound_text(cost, Quantity::kDirection), audited_text(inside, Quantity::kPixelPoint),
-               bound_text(cost, Quantity::kPixelPoint), ratio_text(inside), stability_text(cost)});
+               inside.tally(Quantity::kPixelPoint).cases == 0
+                   ? "-"
+                   : bound_text(cost, Quantity::kPixelPoint),
+               ratio_text(inside), stability_text(cost)});
   }
   return table;
 }

@@ -24,8 +24,8 @@ std::string worst_json(const WorstReport& report, const ViewOptions& /*options*/
   const properties::SearchOptions& search = report.search;
   Json json = json_header("worst");
   json["method"] = report.method.name;
-  json["isolated_by"] = null_if_empty(report.method.isolated_by);
-  json["bounds_of"] = null_if_empty(report.method.bounds_of);
+  json["isolated_by"] = text_or_null(report.method.isolated_by);
+  json["bounds_of"] = text_or_null(report.method.bounds_of);
   json["family"] = search.source.name();
   json["seed"] = search.seed;
   json["climbed_on"] = properties::kClimbNames[static_cast<std::size_t>(search.climb)];

@@ -100,19 +100,6 @@ TEST(Stability, TellsDefectsFromExcusedDecisionsFromThoseOutsideTheDomain) {
             1u);
 }
 
-TEST(Stability, OfAContractAsksForUnitDirectionsAndOriginsOutside) {
-  Candidate strict = that_answers_parameter(kParameter);
-  strict.needs_unit_direction = true;
-  strict.needs_origin_outside = true;
-  Case the_case = at_height_of_unit_sphere(0.5);
-  EXPECT_TRUE(is_inside_domain(strict, the_case.scene));
-  the_case.scene.rays[0].origin.x = -0.25;
-  EXPECT_FALSE(is_inside_domain(strict, the_case.scene));
-  the_case = at_height_of_unit_sphere(0.5);
-  the_case.scene.rays[0].direction.x = 2;
-  EXPECT_FALSE(is_inside_domain(strict, the_case.scene));
-}
-
 TEST(Stress, JudgesIntersectionsAloneOnTheRaysOfACamera) {
   StressOptions options;
   options.cases = 200;

@@ -1,5 +1,4 @@
-// The examples of engines as candidates: built as their first lines say, and judged by the
-// contracts that they state.
+// The adapters of engines as candidates, judged by what they declare; target `engines` builds them.
 
 #include <gtest/gtest.h>
 
@@ -16,21 +15,6 @@ namespace raycheck::tests {
 namespace {
 
 using nlohmann::json;
-
-/// An engine's library; empty where the package that it needs is not installed.
-std::string built_engine(const std::string& compiler, const std::string& source,
-                         const std::string& header, const std::string& flags) {
-  if (!std::filesystem::exists(header)) return "";
-  const std::string folder = temporary_file("engine", "") + ".d";
-  std::filesystem::create_directory(folder);
-  const std::string library = folder + "/engine.so";
-  const std::string root = RAYCHECK_SOURCE_DIR;
-  const std::string words = compiler + " -O2 -fPIC -shared -I" + root + "/include " + root +
-                            "/examples/engines/" + source + " " + flags + " -o " + library +
-                            " 2>/dev/null";
-  EXPECT_EQ(std::system(words.c_str()), 0) << words;
-  return library;
-}
 
 /// Hits are right on a plain scene, in the precision that it states.
 void expect_judged(const std::string& library, const std::string& precision) {
@@ -57,7 +41,8 @@ std::vector<std::string> shown_below(const std::string& command) {
 /// Runs what the page shows, beside a library of that name, and compares what is printed.
 void expect_as_shown(const std::string& library, const std::string& name,
                      const std::string& command) {
-  const std::filesystem::path folder = std::filesystem::path(library).parent_path();
+  const std::filesystem::path folder = temporary_file("engine", "") + ".d";
+  std::filesystem::create_directory(folder);
   std::filesystem::copy_file(library, folder / name);
   std::filesystem::create_directory_symlink(std::string(RAYCHECK_SOURCE_DIR) + "/scene",
                                             folder / "scene");
@@ -73,28 +58,52 @@ void expect_as_shown(const std::string& library, const std::string& name,
     const std::size_t kept = line.find("isolated by: ");  // which differs by machine
     EXPECT_EQ(line.substr(0, kept), expected.substr(0, kept)) << command;
   }
-  for (const char* made : {"scene", "printed"}) std::filesystem::remove(folder / made);
-  std::filesystem::remove(folder / name);
+  std::filesystem::remove_all(folder);
 }
 
-TEST(Engines, embree_is_judged_in_floats) {
-  const std::string library =
-      built_engine("g++ -std=c++20", "embree.cpp", "/usr/include/embree3/rtcore.h", "-lembree3");
-  if (library.empty()) GTEST_SKIP() << "libembree-dev is not installed";
-  expect_judged(library, "single");
-  expect_as_shown(library, "embree.so",
+/// An engine's library, and in which precision it computes.
+struct Engine {
+  const char *name, *precision;
+  std::string library() const { return std::string(RAYCHECK_ENGINES "/") + name + ".so"; }
+  bool is_built() const { return std::filesystem::exists(library()); }
+};
+const Engine kEmbree = {"embree", "single"}, kVecgeom = {"vecgeom", "double"};
+
+class Engines : public testing::TestWithParam<Engine> {
+ protected:
+  void SetUp() override {
+    if (!GetParam().is_built()) {
+      GTEST_SKIP() << GetParam().name
+                   << " is not built, which target `engines` does where its package is installed";
+    }
+  }
+};
+
+TEST_P(Engines, are_right_on_a_plain_scene_under_what_they_declare) {
+  expect_judged(GetParam().library(), GetParam().precision);
+}
+
+TEST_P(Engines, are_timed_as_methods_are) {
+  const json report = report_of("tradeoff --family rays --cases 20 --method cross" + kUnkept,
+                                "library:" + GetParam().library(), 0);
+  EXPECT_TRUE(report["intersections"][1]["called_in_process"])
+      << report["intersections"][1]["note"];
+}
+
+INSTANTIATE_TEST_SUITE_P(Each, Engines,
+                         testing::Values(Engine{"boost", "double"}, Engine{"core", "double"},
+                                         kEmbree, Engine{"glm", "double"}, Engine{"gsl", "double"},
+                                         kVecgeom),
+                         [](const auto& one) { return one.param.name; });
+
+TEST(ShownEngines, are_judged_as_the_page_shows) {
+  if (!kEmbree.is_built() || !kVecgeom.is_built())
+    GTEST_SKIP() << "embree and vecgeom are not built";
+  expect_as_shown(kEmbree.library(), "embree.so",
                   "check scene/examples/ten-spheres.toml --candidate library:embree.so");
-  expect_as_shown(library, "embree.so",
+  expect_as_shown(kEmbree.library(), "embree.so",
                   "properties --candidate library:embree.so --filter class --cases 300");
-}
-
-TEST(Engines, vecgeom_is_judged_in_doubles) {
-  const std::string library =
-      built_engine("g++ -std=c++20 -DVECCORE_ENABLE_VC", "vecgeom.cpp",
-                   "/usr/include/VecGeom/volumes/UnplacedOrb.h", "-lvecgeom");
-  if (library.empty()) GTEST_SKIP() << "libvecgeom-dev is not installed";
-  expect_judged(library, "double");
-  expect_as_shown(library, "vecgeom.so",
+  expect_as_shown(kVecgeom.library(), "vecgeom.so",
                   "properties --candidate library:vecgeom.so --filter parameter --cases 300");
 }
 

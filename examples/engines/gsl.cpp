@@ -1,0 +1,19 @@
+// GSL's gsl_poly_solve_quadratic of the textbook's rounded coefficients. Debian: libgsl-dev.
+
+#include <gsl/gsl_poly.h>
+
+#include "adapter.h"
+
+using namespace raycheck;
+
+static std::optional<Hit> intersect(const Ray& ray, const Sphere& sphere,
+                                    const Conventions& asked) {
+  const Quadratic q(ray, sphere);
+  double smaller = 0, larger = 0;
+  // A double root counts as two that are equal.
+  if (gsl_poly_solve_quadratic(q.a, q.b, q.c, &smaller, &larger) != 2) return std::nullopt;
+  return chosen(ray, smaller, larger, asked);
+}
+
+RAYCHECK_CANDIDATE(.name = "gsl", .tangent = Tangent::hit, .intersect = intersect,
+                   .level = Level::ordinary, .smallest_length = 0x1p-200, .largest_length = 0x1p200)
