@@ -116,6 +116,7 @@ bool is_shaded_around(const ReadPicture& picture) {
 }
 
 double likeness(const ReadPicture& picture, const properties::ImageAnswer& truth) {
+  if (picture.pixels.empty()) return 0;
   const Colour background = background_of(picture);
   double both = 0, either = 0;
   for (std::size_t k = 0; k < picture.pixels.size(); ++k) {
