@@ -19,13 +19,13 @@
 
 namespace raycheck::tools {
 
-/// How a candidate failed to answer.
+/// How a candidate failed.
 struct AnswerFailure {
   std::string words;
   FailureKind kind = FailureKind::kBadReply;
-  std::optional<properties::OtherSize> size = {};  ///< Of a picture, where it is the failure.
-  bool is_in_vain = false;                         ///< It would have failed whatever it was asked.
-  std::optional<properties::CodeLine> line = {};   ///< Of its source, where that is known.
+  std::optional<properties::OtherSize> size = {};  ///< Of a picture, if the size is wrong.
+  bool is_in_vain = false;                         ///< It fails whatever it is asked.
+  std::optional<properties::CodeLine> line = {};   ///< In its source, if known.
 
   [[noreturn]] void raise(const LastFailure& last) const {
     if (last) *last = kind;
@@ -38,7 +38,7 @@ struct AnswerFailure {
   }
 };
 
-/// Pictures of the last scene, for all threads; a failure is kept like a picture.
+/// The picture of the last scene, for all threads; a failure is kept like a picture.
 class Pictures {
  public:
   explicit Pictures(Renderer renderer) : renderer_(std::move(renderer)) {}
@@ -92,7 +92,7 @@ namespace {
 using properties::Candidate;
 using properties::CodeLine;
 
-/// " at tracer.cpp:42", as a clause; empty where no line is known.
+/// " at tracer.cpp:42", as a clause; empty if the line is unknown.
 std::string line_text(const std::optional<CodeLine>& line) {
   return line ? fmt::format(" at {}:{}", scene::visible_line(line->file), line->line) : "";
 }
@@ -155,12 +155,12 @@ class Conversation {
     start();
     return introduction_;
   }
-  /// What is asked from now on has this share of the time that a reply may take.
+  /// From now on requests have this share of the time for a reply.
   void allow(double share) { share_ = share; }
   KeptText said() const { return process_ ? process_->said() : KeptText(); }
 
  private:
-  /// Not to be foreseen, so that no reply is made before its request.
+  /// Unpredictable, so that no reply can be prepared before its request.
   std::string next_id() { return fmt::format("{:016x}", ids_()); }
 
   void start() {
@@ -174,7 +174,7 @@ class Conversation {
     if (external_.answers) external_.answers->keep(std::string(kGreeting), {text});
   }
 
-  /// Where in its source a worker says that it failed.
+  /// The source line at which a worker says that it failed.
   std::optional<CodeLine> line_in(std::string_view answer) const {
     return external_.lines ? external_.lines->innermost(frames_in(answer)) : std::nullopt;
   }
@@ -185,7 +185,7 @@ class Conversation {
     return external_.answers ? external_.answers->find(request) : std::nullopt;
   }
 
-  /// A reply, and the id of the request that it was made to.
+  /// A reply, and the id of its request.
   struct IdentifiedReply {
     std::string id, text;
   };
@@ -225,10 +225,10 @@ class Conversation {
   Introduction introduction_;
   std::string failed_request_;
   AnswerFailure failure_;
-  bool introduction_heard_ = true;  ///< By the process that was started last.
+  bool introduction_heard_ = true;  ///< From the last process started.
   double share_ = 1;
   int silences_ = 0;
-  double silent_shares_ = 0;  ///< What they had of the time for a reply, added up.
+  double silent_shares_ = 0;  ///< Sum of their shares of the time for a reply.
   std::mt19937_64 ids_{std::random_device{}()};
 };
 
